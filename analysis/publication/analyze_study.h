@@ -1,0 +1,22 @@
+// From a study's file to a folder of tables, figures and a report.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foveola::analysis {
+
+struct AnalysisOutput {
+  std::filesystem::path report;              ///< report.html
+  std::vector<std::filesystem::path> files;  ///< everything that was written
+  std::string summary;  ///< a table for the terminal, several lines, ready to print
+  std::vector<std::string> warnings;
+};
+
+/// Reads the study's file and writes the published tables and figures to `folder`, which is made if
+/// its parent exists. Throws Error if there is nothing to analyse or the folder cannot be written.
+AnalysisOutput analyze_study(const std::filesystem::path& database,
+                             const std::filesystem::path& folder);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,69 @@
+// Angles and directions: world azimuth and elevation, and the true angle between two directions.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+constexpr double radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180.0); }
+constexpr double degrees(double angle_rad) { return angle_rad * (180.0 / std::numbers::pi); }
+
+/// A world direction as two angles: azimuth from -Z towards +X in [-pi, pi], elevation from the
+/// horizon towards +Y in [-pi/2, pi/2].
+struct AzimuthElevation {
+  double azimuth_rad = 0.0;
+  double elevation_rad = 0.0;
+};
+
+/// The unit vector of `angles`.
+inline Vec3 direction_from(const AzimuthElevation& angles) {
+  const double horizontal = std::cos(angles.elevation_rad);
+  return {static_cast<float>(horizontal * std::sin(angles.azimuth_rad)),
+          static_cast<float>(std::sin(angles.elevation_rad)),
+          static_cast<float>(-horizontal * std::cos(angles.azimuth_rad))};
+}
+
+/// The angles of `direction`, which need not have unit length. At the poles the azimuth is 0.
+inline AzimuthElevation azimuth_elevation(const Vec3& direction) {
+  const double horizontal = std::hypot(static_cast<double>(direction.x), direction.z);
+  return {.azimuth_rad = horizontal > 0.0 ? std::atan2(direction.x, -direction.z) : 0.0,
+          .elevation_rad = std::atan2(static_cast<double>(direction.y), horizontal)};
+}
+
+/// The true angle between two directions in radians, in [0, pi]; accurate at both ends, where the
+/// arc cosine of a dot product is not (Kahan, "How futile are mindless assessments of roundoff in
+/// floating-point computation?", section 12).
+inline double angle_between(const Vec3& a, const Vec3& b) {
+  const DVec3 unit_a = glm::normalize(DVec3(a));
+  const DVec3 unit_b = glm::normalize(DVec3(b));
+  return 2.0 * std::atan2(glm::length(unit_a - unit_b), glm::length(unit_a + unit_b));
+}
+
+/// Two unit vectors that complete the unit vector `n` to a right-handed orthonormal frame
+/// (tangent, bitangent, n), without a branch on its direction (Duff et al. 2017, "Building an
+/// Orthonormal Basis, Revisited").
+struct Frame {
+  Vec3 tangent;
+  Vec3 bitangent;
+  Vec3 normal;
+
+  explicit Frame(const Vec3& n) : normal(n) {
+    const float sign = std::copysign(1.0F, n.z);
+    const float a = -1.0F / (sign + n.z);
+    const float b = n.x * n.y * a;
+    tangent = Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    bitangent = Vec3(b, sign + n.y * n.y * a, -n.y);
+  }
+
+  Vec3 to_world(const Vec3& local) const {
+    return local.x * tangent + local.y * bitangent + local.z * normal;
+  }
+  Vec3 to_local(const Vec3& world) const {
+    return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
+  }
+};
+
+}  // namespace foveola

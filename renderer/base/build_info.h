@@ -1,0 +1,26 @@
+// Which program and which machine: written into every record and measurement.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace foveola {
+
+struct BuildInfo {
+  std::string version;   ///< "0.1.0"
+  std::string compiler;  ///< "GNU 12.2.0"
+  std::string build_type;
+};
+BuildInfo build_info();
+
+struct MachineInfo {
+  std::string processor;  ///< as the kernel names it
+  int cores = 0;
+  std::string system;  ///< kernel name and release
+};
+MachineInfo machine_info();
+
+/// The most memory this process has had resident, in bytes.
+std::uint64_t peak_memory_bytes();
+
+}  // namespace foveola

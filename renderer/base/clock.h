@@ -1,0 +1,44 @@
+// Time that a test or a simulation can own: everything that asks for the time asks a Clock.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace foveola {
+
+/// Nanoseconds since an arbitrary but fixed origin of one run.
+using Nanoseconds = std::chrono::nanoseconds;
+
+inline double seconds(Nanoseconds duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+inline Nanoseconds nanoseconds_from_seconds(double duration_s) {
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(duration_s));
+}
+
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  virtual Nanoseconds now() const = 0;
+};
+
+/// The machine's monotonic clock.
+class SteadyClock final : public Clock {
+ public:
+  Nanoseconds now() const override { return std::chrono::steady_clock::now().time_since_epoch(); }
+};
+
+/// Stands still until it is told to advance.
+class VirtualClock final : public Clock {
+ public:
+  Nanoseconds now() const override { return now_; }
+  void advance(Nanoseconds duration) { now_ += duration; }
+
+ private:
+  Nanoseconds now_{0};
+};
+
+/// The wall clock as ISO 8601 in UTC with milliseconds: "2026-11-21T09:30:00.123Z".
+std::string utc_now();
+
+}  // namespace foveola

@@ -1,0 +1,23 @@
+#include "renderer/base/error.h"
+
+#include <algorithm>
+
+namespace foveola {
+namespace {
+
+std::string one_line(const std::string& where, const std::string& what, const std::string& remedy) {
+  std::string text = where + ": " + what;
+  if (!remedy.empty()) {
+    text += "; " + remedy;
+  }
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+Error::Error(const std::string& where, const std::string& what, const std::string& remedy)
+    : std::runtime_error(one_line(where, what, remedy)) {}
+
+}  // namespace foveola

@@ -1,0 +1,122 @@
+#include "renderer/base/files.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+/// The value of an environment variable as a path; empty if it is unset or empty.
+fs::path path_from_environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? fs::path(value) : fs::path();
+}
+
+/// Removes a file at the end of its scope unless it was released.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+fs::path resource_folder() {
+  if (const fs::path chosen = path_from_environment("FOVEOLA_RESOURCES"); !chosen.empty()) {
+    if (!fs::is_directory(chosen / "protocols")) {
+      throw Error("FOVEOLA_RESOURCES=" + chosen.string(), "has no folder protocols/ in it",
+                  "point it at Foveola's share folder or unset it");
+    }
+    return chosen;
+  }
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "foveola";
+  for (const fs::path& candidate : {installed, fs::path(FOVEOLA_SOURCE_FOLDER)}) {
+    if (fs::is_directory(candidate / "protocols", ignored)) {
+      return candidate;
+    }
+  }
+  throw Error(program.string(), "cannot find its protocols, scenes and data",
+              "set FOVEOLA_RESOURCES to the folder that holds them");
+}
+
+fs::path cache_folder() {
+  if (const fs::path cache = path_from_environment("XDG_CACHE_HOME"); !cache.empty()) {
+    return cache / "foveola";
+  }
+  if (const fs::path home = path_from_environment("HOME"); !home.empty()) {
+    return home / ".cache" / "foveola";
+  }
+  return fs::temp_directory_path() / "foveola";
+}
+
+std::string read_file(const fs::path& path) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(path, failure);
+  if (!fs::exists(status)) {
+    throw Error(path.string(), "no such file", "check the path");
+  }
+  if (fs::is_directory(status)) {
+    throw Error(path.string(), "is a folder, not a file", "name a file in it");
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(content << file.rdbuf()))) {
+    throw Error(path.string(), "cannot be read", "check its permissions");
+  }
+  return std::move(content).str();
+}
+
+void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder)) {
+    throw Error(path.string(), "the folder " + folder.string() + " does not exist",
+                "create it or choose another path");
+  }
+  if (fs::is_directory(path)) {
+    throw Error(path.string(), "is a folder, not a file", "name a file in it");
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "the folder " + folder.string() + " cannot be written",
+                "check its permissions or choose another path");
+  }
+  const TemporaryFile temporary(folder / fmt::format(".{}.{}.partial{}", path.stem().string(),
+                                                     ::getpid(), path.extension().string()));
+  write(temporary.path());
+  std::error_code failure;
+  fs::rename(temporary.path(), path, failure);
+  if (failure) {
+    throw Error(path.string(), "cannot be written: " + failure.message(), "choose another path");
+  }
+}
+
+void write_file(const fs::path& path, std::string_view content) {
+  replace_file(path, [&](const fs::path& temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file) {
+      throw Error(path.string(), "cannot be written", "check its permissions and the free space");
+    }
+  });
+}
+
+}  // namespace foveola

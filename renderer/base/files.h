@@ -1,0 +1,33 @@
+// Files: where the program finds its own, reading them whole, and writing without half-written
+// ones.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace foveola {
+
+/// The folder that holds protocols/, scenes/ and data/: $FOVEOLA_RESOURCES, else share/foveola
+/// beside the installed program, else the source tree it was built from. Throws Error if none
+/// exists.
+std::filesystem::path resource_folder();
+
+/// Where things that can be made again are kept: $XDG_CACHE_HOME/foveola, else ~/.cache/foveola.
+std::filesystem::path cache_folder();
+
+/// The whole content of a regular file. Throws Error, naming the path, if it is missing, a folder
+/// or unreadable.
+std::string read_file(const std::filesystem::path& path);
+
+/// Calls `write` with the path of a temporary file beside `path`, which then takes the place of
+/// `path` in one step. If `write` throws, nothing is left behind. The temporary name keeps the
+/// extension of `path`. Throws Error if the folder does not exist or cannot be written.
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path&)>& write);
+
+/// replace_file with the bytes of `content`.
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace foveola

@@ -1,0 +1,57 @@
+#include "renderer/base/progress.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace foveola {
+
+Progress::Progress(std::string label)
+    : label_(std::move(label)),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (terminal_) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+void Progress::update(double fraction_done, const std::string& detail) {
+  const auto now = std::chrono::steady_clock::now();
+  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
+  const int tenth = static_cast<int>(fraction_done * 10.0);
+  const bool due =
+      terminal_ ? now - last_shown_ >= std::chrono::milliseconds(100) : tenth > last_tenth_;
+  if (!due) {
+    return;
+  }
+  last_shown_ = now;
+  last_tenth_ = tenth;
+  const std::string left =
+      fraction_done > 0.0
+          ? human_duration(elapsed_s * (1.0 - fraction_done) / fraction_done) + " left"
+          : "";
+  const std::string line =
+      fmt::format("{}  {:3.0f} %  {}  {}", label_, 100.0 * fraction_done, left, detail);
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "\n");
+  std::fflush(stderr);
+}
+
+std::string human_duration(double duration_s) {
+  if (duration_s < 1.0) {
+    return fmt::format("{:.0f} ms", duration_s * 1e3);
+  }
+  const auto total_s = static_cast<long>(std::lround(duration_s));
+  if (total_s < 60) {
+    return fmt::format("{} s", total_s);
+  }
+  if (total_s < 3600) {
+    return fmt::format("{} m {:02} s", total_s / 60, total_s % 60);
+  }
+  return fmt::format("{} h {:02} m", total_s / 3600, total_s % 3600 / 60);
+}
+
+}  // namespace foveola

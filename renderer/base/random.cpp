@@ -1,0 +1,94 @@
+#include "renderer/base/random.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace foveola {
+namespace {
+
+std::uint32_t reverse_bits(std::uint32_t x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & 0x00ff00ffU) << 8) | ((x & 0xff00ff00U) >> 8);
+  x = ((x & 0x0f0f0f0fU) << 4) | ((x & 0xf0f0f0f0U) >> 4);
+  x = ((x & 0x33333333U) << 2) | ((x & 0xccccccccU) >> 2);
+  return ((x & 0x55555555U) << 1) | ((x & 0xaaaaaaaaU) >> 1);
+}
+
+/// Each bit is flipped by a hash of the bits below it only, which on reversed bits is a nested
+/// uniform scramble (constants of Vegdahl 2021, "Building a Better LK Hash").
+std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeaU;
+  x += seed;
+  x *= (seed >> 16) | 1U;
+  x ^= x * 0x05526c56U;
+  x ^= x * 0x53a22864U;
+  return x;
+}
+
+std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
+  return reverse_bits(laine_karras(reverse_bits(x), seed));
+}
+
+/// The second Sobol dimension; its direction numbers are Pascal's triangle modulo 2. (The first is
+/// the bit reversal.)
+std::uint32_t sobol_dimension_1(std::uint32_t index) {
+  std::uint32_t result = 0;
+  for (std::uint32_t direction = 1U << 31; index != 0; index >>= 1) {
+    if ((index & 1U) != 0) {
+      result ^= direction;
+    }
+    direction ^= direction >> 1;
+  }
+  return result;
+}
+
+constexpr std::uint64_t pcg_multiplier = 6364136223846793005ULL;
+
+}  // namespace
+
+Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed) {
+  const auto block = static_cast<std::uint32_t>(index >> 32);
+  const auto i = static_cast<std::uint32_t>(index);
+  const std::uint32_t key = mix(mix(seed), block);
+  return {unit_float(owen_scramble(reverse_bits(i), mix(key, 0))),
+          unit_float(owen_scramble(sobol_dimension_1(i), mix(key, 1)))};
+}
+
+Pcg32::Pcg32(std::uint64_t seed, std::uint64_t stream) : increment_((stream << 1) | 1U) {
+  next();
+  state_ += seed;
+  next();
+}
+
+std::uint32_t Pcg32::next() {
+  const std::uint64_t old = state_;
+  state_ = old * pcg_multiplier + increment_;
+  const auto shifted = static_cast<std::uint32_t>(((old >> 18) ^ old) >> 27);
+  const auto rotation = static_cast<std::uint32_t>(old >> 59);
+  return (shifted >> rotation) | (shifted << ((32U - rotation) & 31U));
+}
+
+std::uint32_t Pcg32::below(std::uint32_t bound) {
+  const std::uint32_t threshold = (0U - bound) % bound;
+  for (;;) {
+    const std::uint32_t value = next();
+    if (value >= threshold) {
+      return value % bound;
+    }
+  }
+}
+
+double Pcg32::uniform() {
+  const std::uint64_t high = next() >> 5;
+  const std::uint64_t low = next() >> 6;
+  return static_cast<double>((high << 26) | low) * 0x1p-53;
+}
+
+double Pcg32::normal() {
+  const double radius = std::sqrt(2.0 * exponential());
+  return radius * std::cos(2.0 * std::numbers::pi * uniform());
+}
+
+double Pcg32::exponential() { return -std::log1p(-uniform()); }
+
+}  // namespace foveola

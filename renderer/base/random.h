@@ -1,0 +1,84 @@
+// Random numbers that are functions of a key, so that a result never depends on threads or order.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+/// A bijective mixer of 32 bits ("lowbias32", Ellis 2018, "Prospecting for Hash Functions").
+constexpr std::uint32_t mix(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x7feb352dU;
+  x ^= x >> 15;
+  x *= 0x846ca68bU;
+  x ^= x >> 16;
+  return x;
+}
+
+/// Folds `value` into the running hash `state`.
+constexpr std::uint32_t mix(std::uint32_t state, std::uint32_t value) {
+  return mix(state ^ (mix(value + 0x9e3779b9U) + 0x85ebca6bU));
+}
+
+/// The 24 high bits as a float in [0, 1); never 1.
+constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
+
+/// The random numbers of one path: number d is a function of (seed, pixel, sample number, d).
+class SampleStream {
+ public:
+  SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample_number)
+      : key_(mix(mix(mix(seed), pixel), sample_number)) {}
+
+  float next_1d() { return unit_float(mix(key_, dimension_++)); }
+  Vec2 next_2d() {
+    const float x = next_1d();
+    const float y = next_1d();
+    return {x, y};
+  }
+
+ private:
+  std::uint32_t key_;
+  std::uint32_t dimension_ = 0;
+};
+
+/// Point `index` of the two-dimensional Sobol sequence, Owen-scrambled by `seed` with the hash of
+/// Burley 2020, "Practical Hash-based Owen Scrambling". Any 2^(a+b) consecutive points that start
+/// at a multiple of 2^(a+b) put exactly one in each of the 2^a x 2^b equal boxes of the unit
+/// square. Beyond 2^32 points the scramble changes and the sequence starts anew.
+Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed);
+
+/// A small generator with a stated algorithm (PCG-XSH-RR 64/32, O'Neill 2014), for everything that
+/// is drawn one after the other. The standard library's distributions differ between
+/// implementations; these do not.
+class Pcg32 {
+ public:
+  explicit Pcg32(std::uint64_t seed, std::uint64_t stream = 0);
+
+  std::uint32_t next();
+  /// Uniform in [0, bound), without modulo bias. bound > 0.
+  std::uint32_t below(std::uint32_t bound);
+  /// Uniform in [0, 1), with 53 bits.
+  double uniform();
+  /// Standard normal (Box and Muller 1958).
+  double normal();
+  /// Exponential with mean 1.
+  double exponential();
+
+ private:
+  std::uint64_t state_ = 0;
+  std::uint64_t increment_;
+};
+
+/// Fisher-Yates shuffle with `generator`.
+template <typename T>
+void shuffle(std::span<T> items, Pcg32& generator) {
+  for (std::size_t i = items.size(); i > 1; --i) {
+    std::swap(items[i - 1], items[generator.below(static_cast<std::uint32_t>(i))]);
+  }
+}
+
+}  // namespace foveola

@@ -1,0 +1,32 @@
+// Plain images: rows of linear colours, first row at the top.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+struct RgbImage {
+  int width = 0;
+  int height = 0;
+  std::vector<Rgb> pixels;
+
+  RgbImage() = default;
+  RgbImage(int width_px, int height_px)
+      : width(width_px),
+        height(height_px),
+        pixels(static_cast<std::size_t>(width_px) * height_px) {}
+
+  Rgb& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  const Rgb& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+};
+
+/// An image with the number of samples behind each pixel.
+struct FilmImage {
+  RgbImage color;
+  std::vector<std::uint32_t> samples;
+};
+
+}  // namespace foveola

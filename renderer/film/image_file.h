@@ -1,0 +1,26 @@
+// Images in files, through OpenImageIO.
+#pragma once
+
+#include <filesystem>
+
+#include "renderer/film/image.h"
+
+namespace foveola {
+
+/// Throws UsageError unless the extension is .exr or .png.
+void require_image_extension(const std::filesystem::path& path);
+
+/// .exr: float channels R, G, B and `samples`. .png: sRGB, 8 bits, after `exposure_stops`. The
+/// file appears whole or not at all. Throws Error if it cannot be written.
+void write_film_image(const std::filesystem::path& path, const FilmImage& image,
+                      double exposure_stops);
+
+/// A linear image as .exr (R, G, B) or .png (as write_film_image).
+void write_image(const std::filesystem::path& path, const RgbImage& image, double exposure_stops);
+
+/// Reads any image that OpenImageIO knows as linear colours: 8-bit files are taken as sRGB. The
+/// counts come from a channel `samples`, or are 1 where there is none. Throws Error if it cannot
+/// be read.
+FilmImage read_film_image(const std::filesystem::path& path);
+
+}  // namespace foveola

@@ -1,0 +1,61 @@
+// Where the eye looks: one interface for every source of gaze.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/random.h"
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+struct GazeSample {
+  Nanoseconds time{0};                ///< when the eye was there
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, in the head's axes (-Z forward)
+  bool valid = false;
+};
+
+class EyeTracker {
+ public:
+  virtual ~EyeTracker() = default;
+  /// The newest sample that has arrived by `now`, valid or not; empty before the first. Time may
+  /// not go backwards between calls.
+  virtual std::optional<GazeSample> newest(Nanoseconds now) = 0;
+};
+
+/// Always looks along `direction` (head's axes), as of now.
+class FixedEyeTracker final : public EyeTracker {
+ public:
+  explicit FixedEyeTracker(const Vec3& direction) : direction_(direction) {}
+  std::optional<GazeSample> newest(Nanoseconds now) override;
+
+ private:
+  Vec3 direction_;
+};
+
+/// A tracker with a rate, a delay and noise, looking at a simulated eye.
+struct SimulatedTrackerSettings {
+  double rate_hz = 120.0;
+  double latency_s = 0.014;    ///< from the eye to the host: FOVE 0's 8 + 2 + 4 ms
+  double precision_deg = 0.1;  ///< standard deviation along each axis
+  std::uint64_t seed = 0;
+};
+
+class SimulatedEyeTracker final : public EyeTracker {
+ public:
+  /// true_gaze gives the eye's direction in the head's axes at a time; empty while it blinks.
+  using TrueGaze = std::function<std::optional<Vec3>(Nanoseconds)>;
+  SimulatedEyeTracker(const SimulatedTrackerSettings& settings, TrueGaze true_gaze);
+  std::optional<GazeSample> newest(Nanoseconds now) override;
+
+ private:
+  SimulatedTrackerSettings settings_;
+  TrueGaze true_gaze_;
+  std::int64_t next_index_ = 0;
+  std::optional<GazeSample> newest_;
+  Pcg32 noise_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,33 @@
+// What an image will converge to: long renders, kept in a cache by what they depend on.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "renderer/film/image.h"
+#include "renderer/trace/path_tracer.h"
+
+namespace foveola {
+
+struct ReferenceSettings {
+  Vec3 viewpoint{0.0F};
+  int width = 0;
+  int height = 0;
+  int max_depth = 8;
+  std::uint32_t seed = 0;
+  int samples_per_pixel = 64;              ///< uniformly over the image
+  std::vector<Vec3> interests;             ///< directions that get more
+  std::uint64_t samples_per_interest = 0;  ///< foveated around each of them
+};
+
+/// Renders the reference, or takes it from `cache`, where it lies under a hash of the scene's
+/// `scene_key` (its content's SHA-256 and whatever was added to it) and the settings. progress is
+/// called with the fraction done. Throws Error if stopped.
+FilmImage reference_image(const PathTracer& tracer, const std::string& scene_key,
+                          const ReferenceSettings& settings, const Workers& workers,
+                          const std::filesystem::path& cache,
+                          const std::function<void(double)>& progress, std::stop_token stop);
+
+}  // namespace foveola

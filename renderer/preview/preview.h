@@ -1,0 +1,86 @@
+// The frame loop: poll head and gaze, aim, trace, update the film, present.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/film/equirect_film.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/head_tracker.h"
+#include "renderer/trace/path_tracer.h"
+#include "renderer/view/view_sampler.h"
+
+namespace foveola {
+
+struct PreviewSettings {
+  int film_width = 2048;
+  int film_height = 1024;
+  int view_width = 640;  ///< pixels of the presented image
+  int view_height = 640;
+  double horizontal_fov_deg = 100.0;
+  double vertical_fov_deg = 100.0;
+  Vec3 viewpoint{0.0F};
+  double exposure_stops = 0.0;
+  std::uint64_t samples_per_frame = 10000;
+  TraceSettings trace;
+};
+
+/// What happened in one frame; goes into the record.
+struct FrameReport {
+  std::uint64_t frame = 0;       ///< counted from the last restart
+  Nanoseconds time{0};           ///< when head and gaze were polled
+  AzimuthElevation head;         ///< world
+  Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< world, the one that was used
+  bool gaze_valid = false;       ///< whether the newest sample was; if not, the last valid one held
+  Nanoseconds gaze_age{0};       ///< of the gaze that was used, at `time`
+  std::uint64_t samples = 0;     ///< traced in this frame
+  std::uint64_t rays = 0;
+};
+
+/// Renders frame after frame with one method until it is restarted with another. It refers to the
+/// tracer, the trackers and the workers, which must outlive it; its owner keeps the clock.
+class Preview {
+ public:
+  Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeTracker& eye,
+          HeadTracker& head, const Workers& workers);
+  ~Preview();
+
+  /// Clears the film and renders with `method` (a name of make_view_sampler) from the next frame
+  /// on. Points and paths are drawn anew from `seed`.
+  void restart(std::string_view method, std::uint32_t seed);
+
+  FrameReport render_frame(Nanoseconds now);
+
+  /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
+  RgbImage present() const;
+  /// The view of the last frame.
+  const Viewport& viewport() const { return viewport_; }
+  const EquirectFilm& film() const { return film_; }
+  const PreviewSettings& settings() const { return settings_; }
+  /// Samples dropped since the last restart because they were not finite.
+  const std::vector<DroppedSample>& dropped() const { return dropped_; }
+
+ private:
+  const PathTracer* tracer_;
+  PreviewSettings settings_;
+  EyeTracker* eye_;
+  HeadTracker* head_;
+  const Workers* workers_;
+  EquirectFilm film_;
+  Viewport viewport_;
+  std::unique_ptr<ViewSampler> sampler_;
+  std::uint32_t seed_ = 0;
+  std::uint64_t next_point_ = 0;
+  std::uint64_t next_frame_ = 0;
+  GazeSample last_valid_gaze_;
+  std::vector<DroppedSample> dropped_;
+  std::vector<Vec2> points_;
+  std::vector<ViewSample> samples_;
+  NumberedBatch batch_;
+  std::vector<Rgb> radiance_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,17 @@
+// The study's part of the command line: study check, plan, simulate, status.
+#pragma once
+
+#include <stop_token>
+
+#include "renderer/base/scene_source.h"
+
+namespace CLI {
+class App;
+}
+
+namespace foveola::study {
+
+/// Adds `study check | plan | simulate | status` to `app`; see add_renderer_commands.
+void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop);
+
+}  // namespace foveola::study

@@ -1,0 +1,35 @@
+// A whole study with simulated participants: protocol in, records out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stop_token>
+
+#include "renderer/base/scene_source.h"
+
+namespace foveola::study {
+
+struct SimulateSettings {
+  std::filesystem::path protocol;
+  std::filesystem::path database;  ///< must not exist yet, or be a study of the same protocol
+  int participants = 0;
+  std::uint64_t seed = 0;
+  int threads = 0;  ///< 0: every core
+};
+
+struct SimulateReport {
+  int sessions_completed = 0;
+  int trials = 0;
+  double wall_s = 0.0;
+  double simulated_s = 0.0;  ///< virtual time that the participants spent
+  std::uint64_t samples = 0;
+  std::uint64_t non_finite = 0;
+};
+
+/// Runs the participants one after the other, each through a real session in virtual time, and
+/// shows progress with the time left. Same settings, same records. When `stop` is requested the
+/// running session is recorded as interrupted and the report says how many were completed.
+SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
+                              std::stop_token stop);
+
+}  // namespace foveola::study

@@ -1,0 +1,57 @@
+// What a study's file says, as plain rows: all that the analysis reads.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foveola::study {
+
+/// One method in one scene by one participant; the last attempt's values.
+struct TrialRow {
+  std::string participant;  ///< code
+  std::string scene;
+  std::string method;       ///< "od", "vp", "fv"
+  int scene_position = 0;   ///< 0 is the first scene that this participant saw
+  int method_position = 0;  ///< 0 is the first method within the scene
+  int attempts = 0;
+  std::optional<double> outline_s;   ///< from the first presented frame to the outline mark
+  std::optional<double> material_s;  ///< from the first presented frame to the material mark
+  bool outline_censored = false;     ///< timed out: outline_s is a lower bound
+  bool material_censored = false;
+  std::optional<int> artifact_rating;  ///< 1 none ... 5 not discernible at all
+};
+
+/// One answer of the background questionnaire.
+struct BackgroundRow {
+  std::string participant;
+  std::string question;  ///< its id in the protocol
+  double value = 0.0;
+};
+
+struct SessionRow {
+  std::string participant;
+  std::string kind;   ///< "human", "pilot" or "simulated"
+  std::string state;  ///< "completed", "interrupted", ...
+};
+
+struct StudyRecords {
+  std::string protocol_name;
+  std::string protocol_title;
+  std::string protocol_sha256;
+  std::vector<std::string> scenes;   ///< in the protocol's order
+  std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
+  std::vector<SessionRow> sessions;
+  std::vector<TrialRow> trials;  ///< of completed and interrupted sessions alike
+  std::vector<BackgroundRow> background;
+
+  /// Whether any session was simulated: every table and report must then say so.
+  bool has_simulated() const;
+};
+
+/// Reads a study's file without changing it. Throws Error if it is missing, not a database,
+/// damaged, or of a schema that this program does not know.
+StudyRecords read_study(const std::filesystem::path& path);
+
+}  // namespace foveola::study
