@@ -1,1 +1,150 @@
-int main() { return 0; }
+// The program: each room adds its commands, and only here do they meet.
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <stop_token>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "analysis/commands/commands.h"
+#include "analysis/publication/analyze_study.h"
+#include "renderer/base/build_info.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/progress.h"
+#include "renderer/commands/commands.h"
+#include "scenes/commands.h"
+#include "scenes/find_scene.h"
+#include "study/commands/commands.h"
+#include "study/commands/simulate_study.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+/// Turns the first SIGINT or SIGTERM into a request to stop, so that running work ends by itself
+/// and loses nothing; the second ends the program at once. Made before any other thread, which
+/// then inherits the blocked signals.
+class SignalStop {
+ public:
+  SignalStop() {
+    ::sigemptyset(&signals_);
+    ::sigaddset(&signals_, SIGINT);
+    ::sigaddset(&signals_, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    waiter_ = std::jthread([this](const std::stop_token& done) { wait(done); });
+  }
+
+  std::stop_token token() const { return stop_.get_token(); }
+
+ private:
+  void wait(const std::stop_token& done) {
+    constexpr timespec poll_interval{.tv_sec = 0, .tv_nsec = 50'000'000};
+    while (!done.stop_requested()) {
+      const int signal = ::sigtimedwait(&signals_, nullptr, &poll_interval);
+      if (signal > 0 && !stop_.request_stop()) {
+        std::_Exit(interrupted_exit_code);
+      }
+    }
+  }
+
+ public:
+  static constexpr int interrupted_exit_code = 130;
+
+ private:
+  sigset_t signals_{};
+  std::stop_source stop_;
+  std::jthread waiter_;
+};
+
+/// The first of NAME-1, NAME-2, ... under `parent` that does not exist: a demo overwrites nothing.
+fs::path new_folder(const fs::path& parent, const std::string& name) {
+  for (int i = 1;; ++i) {
+    const fs::path folder = parent / fmt::format("{}-{}", name, i);
+    if (fs::create_directories(folder)) {
+      return folder;
+    }
+  }
+}
+
+void run_demo(const fs::path& parent, int participants, const std::stop_token& stop) {
+  require_writable(parent / "foveola-demo");
+  const fs::path folder = new_folder(parent, "foveola-demo");
+  const fs::path database = folder / "study.sqlite";
+  fmt::print("A small study on built-in scenes with {} simulated participants.\n", participants);
+  const study::SimulateReport simulated =
+      study::simulate_study({.protocol = resource_folder() / "protocols" / "demo.toml",
+                             .database = database,
+                             .participants = participants,
+                             .seed = 2018,
+                             .threads = 0},
+                            scenes::find_scene, stop);
+  if (stop.stop_requested()) {
+    fmt::print("Stopped. What was recorded is in {}\n", database.string());
+    return;
+  }
+  const analysis::AnalysisOutput analysed = analysis::analyze_study(database, folder / "analysis");
+  fmt::print(
+      "{}\n{} trials in {}: they took the participants {} of virtual time.\n"
+      "Database  {}\nReport    {}\n",
+      analysed.summary, simulated.trials, human_duration(simulated.wall_s),
+      human_duration(simulated.simulated_s), database.string(), analysed.report.string());
+}
+
+void add_demo(CLI::App& app, const std::stop_token& stop) {
+  const auto parent = std::make_shared<std::string>(".");
+  const auto participants = std::make_shared<int>(4);
+  CLI::App* command =
+      app.add_subcommand("demo", "A small simulated study, from scene files to statistics");
+  command->add_option("-o,--output", *parent, "The folder to make foveola-demo-N in")
+      ->capture_default_str();
+  command->add_option("--participants", *participants, "How many take part")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->footer("Example: foveola demo");
+  command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
+}
+
+int complain(const std::string& message, int exit_code) {
+  fmt::print(stderr, "foveola: error: {}\n", message);
+  return exit_code;
+}
+
+int run(int argc, char** argv) {
+  constexpr int user_error = 1;
+  constexpr int usage_error = 2;
+  const SignalStop signals;
+  CLI::App app("A laboratory for foveated previews: renderer, user study, statistics.", "foveola");
+  app.set_version_flag("--version", "foveola " + build_info().version);
+  app.require_subcommand(1);
+  add_demo(app, signals.token());
+  add_renderer_commands(app, scenes::find_scene, signals.token());
+  scenes::add_scene_commands(app, signals.token());
+  study::add_study_commands(app, scenes::find_scene, signals.token());
+  analysis::add_analysis_commands(app, signals.token());
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return complain(std::string(error.what()) + "; see foveola --help", usage_error);
+  } catch (const UsageError& error) {
+    return complain(error.what(), usage_error);
+  } catch (const Error& error) {
+    return complain(error.what(), user_error);
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory; try a smaller image or scene", user_error);
+  } catch (const std::exception& error) {
+    return complain(std::string("this is a fault in Foveola: ") + error.what(), user_error);
+  }
+  return signals.token().stop_requested() ? SignalStop::interrupted_exit_code : EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace foveola
+
+int main(int argc, char** argv) { return foveola::run(argc, argv); }

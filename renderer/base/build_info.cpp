@@ -1,10 +1,10 @@
 #include "renderer/base/build_info.h"
 
-#include <sys/resource.h>
-#include <sys/utsname.h>
-
 #include <fstream>
 #include <thread>
+
+#include <sys/resource.h>
+#include <sys/utsname.h>
 
 namespace foveola {
 namespace {
@@ -22,9 +22,8 @@ std::string processor_name() {
 }  // namespace
 
 BuildInfo build_info() {
-  return {.version = FOVEOLA_VERSION,
-          .compiler = FOVEOLA_COMPILER,
-          .build_type = FOVEOLA_BUILD_TYPE};
+  return {
+      .version = FOVEOLA_VERSION, .compiler = FOVEOLA_COMPILER, .build_type = FOVEOLA_BUILD_TYPE};
 }
 
 MachineInfo machine_info() {

@@ -20,7 +20,11 @@ fs::path path_from_environment(const char* name) {
   return value != nullptr ? fs::path(value) : fs::path();
 }
 
-/// Removes a file at the end of its scope unless it was released.
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// Removes a file at the end of its scope, unless it was renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
@@ -85,8 +89,8 @@ std::string read_file(const fs::path& path) {
   return std::move(content).str();
 }
 
-void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+void require_writable(const fs::path& path) {
+  const fs::path folder = folder_of(path);
   if (!fs::is_directory(folder)) {
     throw Error(path.string(), "the folder " + folder.string() + " does not exist",
                 "create it or choose another path");
@@ -98,8 +102,13 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
     throw Error(path.string(), "the folder " + folder.string() + " cannot be written",
                 "check its permissions or choose another path");
   }
-  const TemporaryFile temporary(folder / fmt::format(".{}.{}.partial{}", path.stem().string(),
-                                                     ::getpid(), path.extension().string()));
+}
+
+void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  require_writable(path);
+  const TemporaryFile temporary(folder_of(path) / fmt::format(".{}.{}.partial{}",
+                                                              path.stem().string(), ::getpid(),
+                                                              path.extension().string()));
   write(temporary.path());
   std::error_code failure;
   fs::rename(temporary.path(), path, failure);

@@ -21,6 +21,10 @@ std::filesystem::path cache_folder();
 /// or unreadable.
 std::string read_file(const std::filesystem::path& path);
 
+/// Throws Error unless a file at `path` could be written: its folder exists and is writable, and
+/// it is no folder itself. For refusing a bad output before the work instead of after it.
+void require_writable(const std::filesystem::path& path);
+
 /// Calls `write` with the path of a temporary file beside `path`, which then takes the place of
 /// `path` in one step. If `write` throws, nothing is left behind. The temporary name keeps the
 /// extension of `path`. Throws Error if the folder does not exist or cannot be written.

@@ -1,0 +1,81 @@
+#include "renderer/commands/arguments.h"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number value{};
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size()) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+/// The numbers between `separator`s; empty unless there are exactly `count` of them.
+template <typename Number>
+std::vector<Number> parse_numbers(std::string_view text, char separator, std::size_t count) {
+  std::vector<Number> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    const std::optional<Number> number = parse_number<Number>(text.substr(begin, end - begin));
+    if (!number) {
+      return {};
+    }
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers.size() == count ? numbers : std::vector<Number>{};
+}
+
+std::vector<double> parse_finite(std::string_view text, std::size_t count) {
+  std::vector<double> numbers = parse_numbers<double>(text, ',', count);
+  for (const double number : numbers) {
+    if (!std::isfinite(static_cast<float>(number))) {
+      return {};
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+IVec2 parse_size(const std::string& option, const std::string& text) {
+  const std::vector<int> size = parse_numbers<int>(text, 'x', 2);
+  constexpr int limit = 65536;
+  if (size.empty() || size[0] < 1 || size[1] < 1 || size[0] > limit || size[1] > limit) {
+    throw UsageError(option, fmt::format("'{}' is no image size", text),
+                     fmt::format("give WIDTHxHEIGHT in pixels, each from 1 to {}", limit));
+  }
+  return {size[0], size[1]};
+}
+
+Vec3 parse_vec3(const std::string& option, const std::string& text) {
+  const std::vector<double> values = parse_finite(text, 3);
+  if (values.empty()) {
+    throw UsageError(option, fmt::format("'{}' is not three numbers", text),
+                     "give x,y,z without spaces");
+  }
+  return {values[0], values[1], values[2]};
+}
+
+AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text) {
+  const std::vector<double> angles_deg = parse_finite(text, 2);
+  if (angles_deg.empty() || std::abs(angles_deg[1]) > 90.0) {
+    throw UsageError(option, fmt::format("'{}' is no direction", text),
+                     "give azimuth,elevation in degrees, elevation from -90 to 90");
+  }
+  return {.azimuth_rad = radians(angles_deg[0]), .elevation_rad = radians(angles_deg[1])};
+}
+
+}  // namespace foveola

@@ -1,0 +1,19 @@
+// The small notations of the command line: "2048x1024", "1,2,3", "-30,10".
+#pragma once
+
+#include <string>
+
+#include "renderer/base/angles.h"
+
+namespace foveola {
+
+/// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
+IVec2 parse_size(const std::string& option, const std::string& text);
+
+/// "x,y,z", all finite.
+Vec3 parse_vec3(const std::string& option, const std::string& text);
+
+/// "azimuth,elevation" in degrees: finite, elevation in [-90, 90].
+AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text);
+
+}  // namespace foveola

@@ -1,0 +1,282 @@
+#include "renderer/commands/commands.h"
+
+#include <charconv>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/render.h"
+#include "renderer/film/image_file.h"
+#include "renderer/measure/error_metrics.h"
+
+namespace foveola {
+namespace {
+
+/// The command line of `render`, as typed.
+struct RenderArguments {
+  std::string scene;
+  std::string output;
+  std::string method = "od";
+  std::string size = "2048x1024";
+  std::string camera;
+  std::string head;
+  std::string gaze;
+  double fov_deg = 100.0;
+  double samples_per_pixel = 0.0;
+  std::int64_t samples = 0;
+  double seconds = 0.0;
+  int max_depth = 8;
+  std::uint32_t seed = 0;
+  int threads = 0;
+  std::string environment;
+  bool json = false;
+};
+
+void require(bool valid, const std::string& option, const std::string& what) {
+  if (!valid) {
+    throw UsageError(option, what, "see foveola render --help");
+  }
+}
+
+RenderBudget budget_from(const CLI::App& command, const RenderArguments& arguments,
+                         const IVec2& size) {
+  RenderBudget budget;
+  if (command.count("--spp") > 0) {
+    const double pixels = static_cast<double>(size.x) * size.y;
+    const double samples = std::round(arguments.samples_per_pixel * pixels);
+    require(samples >= 1.0 && samples <= 1e15, "--spp", "must give at least one sample");
+    budget.samples = static_cast<std::uint64_t>(samples);
+  } else if (command.count("--samples") > 0) {
+    require(arguments.samples >= 1, "--samples", "must be at least 1");
+    budget.samples = static_cast<std::uint64_t>(arguments.samples);
+  } else if (command.count("--seconds") > 0) {
+    require(arguments.seconds > 0.0 && std::isfinite(arguments.seconds), "--seconds",
+            "must be a positive number");
+    budget.seconds = arguments.seconds;
+  } else {
+    constexpr std::uint64_t default_samples_per_pixel = 16;
+    budget.samples = default_samples_per_pixel * size.x * size.y;
+  }
+  return budget;
+}
+
+RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
+  RenderSettings settings;
+  settings.method = arguments.method;
+  settings.size = parse_size("--size", arguments.size);
+  if (!arguments.camera.empty()) {
+    settings.camera = parse_vec3("--camera", arguments.camera);
+  }
+  if (!arguments.head.empty()) {
+    settings.head = parse_azimuth_elevation("--head", arguments.head);
+  }
+  if (!arguments.gaze.empty()) {
+    settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
+  }
+  require(arguments.fov_deg > 0.0 && arguments.fov_deg < 180.0, "--fov",
+          "must lie between 0 and 180 degrees");
+  settings.fov_deg = arguments.fov_deg;
+  settings.budget = budget_from(command, arguments, settings.size);
+  require(arguments.max_depth >= 1, "--max-depth", "must be at least 1");
+  settings.max_depth = arguments.max_depth;
+  settings.seed = arguments.seed;
+  require(arguments.threads >= 0 && arguments.threads <= 1024, "--threads",
+          "must lie between 0 (every core) and 1024");
+  settings.threads = arguments.threads;
+  return settings;
+}
+
+/// "r,g,b" is a constant radiance, anything else a file.
+bool is_radiance(const std::string& environment) {
+  return std::count(environment.begin(), environment.end(), ',') == 2;
+}
+
+void apply_environment(const std::string& environment, SceneSource& source,
+                       RenderSettings& settings) {
+  if (environment.empty()) {
+    return;
+  }
+  if (is_radiance(environment)) {
+    const Rgb radiance = parse_vec3("--environment", environment);
+    require(glm::all(glm::greaterThanEqual(radiance, Rgb(0.0F))), "--environment",
+            "radiance must not be negative");
+    source.environment_radiance = radiance;
+  } else {
+    settings.environment_file = environment;
+  }
+}
+
+nlohmann::json json_angles(const AzimuthElevation& angles) {
+  return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};
+}
+
+nlohmann::json json_non_finite(const std::vector<DroppedSample>& dropped, int width) {
+  constexpr std::size_t listed = 100;
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < std::min(dropped.size(), listed); ++i) {
+    list.push_back({{"x", dropped[i].pixel % static_cast<unsigned>(width)},
+                    {"y", dropped[i].pixel / static_cast<unsigned>(width)},
+                    {"sample", dropped[i].sample_number}});
+  }
+  return list;
+}
+
+nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
+                           const RenderArguments& arguments) {
+  return {{"scene", arguments.scene},
+          {"output", arguments.output},
+          {"method", settings.method},
+          {"width", settings.size.x},
+          {"height", settings.size.y},
+          {"seed", settings.seed},
+          {"max_depth", settings.max_depth},
+          {"threads", report.threads},
+          {"triangles", report.triangles},
+          {"camera", {report.camera.x, report.camera.y, report.camera.z}},
+          {"head_deg", json_angles(report.head)},
+          {"gaze_deg", json_angles(report.gaze)},
+          {"fov_deg", settings.fov_deg},
+          {"samples", report.samples},
+          {"seconds", report.seconds},
+          {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
+          {"rays", report.rays},
+          {"non_finite", report.non_finite.size()},
+          {"non_finite_samples", json_non_finite(report.non_finite, settings.size.x)},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"load_seconds", report.load_seconds},
+          {"build_seconds", report.build_seconds},
+          {"stopped", report.stopped},
+          {"warnings", report.warnings}};
+}
+
+void print_report(const RenderReport& report, const RenderArguments& arguments) {
+  for (const std::string& warning : report.warnings) {
+    fmt::print(stderr, "foveola: warning: {}\n", warning);
+  }
+  if (!report.non_finite.empty()) {
+    fmt::print(stderr, "foveola: warning: {} samples were not finite and were dropped (seed {})\n",
+               report.non_finite.size(), arguments.seed);
+  }
+  fmt::print("{}: {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}\n",
+             arguments.output, report.samples, report.seconds,
+             static_cast<double>(report.samples) / report.seconds,
+             static_cast<double>(report.rays) / static_cast<double>(report.samples),
+             report.stopped ? ", stopped early" : "");
+}
+
+void run_render(const CLI::App& command, const RenderArguments& arguments,
+                const SceneFinder& find_scene, const std::stop_token& stop) {
+  RenderSettings settings = settings_from(command, arguments);
+  require_image_extension(arguments.output);
+  require_writable(arguments.output);
+  SceneSource source = find_scene(arguments.scene);
+  apply_environment(arguments.environment, source, settings);
+  const Rendering rendering = render(source, settings, stop);
+  if (rendering.report.samples == 0) {
+    return;
+  }
+  write_film_image(arguments.output, rendering.image, source.exposure_stops);
+  if (arguments.json) {
+    fmt::print("{}\n", json_report(rendering.report, settings, arguments).dump(2));
+  } else {
+    print_report(rendering.report, arguments);
+  }
+}
+
+void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = app.add_subcommand("render", "Render a 360-degree image, without a window");
+  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb or .gltf file")
+      ->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "An .exr (R, G, B, samples) or .png file to write")
+      ->required();
+  command->add_option("--method", arguments->method, "Where the samples go: od, vp or fv")
+      ->check(CLI::IsMember(view_sampler_names()))
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "Of the image, in pixels")->capture_default_str();
+  command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
+  command->add_option("--head", arguments->head,
+                      "azimuth,elevation in degrees; azimuth from -Z towards +X");
+  command->add_option("--gaze", arguments->gaze,
+                      "azimuth,elevation in degrees, world (default: the head's)");
+  command->add_option("--fov", arguments->fov_deg, "The viewport's field of view in degrees")
+      ->capture_default_str();
+  CLI::Option_group* budget = command->add_option_group("budget", "How much to render");
+  budget->add_option("--spp", arguments->samples_per_pixel,
+                     "Samples per pixel on average over the image (default: 16)");
+  budget->add_option("--samples", arguments->samples, "Samples in all");
+  budget->add_option("--seconds", arguments->seconds, "Seconds of tracing");
+  budget->require_option(0, 1);
+  command->add_option("--max-depth", arguments->max_depth, "Surface vertices; 1 is direct light")
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Another seed gives other noise")
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "0: every core")->capture_default_str();
+  command->add_option("--environment", arguments->environment,
+                      "A lat-long image file, or r,g,b for a constant radiance");
+  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  command->footer("Example: foveola render arcade -o arcade.exr --method fv --gaze 20,-5 --spp 4");
+  command->callback([command, arguments, find_scene, stop] {
+    run_render(*command, *arguments, find_scene, stop);
+  });
+}
+
+struct CompareArguments {
+  std::string image;
+  std::string reference;
+  bool solid_angle = false;
+  bool json = false;
+};
+
+void run_compare(const CompareArguments& arguments) {
+  const FilmImage image = read_film_image(arguments.image);
+  const FilmImage reference = read_film_image(arguments.reference);
+  const ErrorMetrics metrics =
+      compare_images(image.color, reference.color,
+                     arguments.solid_angle ? PixelWeight::solid_angle : PixelWeight::uniform);
+  if (arguments.json) {
+    const nlohmann::json json = {{"rmse", metrics.rmse},
+                                 {"relative_mse", metrics.relative_mse},
+                                 {"relative_mse_epsilon", relative_mse_epsilon},
+                                 {"mean_image", metrics.mean_image},
+                                 {"mean_reference", metrics.mean_reference},
+                                 {"pixels", metrics.pixels},
+                                 {"non_finite", metrics.non_finite}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print(
+        "RMSE {:.6g}, relative MSE {:.6g} (epsilon {}), mean {:.6g} against {:.6g}, "
+        "{} pixels, {} non-finite\n",
+        metrics.rmse, metrics.relative_mse, relative_mse_epsilon, metrics.mean_image,
+        metrics.mean_reference, metrics.pixels, metrics.non_finite);
+  }
+}
+
+void add_compare(CLI::App& app) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command = app.add_subcommand("compare", "How far an image is from a reference");
+  command->add_option("IMAGE", arguments->image)->required();
+  command->add_option("REFERENCE", arguments->reference)->required();
+  command->add_flag("--solid-angle", arguments->solid_angle,
+                    "Weight pixels by the cosine of their latitude");
+  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  command->footer("Example: foveola compare preview.exr reference.exr --solid-angle");
+  command->callback([arguments] { run_compare(*arguments); });
+}
+
+}  // namespace
+
+void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
+  add_render(app, find_scene, stop);
+  add_compare(app);
+}
+
+}  // namespace foveola

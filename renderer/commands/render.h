@@ -1,0 +1,60 @@
+// A headless progressive render: one viewpoint, one head pose, one gaze, until the budget is spent.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/base/scene_source.h"
+#include "renderer/film/equirect_film.h"
+
+namespace foveola {
+
+/// When a render is done: after a number of samples, or after a time.
+struct RenderBudget {
+  std::uint64_t samples = 0;  ///< in all; 0: no limit
+  double seconds = 0.0;       ///< of tracing; 0: no limit. At least one of the two is set.
+};
+
+struct RenderSettings {
+  std::string method = "od";  ///< a name of make_view_sampler
+  IVec2 size{2048, 1024};
+  std::optional<Vec3> camera;            ///< default: the source's, the file's first, the middle
+  std::optional<AzimuthElevation> head;  ///< world; default: with the camera
+  std::optional<AzimuthElevation> gaze;  ///< world; default: where the head points
+  double fov_deg = 100.0;                ///< of the viewport, horizontally and vertically
+  RenderBudget budget;
+  int max_depth = 8;
+  std::uint32_t seed = 0;
+  int threads = 0;  ///< 0: every core
+  std::optional<std::filesystem::path> environment_file;
+};
+
+struct RenderReport {
+  std::uint64_t samples = 0;
+  double seconds = 0.0;  ///< of aiming, tracing and filming, without loading and building
+  std::uint64_t rays = 0;
+  std::vector<DroppedSample> non_finite;
+  double load_seconds = 0.0;
+  double build_seconds = 0.0;
+  std::size_t triangles = 0;
+  Vec3 camera{0.0F};
+  AzimuthElevation head;
+  AzimuthElevation gaze;
+  int threads = 0;
+  std::vector<std::string> warnings;
+  bool stopped = false;  ///< ended early because `stop` was requested
+};
+
+struct Rendering {
+  FilmImage image;
+  RenderReport report;
+};
+
+/// Renders `source`, showing progress. Throws Error for what is wrong with the scene or settings.
+Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop);
+
+}  // namespace foveola

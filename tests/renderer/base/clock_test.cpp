@@ -1,0 +1,42 @@
+#include "renderer/base/clock.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/progress.h"
+
+namespace foveola {
+namespace {
+
+TEST(VirtualClock, MovesOnlyWhenTold) {
+  VirtualClock clock;
+  EXPECT_EQ(clock.now(), Nanoseconds(0));
+  clock.advance(std::chrono::milliseconds(14));
+  EXPECT_DOUBLE_EQ(seconds(clock.now()), 0.014);
+}
+
+TEST(SteadyClock, NeverGoesBack) {
+  const SteadyClock clock;
+  const Nanoseconds first = clock.now();
+  EXPECT_GE(clock.now(), first);
+}
+
+TEST(Nanoseconds, ConvertToAndFromSeconds) {
+  EXPECT_EQ(nanoseconds_from_seconds(0.0143), Nanoseconds(14'300'000));
+  EXPECT_DOUBLE_EQ(seconds(Nanoseconds(1'500'000'000)), 1.5);
+}
+
+TEST(UtcNow, IsIso8601) {
+  EXPECT_THAT(utc_now(), testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:"
+                                               "[0-9]{2}\\.[0-9]{3}Z"));
+}
+
+TEST(HumanDuration, UsesTheUnitThatFits) {
+  EXPECT_EQ(human_duration(0.25), "250 ms");
+  EXPECT_EQ(human_duration(12.4), "12 s");
+  EXPECT_EQ(human_duration(185.0), "3 m 05 s");
+  EXPECT_EQ(human_duration(7800.0), "2 h 10 m");
+}
+
+}  // namespace
+}  // namespace foveola

@@ -1,0 +1,102 @@
+#include "renderer/base/files.h"
+
+#include <fstream>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              ("foveola_files_" + std::to_string(::getpid()) + "_" +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::size_t entries() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Files, ReadBackWhatWasWritten) {
+  const std::string content("a\0b\r\n\xff", 6);
+  write_file(folder_ / "x.bin", content);
+  EXPECT_EQ(read_file(folder_ / "x.bin"), content);
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, AnEmptyFileIsEmpty) {
+  write_file(folder_ / "empty", "");
+  EXPECT_EQ(read_file(folder_ / "empty"), "");
+}
+
+TEST_F(Files, MissingFilesAndFoldersAreNamed) {
+  EXPECT_THAT([&] { read_file(folder_ / "absent.glb"); },
+              ThrowsMessage<Error>(HasSubstr("absent.glb: no such file")));
+  EXPECT_THAT([&] { read_file(folder_); }, ThrowsMessage<Error>(HasSubstr("is a folder")));
+  EXPECT_THAT([&] { write_file(folder_ / "no" / "x", ""); },
+              ThrowsMessage<Error>(HasSubstr("does not exist")));
+  EXPECT_THAT([&] { write_file(folder_, ""); }, ThrowsMessage<Error>(HasSubstr("is a folder")));
+}
+
+TEST_F(Files, AFailedWriteLeavesTheOldFileAndNothingElse) {
+  write_file(folder_ / "x.txt", "old");
+  EXPECT_THROW(replace_file(folder_ / "x.txt",
+                            [](const fs::path& temporary) {
+                              std::ofstream(temporary) << "half";
+                              throw std::runtime_error("disk full");
+                            }),
+               std::runtime_error);
+  EXPECT_EQ(read_file(folder_ / "x.txt"), "old");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, TheTemporaryFileKeepsTheExtension) {
+  replace_file(folder_ / "x.exr", [](const fs::path& temporary) {
+    EXPECT_EQ(temporary.extension(), ".exr");
+    std::ofstream(temporary) << "image";
+  });
+  EXPECT_EQ(read_file(folder_ / "x.exr"), "image");
+}
+
+TEST(ErrorText, IsOneLine) {
+  const Error error("a\nb", "wrong\r\n", "mend it");
+  EXPECT_STREQ(error.what(), "a b: wrong  ; mend it");
+}
+
+// The examples of FIPS 180-4's validation suite.
+TEST(Sha256, MatchesTheStandard) {
+  EXPECT_EQ(sha256(std::string_view("abc")),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256(std::string_view("")),
+            "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST_F(Files, DigestOfAFileIsThatOfItsContent) {
+  const std::string content(200'000, 'x');
+  write_file(folder_ / "x", content);
+  EXPECT_EQ(sha256_of_file(folder_ / "x"), sha256(std::string_view(content)));
+  EXPECT_THROW(sha256_of_file(folder_ / "absent"), Error);
+}
+
+}  // namespace
+}  // namespace foveola

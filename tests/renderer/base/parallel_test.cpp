@@ -1,0 +1,68 @@
+#include "renderer/base/parallel.h"
+
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace foveola {
+namespace {
+
+TEST(Workers, CoverEveryItemOnce) {
+  for (const int threads : {1, 2, 4}) {
+    const Workers workers(threads);
+    EXPECT_EQ(workers.threads(), threads);
+    for (const std::size_t count : {0U, 1U, 7U, 64U, 1001U}) {
+      std::vector<int> visits(count, 0);
+      workers.for_each_block(count, 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          ++visits[i];
+        }
+      });
+      EXPECT_EQ(visits, std::vector<int>(count, 1));
+    }
+  }
+}
+
+TEST(Workers, OneThreadIsOneThread) {
+  const Workers workers(1);
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  workers.for_each_block(1000, 1, [&](std::size_t, std::size_t) {
+    const std::lock_guard lock(mutex);
+    ids.insert(std::this_thread::get_id());
+  });
+  EXPECT_EQ(ids.size(), 1U);
+}
+
+TEST(Workers, PassOnExceptions) {
+  const Workers workers(2);
+  EXPECT_THROW(workers.for_each_block(100, 1,
+                                      [](std::size_t begin, std::size_t) {
+                                        if (begin == 50) {
+                                          throw std::runtime_error("failed");
+                                        }
+                                      }),
+               std::runtime_error);
+}
+
+// Embree asks for it; outside the loops the caller's arithmetic is left alone.
+TEST(Workers, FlushDenormalsInsideTheLoopsOnly) {
+  volatile float smallest = std::numeric_limits<float>::min();
+  const auto half_is_zero = [&] { return smallest * 0.5F == 0.0F; };
+  const Workers workers(2);
+  std::atomic<int> kept = 0;
+  workers.for_each_block(100, 1, [&](std::size_t, std::size_t) { kept += half_is_zero() ? 0 : 1; });
+#if defined(__SSE2__)
+  EXPECT_EQ(kept, 0);
+#endif
+  EXPECT_FALSE(half_is_zero());
+}
+
+}  // namespace
+}  // namespace foveola
