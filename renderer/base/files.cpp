@@ -43,7 +43,7 @@ class TemporaryFile {
 }  // namespace
 
 fs::path resource_folder() {
-  if (const fs::path chosen = path_from_environment("FOVEOLA_RESOURCES"); !chosen.empty()) {
+  if (fs::path chosen = path_from_environment("FOVEOLA_RESOURCES"); !chosen.empty()) {
     if (!fs::is_directory(chosen / "protocols")) {
       throw Error("FOVEOLA_RESOURCES=" + chosen.string(), "has no folder protocols/ in it",
                   "point it at Foveola's share folder or unset it");

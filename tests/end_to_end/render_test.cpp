@@ -1,0 +1,138 @@
+// The render command as a user types it.
+#include <numeric>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/files.h"
+#include "renderer/film/image_file.h"
+#include "renderer/view/equirect.h"
+#include "tests/end_to_end/program.h"
+
+namespace foveola::testing {
+namespace {
+
+class Render : public ::testing::Test {
+ protected:
+  void SetUp() override { write_file(folder_ / "room.gltf", room_gltf()); }
+
+  ProgramResult render(const std::string& output, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"render", (folder_ / "room.gltf").string(), "-o",
+                                          (folder_ / output).string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_foveola(arguments);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Render, ReportsWhatItDidAsJson) {
+  const ProgramResult result =
+      render("a.exr", {"--size", "64x32", "--spp", "4", "--seed", "3", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json report = nlohmann::json::parse(result.output);
+  EXPECT_EQ(report.at("samples"), 64 * 32 * 4);
+  EXPECT_EQ(report.at("non_finite"), 0);
+  EXPECT_GT(report.at("seconds"), 0.0);
+  EXPECT_GT(report.at("samples_per_second"), 0.0);
+  EXPECT_GE(report.at("rays"), 64 * 32 * 4);
+  EXPECT_GT(report.at("peak_memory_bytes"), 0);
+  EXPECT_GT(report.at("load_seconds"), 0.0);
+  EXPECT_GT(report.at("build_seconds"), 0.0);
+}
+
+TEST_F(Render, OdGivesEveryPixelItsSamples) {
+  ASSERT_EQ(render("a.exr", {"--size", "64x32", "--spp", "4"}).exit_code, 0);
+  const FilmImage image = read_film_image(folder_ / "a.exr");
+  ASSERT_EQ(image.color.width, 64);
+  ASSERT_EQ(image.color.height, 32);
+  EXPECT_THAT(image.samples, ::testing::Each(4U));
+  for (const Rgb& pixel : image.color.pixels) {
+    EXPECT_TRUE(is_finite(pixel));
+    EXPECT_GT(luminance(pixel), 0.0F);
+  }
+}
+
+TEST_F(Render, FvSamplesFollowTheGazeAndVpSamplesStayInTheView) {
+  const std::vector<std::string> options = {"--size", "128x64", "--samples", "100000",
+                                            "--head", "170,0",  "--gaze",    "-175,20",
+                                            "--fov",  "60",     "--method"};
+  const Vec3 gaze =
+      direction_from({.azimuth_rad = radians(-175.0), .elevation_rad = radians(20.0)});
+  const Viewport view(head_orientation({.azimuth_rad = radians(170.0), .elevation_rad = 0.0}),
+                      radians(64.0),
+                      radians(64.0));  // one pixel more on each side
+  for (const std::string method : {"fv", "vp"}) {
+    std::vector<std::string> arguments = options;
+    arguments.push_back(method);
+    ASSERT_EQ(render(method + ".exr", arguments).exit_code, 0);
+    const FilmImage image = read_film_image(folder_ / (method + ".exr"));
+    std::uint64_t total = 0;
+    std::uint64_t expected_place = 0;
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 128; ++x) {
+        const Vec3 direction = direction_from_equirect({(x + 0.5) / 128.0, (y + 0.5) / 64.0});
+        const std::uint32_t count = image.samples[static_cast<std::size_t>(y) * 128 + x];
+        total += count;
+        const bool inside = method == "fv" ? degrees(angle_between(direction, gaze)) < 20.0
+                                           : view.project(direction).has_value();
+        expected_place += inside ? count : 0;
+      }
+    }
+    EXPECT_EQ(total, 100000U);
+    // Of the density 2 pi e m(e), 480.00 of 1091.85 lie within 20 degrees (trapezoid rule).
+    const double fraction = static_cast<double>(expected_place) / static_cast<double>(total);
+    if (method == "fv") {
+      EXPECT_NEAR(fraction, 480.00 / 1091.85, 0.03);
+    } else {
+      EXPECT_EQ(fraction, 1.0);
+    }
+  }
+}
+
+TEST_F(Render, TheImageDependsOnTheSeedAndNotOnTheThreads) {
+  const std::vector<std::string> options = {"--size", "64x32", "--spp", "2", "--method", "fv"};
+  const auto image = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = options;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(render(name, arguments).exit_code, 0);
+    return read_file(folder_ / name);
+  };
+  const std::string one = image("1.exr", {"--threads", "1"});
+  EXPECT_EQ(one, image("2.exr", {"--threads", "2"}));
+  EXPECT_EQ(one, image("4.exr", {"--threads", "4"}));
+  EXPECT_NE(one, image("s.exr", {"--seed", "1"}));
+}
+
+TEST_F(Render, SecondsBoundTheTime) {
+  const ProgramResult result =
+      render("a.png", {"--size", "64x32", "--seconds", "0.2", "--json", "--max-depth", "1"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_GE(nlohmann::json::parse(result.output).at("seconds"), 0.2);
+}
+
+TEST_F(Render, AConstantEnvironmentFillsTheSkyOfAnOpenScene) {
+  const std::string lamp_only = R"({"asset":{"version":"2.0"}})";
+  write_file(folder_ / "empty.gltf", lamp_only);
+  const ProgramResult result = run_foveola({"render", (folder_ / "empty.gltf").string(), "-o",
+                                            (folder_ / "sky.exr").string(), "--size", "16x8",
+                                            "--spp", "1", "--environment", "0.25,0.5,2"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(read_film_image(folder_ / "sky.exr").color.pixels,
+              ::testing::Each(Rgb(0.25F, 0.5F, 2.0F)));
+}
+
+TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
+  ASSERT_EQ(render("a.exr", {"--size", "32x16", "--spp", "1"}).exit_code, 0);
+  const std::string image = (folder_ / "a.exr").string();
+  const ProgramResult result = run_foveola({"compare", image, image, "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json metrics = nlohmann::json::parse(result.output);
+  EXPECT_EQ(metrics.at("rmse"), 0.0);
+  EXPECT_EQ(metrics.at("pixels"), 32 * 16);
+}
+
+}  // namespace
+}  // namespace foveola::testing
