@@ -24,7 +24,6 @@ struct PreviewSettings {
   double vertical_fov_deg = 100.0;
   Vec3 viewpoint{0.0F};
   double exposure_stops = 0.0;
-  std::uint64_t samples_per_frame = 10000;
   TraceSettings trace;
 };
 
@@ -52,7 +51,9 @@ class Preview {
   /// on. Points and paths are drawn anew from `seed`.
   void restart(std::string_view method, std::uint32_t seed);
 
-  FrameReport render_frame(Nanoseconds now);
+  /// Polls head and gaze at `now` and traces `samples` samples; how many fit into a frame is for the
+  /// caller to know (a budget, a model of a machine).
+  FrameReport render_frame(Nanoseconds now, std::uint64_t samples);
 
   /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
   RgbImage present() const;
