@@ -32,7 +32,7 @@ class Texture {
   int width_;
   int height_;
   std::vector<std::uint8_t> texels_;
-  bool is_srgb_;
+  const float* linear_from_byte_;  ///< 256 values that live as long as the program
   Wrap wrap_u_;
   Wrap wrap_v_;
 };

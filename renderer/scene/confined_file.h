@@ -1,0 +1,15 @@
+// Keeps the references of a scene file inside the scene's own folder: scenes come from strangers.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace foveola {
+
+/// The regular file inside `folder` (or a folder of it) that the relative, percent-encoded
+/// reference `uri` (RFC 3986) names. Throws std::runtime_error that says why if it is absolute, has
+/// a scheme, contains "..", leads out of the folder through a symbolic link, or is not a regular
+/// file.
+std::filesystem::path confined_file(const std::filesystem::path& folder, std::string_view uri);
+
+}  // namespace foveola

@@ -1,0 +1,26 @@
+// The JSON part of a glTF file, checked before tinygltf, which takes much on trust, may read it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace foveola {
+
+/// A file beside the scene file whose content belongs to the scene.
+struct GltfReference {
+  std::string place;  ///< the JSON path of the uri
+  std::string uri;    ///< as written, percent-encoded; never a data: uri
+};
+
+/// Checks that `json` is a glTF 2.0 document that Foveola can show: every property that the loader
+/// reads has the type that the specification (Khronos, glTF 2.0.1) gives it, every index points at
+/// something, every buffer view lies inside its buffer's stated length, and no required extension
+/// is unknown. Returns the files it refers to: first those of the buffers, then the images', each
+/// in the document's order. Throws GltfFault.
+std::vector<GltfReference> check_gltf_document(std::string_view json);
+
+/// Whether Foveola renders what this glTF extension adds.
+bool is_supported_extension(std::string_view name);
+
+}  // namespace foveola

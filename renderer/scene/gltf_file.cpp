@@ -1,0 +1,176 @@
+#include "renderer/scene/gltf_file.h"
+
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/scene/confined_file.h"
+#include "renderer/scene/gltf_document.h"
+#include "renderer/scene/gltf_fault.h"
+
+namespace foveola {
+namespace {
+
+constexpr std::string_view glb_magic = "glTF";
+
+/// tinygltf counts the text of a data: uri in an int.
+constexpr std::size_t longest_json = std::size_t{1} << 30;
+
+bool is_glb(std::string_view content) { return content.starts_with(glb_magic); }
+
+std::uint32_t little_endian_32(std::string_view content, std::size_t offset) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, content.data() + offset, sizeof value);
+  return value;
+}
+
+/// Checks the GLB header and its first two chunks (specification, section 4), and returns the JSON
+/// chunk's content.
+std::string_view json_chunk(std::string_view content) {
+  constexpr std::size_t header_size = 12;
+  constexpr std::size_t chunk_header_size = 8;
+  constexpr std::uint32_t json_type = 0x4E4F534A;
+  if (content.size() < header_size + chunk_header_size) {
+    throw GltfFault("", fmt::format("the file is truncated: {} bytes cannot hold a glTF binary",
+                                    content.size()));
+  }
+  if (const std::uint32_t version = little_endian_32(content, 4); version != 2) {
+    throw GltfFault("", fmt::format("is glTF binary version {}, not 2", version));
+  }
+  const std::size_t length = little_endian_32(content, 8);
+  if (length > content.size()) {
+    throw GltfFault("", fmt::format("the file is truncated: its header announces {} bytes, but "
+                                    "there are {}",
+                                    length, content.size()));
+  }
+  const auto chunk_end = [&](std::size_t chunk) {
+    const std::size_t payload = chunk + chunk_header_size;
+    const std::size_t end =
+        payload <= length ? payload + little_endian_32(content, chunk) : payload;
+    if (end > length) {
+      throw GltfFault(
+          "", fmt::format("the chunk at byte {} ends after the file's {} bytes", chunk, length));
+    }
+    return end;
+  };
+  const std::size_t json_end = chunk_end(header_size);
+  if (little_endian_32(content, header_size + 4) != json_type) {
+    throw GltfFault("", "the first chunk is not JSON");
+  }
+  if (json_end < length) {
+    chunk_end(json_end);
+  }
+  constexpr std::size_t json_begin = header_size + chunk_header_size;
+  return content.substr(json_begin, json_end - json_begin);
+}
+
+/// The referred-to files, in the order in which tinygltf asks for them, which is the document's.
+struct ReferredFiles {
+  struct File {
+    std::string place;
+    std::filesystem::path path;
+  };
+  std::vector<File> files;
+  std::size_t next = 0;
+};
+
+ReferredFiles find_referred_files(const std::filesystem::path& folder,
+                                  const std::vector<GltfReference>& references) {
+  ReferredFiles found;
+  for (const GltfReference& reference : references) {
+    try {
+      found.files.push_back(
+          {.place = reference.place, .path = confined_file(folder, reference.uri)});
+    } catch (const std::runtime_error& refusal) {
+      throw GltfFault(reference.place, refusal.what());
+    }
+  }
+  return found;
+}
+
+bool read_next_referred_file(std::vector<unsigned char>* bytes, std::string* /*error*/,
+                             const std::string& /*name*/, void* user_data) {
+  auto& referred = *static_cast<ReferredFiles*>(user_data);
+  const ReferredFiles::File& file = referred.files.at(referred.next++);
+  try {
+    const std::string content = read_file(file.path);
+    bytes->assign(content.begin(), content.end());
+  } catch (const Error& error) {
+    throw GltfFault(file.place, error.what());
+  }
+  if (bytes->empty()) {
+    throw GltfFault(file.place, "refers to an empty file");
+  }
+  return true;
+}
+
+/// Hands every file access of tinygltf to `referred`, whose files are already confined and known to
+/// exist.
+tinygltf::FsCallbacks callbacks_into(ReferredFiles& referred) {
+  return {.FileExists = [](const std::string&, void*) { return true; },
+          .ExpandFilePath = [](const std::string& name, void*) { return name; },
+          .ReadWholeFile = read_next_referred_file,
+          .WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                               void*) { return false; },
+          .user_data = &referred};
+}
+
+/// Keeps the encoded bytes of an image that has no buffer view to keep them.
+bool keep_encoded_image(tinygltf::Image* image, const int /*index*/, std::string* /*error*/,
+                        std::string* /*warning*/, int /*width*/, int /*height*/,
+                        const unsigned char* bytes, int size, void* /*user_data*/) {
+  if (image->bufferView < 0) {
+    image->image.assign(bytes, bytes + size);
+  }
+  return true;
+}
+
+/// The first line of what tinygltf says, which can quote a whole data: uri.
+std::string short_message(const std::string& message) {
+  constexpr std::size_t longest = 200;
+  return message.substr(0, std::min(message.find('\n'), longest));
+}
+
+}  // namespace
+
+GltfFile read_gltf_file(const std::filesystem::path& path) {
+  const std::string content = read_file(path);
+  const bool binary = is_glb(content);
+  if (!binary && path.extension() == ".glb") {
+    throw GltfFault("", "is not a glTF binary: it does not begin with \"glTF\"");
+  }
+  const std::string_view json = binary ? json_chunk(content) : std::string_view(content);
+  if (json.size() > longest_json) {
+    throw GltfFault(
+        "", fmt::format("has {} bytes of JSON; up to {} are read", json.size(), longest_json));
+  }
+  ReferredFiles referred = find_referred_files(path.has_parent_path() ? path.parent_path() : ".",
+                                               check_gltf_document(json));
+
+  tinygltf::TinyGLTF loader;
+  loader.SetFsCallbacks(callbacks_into(referred));
+  loader.SetImageLoader(keep_encoded_image, nullptr);
+  const auto model = std::make_shared<tinygltf::Model>();
+  std::string error;
+  std::string warning;
+  const bool loaded =
+      binary ? loader.LoadBinaryFromMemory(model.get(), &error, &warning,
+                                           reinterpret_cast<const unsigned char*>(content.data()),
+                                           static_cast<unsigned>(little_endian_32(content, 8)))
+             : loader.LoadASCIIFromString(model.get(), &error, &warning, content.data(),
+                                          static_cast<unsigned>(content.size()), "");
+  if (!loaded) {
+    throw GltfFault("", short_message(error));
+  }
+  return {.model = model, .sha256 = sha256(content)};
+}
+
+}  // namespace foveola

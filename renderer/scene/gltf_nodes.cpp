@@ -1,0 +1,175 @@
+#include "renderer/scene/gltf_nodes.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <tiny_gltf.h>
+
+#include "renderer/scene/gltf_fault.h"
+
+namespace foveola {
+namespace {
+
+constexpr int no_parent = -1;
+
+/// Each node's parent. Throws unless every node has at most one.
+std::vector<int> parents_of(const std::vector<tinygltf::Node>& nodes) {
+  std::vector<int> parents(nodes.size(), no_parent);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t k = 0; k < nodes[i].children.size(); ++k) {
+      const int child = nodes[i].children[k];
+      int& parent = parents[static_cast<std::size_t>(child)];
+      if (parent != no_parent) {
+        throw GltfFault(fmt::format("nodes[{}].children[{}]", i, k),
+                        fmt::format("node {} has two parents, nodes {} and {}", child, parent, i));
+      }
+      parent = static_cast<int>(i);
+    }
+  }
+  return parents;
+}
+
+/// With one parent each, the nodes form trees and cycles; climbing from every node finds the
+/// cycles, and stops at nodes that an earlier climb has cleared.
+void reject_cycles(const std::vector<int>& parents) {
+  constexpr std::size_t not_visited = 0;
+  std::vector<std::size_t> visited_by(parents.size(), not_visited);
+  for (std::size_t start = 0; start < parents.size(); ++start) {
+    const std::size_t climb = start + 1;
+    int node = static_cast<int>(start);
+    while (node != no_parent && visited_by[static_cast<std::size_t>(node)] == not_visited) {
+      visited_by[static_cast<std::size_t>(node)] = climb;
+      node = parents[static_cast<std::size_t>(node)];
+    }
+    if (node != no_parent && visited_by[static_cast<std::size_t>(node)] == climb) {
+      throw GltfFault(fmt::format("nodes[{}]", node), "the nodes form a cycle");
+    }
+  }
+}
+
+std::vector<int> roots_without_scenes(const std::vector<int>& parents) {
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    if (parents[i] == no_parent) {
+      roots.push_back(static_cast<int>(i));
+    }
+  }
+  return roots;
+}
+
+std::vector<int> root_nodes(const tinygltf::Model& model, const std::vector<int>& parents) {
+  if (model.scenes.empty()) {
+    return roots_without_scenes(parents);
+  }
+  const auto scene = static_cast<std::size_t>(std::max(model.defaultScene, 0));
+  const std::vector<int>& roots = model.scenes[scene].nodes;
+  std::vector<bool> listed(parents.size(), false);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const auto root = static_cast<std::size_t>(roots[i]);
+    const std::string place = fmt::format("scenes[{}].nodes[{}]", scene, i);
+    if (parents[root] != no_parent) {
+      throw GltfFault(
+          place, fmt::format("node {} is not a root: its parent is node {}", root, parents[root]));
+    }
+    if (listed[root]) {
+      throw GltfFault(place, fmt::format("node {} is listed twice", root));
+    }
+    listed[root] = true;
+  }
+  return roots;
+}
+
+DVec3 vector_or(const std::vector<double>& numbers, const DVec3& absent) {
+  return numbers.empty() ? absent : glm::make_vec3(numbers.data());
+}
+
+DMat4 rotation_of(const tinygltf::Node& node, const std::string& place) {
+  if (node.rotation.empty()) {
+    return DMat4(1.0);
+  }
+  const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+  const double length = glm::length(rotation);
+  if (!(length > 0.0) || !std::isfinite(length)) {
+    throw GltfFault(place + ".rotation", "is not a rotation");
+  }
+  return glm::mat4_cast(rotation / length);
+}
+
+DMat4 parent_from_local(const tinygltf::Node& node, const std::string& place) {
+  if (!node.matrix.empty()) {
+    return glm::make_mat4(node.matrix.data());
+  }
+  const DMat4 translation = glm::translate(DMat4(1.0), vector_or(node.translation, DVec3(0.0)));
+  const DMat4 rotation = rotation_of(node, place);
+  return glm::scale(translation * rotation, vector_or(node.scale, DVec3(1.0)));
+}
+
+void require_finite(const DMat4& matrix, const std::string& place) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!std::isfinite(matrix[column][row])) {
+        throw GltfFault(place, "its transform is not finite");
+      }
+    }
+  }
+}
+
+void place_camera(const tinygltf::Model& model, const tinygltf::Node& node,
+                  const DMat4& world_from_local, const std::string& place,
+                  std::vector<CameraView>& cameras, Warnings& warnings) {
+  const tinygltf::Camera& camera = model.cameras[static_cast<std::size_t>(node.camera)];
+  if (camera.type != "perspective") {
+    warnings.add("orthographic cameras are ignored", place);
+    return;
+  }
+  const Vec3 forward(-DVec3(world_from_local[2]));
+  cameras.push_back({.name = camera.name.empty() ? node.name : camera.name,
+                     .position = Vec3(DVec3(world_from_local[3])),
+                     .heading = azimuth_elevation(forward)});
+}
+
+}  // namespace
+
+PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
+  const std::vector<int> parents = parents_of(model.nodes);
+  reject_cycles(parents);
+
+  PlacedNodes placed;
+  placed.instances.resize(model.meshes.size());
+  std::vector<DMat4> world_from_local(model.nodes.size(), DMat4(1.0));
+  const std::vector<int> roots = root_nodes(model, parents);
+  std::vector<int> pending(roots.rbegin(), roots.rend());
+  while (!pending.empty()) {
+    const int index = pending.back();
+    pending.pop_back();
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
+    const int parent = parents[static_cast<std::size_t>(index)];
+    const std::string place = fmt::format("nodes[{}]", index);
+    DMat4& transform = world_from_local[static_cast<std::size_t>(index)];
+    transform = parent_from_local(node, place);
+    if (parent != no_parent) {
+      transform = world_from_local[static_cast<std::size_t>(parent)] * transform;
+    }
+    require_finite(transform, place);
+    if (node.mesh >= 0) {
+      const auto mesh = static_cast<std::size_t>(node.mesh);
+      placed.instances[mesh].push_back(
+          {.world_from_local = transform,
+           .name = node.name.empty() ? model.meshes[mesh].name : node.name});
+    }
+    if (node.camera >= 0) {
+      place_camera(model, node, transform, place, placed.cameras, warnings);
+    }
+    if (node.skin >= 0) {
+      warnings.add("skinning is ignored: the object keeps its rest pose", place);
+    }
+    pending.insert(pending.end(), node.children.rbegin(), node.children.rend());
+  }
+  return placed;
+}
+
+}  // namespace foveola

@@ -1,0 +1,108 @@
+#include "renderer/scene/gltf_textures.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "renderer/base/parallel.h"
+#include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/image_decoder.h"
+
+namespace foveola {
+namespace {
+
+Wrap wrap_of(int mode) {
+  switch (mode) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp_to_edge;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirrored_repeat;
+    default:
+      return Wrap::repeat;
+  }
+}
+
+std::span<const unsigned char> encoded_bytes(const tinygltf::Model& model, int image) {
+  const tinygltf::Image& source = model.images[static_cast<std::size_t>(image)];
+  if (source.bufferView < 0) {
+    return source.image;
+  }
+  const auto& view = model.bufferViews[static_cast<std::size_t>(source.bufferView)];
+  const auto& buffer = model.buffers[static_cast<std::size_t>(view.buffer)];
+  return std::span(buffer.data).subspan(view.byteOffset, view.byteLength);
+}
+
+/// Calls `work`; what is wrong with the image becomes a fault that names it.
+template <typename Work>
+auto with_place(int image, Work work) {
+  try {
+    return work();
+  } catch (const std::runtime_error& error) {
+    throw GltfFault(fmt::format("images[{}]", image), error.what());
+  }
+}
+
+}  // namespace
+
+int TextureSet::add(int texture, Encoding encoding) {
+  if (texture < 0) {
+    return -1;
+  }
+  const tinygltf::Texture& source = model_.textures[static_cast<std::size_t>(texture)];
+  if (source.source < 0) {
+    throw GltfFault(fmt::format("textures[{}]", texture), "has no source image");
+  }
+  Use use{.image = source.source, .encoding = encoding};
+  if (source.sampler >= 0) {
+    const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(source.sampler)];
+    use.wrap_u = wrap_of(sampler.wrapS);
+    use.wrap_v = wrap_of(sampler.wrapT);
+  }
+  const auto known = std::find(uses_.begin(), uses_.end(), use);
+  if (known != uses_.end()) {
+    return static_cast<int>(known - uses_.begin());
+  }
+  uses_.push_back(use);
+  return static_cast<int>(uses_.size()) - 1;
+}
+
+std::vector<Texture> TextureSet::decode() const {
+  require_modest_size();
+  std::vector<std::optional<Texture>> decoded(uses_.size());
+  const Workers workers;
+  workers.for_each_block(uses_.size(), 1,
+                         [&](std::size_t i, std::size_t) { decoded[i] = decode(uses_[i]); });
+  std::vector<Texture> textures;
+  textures.reserve(decoded.size());
+  for (std::optional<Texture>& texture : decoded) {
+    textures.push_back(std::move(*texture));
+  }
+  return textures;
+}
+
+void TextureSet::require_modest_size() const {
+  constexpr std::size_t most_pixels = std::size_t{1} << 29;
+  std::size_t pixels = 0;
+  for (const Use& use : uses_) {
+    pixels += with_place(use.image, [&] { return pixel_count(encoded_bytes(model_, use.image)); });
+  }
+  if (pixels > most_pixels) {
+    throw GltfFault("images",
+                    fmt::format("have {} pixels together; up to {} are read", pixels, most_pixels));
+  }
+}
+
+Texture TextureSet::decode(const Use& use) const {
+  DecodedImage image =
+      with_place(use.image, [&] { return decode_image(encoded_bytes(model_, use.image)); });
+  return {image.width, image.height, std::move(image.texels), use.encoding == Encoding::srgb,
+          use.wrap_u,  use.wrap_v};
+}
+
+}  // namespace foveola

@@ -1,0 +1,48 @@
+// Which images a glTF file's materials use, and how: decoded once for each use.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/scene/texture.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace foveola {
+
+enum class Encoding : std::uint8_t { linear, srgb };
+
+class TextureSet {
+ public:
+  explicit TextureSet(const tinygltf::Model& model) : model_(model) {}
+
+  /// The index, into what decode() will return, of glTF texture `texture` with colours in
+  /// `encoding`; -1 for -1. Throws GltfFault if the texture has no image.
+  int add(int texture, Encoding encoding);
+
+  /// All textures that were added. Throws GltfFault if an image cannot be decoded or all together
+  /// take more than 2 GiB.
+  std::vector<Texture> decode() const;
+
+ private:
+  /// An image and everything that makes another Texture of it.
+  struct Use {
+    int image = -1;
+    Encoding encoding = Encoding::linear;
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+
+    auto operator<=>(const Use&) const = default;
+  };
+
+  void require_modest_size() const;
+  Texture decode(const Use& use) const;
+
+  const tinygltf::Model& model_;
+  std::vector<Use> uses_;
+};
+
+}  // namespace foveola

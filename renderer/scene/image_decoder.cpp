@@ -1,0 +1,103 @@
+#include "renderer/scene/image_decoder.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+namespace foveola {
+namespace {
+
+constexpr int longest_side = 16384;
+
+/// OpenImageIO's name of the format. Only the two that glTF has are let near a decoder.
+std::string format_of(std::span<const unsigned char> encoded) {
+  static constexpr std::array<unsigned char, 4> png = {0x89, 'P', 'N', 'G'};
+  static constexpr std::array<unsigned char, 3> jpeg = {0xFF, 0xD8, 0xFF};
+  const auto begins_with = [&](std::span<const unsigned char> magic) {
+    return encoded.size() >= magic.size() &&
+           std::equal(magic.begin(), magic.end(), encoded.begin());
+  };
+  if (begins_with(png)) {
+    return "png";
+  }
+  if (begins_with(jpeg)) {
+    return "jpeg";
+  }
+  throw std::runtime_error("is neither a PNG nor a JPEG image");
+}
+
+/// Spreads the channels that a file has (grey; grey and alpha; colour; colour and alpha) over four,
+/// in place, from the last texel to the first.
+void expand_to_rgba(std::vector<std::uint8_t>& texels, int channels) {
+  const auto stored = static_cast<std::size_t>(channels);
+  const bool has_alpha = channels == 2 || channels == 4;
+  const std::size_t green = channels >= 3 ? 1 : 0;
+  const std::size_t blue = channels >= 3 ? 2 : 0;
+  for (std::size_t i = texels.size() / 4; i-- > 0;) {
+    const std::uint8_t* from = texels.data() + i * stored;
+    const std::array<std::uint8_t, 4> rgba = {from[0], from[green], from[blue],
+                                              has_alpha ? from[stored - 1] : std::uint8_t{255}};
+    std::copy(rgba.begin(), rgba.end(), texels.begin() + static_cast<std::ptrdiff_t>(4 * i));
+  }
+}
+
+/// An image whose header has been read and found sensible.
+struct OpenImage {
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;  ///< read by `input`, so it dies after it
+  std::unique_ptr<OIIO::ImageInput> input;
+  OIIO::ImageSpec spec;
+};
+
+OpenImage open_image(std::span<const unsigned char> encoded) {
+  const std::string format = format_of(encoded);
+  OpenImage image;
+  image.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(encoded.data(), encoded.size());
+  image.input = OIIO::ImageInput::create(format);
+  if (!image.input) {
+    throw std::runtime_error("cannot be read: OpenImageIO has no reader for " + format);
+  }
+  OIIO::ImageSpec wishes;
+  wishes["oiio:UnassociatedAlpha"] = 1;
+  image.input->set_ioproxy(image.memory.get());
+  if (!image.input->open("texture." + format, image.spec, wishes)) {
+    throw std::runtime_error("is damaged: " + image.input->geterror());
+  }
+  const OIIO::ImageSpec& spec = image.spec;
+  if (spec.width < 1 || spec.height < 1 || spec.width > longest_side ||
+      spec.height > longest_side) {
+    throw std::runtime_error(fmt::format("has {} x {} pixels; up to {} on a side are read",
+                                         spec.width, spec.height, longest_side));
+  }
+  if (spec.nchannels < 1 || spec.nchannels > 4) {
+    throw std::runtime_error(fmt::format("has {} channels, not 1 to 4", spec.nchannels));
+  }
+  return image;
+}
+
+}  // namespace
+
+std::size_t pixel_count(std::span<const unsigned char> encoded) {
+  const OpenImage image = open_image(encoded);
+  return static_cast<std::size_t>(image.spec.width) * image.spec.height;
+}
+
+DecodedImage decode_image(std::span<const unsigned char> encoded) {
+  const OpenImage open = open_image(encoded);
+  const OIIO::ImageSpec& spec = open.spec;
+  DecodedImage image{.width = spec.width, .height = spec.height, .texels = {}};
+  image.texels.resize(std::size_t{4} * spec.width * spec.height);
+  if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8,
+                              image.texels.data())) {
+    throw std::runtime_error("is damaged: " + open.input->geterror());
+  }
+  expand_to_rgba(image.texels, spec.nchannels);
+  return image;
+}
+
+}  // namespace foveola

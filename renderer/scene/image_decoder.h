@@ -1,0 +1,27 @@
+// Encoded PNG and JPEG bytes into textures.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foveola {
+
+/// Four 8-bit channels (red, green, blue, alpha not premultiplied), row-major, first row on top.
+struct DecodedImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> texels;
+};
+
+/// The number of pixels that `encoded` will decode to, from its header. Throws as decode_image
+/// does.
+std::size_t pixel_count(std::span<const unsigned char> encoded);
+
+/// Decodes a PNG or JPEG image: 16 bits become 8, grey becomes red, green and blue, and a missing
+/// alpha 255. Throws std::runtime_error that says what is wrong if it is neither, damaged, or
+/// larger than 16384 pixels on a side.
+DecodedImage decode_image(std::span<const unsigned char> encoded);
+
+}  // namespace foveola

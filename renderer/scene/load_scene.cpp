@@ -1,0 +1,98 @@
+#include "renderer/scene/load_scene.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+bool is_radiance(const Rgb& value) {
+  return is_finite(value) && value.r >= 0.0F && value.g >= 0.0F && value.b >= 0.0F;
+}
+
+/// 0, 1 or 2 where `direction` is plus or minus that axis, else -1.
+int axis_of(const Vec3& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 unit(0.0F);
+    unit[axis] = 1.0F;
+    if (direction == unit || direction == -unit) {
+      return axis;
+    }
+  }
+  return -1;
+}
+
+void require_valid(const RectangleLight& light, const std::string& where) {
+  if (axis_of(light.normal) < 0) {
+    throw Error(where, "the normal of a light is none of the axes",
+                "use one of (+-1, 0, 0), (0, +-1, 0), (0, 0, +-1)");
+  }
+  if (!is_finite(light.center)) {
+    throw Error(where, "the center of a light is not finite");
+  }
+  if (!(light.size.x > 0.0F && light.size.y > 0.0F) || !std::isfinite(light.size.x) ||
+      !std::isfinite(light.size.y)) {
+    throw Error(where, "the size of a light is not positive", "give two lengths in metres");
+  }
+  if (!is_radiance(light.radiance)) {
+    throw Error(where, "the radiance of a light is negative or not finite");
+  }
+}
+
+Material emitter(const std::string& name, const Rgb& radiance) {
+  Material material;
+  material.name = name;
+  material.base_color = Rgb(0.0F);
+  material.emission = radiance;
+  return material;
+}
+
+Mesh rectangle(const RectangleLight& light) {
+  const int axis = axis_of(light.normal);
+  const int first_axis = axis == 0 ? 1 : 0;
+  const int second_axis = axis == 2 ? 1 : 2;
+  Vec3 right(0.0F);
+  Vec3 up(0.0F);
+  right[first_axis] = 0.5F * light.size.x;
+  up[second_axis] = 0.5F * light.size.y;
+  if (glm::dot(glm::cross(right, up), light.normal) < 0.0F) {
+    right = -right;
+  }
+  Mesh mesh;
+  mesh.positions = {light.center - right - up, light.center + right - up, light.center + right + up,
+                    light.center - right + up};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
+  Mesh mesh = rectangle(light);
+  mesh.name = fmt::format("light {}", number);
+  mesh.material = static_cast<int>(scene.materials.size());
+  scene.materials.push_back(emitter(mesh.name, light.radiance));
+  scene.meshes.push_back(std::move(mesh));
+}
+
+}  // namespace
+
+Scene load_scene(const SceneSource& source) {
+  for (std::size_t i = 0; i < source.lights.size(); ++i) {
+    require_valid(source.lights[i], fmt::format("{}: lights[{}]", source.name, i));
+  }
+  if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
+    throw Error(source.name, "the radiance of the environment is negative or not finite");
+  }
+  Scene scene = load_gltf(source.file);
+  for (std::size_t i = 0; i < source.lights.size(); ++i) {
+    add_light(scene, source.lights[i], i + 1);
+  }
+  if (source.environment_radiance) {
+    scene.environment.emplace().radiance = *source.environment_radiance;
+  }
+  return scene;
+}
+
+}  // namespace foveola

@@ -1,0 +1,13 @@
+// The sRGB transfer function, from stored value to linear light.
+#pragma once
+
+#include <cmath>
+
+namespace foveola {
+
+/// Linear value in [0, 1] of the sRGB-encoded value `encoded` in [0, 1] (IEC 61966-2-1).
+inline double linear_from_srgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace foveola

@@ -1,0 +1,36 @@
+#include "renderer/scene/warnings.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace foveola {
+
+void Warnings::add(const std::string& what, const std::string& where, std::size_t count) {
+  if (count == 0) {
+    return;
+  }
+  const auto known = std::find_if(kinds_.begin(), kinds_.end(),
+                                  [&](const Kind& kind) { return kind.what == what; });
+  if (known == kinds_.end()) {
+    kinds_.push_back({.what = what, .first_place = where, .count = count});
+  } else {
+    known->count += count;
+  }
+}
+
+std::vector<std::string> Warnings::lines() const {
+  std::vector<std::string> lines;
+  for (const Kind& kind : kinds_) {
+    std::string line = kind.what;
+    if (kind.count > 1) {
+      line += fmt::format(" ({} times, first at {})", kind.count, kind.first_place);
+    } else if (!kind.first_place.empty()) {
+      line += fmt::format(" ({})", kind.first_place);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace foveola

@@ -1,0 +1,26 @@
+// Counts what a scene file asked for and did not get, so that each kind is said once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace foveola {
+
+class Warnings {
+ public:
+  /// where: the place of the first of these `count` cases; may be empty.
+  void add(const std::string& what, const std::string& where = {}, std::size_t count = 1);
+
+  /// One line for each kind, in the order of their first occurrence.
+  std::vector<std::string> lines() const;
+
+ private:
+  struct Kind {
+    std::string what;
+    std::string first_place;
+    std::size_t count;
+  };
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace foveola
