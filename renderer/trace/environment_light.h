@@ -1,0 +1,45 @@
+// Light from infinitely far away: its radiance, and directions drawn towards where it is bright.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+#include "renderer/trace/piecewise_constant.h"
+
+namespace foveola {
+
+/// The map is interpolated bilinearly between the centres of its texels, across the seam at +Z, and
+/// is constant within half a texel of the poles. Directions are drawn from cells whose corners are
+/// texel centres (so that a cell is as bright as its interpolated content), uniformly within a cell
+/// in solid angle; a constant environment gives uniform directions.
+class EnvironmentLight {
+ public:
+  /// The environment must outlive this object.
+  explicit EnvironmentLight(const Environment& environment);
+
+  /// direction: unit length.
+  Rgb radiance(const Vec3& direction) const;
+
+  struct Sample {
+    Vec3 direction{0.0F};
+    float pdf = 0.0F;  ///< per steradian
+  };
+  Sample sample(const Vec2& u) const;
+  float pdf(const Vec3& direction) const;
+
+  /// The luminance summed over all directions, in the unit of radiance times steradian.
+  double total_luminance() const { return total_luminance_; }
+
+ private:
+  /// Of each cell in a row.
+  double cell_solid_angle(std::size_t row) const;
+
+  const Environment& environment_;
+  std::optional<PiecewiseConstant2D> cells_;  ///< empty: constant
+  std::vector<double> border_sines_;          ///< of the elevations between the rows of cells
+  double total_luminance_;
+};
+
+}  // namespace foveola
