@@ -30,15 +30,35 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
 }
 
-Json parse(std::string_view text) {
-  const auto bounded = [](int depth, Json::parse_event_t, Json&) {
-    if (depth > deepest_nesting) {
-      throw GltfFault("", fmt::format("the JSON is nested more than {} deep", deepest_nesting));
+/// How deep arrays and objects are nested in `text`; meaningful if it is JSON.
+int nesting_of(std::string_view text) {
+  int depth = 0;
+  int deepest = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') {
+        ++i;
+      }
+      in_string = c != '"';
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      deepest = std::max(deepest, ++depth);
+    } else if (c == ']' || c == '}') {
+      --depth;
     }
-    return true;
-  };
+  }
+  return deepest;
+}
+
+Json parse(std::string_view text) {
+  if (nesting_of(text) > deepest_nesting) {
+    throw GltfFault("", fmt::format("the JSON is nested more than {} deep", deepest_nesting));
+  }
   try {
-    return Json::parse(text, bounded);
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw GltfFault(line_and_column(text, error.byte), "this is not JSON");
   } catch (const Json::out_of_range&) {

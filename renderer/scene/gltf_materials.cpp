@@ -121,6 +121,13 @@ tinygltf::Material default_material() {
   return material;
 }
 
+bool needs_default_material(const tinygltf::Model& model) {
+  const auto has_none = [](const tinygltf::Primitive& primitive) { return primitive.material < 0; };
+  return std::any_of(model.meshes.begin(), model.meshes.end(), [&](const tinygltf::Mesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), has_none);
+  });
+}
+
 }  // namespace
 
 GltfMaterials read_materials(const tinygltf::Model& model, Warnings& warnings) {
@@ -133,7 +140,9 @@ GltfMaterials read_materials(const tinygltf::Model& model, Warnings& warnings) {
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     append(model.materials[i], fmt::format("materials[{}]", i));
   }
-  append(default_material(), "materials");
+  if (needs_default_material(model)) {
+    append(default_material(), "materials");
+  }
   result.textures = textures.decode();
   return result;
 }

@@ -14,7 +14,8 @@ class Model;
 namespace foveola {
 
 struct GltfMaterials {
-  std::vector<Material> materials;  ///< as in the file, then the default material
+  /// As in the file, then the default material if there is a primitive without one.
+  std::vector<Material> materials;
   std::vector<Texture> textures;
   /// For each material, which TEXCOORD its textures read; none where it has no texture.
   std::vector<std::optional<int>> uv_sets;

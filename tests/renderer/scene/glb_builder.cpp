@@ -1,0 +1,55 @@
+#include "tests/renderer/scene/glb_builder.h"
+
+#include <memory>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "renderer/base/error.h"
+#include "renderer/scene/load_scene.h"
+
+namespace foveola::test {
+namespace {
+
+std::string encode(const std::string& format, OIIO::ImageSpec spec, const void* samples) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+  output->set_ioproxy(&memory);
+  spec["oiio:UnassociatedAlpha"] = 1;
+  EXPECT_TRUE(output->open("image." + format, spec)) << output->geterror();
+  EXPECT_TRUE(output->write_image(spec.format, samples)) << output->geterror();
+  EXPECT_TRUE(output->close());
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+Scene LoadGltf::load_bytes(const std::string& bytes, const std::string& name) const {
+  return load_gltf(write(name, bytes));
+}
+
+std::string LoadGltf::error_of_bytes(const std::string& bytes, const std::string& name) const {
+  try {
+    load_bytes(bytes, name);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "loaded without an error";
+  return {};
+}
+
+std::string png(int width, int height, int channels, const std::vector<std::uint8_t>& samples) {
+  return encode("png", {width, height, channels, OIIO::TypeDesc::UINT8}, samples.data());
+}
+
+std::string png(int width, int height, int channels, const std::vector<std::uint16_t>& samples) {
+  return encode("png", {width, height, channels, OIIO::TypeDesc::UINT16}, samples.data());
+}
+
+std::string jpeg(int width, int height, std::uint8_t grey) {
+  const std::vector<std::uint8_t> samples(static_cast<std::size_t>(3) * width * height, grey);
+  return encode("jpeg", {width, height, 3, OIIO::TypeDesc::UINT8}, samples.data());
+}
+
+}  // namespace foveola::test

@@ -1,0 +1,186 @@
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+void expect_near(const Vec3& actual, const Vec3& expected) {
+  EXPECT_NEAR(actual.x, expected.x, 1e-6F);
+  EXPECT_NEAR(actual.y, expected.y, 1e-6F);
+  EXPECT_NEAR(actual.z, expected.z, 1e-6F);
+}
+
+/// The unit quaternion (x, y, z, w) of a quarter turn about +Z.
+Json quarter_turn() { return {0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)}; }
+
+/// nodes[0] with mesh 0 under the given parents, outermost last; only the last is a root.
+GlbBuilder nested(std::initializer_list<Json> transforms) {
+  GlbBuilder glb = one_triangle();
+  glb.document["nodes"] = Json::array();
+  int below = -1;
+  for (Json node : transforms) {
+    if (below < 0) {
+      node["mesh"] = 0;
+    } else {
+      node["children"] = {below};
+    }
+    below = glb.add("nodes", node);
+  }
+  glb.document["scenes"][0]["nodes"] = {below};
+  return glb;
+}
+
+using Nodes = LoadGltf;
+
+TEST_F(Nodes, ScaleThenRotationThenTranslation) {
+  const Scene scene = load(nested(
+      {{{"translation", {10, 20, 30}}, {"rotation", quarter_turn()}, {"scale", {2, 3, 4}}}}));
+  const Mesh& mesh = scene.meshes.at(0);
+  expect_near(mesh.positions[0], {10, 20, 30});
+  expect_near(mesh.positions[1], {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
+  expect_near(mesh.positions[2], {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
+}
+
+TEST_F(Nodes, ParentsApplyAfterTheirChildren) {
+  const Scene scene = load(nested(
+      {{{"translation", {1, 0, 0}}}, {{"rotation", quarter_turn()}}, {{"scale", {2, 2, 2}}}}));
+  const Mesh& mesh = scene.meshes.at(0);
+  expect_near(mesh.positions[0], {0, 2, 0});
+  expect_near(mesh.positions[1], {0, 4, 0});
+  expect_near(mesh.positions[2], {-2, 2, 0});
+}
+
+TEST_F(Nodes, MatrixIsColumnMajor) {
+  const Scene scene =
+      load(nested({{{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}}));
+  const Mesh& mesh = scene.meshes.at(0);
+  expect_near(mesh.positions[0], {5, 6, 7});
+  expect_near(mesh.positions[1], {5, 7, 7});
+  expect_near(mesh.positions[2], {4, 6, 7});
+}
+
+/// In float, 1e8 + 0.5 is 1e8.
+TEST_F(Nodes, ComposesInDoublePrecision) {
+  const Scene scene =
+      load(nested({{{"translation", {1e8 + 0.5, 0, 0}}}, {{"translation", {-1e8, 0, 0}}}}));
+  expect_near(scene.meshes.at(0).positions[0], {0.5F, 0, 0});
+}
+
+TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
+  GlbBuilder glb = one_triangle();
+  glb.document["meshes"][0]["name"] = "chair";
+  glb.add_root({{"mesh", 0}, {"name", "left chair"}, {"translation", {-5, 0, 0}}});
+  const Scene scene = load(glb);
+  ASSERT_EQ(scene.meshes.size(), 2U);
+  EXPECT_EQ(scene.meshes[0].name, "chair");
+  EXPECT_EQ(scene.meshes[1].name, "left chair");
+  expect_near(scene.meshes[0].positions[1], {1, 0, 0});
+  expect_near(scene.meshes[1].positions[1], {-4, 0, 0});
+}
+
+TEST_F(Nodes, OnlyTheDefaultSceneIsShown) {
+  GlbBuilder glb = one_triangle();
+  glb.add("nodes", {{"mesh", 0}, {"translation", {7, 0, 0}}});
+  glb.add("scenes", {{"nodes", {1}}});
+  EXPECT_EQ(load(glb).meshes.at(0).positions[0].x, 0.0F) << "without a default, the first";
+  glb.document["scene"] = 1;
+  const Scene scene = load(glb);
+  ASSERT_EQ(scene.meshes.size(), 1U);
+  EXPECT_EQ(scene.meshes[0].positions[0].x, 7.0F);
+}
+
+TEST_F(Nodes, WithoutScenesAllRootsAreShown) {
+  GlbBuilder glb = one_triangle();
+  glb.document.erase("scenes");
+  glb.document["nodes"][0]["children"] = {1};
+  glb.add("nodes", {{"mesh", 0}, {"translation", {7, 0, 0}}});
+  const Scene scene = load(glb);
+  ASSERT_EQ(scene.meshes.size(), 2U);
+  EXPECT_EQ(scene.meshes[1].positions[0].x, 7.0F);
+}
+
+TEST_F(Nodes, PerspectiveCamerasLookAlongMinusZ) {
+  GlbBuilder glb = one_triangle();
+  const Json lens = {{"yfov", 1.0}, {"znear", 0.1}};
+  glb.add("cameras", {{"type", "perspective"}, {"name", "eye"}, {"perspective", lens}});
+  glb.add_root({{"camera", 0}, {"translation", {1, 2, 3}}});
+  // Half of a right angle about +Y, to the left: towards -X and -Z.
+  const double eighth = std::numbers::pi / 8.0;
+  glb.add_root({{"camera", 0}, {"rotation", {0, std::sin(eighth), 0, std::cos(eighth)}}});
+  const Scene scene = load(glb);
+  ASSERT_EQ(scene.cameras.size(), 2U);
+  EXPECT_EQ(scene.cameras[0].name, "eye");
+  expect_near(scene.cameras[0].position, {1, 2, 3});
+  EXPECT_NEAR(scene.cameras[0].heading.azimuth_rad, 0.0, 1e-6);
+  EXPECT_NEAR(scene.cameras[0].heading.elevation_rad, 0.0, 1e-6);
+  EXPECT_NEAR(scene.cameras[1].heading.azimuth_rad, -std::numbers::pi / 4.0, 1e-6);
+}
+
+TEST_F(Nodes, OrthographicCamerasAreIgnoredWithAWarning) {
+  GlbBuilder glb = one_triangle();
+  const Json lens = {{"xmag", 1.0}, {"ymag", 1.0}, {"znear", 0.1}, {"zfar", 9.0}};
+  glb.add("cameras", {{"type", "orthographic"}, {"orthographic", lens}});
+  glb.add_root({{"camera", 0}});
+  const Scene scene = load(glb);
+  EXPECT_TRUE(scene.cameras.empty());
+  EXPECT_THAT(scene.warnings.at(0), HasSubstr("orthographic cameras"));
+}
+
+TEST_F(Nodes, RefusesCycles) {
+  GlbBuilder glb = one_triangle();
+  glb.document["nodes"] = {{{"mesh", 0}}, {{"children", {2}}}, {{"children", {1}}}};
+  EXPECT_THAT(error_of(glb), HasSubstr("nodes[1]: the nodes form a cycle"));
+  glb.document["nodes"] = {{{"mesh", 0}, {"children", {0}}}};
+  EXPECT_THAT(error_of(glb), HasSubstr("nodes[0]: the nodes form a cycle"));
+}
+
+TEST_F(Nodes, RefusesTwoParents) {
+  GlbBuilder glb = one_triangle();
+  glb.document["nodes"] = {{{"mesh", 0}}, {{"children", {0}}}, {{"children", {0}}}};
+  EXPECT_THAT(error_of(glb),
+              HasSubstr("nodes[2].children[0]: node 0 has two parents, nodes 1 and 2"));
+}
+
+TEST_F(Nodes, RefusesSceneNodesThatAreNoRoots) {
+  GlbBuilder glb = one_triangle();
+  glb.document["nodes"] = {{{"mesh", 0}}, {{"children", {0}}}};
+  EXPECT_THAT(error_of(glb), HasSubstr("scenes[0].nodes[0]: node 0 is not a root"));
+}
+
+TEST_F(Nodes, RefusesANodeListedTwice) {
+  GlbBuilder glb = one_triangle();
+  glb.document["scenes"][0]["nodes"] = {0, 0};
+  EXPECT_THAT(error_of(glb), HasSubstr("scenes[0].nodes[1]: node 0 is listed twice"));
+}
+
+TEST_F(Nodes, RefusesARotationOfNoLength) {
+  EXPECT_THAT(error_of(nested({{{"rotation", {0, 0, 0, 0}}}})),
+              HasSubstr("nodes[0].rotation: is not a rotation"));
+}
+
+TEST_F(Nodes, RefusesATransformThatOverflows) {
+  EXPECT_THAT(error_of(nested({{{"scale", {1e200, 1, 1}}}, {{"scale", {1e200, 1, 1}}}})),
+              HasSubstr("nodes[0]: its transform is not finite"));
+}
+
+TEST_F(Nodes, ADeepChainIsNoProblem) {
+  GlbBuilder glb = one_triangle();
+  constexpr int depth = 100000;
+  glb.document["nodes"] = Json::array({{{"mesh", 0}}});
+  for (int i = 1; i < depth; ++i) {
+    glb.add("nodes", {{"children", {i - 1}}});
+  }
+  glb.document["nodes"][depth / 2]["translation"] = {0, 0, 5};
+  glb.document["scenes"][0]["nodes"] = {depth - 1};
+  EXPECT_EQ(load(glb).meshes.at(0).positions[0].z, 5.0F);
+}
+
+}  // namespace
+}  // namespace foveola::test
