@@ -1,6 +1,7 @@
 // The 360-degree image in the making: it numbers samples, and averages the radiance they return.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -66,13 +67,24 @@ class EquirectFilm {
 
  private:
   struct Pixel {
-    double sum[3];
-    std::uint32_t count;     ///< samples in the sum
-    std::uint32_t numbered;  ///< samples given a number
+    DVec3 sum{0.0};
+    std::uint32_t count = 0;     ///< samples in the sum
+    std::uint32_t numbered = 0;  ///< samples given a number
   };
-  using Tile = std::vector<Pixel>;
+  using Tile = std::array<Pixel, static_cast<std::size_t>(tile_size) * tile_size>;
+  struct Place {
+    std::uint32_t tile;
+    std::uint32_t index;  ///< within the tile
+  };
 
+  Place place(std::uint32_t pixel) const;
   const Pixel* find(int x, int y) const;
+  /// Fills batch.jobs, their numbers still missing; returns where each tile begins, and the end.
+  std::vector<std::size_t> sort_by_tile(std::span<const ViewSample> samples,
+                                        NumberedBatch& batch) const;
+  void number_tile(const NumberedBatch::TileRange& range, NumberedBatch& batch);
+  void add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
+                std::span<const Rgb> radiance);
 
   int width_;
   int height_;

@@ -1,12 +1,11 @@
 // Where the eye looks: one interface for every source of gaze.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 
 #include "renderer/base/clock.h"
-#include "renderer/base/random.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
@@ -40,9 +39,10 @@ struct SimulatedTrackerSettings {
   double rate_hz = 120.0;
   double latency_s = 0.014;    ///< from the eye to the host: FOVE 0's 8 + 2 + 4 ms
   double precision_deg = 0.1;  ///< standard deviation along each axis
-  std::uint64_t seed = 0;
+  std::uint32_t seed = 0;
 };
 
+/// Sees the eye at multiples of 1 / rate_hz and delivers each sample latency_s later.
 class SimulatedEyeTracker final : public EyeTracker {
  public:
   /// true_gaze gives the eye's direction in the head's axes at a time; empty while it blinks.
@@ -51,11 +51,13 @@ class SimulatedEyeTracker final : public EyeTracker {
   std::optional<GazeSample> newest(Nanoseconds now) override;
 
  private:
+  /// What the tracker saw at the exposure of this number.
+  GazeSample expose(std::int64_t index) const;
+
   SimulatedTrackerSettings settings_;
   TrueGaze true_gaze_;
-  std::int64_t next_index_ = 0;
+  std::int64_t newest_index_ = -1;
   std::optional<GazeSample> newest_;
-  Pcg32 noise_;
 };
 
 }  // namespace foveola

@@ -51,8 +51,8 @@ class Preview {
   /// on. Points and paths are drawn anew from `seed`.
   void restart(std::string_view method, std::uint32_t seed);
 
-  /// Polls head and gaze at `now` and traces `samples` samples; how many fit into a frame is for the
-  /// caller to know (a budget, a model of a machine).
+  /// Polls head and gaze at `now` and traces `samples` samples; how many fit into a frame is for
+  /// the caller to know (a budget, a model of a machine).
   FrameReport render_frame(Nanoseconds now, std::uint64_t samples);
 
   /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
@@ -65,6 +65,11 @@ class Preview {
   const std::vector<DroppedSample>& dropped() const { return dropped_; }
 
  private:
+  /// Polls head and gaze, and aims the sampler with them.
+  FrameReport aim(Nanoseconds now);
+  /// Fills samples_ with this frame's directions.
+  void place(std::uint64_t samples);
+
   const PathTracer* tracer_;
   PreviewSettings settings_;
   EyeTracker* eye_;
@@ -73,7 +78,6 @@ class Preview {
   EquirectFilm film_;
   Viewport viewport_;
   std::unique_ptr<ViewSampler> sampler_;
-  std::uint32_t seed_ = 0;
   std::uint64_t next_point_ = 0;
   std::uint64_t next_frame_ = 0;
   GazeSample last_valid_gaze_;

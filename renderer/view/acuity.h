@@ -5,6 +5,9 @@
 
 namespace foveola {
 
+/// The eccentricity up to which Reddy's acuity is 1.
+inline constexpr double reddy_knee_deg = 5.79;
+
 /// Reddy's relative visual acuity at an eccentricity (Reddy 2001, "Perceptually optimized 3D
 /// graphics", as eq. 1 of Koskela et al. 2018): 1 up to 5.79 degrees, 7.49 / (0.3 e + 1)^2 beyond.
 double reddy_acuity(double eccentricity_deg);

@@ -1,0 +1,38 @@
+#include "renderer/gaze/head_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+
+ScriptedHeadTracker::ScriptedHeadTracker(std::vector<HeadPose> poses) : poses_(std::move(poses)) {
+  const auto not_before = [](const HeadPose& a, const HeadPose& b) { return a.time <= b.time; };
+  if (poses_.empty() ||
+      std::adjacent_find(poses_.begin(), poses_.end(), std::not_fn(not_before)) != poses_.end()) {
+    throw Error("head poses", "there are none, or their times do not ascend",
+                "give at least one pose, in the order of time");
+  }
+}
+
+HeadPose ScriptedHeadTracker::pose(Nanoseconds now) {
+  const auto next = std::upper_bound(
+      poses_.begin(), poses_.end(), now,
+      [](Nanoseconds time, const HeadPose& candidate) { return time < candidate.time; });
+  if (next == poses_.begin() || next == poses_.end()) {
+    const HeadPose& still = next == poses_.begin() ? poses_.front() : poses_.back();
+    return {.time = now, .heading = still.heading};
+  }
+  const HeadPose& from = *std::prev(next);
+  const double done = seconds(now - from.time) / seconds(next->time - from.time);
+  const double turn_rad =
+      std::remainder(next->heading.azimuth_rad - from.heading.azimuth_rad, 2.0 * std::numbers::pi);
+  return {.time = now,
+          .heading = {.azimuth_rad = from.heading.azimuth_rad + done * turn_rad,
+                      .elevation_rad = std::lerp(from.heading.elevation_rad,
+                                                 next->heading.elevation_rad, done)}};
+}
+
+}  // namespace foveola
