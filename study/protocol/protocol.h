@@ -1,0 +1,92 @@
+// A study as its researcher wrote it down: TOML in, validated values out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "renderer/base/scene_source.h"
+
+namespace foveola::study {
+
+/// A scene that the protocol names, and where it does.
+struct SceneEntry {
+  std::string name;
+  int line = 0;
+  int column = 0;
+};
+
+/// A question of the background questionnaire, answered with a whole number.
+struct Question {
+  std::string id;
+  std::string text;
+  int minimum = 1;
+  int maximum = 5;
+};
+
+/// The machine whose speed a simulated study assumes, so that its times do not depend on the host.
+struct MachineModel {
+  double samples_per_second = 7.0e6;
+  double frame_rate_hz = 70.0;
+};
+
+struct DisplaySettings {
+  int view_width = 144;  ///< pixels
+  int view_height = 144;
+  double fov_deg = 100.0;  ///< horizontally and vertically
+};
+
+struct FilmSettings {
+  int width = 512;  ///< pixels of the 360-degree image
+  int height = 256;
+  int max_depth = 4;  ///< surface vertices
+};
+
+struct TrackerProfile {
+  double rate_hz = 120.0;
+  double latency_s = 0.014;
+  double precision_deg = 0.1;
+};
+
+struct Timing {
+  double mark_timeout_s = 120.0;  ///< a mark that has not come by then is censored
+  double rating_s = 4.0;          ///< how long a participant looks around before rating
+};
+
+/// How well a simulation knows what the image will converge to.
+struct ReferenceQuality {
+  int samples_per_pixel = 64;
+  int samples_per_object = 1'000'000;
+};
+
+struct Protocol {
+  std::string name;
+  std::string title;
+  std::vector<SceneEntry> scenes;    ///< at least one, none twice
+  std::vector<std::string> methods;  ///< names of make_view_sampler, none twice; first: baseline
+  MachineModel machine;
+  DisplaySettings display;
+  FilmSettings film;
+  TrackerProfile tracker;
+  Timing timing;
+  ReferenceQuality reference;
+  std::vector<Question> background;
+
+  std::filesystem::path path;
+  std::string text;    ///< the file, to the letter
+  std::string sha256;  ///< of the text
+};
+
+/// A protocol's file: `name_or_path` itself if that is a file, else protocols/NAME.toml of the
+/// resource folder. Throws Error, listing the known names, if there is neither.
+std::filesystem::path find_protocol(const std::string& name_or_path);
+
+/// Only name, title, scenes and methods must be given; the rest has the defaults above. Throws
+/// Error with file:line:column for an unknown key, a wrong type or an impossible value.
+Protocol load_protocol(const std::filesystem::path& path);
+
+/// Finds every scene of the protocol, in its order. Throws Error with file:line:column for one that
+/// cannot be found or that names no objects to choose.
+std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinder& find_scene);
+
+}  // namespace foveola::study

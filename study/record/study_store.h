@@ -1,0 +1,82 @@
+// The writer of a study's file: what it returns from is on the disk.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+#include "study/design/plan.h"
+#include "study/protocol/protocol.h"
+#include "study/session/session.h"
+
+namespace foveola::study {
+
+enum class SessionKind { human, pilot, simulated };
+
+/// The file of a scene that was really shown.
+struct ShownScene {
+  std::string name;
+  std::string file_name;  ///< without its folder
+  std::string sha256;
+};
+
+struct SessionFacts {
+  std::string participant;  ///< code, never a name
+  SessionKind kind = SessionKind::simulated;
+  std::uint64_t seed = 0;
+  BuildInfo build;
+  MachineInfo machine;
+  std::vector<ShownScene> scenes;
+};
+
+/// One rendered frame, as it is kept.
+struct FrameRow {
+  Nanoseconds time{0};  ///< session clock
+  float head_azimuth_rad = 0.0F;
+  float head_elevation_rad = 0.0F;
+  Vec3 gaze{0.0F};  ///< world, the one that was used
+  bool gaze_valid = false;
+  Nanoseconds gaze_age{0};
+  std::uint32_t samples = 0;
+};
+
+/// A study's file, open for writing. Every function that returns has committed with
+/// synchronous=FULL.
+class StudyStore {
+ public:
+  /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
+  /// the file is no database, damaged, of another schema, or of another protocol (by its hash);
+  /// nothing is then made or changed.
+  StudyStore(const std::filesystem::path& path, const Protocol& protocol);
+  /// Leaves one self-contained file (the write-ahead log is folded in).
+  ~StudyStore();
+  StudyStore(const StudyStore&) = delete;
+  StudyStore& operator=(const StudyStore&) = delete;
+
+  /// Whether a participant of this code has a session.
+  bool has_participant(const std::string& code) const;
+
+  /// Records a new session with its whole plan, before anything happens in it. Returns its row id.
+  std::int64_t begin_session(const SessionFacts& facts, const Plan& plan);
+
+  /// Appends `event`, which took the session from `before` to `after`, to the log, together with
+  /// the rows that follow from it (answers, attempts, marks, ratings, the session's state).
+  void record_event(std::int64_t session, Nanoseconds time, const Event& event,
+                    const SessionState& before, const SessionState& after);
+
+  /// Appends a chunk of consecutive frames of one attempt; first_frame counts from the attempt's
+  /// start.
+  void record_frames(std::int64_t session, std::size_t trial, int attempt,
+                     std::uint64_t first_frame, const std::vector<FrameRow>& frames);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace foveola::study
