@@ -1,0 +1,36 @@
+// The scenes that Foveola makes itself, so that demo and tests need no download.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/model.h"
+
+namespace foveola::scenes {
+
+/// An open court between two arcaded storeys: cloth, plants with cut-out leaves, sun and sky.
+Model make_arcade();
+/// A long table with its chairs under many ceiling lights.
+Model make_meeting_room();
+/// A car under the softboxes of a photographer's studio.
+Model make_studio_car();
+
+/// In alphabetical order.
+std::vector<std::string> builtin_names();
+
+/// Throws Error if there is no such scene, naming those there are.
+Model make_builtin(const std::string& name);
+
+/// Where the cache keeps the scene's .glb. The file's name carries a digest of the generators'
+/// sources, so that a scene made by other generators is never taken for this program's.
+std::filesystem::path cached_builtin(const std::string& name);
+
+/// Makes the scene and writes it to `file`, whose folder is made too if need be. Returns the number
+/// of its triangles.
+std::size_t write_builtin(const std::string& name, const std::filesystem::path& file);
+
+/// The scene's .glb in the cache, made now if it is not there.
+std::filesystem::path require_builtin(const std::string& name);
+
+}  // namespace foveola::scenes
