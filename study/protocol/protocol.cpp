@@ -1,0 +1,194 @@
+#include "study/protocol/protocol.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/view/view_sampler.h"
+#include "study/protocol/toml_reader.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr int largest_film_side = 65536;
+constexpr int largest_view_side = 8192;
+constexpr int most_samples = std::numeric_limits<int>::max();
+
+toml::table parse(const fs::path& path, const std::string& text) {
+  try {
+    return toml::parse(text, path.string());
+  } catch (const toml::parse_error& error) {
+    throw Error(place_of(path.string(), error.source()), std::string(error.description()),
+                "see protocols/demo.toml for an example");
+  }
+}
+
+std::vector<SceneEntry> read_scenes(TomlReader& reader) {
+  std::vector<SceneEntry> scenes;
+  for (const TomlReader::Text& scene : reader.require_texts("scenes")) {
+    scenes.push_back({.name = scene.value,
+                      .line = static_cast<int>(scene.source.begin.line),
+                      .column = static_cast<int>(scene.source.begin.column)});
+  }
+  return scenes;
+}
+
+std::vector<std::string> read_methods(TomlReader& reader) {
+  const std::vector<std::string>& known = view_sampler_names();
+  std::vector<std::string> methods;
+  for (const TomlReader::Text& method : reader.require_texts("methods")) {
+    if (std::find(known.begin(), known.end(), method.value) == known.end()) {
+      reader.fail(method.source, fmt::format("there is no method '{}'", method.value),
+                  fmt::format("the methods are {}", fmt::join(known, ", ")));
+    }
+    methods.push_back(method.value);
+  }
+  return methods;
+}
+
+MachineModel read_machine(TomlReader reader) {
+  MachineModel machine;
+  reader.read("samples_per_second", machine.samples_per_second, 1.0, 1e12);
+  reader.read("frame_rate_hz", machine.frame_rate_hz, 1.0, 1000.0);
+  reader.reject_unknown_keys();
+  return machine;
+}
+
+DisplaySettings read_display(TomlReader reader) {
+  DisplaySettings display;
+  reader.read("view_width", display.view_width, 8, largest_view_side);
+  reader.read("view_height", display.view_height, 8, largest_view_side);
+  reader.read("fov_deg", display.fov_deg, 1.0, 170.0);
+  reader.reject_unknown_keys();
+  return display;
+}
+
+FilmSettings read_film(TomlReader reader) {
+  FilmSettings film;
+  reader.read("width", film.width, 8, largest_film_side);
+  reader.read("height", film.height, 4, largest_film_side);
+  reader.read("max_depth", film.max_depth, 1, 1000);
+  reader.reject_unknown_keys();
+  return film;
+}
+
+TrackerProfile read_tracker(TomlReader reader) {
+  TrackerProfile tracker;
+  reader.read("rate_hz", tracker.rate_hz, 1.0, 10000.0);
+  reader.read("latency_s", tracker.latency_s, 0.0, 1.0);
+  reader.read("precision_deg", tracker.precision_deg, 0.0, 10.0);
+  reader.reject_unknown_keys();
+  return tracker;
+}
+
+Timing read_timing(TomlReader reader) {
+  Timing timing;
+  reader.read("mark_timeout_s", timing.mark_timeout_s, 0.1, 3600.0);
+  reader.read("rating_s", timing.rating_s, 0.1, 3600.0);
+  reader.reject_unknown_keys();
+  return timing;
+}
+
+ReferenceQuality read_reference(TomlReader reader) {
+  ReferenceQuality reference;
+  reader.read("samples_per_pixel", reference.samples_per_pixel, 1, 1 << 20);
+  reader.read("samples_per_object", reference.samples_per_object, 0, most_samples);
+  reader.reject_unknown_keys();
+  return reference;
+}
+
+std::vector<Question> read_background(std::vector<TomlReader> readers) {
+  std::vector<Question> questions;
+  for (TomlReader& reader : readers) {
+    Question question{.id = reader.require_text("id"), .text = reader.require_text("text")};
+    reader.read("minimum", question.minimum, -1'000'000, 1'000'000);
+    reader.read("maximum", question.maximum, question.minimum + 1, 1'000'001);
+    reader.reject_unknown_keys();
+    if (std::any_of(questions.begin(), questions.end(),
+                    [&](const Question& other) { return other.id == question.id; })) {
+      reader.fail(reader.source(), fmt::format("the question '{}' is asked twice", question.id),
+                  "give each its own id");
+    }
+    questions.push_back(std::move(question));
+  }
+  return questions;
+}
+
+std::vector<std::string> known_protocols(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".toml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+fs::path find_protocol(const std::string& name_or_path) {
+  if (fs::exists(name_or_path)) {
+    return name_or_path;
+  }
+  const fs::path folder = resource_folder() / "protocols";
+  const fs::path named = folder / (name_or_path + ".toml");
+  if (name_or_path.find('/') == std::string::npos && fs::is_regular_file(named)) {
+    return named;
+  }
+  throw Error(
+      name_or_path, "there is no such protocol",
+      fmt::format("give a .toml file or one of {}", fmt::join(known_protocols(folder), ", ")));
+}
+
+Protocol load_protocol(const fs::path& path) {
+  Protocol protocol;
+  protocol.path = path;
+  protocol.text = read_file(path);
+  protocol.sha256 = sha256(std::string_view(protocol.text));
+  const toml::table table = parse(path, protocol.text);
+  TomlReader reader(path.string(), table, "");
+  protocol.name = reader.require_text("name");
+  protocol.title = reader.require_text("title");
+  protocol.scenes = read_scenes(reader);
+  protocol.methods = read_methods(reader);
+  protocol.machine = read_machine(reader.table("machine"));
+  protocol.display = read_display(reader.table("display"));
+  protocol.film = read_film(reader.table("film"));
+  protocol.tracker = read_tracker(reader.table("tracker"));
+  protocol.timing = read_timing(reader.table("timing"));
+  protocol.reference = read_reference(reader.table("reference"));
+  protocol.background = read_background(reader.tables("background"));
+  reader.reject_unknown_keys();
+  return protocol;
+}
+
+std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinder& find_scene) {
+  std::vector<SceneSource> sources;
+  for (const SceneEntry& entry : protocol.scenes) {
+    const std::string place =
+        fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column);
+    try {
+      sources.push_back(find_scene(entry.name));
+    } catch (const Error& error) {
+      throw Error(place, error.what());
+    }
+    if (sources.back().objects.empty()) {
+      throw Error(place, fmt::format("the scene '{}' names no objects to choose", entry.name),
+                  "give it a descriptor with [[object]] entries");
+    }
+    if (!sources.back().camera_position) {
+      throw Error(place, fmt::format("the scene '{}' has no viewpoint", entry.name),
+                  "give it a descriptor with a camera position");
+    }
+  }
+  return sources;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,129 @@
+#include "study/protocol/toml_reader.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::study {
+std::string place_of(const std::string& file, const toml::source_region& source) {
+  return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
+}
+
+TomlReader::TomlReader(std::string file, const toml::table& table, std::string name)
+    : file_(std::move(file)), table_(&table), name_(std::move(name)) {}
+
+void TomlReader::read(std::string_view key, std::string& value) {
+  if (const toml::node* node = find(key)) {
+    const auto text = node->value_exact<std::string>();
+    if (!text) {
+      fail(node->source(), full_name(key) + " must be a text", "put it in double quotes");
+    }
+    value = *text;
+  }
+}
+
+void TomlReader::read(std::string_view key, int& value, int minimum, int maximum) {
+  if (const toml::node* node = find(key)) {
+    const auto number = node->value_exact<std::int64_t>();
+    if (!number || *number < minimum || *number > maximum) {
+      fail(node->source(), full_name(key) + " is out of range",
+           fmt::format("give a whole number from {} to {}", minimum, maximum));
+    }
+    value = static_cast<int>(*number);
+  }
+}
+
+void TomlReader::read(std::string_view key, double& value, double minimum, double maximum) {
+  if (const toml::node* node = find(key)) {
+    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!number || !(*number >= minimum && *number <= maximum)) {
+      fail(node->source(), full_name(key) + " is out of range",
+           fmt::format("give a number from {} to {}", minimum, maximum));
+    }
+    value = *number;
+  }
+}
+
+std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    fail(source(), full_name(key) + " is missing", "give a list of names");
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty() || !array->is_homogeneous<std::string>()) {
+    fail(node->source(), full_name(key) + " must be a list of texts", R"(write ["a", "b"])");
+  }
+  std::vector<Text> texts;
+  for (const toml::node& element : *array) {
+    const std::string value = **element.as_string();
+    if (std::any_of(texts.begin(), texts.end(),
+                    [&](const Text& text) { return text.value == value; })) {
+      fail(element.source(), fmt::format("{} names '{}' twice", full_name(key), value),
+           "name each once");
+    }
+    texts.push_back({value, element.source()});
+  }
+  return texts;
+}
+
+std::string TomlReader::require_text(std::string_view key) {
+  std::string value;
+  read(key, value);
+  if (value.empty()) {
+    fail(source(), full_name(key) + " is missing or empty", "give a text");
+  }
+  return value;
+}
+
+TomlReader TomlReader::table(std::string_view key) {
+  static const toml::table absent;
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_table()) {
+    fail(node->source(), full_name(key) + " must be a table",
+         fmt::format("write [{}] on a line of its own", full_name(key)));
+  }
+  return {file_, node != nullptr ? *node->as_table() : absent, full_name(key)};
+}
+
+std::vector<TomlReader> TomlReader::tables(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    return {};
+  }
+  if (!node->is_array_of_tables()) {
+    fail(node->source(), full_name(key) + " must be a list of tables",
+         fmt::format("begin each with [[{}]]", full_name(key)));
+  }
+  std::vector<TomlReader> readers;
+  for (const toml::node& element : *node->as_array()) {
+    readers.emplace_back(file_, *element.as_table(), full_name(key));
+  }
+  return readers;
+}
+
+void TomlReader::reject_unknown_keys() const {
+  for (auto&& [key, node] : *table_) {
+    if (!asked_.contains(key.str())) {
+      fail(key.source(), fmt::format("unknown key '{}'", full_name(key.str())),
+           fmt::format("the keys here are {}", fmt::join(asked_, ", ")));
+    }
+  }
+}
+
+void TomlReader::fail(const toml::source_region& source, const std::string& what,
+                      const std::string& remedy) const {
+  throw Error(place_of(file_, source), what, remedy);
+}
+
+const toml::node* TomlReader::find(std::string_view key) {
+  asked_.emplace(key);
+  return table_->get(key);
+}
+
+std::string TomlReader::full_name(std::string_view key) const {
+  return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
+}
+
+}  // namespace foveola::study

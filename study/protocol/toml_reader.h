@@ -1,0 +1,62 @@
+// Reading a TOML table key by key, with the place of whatever is wrong in it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+namespace foveola::study {
+
+/// "FILE:LINE:COLUMN" of a place in a TOML file.
+std::string place_of(const std::string& file, const toml::source_region& source);
+
+/// One table of a file. Each read_ function leaves `value` alone where the key is absent and throws
+/// Error where it has another type or lies out of range.
+class TomlReader {
+ public:
+  /// `name` is the table's, for messages; empty for the file itself.
+  TomlReader(std::string file, const toml::table& table, std::string name);
+
+  void read(std::string_view key, std::string& value);
+  /// Within [minimum, maximum].
+  void read(std::string_view key, int& value, int minimum, int maximum);
+  /// Finite and within [minimum, maximum]; a whole number will do.
+  void read(std::string_view key, double& value, double minimum, double maximum);
+
+  /// A string and where it stands.
+  struct Text {
+    std::string value;
+    toml::source_region source;
+  };
+  /// A non-empty array of strings, none twice. Throws Error if the key is absent.
+  std::vector<Text> require_texts(std::string_view key);
+  /// Throws Error if the key is absent or empty.
+  std::string require_text(std::string_view key);
+
+  /// The table `key`, or an empty one.
+  TomlReader table(std::string_view key);
+  /// The array of tables `key`, or none.
+  std::vector<TomlReader> tables(std::string_view key);
+
+  /// To be called after everything was read: throws Error for the first key that nothing asked for.
+  void reject_unknown_keys() const;
+
+  [[noreturn]] void fail(const toml::source_region& source, const std::string& what,
+                         const std::string& remedy) const;
+  /// Where the table itself begins.
+  const toml::source_region& source() const { return table_->source(); }
+
+ private:
+  const toml::node* find(std::string_view key);
+  std::string full_name(std::string_view key) const;
+
+  std::string file_;
+  const toml::table* table_;
+  std::string name_;
+  std::set<std::string, std::less<>> asked_;
+};
+
+}  // namespace foveola::study

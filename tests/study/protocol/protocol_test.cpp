@@ -1,0 +1,200 @@
+#include "study/protocol/protocol.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const std::string minimal = R"(name = "small"
+title = "A small one"
+scenes = ["arcade", "room"]
+methods = ["od", "fv"]
+)";
+
+class ProtocolFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = fs::path(testing::TempDir()) /
+            ("protocol_" + std::to_string(::getpid()) + "_" +
+             testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
+  }
+  void TearDown() override { fs::remove(path_); }
+
+  Protocol load(const std::string& text) {
+    write_file(path_, text);
+    return load_protocol(path_);
+  }
+
+  fs::path path_;
+};
+
+TEST_F(ProtocolFile, NeedsOnlyANameATitleScenesAndMethods) {
+  const Protocol protocol = load(minimal);
+  EXPECT_EQ(protocol.name, "small");
+  EXPECT_EQ(protocol.title, "A small one");
+  EXPECT_THAT(protocol.methods, ElementsAre("od", "fv"));
+  ASSERT_EQ(protocol.scenes.size(), 2U);
+  EXPECT_EQ(protocol.scenes[1].name, "room");
+  EXPECT_EQ(protocol.scenes[1].line, 3);
+  EXPECT_EQ(protocol.scenes[1].column, 21);
+  EXPECT_EQ(protocol.text, minimal);
+  EXPECT_EQ(protocol.sha256, sha256(std::string_view(minimal)));
+  EXPECT_EQ(protocol.machine.frame_rate_hz, MachineModel{}.frame_rate_hz);
+  EXPECT_TRUE(protocol.background.empty());
+}
+
+TEST_F(ProtocolFile, EveryKeyIsRead) {
+  const Protocol protocol = load(minimal + R"(
+[machine]
+samples_per_second = 5000
+frame_rate_hz = 90.5
+[film]
+width = 64
+height = 32
+max_depth = 3
+[display]
+view_width = 20
+view_height = 30
+fov_deg = 60
+[tracker]
+rate_hz = 250
+latency_s = 0.005
+precision_deg = 0.3
+[timing]
+mark_timeout_s = 7.5
+rating_s = 2
+[reference]
+samples_per_pixel = 9
+samples_per_object = 10
+[[background]]
+id = "age"
+text = "How old?"
+minimum = 18
+maximum = 99
+[[background]]
+id = "vr"
+text = "Used to it?"
+)");
+  EXPECT_EQ(protocol.machine.samples_per_second, 5000.0);
+  EXPECT_EQ(protocol.machine.frame_rate_hz, 90.5);
+  EXPECT_EQ(protocol.film.width, 64);
+  EXPECT_EQ(protocol.film.height, 32);
+  EXPECT_EQ(protocol.film.max_depth, 3);
+  EXPECT_EQ(protocol.display.view_width, 20);
+  EXPECT_EQ(protocol.display.view_height, 30);
+  EXPECT_EQ(protocol.display.fov_deg, 60.0);
+  EXPECT_EQ(protocol.tracker.rate_hz, 250.0);
+  EXPECT_EQ(protocol.tracker.latency_s, 0.005);
+  EXPECT_EQ(protocol.tracker.precision_deg, 0.3);
+  EXPECT_EQ(protocol.timing.mark_timeout_s, 7.5);
+  EXPECT_EQ(protocol.timing.rating_s, 2.0);
+  EXPECT_EQ(protocol.reference.samples_per_pixel, 9);
+  EXPECT_EQ(protocol.reference.samples_per_object, 10);
+  ASSERT_EQ(protocol.background.size(), 2U);
+  EXPECT_EQ(protocol.background[0].maximum, 99);
+  EXPECT_EQ(protocol.background[1].minimum, 1);
+  EXPECT_EQ(protocol.background[1].maximum, 5);
+}
+
+TEST_F(ProtocolFile, EveryShippedProtocolLoads) {
+  for (const char* name : {"demo", "real-scenes"}) {
+    EXPECT_EQ(load_protocol(find_protocol(name)).name, name);
+  }
+}
+
+TEST_F(ProtocolFile, AnUnknownNameListsTheKnownOnes) {
+  EXPECT_THAT([] { find_protocol("no-such-study"); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("no-such-study"), HasSubstr("demo"))));
+}
+
+/// What is wrong, at which line and column, and what the message must say.
+struct Fault {
+  const char* name;
+  std::string text;
+  std::string place;
+  std::string says;
+};
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class ProtocolFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(ProtocolFault, IsRefusedWithItsPlace) {
+  const fs::path path = fs::path(testing::TempDir()) / (std::string("fault_") + GetParam().name);
+  write_file(path, GetParam().text);
+  EXPECT_THAT([&] { load_protocol(path); },
+              ThrowsMessage<Error>(AllOf(HasSubstr(path.string() + ":" + GetParam().place + ":"),
+                                         HasSubstr(GetParam().says))));
+  fs::remove(path);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, ProtocolFault,
+    testing::Values(
+        Fault{"no_toml", "name = \n", "1:8", ""},
+        Fault{"unknown_key", minimal + "colour = 3\n", "5:1", "colour"},
+        Fault{"unknown_table", minimal + "[lens]\nk = 1\n", "5:2", "lens"},
+        Fault{"unknown_key_in_table", minimal + "[film]\ndepth = 3\n", "6:1", "film.depth"},
+        Fault{"unknown_method",
+              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"xx\"]\n", "4:18",
+              "xx"},
+        Fault{"method_twice",
+              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"od\"]\n", "4:18",
+              "twice"},
+        Fault{"no_scenes", "name = \"a\"\ntitle = \"b\"\nscenes = []\nmethods = [\"od\"]\n", "3:10",
+              "scenes"},
+        Fault{"scene_is_a_number",
+              "name = \"a\"\ntitle = \"b\"\nscenes = [3]\nmethods = [\"od\"]\n", "3:10", "scenes"},
+        Fault{"missing_methods", "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n", "1:1",
+              "methods"},
+        Fault{"text_for_number", minimal + "[film]\nwidth = \"wide\"\n", "6:9", "film.width"},
+        Fault{"fraction_for_integer", minimal + "[film]\nwidth = 64.5\n", "6:9", "film.width"},
+        Fault{"negative_size", minimal + "[film]\nwidth = -64\n", "6:9", "film.width"},
+        Fault{"nan_rate", minimal + "[machine]\nframe_rate_hz = nan\n", "6:17", "frame_rate_hz"},
+        Fault{"infinite_rate", minimal + "[machine]\nframe_rate_hz = inf\n", "6:17",
+              "frame_rate_hz"},
+        Fault{"flat_view", minimal + "[display]\nfov_deg = 180\n", "6:11", "fov_deg"},
+        Fault{"table_is_a_number", minimal + "film = 3\n", "5:8", "film"},
+        Fault{"question_without_text", minimal + "[[background]]\nid = \"age\"\n", "5:1", "text"},
+        Fault{"question_twice",
+              minimal + "[[background]]\nid = \"a\"\ntext = \"b\"\n[[background]]\nid = \"a\"\n"
+                        "text = \"c\"\n",
+              "8:1", "twice"}),
+    [](const testing::TestParamInfo<Fault>& test) { return test.param.name; });
+
+TEST_F(ProtocolFile, ScenesAreFoundInOrder) {
+  const Protocol protocol = load(minimal);
+  const auto find = [](const std::string& name) {
+    return SceneSource{.name = name, .camera_position = Vec3(0.0F), .objects = {{.name = "x"}}};
+  };
+  const std::vector<SceneSource> sources = find_scenes(protocol, find);
+  ASSERT_EQ(sources.size(), 2U);
+  EXPECT_EQ(sources[1].name, "room");
+}
+
+TEST_F(ProtocolFile, ScenesThatCannotBeUsedAreNamedWithTheirPlace) {
+  const Protocol protocol = load(minimal);
+  const auto missing = [](const std::string& name) -> SceneSource {
+    throw Error(name, "no such scene");
+  };
+  EXPECT_THAT(
+      [&] { find_scenes(protocol, missing); },
+      ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":3:11"), HasSubstr("arcade"))));
+  const auto bare = [](const std::string& name) { return SceneSource{.name = name}; };
+  EXPECT_THAT([&] { find_scenes(protocol, bare); }, ThrowsMessage<Error>(HasSubstr("objects")));
+}
+
+}  // namespace
+}  // namespace foveola::study
