@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/scene/disarmed.h"
+
 namespace foveola {
 namespace fs = std::filesystem;
 namespace {
@@ -51,9 +53,7 @@ bool lies_inside(const fs::path& file, const fs::path& folder) {
 fs::path confined_file(const fs::path& folder, std::string_view uri) {
   const std::string name = percent_decoded(uri);
   const auto refuse = [&](const std::string& why) {
-    constexpr std::size_t shown = 120;
-    throw std::runtime_error(
-        fmt::format("refers to \"{}\", {}", name.substr(0, std::min(name.size(), shown)), why));
+    throw std::runtime_error(fmt::format("refers to \"{}\", {}", disarmed(name), why));
   };
   if (has_scheme(uri)) {
     refuse("which is not a relative path (only data: and relative references are read)");

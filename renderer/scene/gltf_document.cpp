@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/json_rules.h"
 
@@ -213,7 +214,8 @@ class Schema {
 void require_version_2(const Json& asset) {
   const std::string version = asset["version"].get<std::string>();
   if (!version.starts_with("2.")) {
-    throw GltfFault("asset.version", fmt::format("is {}, but only glTF 2 can be read", version));
+    throw GltfFault("asset.version",
+                    fmt::format("is {}, but only glTF 2 can be read", disarmed(version)));
   }
   const auto minimum = asset.find("minVersion");
   if (minimum != asset.end() && *minimum != "2.0") {
@@ -229,7 +231,18 @@ void require_known_extensions(const Json& document) {
   for (std::size_t i = 0; i < extensions->size(); ++i) {
     if (const auto name = (*extensions)[i].get<std::string>(); !is_supported_extension(name)) {
       throw GltfFault(fmt::format("extensionsRequired[{}]", i),
-                      fmt::format("the extension {} is not supported", name));
+                      fmt::format("the extension {} is not supported", disarmed(name)));
+    }
+  }
+}
+
+/// tinygltf makes a copy of the GLB's own chunk for every buffer without a uri.
+void require_one_own_buffer(const Json& document) {
+  const auto buffers = document.find("buffers");
+  for (std::size_t i = 1; buffers != document.end() && i < buffers->size(); ++i) {
+    if (!(*buffers)[i].contains("uri")) {
+      throw GltfFault(fmt::format("buffers[{}].uri", i),
+                      "is missing: only the first buffer may lie in the file itself");
     }
   }
 }
@@ -277,6 +290,7 @@ std::vector<GltfReference> check_gltf_document(std::string_view json) {
   Schema(document).document()(document, Place{});
   require_version_2(document["asset"]);
   require_known_extensions(document);
+  require_one_own_buffer(document);
   std::vector<GltfReference> references;
   append_references(document, "buffers", references);
   append_references(document, "images", references);

@@ -13,6 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/confined_file.h"
+#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
 
@@ -23,6 +24,9 @@ constexpr std::string_view glb_magic = "glTF";
 
 /// tinygltf counts the text of a data: uri in an int.
 constexpr std::size_t longest_json = std::size_t{1} << 30;
+
+/// Files may be named any number of times, and each time they are read.
+constexpr std::uintmax_t largest_total_size = std::uintmax_t{1} << 33;
 
 bool is_glb(std::string_view content) { return content.starts_with(glb_magic); }
 
@@ -85,12 +89,19 @@ struct ReferredFiles {
 ReferredFiles find_referred_files(const std::filesystem::path& folder,
                                   const std::vector<GltfReference>& references) {
   ReferredFiles found;
+  std::uintmax_t total_size = 0;
   for (const GltfReference& reference : references) {
     try {
       found.files.push_back(
           {.place = reference.place, .path = confined_file(folder, reference.uri)});
+      total_size += std::filesystem::file_size(found.files.back().path);
     } catch (const std::runtime_error& refusal) {
       throw GltfFault(reference.place, refusal.what());
+    }
+    if (total_size > largest_total_size) {
+      throw GltfFault(
+          reference.place,
+          fmt::format("brings the files of the scene to more than {} bytes", largest_total_size));
     }
   }
   return found;
@@ -133,12 +144,6 @@ bool keep_encoded_image(tinygltf::Image* image, const int /*index*/, std::string
   return true;
 }
 
-/// The first line of what tinygltf says, which can quote a whole data: uri.
-std::string short_message(const std::string& message) {
-  constexpr std::size_t longest = 200;
-  return message.substr(0, std::min(message.find('\n'), longest));
-}
-
 }  // namespace
 
 GltfFile read_gltf_file(const std::filesystem::path& path) {
@@ -168,7 +173,7 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
              : loader.LoadASCIIFromString(model.get(), &error, &warning, content.data(),
                                           static_cast<unsigned>(content.size()), "");
   if (!loaded) {
-    throw GltfFault("", short_message(error));
+    throw GltfFault("", disarmed(error));  // which can repeat a whole data: uri
   }
   return {.model = model, .sha256 = sha256(content)};
 }

@@ -1,6 +1,5 @@
 #include "renderer/scene/gltf_textures.h"
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -64,12 +63,11 @@ int TextureSet::add(int texture, Encoding encoding) {
     use.wrap_u = wrap_of(sampler.wrapS);
     use.wrap_v = wrap_of(sampler.wrapT);
   }
-  const auto known = std::find(uses_.begin(), uses_.end(), use);
-  if (known != uses_.end()) {
-    return static_cast<int>(known - uses_.begin());
+  const auto [known, is_new] = index_of_.try_emplace(use, static_cast<int>(uses_.size()));
+  if (is_new) {
+    uses_.push_back(use);
   }
-  uses_.push_back(use);
-  return static_cast<int>(uses_.size()) - 1;
+  return known->second;
 }
 
 std::vector<Texture> TextureSet::decode() const {

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "renderer/scene/texture.h"
@@ -43,6 +44,7 @@ class TextureSet {
 
   const tinygltf::Model& model_;
   std::vector<Use> uses_;
+  std::map<Use, int> index_of_;  ///< into uses_
 };
 
 }  // namespace foveola

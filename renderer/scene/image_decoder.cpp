@@ -47,6 +47,22 @@ void expand_to_rgba(std::vector<std::uint8_t>& texels, int channels) {
   }
 }
 
+/// libjpeg paints what is missing of a cut file grey and calls it a picture. Compressed data never
+/// holds a marker (ITU-T T.81, section F.1.2.3), so the end of image must follow the last scan.
+void require_whole_jpeg(std::span<const unsigned char> encoded) {
+  constexpr unsigned char start_of_scan = 0xDA;
+  constexpr unsigned char end_of_image = 0xD9;
+  for (std::size_t i = encoded.size(); i-- > 1;) {
+    if (encoded[i - 1] == 0xFF && encoded[i] == end_of_image) {
+      return;
+    }
+    if (encoded[i - 1] == 0xFF && encoded[i] == start_of_scan) {
+      break;
+    }
+  }
+  throw std::runtime_error("is damaged: the JPEG image is cut off");
+}
+
 /// An image whose header has been read and found sensible.
 struct OpenImage {
   std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;  ///< read by `input`, so it dies after it
@@ -89,6 +105,9 @@ std::size_t pixel_count(std::span<const unsigned char> encoded) {
 
 DecodedImage decode_image(std::span<const unsigned char> encoded) {
   const OpenImage open = open_image(encoded);
+  if (open.input->format_name() == std::string("jpeg")) {
+    require_whole_jpeg(encoded);
+  }
   const OIIO::ImageSpec& spec = open.spec;
   DecodedImage image{.width = spec.width, .height = spec.height, .texels = {}};
   image.texels.resize(std::size_t{4} * spec.width * spec.height);

@@ -6,6 +6,7 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/error.h"
+#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_file.h"
@@ -26,7 +27,7 @@ constexpr std::size_t most_triangles = std::size_t{1} << 26;
 void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
   for (const std::string& name : model.extensionsUsed) {
     if (!is_supported_extension(name)) {
-      warnings.add("the extension " + name + " is ignored");
+      warnings.add("the extension " + disarmed(name) + " is ignored");
     }
   }
   if (!model.animations.empty()) {

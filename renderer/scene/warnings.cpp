@@ -1,7 +1,5 @@
 #include "renderer/scene/warnings.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace foveola {
@@ -10,12 +8,11 @@ void Warnings::add(const std::string& what, const std::string& where, std::size_
   if (count == 0) {
     return;
   }
-  const auto known = std::find_if(kinds_.begin(), kinds_.end(),
-                                  [&](const Kind& kind) { return kind.what == what; });
-  if (known == kinds_.end()) {
+  const auto [known, is_new] = index_of_.try_emplace(what, kinds_.size());
+  if (is_new) {
     kinds_.push_back({.what = what, .first_place = where, .count = count});
   } else {
-    known->count += count;
+    kinds_[known->second].count += count;
   }
 }
 

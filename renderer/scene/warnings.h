@@ -1,7 +1,9 @@
 // Counts what a scene file asked for and did not get, so that each kind is said once.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace foveola {
@@ -21,6 +23,7 @@ class Warnings {
     std::size_t count;
   };
   std::vector<Kind> kinds_;
+  std::unordered_map<std::string, std::size_t> index_of_;  ///< of a kind, by what it says
 };
 
 }  // namespace foveola

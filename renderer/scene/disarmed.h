@@ -1,0 +1,13 @@
+// Text from strangers' files, made fit to appear in a message.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace foveola {
+
+/// `text` with everything but printable ASCII and UTF-8's multi-byte characters replaced by "?" (a
+/// terminal obeys control characters), and cut at 120 bytes.
+std::string disarmed(std::string_view text);
+
+}  // namespace foveola

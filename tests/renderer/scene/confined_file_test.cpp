@@ -1,0 +1,104 @@
+#include "renderer/scene/confined_file.h"
+
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class ConfinedFile : public TemporaryFolder {
+ protected:
+  ConfinedFile() {
+    fs::create_directories(scene() / "maps");
+    write("secret.bin", "secret");
+    write("scene/wood grain+1.png", "wood");
+    write("scene/maps/100%.png", "map");
+  }
+
+  fs::path scene() const { return folder() / "scene"; }
+
+  std::string refusal_of(const std::string& uri) const {
+    try {
+      const fs::path file = confined_file(scene(), uri);
+      ADD_FAILURE() << uri << " was allowed as " << file;
+    } catch (const std::runtime_error& refusal) {
+      return refusal.what();
+    }
+    return {};
+  }
+};
+
+TEST_F(ConfinedFile, FindsFilesInTheFolderAndBelow) {
+  EXPECT_EQ(confined_file(scene(), "wood grain+1.png"),
+            fs::canonical(scene() / "wood grain+1.png"));
+  EXPECT_EQ(confined_file(scene(), "wood%20grain%2B1.png"),
+            fs::canonical(scene() / "wood grain+1.png"));
+  EXPECT_EQ(confined_file(scene(), "./maps/100%25.png"),
+            fs::canonical(scene() / "maps" / "100%.png"));
+}
+
+TEST_F(ConfinedFile, KeepsAPercentThatEncodesNothing) {
+  EXPECT_EQ(confined_file(scene(), "maps/100%.png"), fs::canonical(scene() / "maps" / "100%.png"));
+}
+
+TEST_F(ConfinedFile, RefusesTheFolderAbove) {
+  EXPECT_THAT(refusal_of("../secret.bin"), HasSubstr("out of the scene's folder"));
+  EXPECT_THAT(refusal_of("maps/../../secret.bin"), HasSubstr("out of the scene's folder"));
+  EXPECT_THAT(refusal_of("%2e%2e/secret.bin"), HasSubstr("out of the scene's folder"));
+  EXPECT_THAT(refusal_of("..%2Fsecret.bin"), HasSubstr("out of the scene's folder"));
+}
+
+TEST_F(ConfinedFile, RefusesAbsolutePaths) {
+  EXPECT_THAT(refusal_of((folder() / "secret.bin").string()), HasSubstr("absolute path"));
+  EXPECT_THAT(refusal_of("%2Fetc/passwd"), HasSubstr("absolute path"));
+}
+
+TEST_F(ConfinedFile, RefusesSchemes) {
+  for (const char* uri : {"file:///etc/passwd", "http://example.org/a.png", "HTTPS://example.org/a",
+                          "c:/windows/a.png", "data:image/webp;base64,AAAA"}) {
+    EXPECT_THAT(refusal_of(uri), HasSubstr("not a relative path")) << uri;
+  }
+}
+
+TEST_F(ConfinedFile, RefusesLinksThatLeaveTheFolder) {
+  fs::create_symlink("../secret.bin", scene() / "file link");
+  fs::create_directory_symlink("..", scene() / "folder link");
+  EXPECT_THAT(refusal_of("file link"), HasSubstr("a symbolic link that leads out"));
+  EXPECT_THAT(refusal_of("folder link/secret.bin"), HasSubstr("a symbolic link that leads out"));
+}
+
+TEST_F(ConfinedFile, FollowsLinksThatStay) {
+  fs::create_symlink("maps/100%.png", scene() / "link");
+  EXPECT_EQ(confined_file(scene(), "link"), fs::canonical(scene() / "maps" / "100%.png"));
+}
+
+TEST_F(ConfinedFile, ANeighbourWithALongerNameIsOutside) {
+  fs::create_directory(folder() / "scene-2");
+  write("scene-2/a.bin", "a");
+  fs::create_symlink("../scene-2/a.bin", scene() / "link");
+  EXPECT_THAT(refusal_of("link"), HasSubstr("leads out"));
+}
+
+TEST_F(ConfinedFile, RefusesWhatIsNoFile) {
+  ASSERT_EQ(::mkfifo((scene() / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(refusal_of("pipe"), HasSubstr("not a regular file"));
+  EXPECT_THAT(refusal_of("maps"), HasSubstr("not a regular file"));
+  EXPECT_THAT(refusal_of("missing.png"), HasSubstr("\"missing.png\", which does not exist"));
+  EXPECT_THAT(refusal_of(""), HasSubstr("not the name of a file"));
+  EXPECT_THAT(refusal_of("maps%00.png"),
+              HasSubstr("\"maps?.png\", which is not the name of a file"));
+}
+
+TEST_F(ConfinedFile, DoesNotQuoteAWholeBook) {
+  EXPECT_LT(refusal_of(std::string(100000, 'a')).size(), 300U);
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,90 @@
+#include <limits>
+#include <memory>
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/scene/load_scene.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class LoadEnvironment : public TemporaryFolder {
+ protected:
+  std::filesystem::path write_floats(const std::string& name, int width, int height, int channels,
+                                     const std::vector<float>& values) const {
+    const std::filesystem::path path = folder() / name;
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path.string());
+    const OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
+    EXPECT_TRUE(output->open(path.string(), spec)) << output->geterror();
+    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data())) << output->geterror();
+    EXPECT_TRUE(output->close());
+    return path;
+  }
+
+  static std::string error_of(const std::filesystem::path& path) {
+    try {
+      load_environment(path);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(LoadEnvironment, ReadsFloatsAsTheyAre) {
+  const Environment environment = load_environment(
+      write_floats("sky.exr", 2, 2, 3, {0, 1, 2, 3, 4, 5, 600, 7, 8, 9, 10, 0.125F}));
+  EXPECT_EQ(environment.radiance, Rgb(1.0F));
+  EXPECT_EQ(environment.map_width, 2);
+  EXPECT_EQ(environment.map_height, 2);
+  EXPECT_THAT(environment.map,
+              ElementsAre(Rgb(0, 1, 2), Rgb(3, 4, 5), Rgb(600, 7, 8), Rgb(9, 10, 0.125F)));
+}
+
+TEST_F(LoadEnvironment, ReadsRadianceHdr) {
+  const Environment environment =
+      load_environment(write_floats("sky.hdr", 1, 1, 3, {1.0F, 0.5F, 0.25F}));
+  EXPECT_THAT(environment.map, ElementsAre(Rgb(1.0F, 0.5F, 0.25F)));
+}
+
+TEST_F(LoadEnvironment, WhatIsNotLightIsDark) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const Environment environment =
+      load_environment(write_floats("sky.exr", 2, 1, 3, {nan, 1, -5, infinity, 2, -infinity}));
+  EXPECT_THAT(environment.map, ElementsAre(Rgb(0, 1, 0), Rgb(0, 2, 0)));
+}
+
+TEST_F(LoadEnvironment, EightBitsAreSrgb) {
+  const Environment environment = load_environment(
+      write("sky.png", png(2, 1, 3, std::vector<std::uint8_t>{188, 0, 255, 10, 10, 10})));
+  EXPECT_NEAR(environment.map[0].r, 0.502886F, 1e-5F);
+  EXPECT_EQ(environment.map[0].g, 0.0F);
+  EXPECT_EQ(environment.map[0].b, 1.0F);
+  EXPECT_NEAR(environment.map[1].r, 10.0F / 255.0F / 12.92F, 1e-7F);
+}
+
+TEST_F(LoadEnvironment, GreyAndAlphaAreSpreadAndDropped) {
+  EXPECT_THAT(load_environment(write_floats("grey.exr", 1, 1, 1, {7})).map, ElementsAre(Rgb(7.0F)));
+  EXPECT_THAT(load_environment(write_floats("alpha.exr", 1, 1, 4, {1, 2, 3, 0.5F})).map,
+              ElementsAre(Rgb(1, 2, 3)));
+}
+
+TEST_F(LoadEnvironment, RefusesWhatIsNoImage) {
+  EXPECT_THAT(error_of(folder() / "gone.exr"), HasSubstr("gone.exr: no such file"));
+  EXPECT_THAT(error_of(folder()), HasSubstr("is not a file"));
+  EXPECT_THAT(error_of(write("text.exr", "this is no image")), HasSubstr("text.exr: "));
+  EXPECT_THAT(error_of(write("empty.png", "")), HasSubstr("empty.png: "));
+  const std::string whole = png(8, 8, 3, std::vector<std::uint8_t>(192, 5));
+  EXPECT_THAT(error_of(write("cut.png", whole.substr(0, whole.size() - 20))),
+              HasSubstr("cut.png: is damaged"));
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/scene/load_scene.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The nine floats of the triangle (0,0,0), (1,0,0), (0,1,0), in base64 (computed with coreutils).
+const std::string triangle_in_base64 = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+
+/// one_triangle as .gltf, its buffer at `uri`.
+std::string gltf_with_buffer(const std::string& uri) {
+  GlbBuilder glb = one_triangle();
+  glb.document["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
+  return glb.document.dump(2);
+}
+
+class GltfFiles : public LoadGltf {
+ protected:
+  Scene load_text(const std::string& text) const { return load_bytes(text, "scene.gltf"); }
+  std::string error_of_text(const std::string& text) const {
+    return error_of_bytes(text, "scene.gltf");
+  }
+};
+
+TEST_F(GltfFiles, KnowsTheHashOfItsFile) {
+  const std::string bytes = one_triangle().bytes();
+  EXPECT_EQ(load_bytes(bytes).sha256, sha256(bytes));
+}
+
+TEST_F(GltfFiles, ReadsBuffersBesideTheScene) {
+  write("tri angle+1.bin", one_triangle().buffer);
+  EXPECT_EQ(load_text(gltf_with_buffer("tri%20angle+1.bin")).triangle_count(), 1U);
+}
+
+TEST_F(GltfFiles, ReadsBuffersOfBinariesBesideTheScene) {
+  write("triangle.bin", one_triangle().buffer);
+  const Scene scene = load_bytes(GlbBuilder::container(gltf_with_buffer("triangle.bin"), ""));
+  EXPECT_EQ(scene.triangle_count(), 1U);
+}
+
+TEST_F(GltfFiles, ReadsDataUris) {
+  const Scene scene =
+      load_text(gltf_with_buffer("data:application/octet-stream;base64," + triangle_in_base64));
+  ASSERT_EQ(scene.triangle_count(), 1U);
+  EXPECT_EQ(scene.meshes[0].positions[2], Vec3(0, 1, 0));
+}
+
+TEST_F(GltfFiles, RefusesBuffersOfAnotherLength) {
+  EXPECT_THAT(error_of_text(gltf_with_buffer("data:application/gltf-buffer;base64,AAAA")),
+              HasSubstr("scene.gltf"));
+  write("short.bin", "abc");
+  EXPECT_THAT(error_of_text(gltf_with_buffer("short.bin")), HasSubstr("size mismatch"));
+  write("empty.bin", "");
+  EXPECT_THAT(error_of_text(gltf_with_buffer("empty.bin")),
+              HasSubstr("buffers[0].uri: refers to an empty file"));
+}
+
+TEST_F(GltfFiles, NamesWhatIsMissing) {
+  EXPECT_THAT(error_of_text(gltf_with_buffer("gone.bin")),
+              HasSubstr("buffers[0].uri: refers to \"gone.bin\", which does not exist"));
+  GlbBuilder glb = one_triangle();
+  glb.add("images", {{"uri", "gone.png"}});
+  EXPECT_THAT(error_of(glb), HasSubstr("images[0].uri: refers to \"gone.png\", which does not"));
+}
+
+TEST_F(GltfFiles, RefusesReferencesOutOfTheFolder) {
+  fs::create_directory(folder() / "inner");
+  write("triangle.bin", one_triangle().buffer);
+  const auto error = [&](const std::string& uri) {
+    return error_of_bytes(gltf_with_buffer(uri), "inner/scene.gltf");
+  };
+  EXPECT_THAT(error("../triangle.bin"), HasSubstr("buffers[0].uri: refers to \"../triangle.bin\""));
+  EXPECT_THAT(error((folder() / "triangle.bin").string()), HasSubstr("an absolute path"));
+  EXPECT_THAT(error("file:triangle.bin"), HasSubstr("not a relative path"));
+  fs::create_symlink("../triangle.bin", folder() / "inner" / "link.bin");
+  EXPECT_THAT(error("link.bin"), HasSubstr("a symbolic link that leads out"));
+}
+
+TEST_F(GltfFiles, DoesNotSearchTheWorkingFolder) {
+  const fs::path before = fs::current_path();
+  write("triangle.bin", one_triangle().buffer);
+  fs::create_directory(folder() / "inner");
+  fs::current_path(folder());
+  const std::string error = error_of_bytes(gltf_with_buffer("triangle.bin"), "inner/scene.gltf");
+  fs::current_path(before);
+  EXPECT_THAT(error, HasSubstr("which does not exist"));
+}
+
+TEST_F(GltfFiles, AcceptsALoneFileName) {
+  const fs::path before = fs::current_path();
+  write("triangle.bin", one_triangle().buffer);
+  write("scene.gltf", gltf_with_buffer("triangle.bin"));
+  fs::current_path(folder());
+  EXPECT_NO_THROW(load_gltf("scene.gltf"));
+  fs::current_path(before);
+}
+
+TEST_F(GltfFiles, RefusesAGltfWithoutABufferUri) {
+  EXPECT_THAT(error_of_text(one_triangle().document.dump()), HasSubstr("scene.gltf"));
+}
+
+TEST_F(GltfFiles, EveryTruncationIsAnError) {
+  const std::string whole = one_triangle().bytes();
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_THAT(error_of_bytes(whole.substr(0, size)), HasSubstr("scene.glb"));
+  }
+  EXPECT_THAT(error_of_bytes(whole.substr(0, 100)), HasSubstr("truncated: its header announces"));
+  EXPECT_THAT(error_of_bytes(whole.substr(0, 10)), HasSubstr("truncated: 10 bytes"));
+}
+
+TEST_F(GltfFiles, ChecksTheContainer) {
+  const auto spoilt = [](std::size_t offset, char value) {
+    std::string bytes = one_triangle().bytes();
+    bytes[offset] = value;
+    return bytes;
+  };
+  EXPECT_THAT(error_of_bytes(spoilt(0, 'x')), HasSubstr("does not begin with \"glTF\""));
+  EXPECT_THAT(error_of_bytes(spoilt(4, 1)), HasSubstr("glTF binary version 1, not 2"));
+  EXPECT_THAT(error_of_bytes(spoilt(15, 0x7F)), HasSubstr("the chunk at byte 12 ends after"));
+  EXPECT_THAT(error_of_bytes(spoilt(16, 'X')), HasSubstr("the first chunk is not JSON"));
+}
+
+/// tinygltf forgets the eight bytes of the chunk's own header and reads beyond the file.
+TEST_F(GltfFiles, TheSecondChunkEndsInsideTheFile) {
+  const GlbBuilder glb = one_triangle();
+  std::string bytes = glb.bytes();
+  const std::size_t chunk = bytes.size() - glb.buffer.size() - 8;
+  bytes[chunk] = static_cast<char>(bytes[chunk] + 8);
+  EXPECT_THAT(error_of_bytes(bytes), HasSubstr(" ends after the file's "));
+}
+
+TEST_F(GltfFiles, SaysThatSomethingElseIsNotGltf) {
+  EXPECT_THAT(error_of_text("v 0 0 0\n"),
+              HasSubstr("scene.gltf: line 1, column 1: this is not JSON"));
+  EXPECT_THAT(error_of_text(R"({"name": "package"})"), HasSubstr("asset: is missing"));
+}
+
+TEST_F(GltfFiles, ErrorsAreOneShortLine) {
+  const std::string error = error_of_text(
+      gltf_with_buffer("data:application/octet-stream;base64," + std::string(100000, 'A')));
+  EXPECT_THAT(error, AllOf(HasSubstr("scene.gltf"), Not(HasSubstr("\n"))));
+  EXPECT_LT(error.size(), 600U);
+}
+
+}  // namespace
+}  // namespace foveola::test

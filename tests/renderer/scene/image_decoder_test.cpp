@@ -1,0 +1,99 @@
+#include "renderer/scene/image_decoder.h"
+
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::span<const unsigned char> bytes_of(const std::string& encoded) {
+  return {reinterpret_cast<const unsigned char*>(encoded.data()), encoded.size()};
+}
+
+DecodedImage decode(const std::string& encoded) { return decode_image(bytes_of(encoded)); }
+
+std::string fault_in(const std::string& encoded) {
+  try {
+    decode(encoded);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "decoded without an error";
+  return {};
+}
+
+TEST(ImageDecoder, KeepsEightBitsAsTheyAre) {
+  const DecodedImage image =
+      decode(png(2, 1, 4, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 255}));
+  EXPECT_EQ(image.width, 2);
+  EXPECT_EQ(image.height, 1);
+  EXPECT_THAT(image.texels, ElementsAre(1, 2, 3, 4, 5, 6, 7, 255)) << "colour not times alpha";
+}
+
+TEST(ImageDecoder, FillsMissingChannels) {
+  EXPECT_THAT(decode(png(2, 1, 3, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6})).texels,
+              ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
+  EXPECT_THAT(decode(png(2, 1, 1, std::vector<std::uint8_t>{7, 9})).texels,
+              ElementsAre(7, 7, 7, 255, 9, 9, 9, 255));
+  EXPECT_THAT(decode(png(2, 1, 2, std::vector<std::uint8_t>{7, 100, 9, 0})).texels,
+              ElementsAre(7, 7, 7, 100, 9, 9, 9, 0));
+}
+
+TEST(ImageDecoder, RowsRunDownwards) {
+  const DecodedImage image = decode(png(1, 2, 1, std::vector<std::uint8_t>{10, 20}));
+  EXPECT_EQ(image.height, 2);
+  EXPECT_EQ(image.texels[0], 10);
+  EXPECT_EQ(image.texels[4], 20);
+}
+
+/// 65535 / 255 = 257.
+TEST(ImageDecoder, SixteenBitsBecomeEight) {
+  EXPECT_THAT(decode(png(1, 1, 3, std::vector<std::uint16_t>{0, 128 * 257, 65535})).texels,
+              ElementsAre(0, 128, 255, 255));
+}
+
+TEST(ImageDecoder, DecodesJpeg) {
+  const DecodedImage image = decode(jpeg(9, 5, 77));
+  ASSERT_EQ(image.texels.size(), 4U * 9U * 5U);
+  EXPECT_NEAR(image.texels[0], 77, 1);
+  EXPECT_EQ(image.texels[3], 255);
+}
+
+TEST(ImageDecoder, CountsPixelsWithoutDecoding) {
+  EXPECT_EQ(pixel_count(bytes_of(jpeg(9, 5, 77).substr(0, 700))), 45U);
+}
+
+TEST(ImageDecoder, RefusesOtherFormats) {
+  EXPECT_EQ(fault_in("GIF89a......"), "is neither a PNG nor a JPEG image");
+  EXPECT_EQ(fault_in(""), "is neither a PNG nor a JPEG image");
+  EXPECT_EQ(fault_in("\x89PN"), "is neither a PNG nor a JPEG image");
+}
+
+TEST(ImageDecoder, RefusesDamagedImages) {
+  const std::string whole = png(8, 8, 3, std::vector<std::uint8_t>(8 * 8 * 3, 5));
+  EXPECT_THAT(fault_in(whole.substr(0, 20)), HasSubstr("is damaged"));
+  EXPECT_THAT(fault_in(whole.substr(0, whole.size() - 20)), HasSubstr("is damaged"));
+  EXPECT_THAT(fault_in("\xFF\xD8\xFF\xE0"), HasSubstr("is damaged"));
+}
+
+TEST(ImageDecoder, RefusesACutJpeg) {
+  const std::string whole = jpeg(64, 64, 77);
+  EXPECT_EQ(fault_in(whole.substr(0, whole.size() - 2)), "is damaged: the JPEG image is cut off");
+  EXPECT_NO_THROW(decode(whole + std::string(3, '\0'))) << "padding is no damage";
+}
+
+TEST(ImageDecoder, RefusesSidesBeyond16384) {
+  std::string wide = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  wide.replace(16, 4, std::string("\0\0\x40\x01", 4));
+  wide.replace(29, 4, "\x46\x3F\x4A\x31");
+  EXPECT_THAT(fault_in(wide), HasSubstr("has 16385 x 1 pixels; up to 16384"));
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/random.h"
+#include "renderer/scene/load_scene.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A file that uses most of what can be read: nodes, indices, normals, texture, strip, camera.
+GlbBuilder rich_scene() {
+  GlbBuilder glb;
+  const int positions = glb.add_vectors({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+  const int normals = glb.add_vectors(std::vector<Vec3>(4, {0, 0, 1}));
+  const int uvs = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}, {1, 1}});
+  const int indices = glb.add_accessor<std::uint16_t>({0, 1, 2, 2, 1, 3}, u16, "SCALAR", 1);
+  const int texture = glb.add_texture(png(4, 4, 4, std::vector<std::uint8_t>(64, 99)));
+  glb.add("samplers", {{"wrapS", 33071}, {"wrapT", 33648}});
+  glb.document["textures"][texture]["sampler"] = 0;
+  glb.add("materials",
+          {{"name", "leaf"},
+           {"alphaMode", "MASK"},
+           {"emissiveFactor", {1, 1, 1}},
+           {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 2.5}}}}},
+           {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+  const Json attributes = {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uvs}};
+  glb.add_mesh({{"attributes", attributes}, {"indices", indices}, {"material", 0}});
+  glb.add_mesh({{"attributes", {{"POSITION", positions}}}, {"mode", 5}});
+  glb.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  glb.add("nodes", {{"mesh", 0}, {"rotation", {0, 0, 0, 1}}, {"scale", {1, -2, 1}}});
+  glb.add_root({{"children", {0}}, {"translation", {1, 2, 3}}});
+  glb.add_root({{"mesh", 1}, {"camera", 0}});
+  return glb;
+}
+
+TEST_F(LoadGltf, LoadsTheRichScene) {
+  const Scene scene = load(rich_scene());
+  EXPECT_EQ(scene.triangle_count(), 4U);
+  EXPECT_EQ(scene.textures.size(), 1U);
+  EXPECT_EQ(scene.cameras.size(), 1U);
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_EQ(scene.bounds().lower, Vec3(0, 0, 0));
+  EXPECT_EQ(scene.bounds().upper, Vec3(2, 2, 3));
+}
+
+TEST_F(LoadGltf, AnEmptySceneLoadsAndSaysSo) {
+  const Scene scene = load(GlbBuilder{});
+  EXPECT_EQ(scene.triangle_count(), 0U);
+  EXPECT_THAT(scene.warnings, ::testing::ElementsAre("the scene has no triangles"));
+}
+
+TEST_F(LoadGltf, RefusesMissingFilesAndFolders) {
+  const auto error_of_path = [](const std::filesystem::path& path) -> std::string {
+    try {
+      load_gltf(path);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error_of_path(folder() / "gone.glb"), HasSubstr("gone.glb: no such file"));
+  EXPECT_THAT(error_of_path(folder()), HasSubstr("is a folder"));
+}
+
+TEST_F(LoadGltf, ErrorsNameTheFileThePlaceAndARemedy) {
+  GlbBuilder glb = one_triangle();
+  glb.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 5;
+  const std::string path = (folder() / "scene.glb").string();
+  EXPECT_EQ(error_of(glb), path +
+                               ": meshes[0].primitives[0].attributes.POSITION: is 5, but accessors "
+                               "has 1 elements; export it again, or look at it with a glTF "
+                               "validator");
+}
+
+TEST_F(LoadGltf, NamesAnUnsupportedRequiredExtension) {
+  GlbBuilder glb = one_triangle();
+  glb.document["extensionsUsed"] = {"KHR_texture_transform"};
+  EXPECT_THAT(load(glb).warnings,
+              ::testing::ElementsAre("the extension KHR_texture_transform is ignored"));
+  glb.document["extensionsRequired"] = {"KHR_texture_transform"};
+  EXPECT_THAT(error_of(glb), HasSubstr("the extension KHR_texture_transform is not supported"));
+}
+
+/// Either a scene whose every index is in range, or an Error: nothing else, and no crash.
+void expect_scene_or_error(const std::filesystem::path& path, const std::string& mutation) {
+  try {
+    const Scene scene = load_gltf(path);
+    for (const Mesh& mesh : scene.meshes) {
+      ASSERT_LT(static_cast<std::size_t>(mesh.material), scene.materials.size()) << mutation;
+      ASSERT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size()) << mutation;
+      ASSERT_TRUE(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size()) << mutation;
+      for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+          ASSERT_LT(vertex, mesh.positions.size()) << mutation;
+          ASSERT_TRUE(is_finite(mesh.positions[vertex])) << mutation;
+        }
+      }
+    }
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(path.filename().string())) << mutation;
+  } catch (const std::exception& other) {
+    ADD_FAILURE() << mutation << ": " << other.what();
+  }
+}
+
+TEST_F(LoadGltf, SurvivesFlippedBytes) {
+  const std::string whole = rich_scene().bytes();
+  Pcg32 random(1);
+  for (int i = 0; i < 3000; ++i) {
+    std::string spoilt = whole;
+    const std::uint32_t flips = 1 + random.below(4);
+    std::string mutation = "flipped";
+    for (std::uint32_t k = 0; k < flips; ++k) {
+      const std::uint32_t at = random.below(static_cast<std::uint32_t>(whole.size()));
+      spoilt[at] = static_cast<char>(random.below(256));
+      mutation += fmt::format(" {}", at);
+    }
+    expect_scene_or_error(write("spoilt.glb", spoilt), mutation);
+  }
+}
+
+/// Digits decide indices, counts and offsets, which random bytes rarely reach.
+TEST_F(LoadGltf, SurvivesOtherNumbers) {
+  const GlbBuilder glb = rich_scene();
+  Json complete = glb.document;
+  complete["buffers"] = {{{"byteLength", glb.buffer.size()}}};
+  const std::string json = complete.dump();
+  std::vector<std::size_t> digits;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (json[i] >= '0' && json[i] <= '9') {
+      digits.push_back(i);
+    }
+  }
+  Pcg32 random(2);
+  for (int i = 0; i < 3000; ++i) {
+    std::string spoilt = json;
+    const std::size_t at = digits[random.below(static_cast<std::uint32_t>(digits.size()))];
+    static const std::vector<std::string> numbers = {
+        "0",    "1",   "2",   "7", "-1", "255", "4095", "4294967295", "18446744073709551615",
+        "1e40", "0.5", "null"};
+    const std::string& number = numbers[random.below(static_cast<std::uint32_t>(numbers.size()))];
+    spoilt.replace(at, 1, number);
+    expect_scene_or_error(write("spoilt.glb", GlbBuilder::container(spoilt, glb.buffer)),
+                          fmt::format("byte {} is {}", at, number));
+  }
+}
+
+TEST_F(LoadGltf, SurvivesTruncationWithAFittingHeader) {
+  const std::string whole = rich_scene().bytes();
+  for (std::size_t size = 12; size < whole.size(); ++size) {
+    std::string cut = whole.substr(0, size);
+    const auto length = static_cast<std::uint32_t>(size);
+    std::memcpy(cut.data() + 8, &length, 4);
+    EXPECT_THAT(error_of_bytes(cut), HasSubstr("scene.glb"));
+  }
+}
+
+}  // namespace
+}  // namespace foveola::test

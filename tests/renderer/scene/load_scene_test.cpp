@@ -1,0 +1,100 @@
+#include "renderer/scene/load_scene.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class LoadScene : public TemporaryFolder {
+ protected:
+  SceneSource source() const {
+    SceneSource source;
+    source.name = "room";
+    source.file = write("room.glb", one_triangle().bytes());
+    return source;
+  }
+
+  std::string error_with(const RectangleLight& light) const {
+    SceneSource lit = source();
+    lit.lights = {RectangleLight{}, light};
+    try {
+      load_scene(lit);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(LoadScene, WithoutExtrasIsTheFile) {
+  const Scene scene = load_scene(source());
+  EXPECT_EQ(scene.meshes.size(), 1U);
+  EXPECT_EQ(scene.sha256, load_gltf(source().file).sha256);
+  EXPECT_FALSE(scene.environment.has_value());
+}
+
+TEST_F(LoadScene, AddsTheEnvironment) {
+  SceneSource lit = source();
+  lit.environment_radiance = Rgb(1, 2, 3);
+  const Scene scene = load_scene(lit);
+  ASSERT_TRUE(scene.environment.has_value());
+  EXPECT_EQ(scene.environment->radiance, Rgb(1, 2, 3));
+  EXPECT_TRUE(scene.environment->map.empty());
+}
+
+/// Area, place, extent and front of a light towards each of the six axes.
+TEST_F(LoadScene, LightsAreRectanglesThatFaceTheirNormal) {
+  struct Case {
+    Vec3 normal;
+    Vec3 extent;  ///< of a light of size (2, 6)
+  };
+  const std::vector<Case> cases = {{{1, 0, 0}, {0, 2, 6}}, {{-1, 0, 0}, {0, 2, 6}},
+                                   {{0, 1, 0}, {2, 0, 6}}, {{0, -1, 0}, {2, 0, 6}},
+                                   {{0, 0, 1}, {2, 6, 0}}, {{0, 0, -1}, {2, 6, 0}}};
+  for (const Case& c : cases) {
+    SceneSource lit = source();
+    lit.lights = {
+        {.center = {10, 20, 30}, .size = {2, 6}, .normal = c.normal, .radiance = {5, 6, 7}}};
+    const Scene scene = load_scene(lit);
+    ASSERT_EQ(scene.meshes.size(), 2U);
+    const Mesh& light = scene.meshes[1];
+    const Material& material = scene.materials.at(static_cast<std::size_t>(light.material));
+    EXPECT_EQ(material.emission, Rgb(5, 6, 7));
+    EXPECT_FALSE(material.double_sided);
+    EXPECT_EQ(material.base_color, Rgb(0.0F));
+    Scene alone;
+    alone.meshes = {light};
+    EXPECT_EQ(alone.bounds().lower, Vec3(10, 20, 30) - 0.5F * c.extent);
+    EXPECT_EQ(alone.bounds().upper, Vec3(10, 20, 30) + 0.5F * c.extent);
+    Vec3 area(0.0F);
+    for (const auto& triangle : light.triangles) {
+      const Vec3 a = light.positions[triangle[0]];
+      area += 0.5F * glm::cross(light.positions[triangle[1]] - a, light.positions[triangle[2]] - a);
+    }
+    EXPECT_EQ(area, 12.0F * c.normal);
+  }
+}
+
+TEST_F(LoadScene, RefusesLightsThatMakeNoSense) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(error_with({.normal = {0, 0.6F, 0.8F}}),
+              HasSubstr("room: lights[1]: the normal of a light is none of the axes"));
+  EXPECT_THAT(error_with({.normal = {0, nan, 0}}), HasSubstr("none of the axes"));
+  EXPECT_THAT(error_with({.size = {0, 1}}), HasSubstr("size of a light is not positive"));
+  EXPECT_THAT(error_with({.size = {1, nan}}), HasSubstr("size of a light is not positive"));
+  EXPECT_THAT(error_with({.center = {nan, 0, 0}}), HasSubstr("center of a light"));
+  EXPECT_THAT(error_with({.radiance = {1, -1, 1}}), HasSubstr("radiance of a light"));
+  SceneSource dark = source();
+  dark.environment_radiance = Rgb(nan);
+  EXPECT_THROW(load_scene(dark), Error);
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,21 @@
+#include "renderer/scene/warnings.h"
+
+#include <gmock/gmock.h>
+
+namespace foveola {
+namespace {
+
+TEST(Warnings, SaysEachKindOnceInOrder) {
+  Warnings warnings;
+  warnings.add("points are skipped", "meshes[1]");
+  warnings.add("lamps are dark");
+  warnings.add("points are skipped", "meshes[7]", 5);
+  warnings.add("nothing happened", "nowhere", 0);
+  warnings.add("one curtain", "meshes[2]");
+  EXPECT_THAT(warnings.lines(),
+              ::testing::ElementsAre("points are skipped (6 times, first at meshes[1])",
+                                     "lamps are dark", "one curtain (meshes[2])"));
+}
+
+}  // namespace
+}  // namespace foveola
