@@ -3,27 +3,37 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/trace/ggx.h"
 
 namespace foveola {
 namespace {
 
-constexpr int steps = 32;  ///< along the roughness, and along the square root of the cosine
+constexpr int steps = 64;  ///< along the roughness, and along the square root of the cosine
 constexpr int nodes = steps + 1;
 
-/// The expected weight of a sampled reflection, by the midpoint rule over the unit square.
-float integrate_albedo(float cosine, const Ggx& ggx) {
-  constexpr int elevations = 48;
-  constexpr int azimuths = 16;  // half the circle; the other half is its mirror image
+/// Unit vectors in the middle of equal sectors of half the circle.
+std::vector<Vec2> half_circle(int sectors) {
+  std::vector<Vec2> vectors;
+  for (int i = 0; i < sectors; ++i) {
+    const double azimuth = std::numbers::pi * (i + 0.5) / sectors;
+    vectors.emplace_back(std::cos(azimuth), std::sin(azimuth));
+  }
+  return vectors;
+}
+
+/// The expected weight of a sampled reflection, by the midpoint rule. The sampling is symmetric, so
+/// half of the azimuths are enough.
+float integrate_albedo(float cosine, const Ggx& ggx, const std::vector<Vec2>& azimuths) {
+  constexpr int heights = 48;
   const Vec3 outgoing(std::sqrt(1.0F - cosine * cosine), 0.0F, cosine);
   const float lambda_outgoing = ggx.lambda(outgoing);
   double sum = 0.0;
-  for (int e = 0; e < elevations; ++e) {
-    for (int a = 0; a < azimuths; ++a) {
-      const Vec2 u((static_cast<float>(a) + 0.5F) / (2.0F * azimuths),
-                   (static_cast<float>(e) + 0.5F) / elevations);
-      const Vec3 normal = ggx.sample_visible_normal(outgoing, u);
+  for (int i = 0; i < heights; ++i) {
+    const float u = (static_cast<float>(i) + 0.5F) / heights;
+    for (const Vec2& azimuth : azimuths) {
+      const Vec3 normal = ggx.visible_normal(outgoing, azimuth, u);
       const float cosine_normal = glm::dot(outgoing, normal);
       const Vec3 incoming = 2.0F * cosine_normal * normal - outgoing;
       if (incoming.z > 0.0F) {
@@ -33,7 +43,7 @@ float integrate_albedo(float cosine, const Ggx& ggx) {
       }
     }
   }
-  return static_cast<float>(sum / (elevations * azimuths));
+  return static_cast<float>(sum / (heights * static_cast<double>(azimuths.size())));
 }
 
 /// The exact integral of 2 E(c) c dc where E is linear in t = sqrt(c) between the nodes: with
@@ -63,17 +73,18 @@ struct NodePosition {
 
 }  // namespace
 
-CoatAlbedo::CoatAlbedo() {
-  albedos_.reserve(nodes * nodes);
-  for (int r = 0; r < nodes; ++r) {
-    const Ggx ggx = ggx_of_roughness(static_cast<float>(r) / steps);
+CoatAlbedo::CoatAlbedo(const Workers& workers) : albedos_(nodes * nodes), means_(nodes) {
+  const std::vector<Vec2> azimuths = half_circle(16);
+  workers.for_each_block(nodes, 1, [&](std::size_t row, std::size_t) {
+    const Ggx ggx = ggx_of_roughness(static_cast<float>(row) / steps);
+    float* albedos = &albedos_[row * nodes];
     for (int c = 0; c < nodes; ++c) {
       const float t = static_cast<float>(c) / steps;
       constexpr float smallest_cosine = 1e-4F;
-      albedos_.push_back(integrate_albedo(std::max(t * t, smallest_cosine), ggx));
+      albedos[c] = integrate_albedo(std::max(t * t, smallest_cosine), ggx, azimuths);
     }
-    means_.push_back(mean_of(&albedos_[static_cast<std::size_t>(r) * nodes]));
-  }
+    means_[row] = mean_of(albedos);
+  });
 }
 
 CoatAlbedo::Row CoatAlbedo::row(float roughness) const {

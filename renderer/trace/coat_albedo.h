@@ -4,16 +4,19 @@
 
 #include <vector>
 
+#include "renderer/base/parallel.h"
+
 namespace foveola {
 
 /// Reflectance at normal incidence of glTF's dielectrics (index of refraction 1.5).
 constexpr float dielectric_f0 = 0.04F;
 
 /// The directional albedo E(cosine, roughness) of the rough dielectric coat: GGX, height-correlated
-/// Smith masking, Schlick's Fresnel with dielectric_f0. A table, within 0.001 of the integral.
+/// Smith masking, Schlick's Fresnel with dielectric_f0. A table, within 0.001 of the integral, or
+/// 0.01 where the cosine is under 0.05.
 class CoatAlbedo {
  public:
-  CoatAlbedo();
+  explicit CoatAlbedo(const Workers& workers);
 
   /// E as a function of the cosine, for one roughness.
   class Row {

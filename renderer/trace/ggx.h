@@ -30,11 +30,16 @@ struct Ggx {
   /// A microfacet normal as seen from `w`, with density G1(w) max(0, w.n) density(n) / w.z (Dupuy
   /// and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"). u: in the unit square.
   Vec3 sample_visible_normal(const Vec3& w, const Vec2& u) const {
-    const Vec3 stretched = glm::normalize(Vec3(alpha * w.x, alpha * w.y, w.z));
     const float azimuth = 2.0F * std::numbers::pi_v<float> * u.x;
-    const float z = (1.0F - u.y) * (1.0F + stretched.z) - stretched.z;
+    return visible_normal(w, {std::cos(azimuth), std::sin(azimuth)}, u.y);
+  }
+
+  /// The same, with the azimuth as a unit vector.
+  Vec3 visible_normal(const Vec3& w, const Vec2& azimuth, float u) const {
+    const Vec3 stretched = glm::normalize(Vec3(alpha * w.x, alpha * w.y, w.z));
+    const float z = (1.0F - u) * (1.0F + stretched.z) - stretched.z;
     const float r = std::sqrt(std::max(0.0F, 1.0F - z * z));
-    const Vec3 normal = Vec3(r * std::cos(azimuth), r * std::sin(azimuth), z) + stretched;
+    const Vec3 normal = Vec3(r * azimuth.x, r * azimuth.y, z) + stretched;
     return glm::normalize(Vec3(alpha * normal.x, alpha * normal.y, normal.z));
   }
 };

@@ -76,7 +76,7 @@ struct PathTracer::Implementation {
   CoatAlbedo coat;
 
   Implementation(const Scene& source, const Workers& workers)
-      : scene(source), rays(source, workers), lights(source) {}
+      : scene(source), rays(source, workers), lights(source), coat(workers) {}
 };
 
 namespace {
@@ -253,7 +253,11 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
 }
 
 std::optional<Picked> PathTracer::pick(const Vec3& origin, const Vec3& direction) const {
-  const Vec3 unit = glm::normalize(direction);
+  const float length = glm::length(direction);
+  if (!(length > 0.0F)) {
+    return std::nullopt;
+  }
+  const Vec3 unit = direction / length;
   const Hit hit = implementation_->rays.closest_hit(origin, unit);
   if (hit.missed()) {
     return std::nullopt;

@@ -1,0 +1,161 @@
+#include "renderer/trace/ray_scene.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/random.h"
+#include "scenes.h"
+
+namespace foveola {
+namespace {
+
+const Workers& workers() {
+  static const Workers two(2);
+  return two;
+}
+
+Scene one_quad() {
+  Scene scene;
+  scene.materials = {dielectric(0.5F)};
+  scene.meshes = {quad(Vec3(-1, -1, -3), Vec3(2, 0, 0), Vec3(0, 2, 0), 0)};
+  return scene;
+}
+
+Ray ray_between(const Vec3& from, const Vec3& to) {
+  Ray ray;
+  ray.origin = from;
+  ray.direction = to - from;
+  ray.t_max = 1.0F;
+  return ray;
+}
+
+TEST(RaySceneTest, FindsTheClosestTriangleAndWhere) {
+  Scene scene = one_quad();
+  scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 0));
+  const RayScene rays(scene, workers());
+  const Hit hit = rays.closest_hit(Vec3(0.5F, -0.25F, 0.0F), Vec3(0, 0, -1));
+  ASSERT_FALSE(hit.missed());
+  EXPECT_EQ(hit.mesh, 1U);
+  EXPECT_EQ(hit.triangle, 0U);
+  EXPECT_FLOAT_EQ(hit.t, 2.0F);
+  // The point is corner + 0.75 a + 0.375 b, on the triangle (corner, corner + a, corner + a + b).
+  EXPECT_NEAR(hit.barycentric.x, 0.375, 1e-6);
+  EXPECT_NEAR(hit.barycentric.y, 0.375, 1e-6);
+}
+
+TEST(RaySceneTest, EmptySceneIsAlwaysMissed) {
+  const Scene scene;
+  const RayScene rays(scene, workers());
+  EXPECT_TRUE(rays.closest_hit(Vec3(0.0F), Vec3(0, 0, -1)).missed());
+  std::vector<Ray> stream{ray_between(Vec3(0.0F), Vec3(1.0F))};
+  rays.find_blocked(stream);
+  EXPECT_FALSE(stream[0].is_blocked());
+}
+
+TEST(RaySceneTest, MeshesWithoutTrianglesKeepTheNumbersOfTheOthers) {
+  Scene scene = one_quad();
+  scene.meshes.insert(scene.meshes.begin(), Mesh{});
+  const Hit hit = RayScene(scene, workers()).closest_hit(Vec3(0.1F), Vec3(0, 0, -1));
+  EXPECT_EQ(hit.mesh, 1U);
+}
+
+TEST(RaySceneTest, OcclusionKnowsWhereTheRayEnds) {
+  const Scene scene = one_quad();
+  const RayScene rays(scene, workers());
+  std::vector<Ray> stream{ray_between(Vec3(0.0F), Vec3(0, 0, -2.9F)),
+                          ray_between(Vec3(0.0F), Vec3(0, 0, -3.1F)),
+                          ray_between(Vec3(3, 0, 0), Vec3(3, 0, -9))};
+  rays.find_blocked(stream);
+  EXPECT_FALSE(stream[0].is_blocked());
+  EXPECT_TRUE(stream[1].is_blocked());
+  EXPECT_FALSE(stream[2].is_blocked());
+}
+
+TEST(RaySceneTest, NonFiniteTrianglesAreNeverHit) {
+  Scene scene = one_quad();
+  scene.meshes[0].positions[0].x = NAN;
+  EXPECT_TRUE(
+      RayScene(scene, workers()).closest_hit(Vec3(0.5F, -0.5F, 0), Vec3(0, 0, -1)).missed());
+}
+
+/// A quad whose left half is transparent by its texture, before an opaque one.
+Scene half_transparent() {
+  Scene scene = one_quad();
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].base_color_texture = 0;
+  scene.materials[1].alpha_cutoff = 0.5F;
+  scene.textures.emplace_back(2, 1, std::vector<std::uint8_t>{255, 255, 255, 0, 255, 255, 255, 255},
+                              true, Wrap::clamp_to_edge, Wrap::clamp_to_edge);
+  scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 1));
+  return scene;
+}
+
+TEST(RaySceneTest, RaysPassThroughCutOuts) {
+  const Scene scene = half_transparent();
+  const RayScene rays(scene, workers());
+  EXPECT_EQ(rays.closest_hit(Vec3(-0.5F, 0.1F, 0), Vec3(0, 0, -1)).mesh, 0U);
+  EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).mesh, 1U);
+  std::vector<Ray> stream{ray_between(Vec3(-0.5F, 0.1F, 0), Vec3(-0.5F, 0.1F, -2.5F)),
+                          ray_between(Vec3(0.5F, 0.1F, 0), Vec3(0.5F, 0.1F, -2.5F))};
+  rays.find_blocked(stream);
+  EXPECT_FALSE(stream[0].is_blocked());
+  EXPECT_TRUE(stream[1].is_blocked());
+}
+
+TEST(RaySceneTest, AlphaFactorMultipliesTheTexture) {
+  Scene scene = half_transparent();
+  scene.materials[1].alpha = 0.4F;
+  const RayScene rays(scene, workers());
+  EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).mesh, 0U);
+}
+
+TEST(RaySceneTest, UntexturedMaterialBelowItsCutoffIsNotThere) {
+  Scene scene = one_quad();
+  scene.materials[0].alpha = 0.4F;
+  scene.materials[0].alpha_cutoff = 0.5F;
+  EXPECT_TRUE(RayScene(scene, workers()).closest_hit(Vec3(0.0F), Vec3(0, 0, -1)).missed());
+}
+
+/// Two coincident spheres and rays at their edges: every hit is a tie.
+TEST(RaySceneTest, TiesDoNotDependOnTheThreadsThatBuilt) {
+  Scene scene;
+  scene.materials = {dielectric(0.5F)};
+  scene.meshes = {inward_sphere(1.0F, 4, 0), inward_sphere(1.0F, 4, 0)};
+  const Workers one(1);
+  const Workers four(4);
+  const RayScene built_by_one(scene, one);
+  const RayScene built_by_four(scene, four);
+  for (const auto& triangle : scene.meshes[0].triangles) {
+    const Vec3 edge =
+        scene.meshes[0].positions[triangle[0]] + scene.meshes[0].positions[triangle[1]];
+    const Hit a = built_by_one.closest_hit(Vec3(0.0F), edge);
+    const Hit b = built_by_four.closest_hit(Vec3(0.0F), edge);
+    EXPECT_EQ(a.mesh, b.mesh);
+    EXPECT_EQ(a.triangle, b.triangle);
+    EXPECT_EQ(a.t, b.t);
+  }
+}
+
+TEST(RaySceneTest, OcclusionDoesNotDependOnTheStream) {
+  Scene scene;
+  scene.materials = {dielectric(0.5F)};
+  scene.meshes = {inward_sphere(1.0F, 3, 0)};
+  const RayScene rays(scene, workers());
+  Pcg32 random(2);
+  std::vector<Ray> stream;
+  for (int i = 0; i < 4096; ++i) {
+    // From outside at the silhouette's edges, where a ray only just hits or misses.
+    const auto& triangle = scene.meshes[0].triangles[random.below(1280)];
+    stream.push_back(ray_between(Vec3(3, 0, 0), 2.0F * scene.meshes[0].positions[triangle[0]]));
+  }
+  std::vector<Ray> alone = stream;
+  rays.find_blocked(stream);
+  for (std::size_t i = 0; i < stream.size(); ++i) {
+    rays.find_blocked({&alone[i], 1});
+    EXPECT_EQ(alone[i].is_blocked(), stream[i].is_blocked()) << i;
+  }
+}
+
+}  // namespace
+}  // namespace foveola
