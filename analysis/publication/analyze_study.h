@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/publication/study_tables.h"
+
 namespace foveola::analysis {
 
 struct AnalysisOutput {
@@ -12,11 +14,18 @@ struct AnalysisOutput {
   std::vector<std::filesystem::path> files;  ///< everything that was written
   std::string summary;  ///< a table for the terminal, several lines, ready to print
   std::vector<std::string> warnings;
+  StudyTables tables;
 };
 
 /// Reads the study's file and writes the published tables and figures to `folder`, which is made if
-/// its parent exists. Throws Error if there is nothing to analyse or the folder cannot be written.
+/// its parent exists. Files of an earlier analysis are replaced, others left alone; nothing is
+/// written before everything is computed. Throws Error if there is nothing to analyse or the folder
+/// cannot be written.
 AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder);
+
+/// The same for records at hand.
+AnalysisOutput analyze_records(const study::StudyRecords& records,
+                               const std::filesystem::path& folder);
 
 }  // namespace foveola::analysis

@@ -1,0 +1,149 @@
+#include "analysis/publication/background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::analysis {
+namespace {
+
+using study::BackgroundRow;
+
+bool is_five_point(double answer) {
+  return answer >= 1.0 && answer <= 5.0 && answer == std::floor(answer);
+}
+
+/// The questions in the order of their first answers, each with whether it is on five points.
+std::vector<std::pair<std::string, bool>> questions_of(const std::vector<BackgroundRow>& answers) {
+  std::vector<std::pair<std::string, bool>> questions;
+  for (const BackgroundRow& row : answers) {
+    const auto known = std::find_if(questions.begin(), questions.end(), [&](const auto& question) {
+      return question.first == row.question;
+    });
+    if (known == questions.end()) {
+      questions.emplace_back(row.question, is_five_point(row.value));
+    } else {
+      known->second = known->second && is_five_point(row.value);
+    }
+  }
+  return questions;
+}
+
+/// [participant code][question id]
+using Answers = std::map<std::string, std::map<std::string, double>>;
+
+Answers answers_by_participant(const std::vector<BackgroundRow>& rows) {
+  Answers answers;
+  for (const BackgroundRow& row : rows) {
+    if (!std::isfinite(row.value)) {
+      throw Error(
+          fmt::format("participant {}, background question {}", row.participant, row.question),
+          "has an answer that is not a number", "correct the record");
+    }
+    answers[row.participant][row.question] = row.value;
+  }
+  return answers;
+}
+
+/// The mean of a participant's answers on the scale; empty if one was not given.
+std::optional<double> background_of(const Answers& answers, const std::string& participant,
+                                    const BackgroundScale& scale) {
+  const auto given = answers.find(participant);
+  if (given == answers.end()) {
+    return std::nullopt;
+  }
+  std::vector<double> values;
+  for (const std::string& question : scale.questions) {
+    const auto answer = given->second.find(question);
+    if (answer == given->second.end()) {
+      return std::nullopt;
+    }
+    values.push_back(answer->second);
+  }
+  return mean(values);
+}
+
+/// The mean over complete scenes of the baseline's time minus the method's.
+std::optional<double> seconds_saved(const AnalysisSet& set, std::size_t participant, Mark mark,
+                                    std::size_t method) {
+  std::vector<double> saved;
+  for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+    if (set.is_complete(participant, scene, mark)) {
+      saved.push_back(set.cell(participant, scene, baseline).time(mark).seconds -
+                      set.cell(participant, scene, method).time(mark).seconds);
+    }
+  }
+  return mean(saved);
+}
+
+BackgroundCorrelation correlate_with_method(const AnalysisSet& set, const Answers& answers,
+                                            const BackgroundScale& scale, Mark mark,
+                                            std::size_t method) {
+  std::vector<double> background;
+  std::vector<double> saved;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    const auto experience = background_of(answers, set.participants[participant], scale);
+    const auto seconds = seconds_saved(set, participant, mark, method);
+    if (experience && seconds) {
+      background.push_back(*experience);
+      saved.push_back(*seconds);
+    }
+  }
+  return {set.methods[method], mark, background.size(), pearson(background, saved)};
+}
+
+}  // namespace
+
+BackgroundScale choose_background_scale(const std::vector<BackgroundRow>& answers) {
+  const auto questions = questions_of(answers);
+  const std::vector<std::string> published = {"offline_rendering", "virtual_reality"};
+  const bool as_published =
+      std::all_of(published.begin(), published.end(), [&](const std::string& id) {
+        return std::any_of(questions.begin(), questions.end(),
+                           [&](const auto& question) { return question.first == id; });
+      });
+  if (as_published) {
+    return {published, true};
+  }
+  BackgroundScale scale;
+  for (const auto& [question, five_point] : questions) {
+    if (five_point && question != "gender") {
+      scale.questions.push_back(question);
+    }
+  }
+  std::sort(scale.questions.begin(), scale.questions.end());
+  return scale;
+}
+
+std::vector<Exclusion> list_missing_answers(const AnalysisSet& set,
+                                            const std::vector<BackgroundRow>& rows,
+                                            const BackgroundScale& scale) {
+  const Answers answers = answers_by_participant(rows);
+  std::vector<Exclusion> exclusions;
+  for (const std::string& participant : set.participants) {
+    if (!scale.questions.empty() && !background_of(answers, participant, scale)) {
+      exclusions.push_back({participant, "", "", "background", "a question was not answered"});
+    }
+  }
+  return exclusions;
+}
+
+std::vector<BackgroundCorrelation> correlate_background(const AnalysisSet& set,
+                                                        const std::vector<BackgroundRow>& rows,
+                                                        const BackgroundScale& scale) {
+  const Answers answers = answers_by_participant(rows);
+  std::vector<BackgroundCorrelation> correlations;
+  for (const Mark mark : marks) {
+    for (std::size_t method = baseline + 1; method < set.methods.size(); ++method) {
+      correlations.push_back(correlate_with_method(set, answers, scale, mark, method));
+    }
+  }
+  return correlations;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,44 @@
+// Whether participants' background goes with the time that a method saves them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/publication/analysis_set.h"
+#include "analysis/statistics/inference.h"
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+
+/// The answers that make up a participant's background.
+struct BackgroundScale {
+  std::vector<std::string> questions;
+  bool as_published = false;  ///< experience with offline rendering and with virtual reality
+};
+
+/// Whether background goes with speed-up: the mean over scenes of baseline minus method, seconds.
+struct BackgroundCorrelation {
+  std::string method;
+  Mark mark = Mark::outline;
+  std::size_t participants = 0;  ///< with an answer to every question and a complete scene
+  std::optional<Correlation> correlation;
+};
+
+/// The published study averaged the answers on experience with offline rendering and with virtual
+/// reality. Where a study did not ask both (ids `offline_rendering` and `virtual_reality`), every
+/// question whose answers are all whole numbers from 1 to 5 counts, except `gender`, a code.
+BackgroundScale choose_background_scale(const std::vector<study::BackgroundRow>& answers);
+
+/// The participants of `set` who did not answer every question of the scale.
+std::vector<Exclusion> list_missing_answers(const AnalysisSet& set,
+                                            const std::vector<study::BackgroundRow>& answers,
+                                            const BackgroundScale& scale);
+
+/// For each mark and each method but the baseline. Throws Error if an answer is not finite.
+std::vector<BackgroundCorrelation> correlate_background(
+    const AnalysisSet& set, const std::vector<study::BackgroundRow>& answers,
+    const BackgroundScale& scale);
+
+}  // namespace foveola::analysis

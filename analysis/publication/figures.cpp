@@ -1,0 +1,252 @@
+#include "analysis/publication/figures.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/figure_palette.h"
+#include "analysis/publication/gnuplot.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// What all figures share: the size in SVG units, the frame and the type.
+std::string preamble(int width, int height) {
+  return fmt::format(
+      "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background 'white'\n"
+      "set encoding utf8\n"
+      "set border 1 linecolor rgb '{}'\n"
+      "set tics nomirror textcolor rgb '{}'\n"
+      "set xlabel textcolor rgb '{}'\n"
+      "set key textcolor rgb '{}'\n"
+      "set ytics scale 0\n",
+      width, height, palette::ink.rgb, palette::ink.rgb, palette::ink.rgb, palette::ink.rgb);
+}
+
+/// Names the rows of a figure; row 0 is at the top.
+std::string row_names(const std::vector<std::string>& methods) {
+  std::string tics;
+  for (std::size_t row = 0; row < methods.size(); ++row) {
+    tics += fmt::format("{}{} {}", row > 0 ? ", " : "", gnuplot_quoted(method_label(methods[row])),
+                        row);
+  }
+  return fmt::format("set ytics ({})\nset yrange [{}:-0.6]\n", tics,
+                     static_cast<double>(methods.size()) - 0.4);
+}
+
+/// One of the two measures of MethodTimes.
+struct TimeMeasure {
+  std::vector<double> MethodTimes::*participants;
+  std::optional<Estimate> MethodTimes::*estimate;
+};
+
+/// The two data blocks of one mark: $NAME_participants (x, y) and $NAME (x, low, high, y).
+std::string time_data(const StudyTables& tables, Mark mark, const std::vector<std::size_t>& methods,
+                      const TimeMeasure& measure) {
+  std::string dots = fmt::format("${}_participants << END\n", name_of(mark));
+  std::string estimates = fmt::format("${} << END\n", name_of(mark));
+  const double offset = mark == Mark::outline ? -0.17 : 0.17;
+  for (std::size_t row = 0; row < methods.size(); ++row) {
+    const MethodTimes& times = tables.method_times_of(mark, methods[row]);
+    const double y = static_cast<double>(row) + offset;
+    for (const double value : times.*measure.participants) {
+      dots += fmt::format("{} {}\n", value, y);
+    }
+    if (const auto& estimate = times.*measure.estimate) {
+      const Interval interval =
+          estimate->interval.value_or(Interval{estimate->value, estimate->value});
+      estimates += fmt::format("{} {} {} {}\n", estimate->value, interval.low, interval.high, y);
+    }
+  }
+  return dots + "END\n" + estimates + "END\n";
+}
+
+std::string time_plot() {
+  const auto dots = [](Mark mark, const FigureColor& color) {
+    return fmt::format(
+        "${}_participants using 1:2 with points pointtype 7 pointsize 0.55 linecolor rgb '{}' "
+        "notitle",
+        name_of(mark), color.rgb);
+  };
+  const auto estimates = [](Mark mark, const FigureColor& color) {
+    return fmt::format(
+        "${} using 1:4:2:3 with xerrorbars pointtype 7 pointsize 0.9 linewidth 2 "
+        "linecolor rgb '{}' title '{}'",
+        name_of(mark), color.rgb, name_of(mark));
+  };
+  return fmt::format(
+      "plot {}, \\\n{}, \\\n{}, \\\n{}\n", dots(Mark::outline, palette::outline_pale),
+      dots(Mark::material, palette::material_pale), estimates(Mark::outline, palette::outline),
+      estimates(Mark::material, palette::material));
+}
+
+/// All the numbers that a time figure must have room for.
+std::vector<double> plotted_values(const StudyTables& tables, const TimeMeasure& measure) {
+  std::vector<double> values;
+  for (const MethodTimes& times : tables.method_times) {
+    std::copy((times.*measure.participants).begin(), (times.*measure.participants).end(),
+              std::back_inserter(values));
+    if (const auto& estimate = times.*measure.estimate; estimate && estimate->interval) {
+      values.push_back(estimate->interval->low);
+      values.push_back(estimate->interval->high);
+    }
+  }
+  return values;
+}
+
+std::string time_figure(const StudyTables& tables, const std::vector<std::size_t>& methods,
+                        const TimeMeasure& measure, const std::string& axis) {
+  std::vector<std::string> names;
+  std::transform(methods.begin(), methods.end(), std::back_inserter(names),
+                 [&](std::size_t method) { return tables.set.methods[method]; });
+  const int height = 110 + 62 * static_cast<int>(methods.size());
+  return preamble(640, height) + row_names(names) +
+         "set key outside top right horizontal samplen 1.5\n" + axis +
+         fmt::format("set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
+                     palette::grid.rgb) +
+         time_data(tables, Mark::outline, methods, measure) +
+         time_data(tables, Mark::material, methods, measure) + time_plot();
+}
+
+std::optional<Figure> relative_figure(const StudyTables& tables) {
+  const TimeMeasure measure{&MethodTimes::participant_percent, &MethodTimes::percent_of_baseline};
+  const std::vector<double> values = plotted_values(tables, measure);
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  std::vector<std::size_t> methods;
+  for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
+    methods.push_back(method);
+  }
+  const double end = std::max(105.0, 1.05 * *std::max_element(values.begin(), values.end()));
+  const std::string axis = fmt::format(
+      "set xrange [0:{}]\nset xlabel {}\n"
+      "set arrow from 100, graph 0 to 100, graph 1 nohead dashtype 3 linecolor rgb '{}'\n",
+      end, gnuplot_quoted("Time, per cent of " + method_label(tables.set.methods[baseline]) + "’s"),
+      palette::ink.rgb);
+  return Figure{"figure5_relative", run_gnuplot(time_figure(tables, methods, measure, axis))};
+}
+
+std::optional<Figure> seconds_figure(const StudyTables& tables) {
+  const TimeMeasure measure{&MethodTimes::participant_seconds, &MethodTimes::seconds};
+  const std::vector<double> values = plotted_values(tables, measure);
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  std::vector<std::size_t> methods(tables.set.methods.size());
+  std::iota(methods.begin(), methods.end(), std::size_t{0});
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const std::string axis = fmt::format(
+      "set logscale x\nset xrange [{}:{}]\nset xlabel 'Time, seconds (logarithmic)'\n"
+      "set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, "
+      "2000, 5000)\n",
+      *low / 1.25, *high * 1.25);
+  return Figure{"figure5_seconds", run_gnuplot(time_figure(tables, methods, measure, axis))};
+}
+
+/// One answer's share of a method's bar, in per cent: x from `low` to `high`.
+struct BarSegment {
+  double low = 0.0;
+  double high = 0.0;
+  int count = 0;
+};
+
+std::array<BarSegment, 5> bar_segments(const MethodRatings& ratings) {
+  std::array<BarSegment, 5> segments;
+  double end = 0.0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const double share = 100.0 * ratings.counts[i] / static_cast<double>(ratings.rating.n);
+    segments[i] = {end, end + share, ratings.counts[i]};
+    end += share;
+  }
+  return segments;
+}
+
+/// The counts inside the bars, where they fit.
+std::string count_labels(const std::array<BarSegment, 5>& segments, std::size_t row) {
+  constexpr double narrowest_percent = 4.0;
+  std::string labels;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const BarSegment& segment = segments[i];
+    if (segment.high - segment.low >= narrowest_percent) {
+      const FigureColor& color = i < 3 ? palette::on_low_rating : palette::on_high_rating;
+      labels += fmt::format("set label '{}' at {},{} center front textcolor rgb '{}'\n",
+                            segment.count, (segment.low + segment.high) / 2.0, row, color.rgb);
+    }
+  }
+  return labels;
+}
+
+std::string rating_data(const StudyTables& tables, std::size_t answer) {
+  std::string data = fmt::format("$answer{} << END\n", answer + 1);
+  for (std::size_t row = 0; row < tables.ratings.size(); ++row) {
+    if (tables.ratings[row].rating.n > 0) {
+      const BarSegment segment = bar_segments(tables.ratings[row])[answer];
+      const auto y = static_cast<double>(row);
+      data += fmt::format("{} {} {} {} {} {}\n", segment.low, y, segment.low, segment.high, y - 0.3,
+                          y + 0.3);
+    }
+  }
+  return data + "END\n";
+}
+
+std::string rating_plot() {
+  constexpr std::array<std::string_view, 5> titles = {"1 none", "2", "3", "4",
+                                                      "5 not discernible at all"};
+  std::string plot = "plot ";
+  for (std::size_t answer = 0; answer < titles.size(); ++answer) {
+    plot += fmt::format(
+        "{}$answer{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid 1 noborder "
+        "linecolor rgb '{}' title '{}'",
+        answer > 0 ? ", \\\n" : "", answer + 1, palette::ratings[answer].rgb, titles[answer]);
+  }
+  return plot + "\n";
+}
+
+std::optional<Figure> rating_figure(const StudyTables& tables) {
+  std::vector<std::string> methods;
+  std::string data;
+  std::string labels;
+  std::size_t answers = 0;
+  for (std::size_t row = 0; row < tables.ratings.size(); ++row) {
+    const MethodRatings& ratings = tables.ratings[row];
+    methods.push_back(ratings.method);
+    answers += ratings.rating.n;
+    if (ratings.rating.n > 0) {
+      labels += count_labels(bar_segments(ratings), row);
+      labels +=
+          fmt::format("set label {} at 102,{} left front textcolor rgb '{}'\n",
+                      gnuplot_quoted(mean_and_deviation(ratings.rating, 2)), row, palette::ink.rgb);
+    }
+  }
+  if (answers == 0) {
+    return std::nullopt;
+  }
+  for (std::size_t answer = 0; answer < palette::ratings.size(); ++answer) {
+    data += rating_data(tables, answer);
+  }
+  const int height = 110 + 46 * static_cast<int>(methods.size());
+  return Figure{"figure6_artifact_ratings",
+                run_gnuplot(preamble(640, height) + row_names(methods) +
+                            "set key outside top center horizontal samplen 1 width -1\n"
+                            "set rmargin 14\nset xrange [0:100]\n"
+                            "set xlabel 'Ratings, per cent'\n" +
+                            labels + data + rating_plot())};
+}
+
+}  // namespace
+
+std::vector<Figure> draw_figures(const StudyTables& tables) {
+  std::vector<Figure> figures;
+  for (auto& figure : {relative_figure(tables), seconds_figure(tables), rating_figure(tables)}) {
+    if (figure) {
+      figures.push_back(*figure);
+    }
+  }
+  return figures;
+}
+
+}  // namespace foveola::analysis

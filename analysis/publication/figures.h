@@ -1,0 +1,20 @@
+// The published figures as SVG, drawn by gnuplot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/publication/study_tables.h"
+
+namespace foveola::analysis {
+
+struct Figure {
+  std::string name;  ///< a file name without its extension
+  std::string svg;   ///< a file of its own, on white
+};
+
+/// Fig. 5, relative and in seconds, and Fig. 6, as far as there are values. Throws Error if gnuplot
+/// is missing.
+std::vector<Figure> draw_figures(const StudyTables& tables);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,18 @@
+// The study's report: one HTML file that needs no network.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/publication/figures.h"
+#include "analysis/publication/published_means.h"
+#include "analysis/publication/study_tables.h"
+
+namespace foveola::analysis {
+
+/// The whole page. It says at its top and in each caption when its data are not people's, lists
+/// what was left out and why, and defines every number.
+std::string report_html(const StudyTables& tables, const std::vector<Figure>& figures,
+                        const std::vector<PublishedMean>& published);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,69 @@
+// The published study's tables and figures as plain values, from any study's records.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/publication/analysis_set.h"
+#include "analysis/publication/background.h"
+#include "analysis/statistics/descriptive.h"
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+
+/// One cell of Table 2: a method in a scene, over participants.
+struct SceneTimes {
+  std::string scene;
+  std::string method;
+  Mark mark = Mark::outline;
+  Description seconds;  ///< of the measured times
+  /// Of each participant's own ratio to the baseline in this scene, in per cent; n counts the
+  /// participants with both times. Empty for the baseline.
+  Description percent_of_baseline;
+  int censored = 0;  ///< timed out, in no mean
+  int missing = 0;
+};
+
+/// One bar of Fig. 5: a method over all scenes, with the participant as the unit. A participant's
+/// value is the geometric mean over the scenes where every method's time was measured, so that all
+/// methods are compared over the same scenes; an interval is a t interval on those values' logs.
+struct MethodTimes {
+  std::string method;
+  Mark mark = Mark::outline;
+  std::vector<double> participant_seconds;  ///< in the order of participants, who may be fewer
+  std::vector<double> participant_percent;  ///< of the baseline; empty for the baseline
+  std::optional<Estimate> seconds;
+  std::optional<Estimate> percent_of_baseline;
+};
+
+/// One bar of Fig. 6: a method's artifact ratings over all scenes and participants.
+struct MethodRatings {
+  std::string method;
+  Description rating;
+  std::array<int, 5> counts{};  ///< of the answers 1 ... 5
+  int missing = 0;
+};
+
+struct StudyTables {
+  std::string protocol_name;
+  std::string protocol_title;
+  std::string protocol_sha256;
+  bool has_simulated = false;  ///< any session of the file, analysed or not
+  AnalysisSet set;
+  std::vector<SceneTimes> scene_times;    ///< mark by mark, scene by scene, method by method
+  std::vector<MethodTimes> method_times;  ///< mark by mark, method by method
+  std::vector<MethodRatings> ratings;     ///< method by method
+  BackgroundScale background;
+  std::vector<BackgroundCorrelation> background_correlations;  ///< mark by mark, without baseline
+  std::size_t incomplete_scenes = 0;  ///< (participant, scene, mark) triples left out of Fig. 5
+
+  const SceneTimes& scene_times_of(Mark mark, std::size_t scene, std::size_t method) const;
+  const MethodTimes& method_times_of(Mark mark, std::size_t method) const;
+};
+
+/// Throws Error as select_for_analysis does.
+StudyTables tabulate_study(const study::StudyRecords& records);
+
+}  // namespace foveola::analysis

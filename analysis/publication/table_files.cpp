@@ -1,0 +1,121 @@
+#include "analysis/publication/table_files.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/csv.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string low_of(const std::optional<Estimate>& estimate) {
+  return estimate && estimate->interval ? csv_number(estimate->interval->low) : "";
+}
+
+std::string high_of(const std::optional<Estimate>& estimate) {
+  return estimate && estimate->interval ? csv_number(estimate->interval->high) : "";
+}
+
+std::string value_of(const std::optional<Estimate>& estimate) {
+  return estimate ? csv_number(estimate->value) : "";
+}
+
+/// Ends each row with who took part, so that no table passes for what it is not.
+std::string finished_csv(std::vector<CsvRow> rows, const StudyTables& tables) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].push_back(i == 0 ? "participant_kind" : tables.set.kind);
+  }
+  return format_csv(rows);
+}
+
+std::string scene_times_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {{"mark", "scene", "method", "n", "mean_s", "sd_s", "median_s",
+                               "n_pairs", "mean_percent_of_baseline", "sd_percent_of_baseline",
+                               "censored", "missing"}};
+  for (const SceneTimes& row : tables.scene_times) {
+    rows.push_back({std::string(name_of(row.mark)), row.scene, row.method,
+                    std::to_string(row.seconds.n), csv_number(row.seconds.mean),
+                    csv_number(row.seconds.standard_deviation), csv_number(row.seconds.median),
+                    std::to_string(row.percent_of_baseline.n),
+                    csv_number(row.percent_of_baseline.mean),
+                    csv_number(row.percent_of_baseline.standard_deviation),
+                    std::to_string(row.censored), std::to_string(row.missing)});
+  }
+  return finished_csv(std::move(rows), tables);
+}
+
+std::string method_times_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {{"mark", "method", "n", "geometric_mean_s", "ci95_low_s",
+                               "ci95_high_s", "geometric_mean_percent_of_baseline",
+                               "ci95_low_percent_of_baseline", "ci95_high_percent_of_baseline"}};
+  for (const MethodTimes& row : tables.method_times) {
+    rows.push_back({std::string(name_of(row.mark)), row.method,
+                    std::to_string(row.participant_seconds.size()), value_of(row.seconds),
+                    low_of(row.seconds), high_of(row.seconds), value_of(row.percent_of_baseline),
+                    low_of(row.percent_of_baseline), high_of(row.percent_of_baseline)});
+  }
+  return finished_csv(std::move(rows), tables);
+}
+
+std::string ratings_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {{"method", "n", "mean", "sd", "median", "count_1", "count_2",
+                               "count_3", "count_4", "count_5", "missing"}};
+  for (const MethodRatings& ratings : tables.ratings) {
+    CsvRow row = {ratings.method, std::to_string(ratings.rating.n), csv_number(ratings.rating.mean),
+                  csv_number(ratings.rating.standard_deviation), csv_number(ratings.rating.median)};
+    for (const int count : ratings.counts) {
+      row.push_back(std::to_string(count));
+    }
+    row.push_back(std::to_string(ratings.missing));
+    rows.push_back(std::move(row));
+  }
+  return finished_csv(std::move(rows), tables);
+}
+
+/// n, r, t, P and the interval of r; empty fields where the correlation is not defined.
+CsvRow correlation_fields(const BackgroundCorrelation& row) {
+  if (!row.correlation) {
+    return {std::to_string(row.participants), "", "", "", "", ""};
+  }
+  const Correlation& found = *row.correlation;
+  return {std::to_string(row.participants),
+          csv_number(found.r),
+          csv_number(found.t),
+          csv_number(found.p),
+          found.interval ? csv_number(found.interval->low) : "",
+          found.interval ? csv_number(found.interval->high) : ""};
+}
+
+std::string background_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {{"mark", "method", "background_questions", "n", "pearson_r", "t",
+                               "p_two_sided", "ci95_low_r", "ci95_high_r"}};
+  const std::string questions = fmt::format("{}", fmt::join(tables.background.questions, "+"));
+  for (const BackgroundCorrelation& correlation : tables.background_correlations) {
+    CsvRow row = {std::string(name_of(correlation.mark)), correlation.method, questions};
+    const CsvRow fields = correlation_fields(correlation);
+    row.insert(row.end(), fields.begin(), fields.end());
+    rows.push_back(std::move(row));
+  }
+  return finished_csv(std::move(rows), tables);
+}
+
+std::string exclusions_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {{"participant", "scene", "method", "measure", "reason"}};
+  for (const Exclusion& row : tables.set.exclusions) {
+    rows.push_back({row.participant, row.scene, row.method, row.measure, row.reason});
+  }
+  return format_csv(rows);
+}
+
+}  // namespace
+
+std::vector<TextFile> table_files(const StudyTables& tables) {
+  return {{"table2_times.csv", scene_times_csv(tables)},
+          {"figure5_geometric_means.csv", method_times_csv(tables)},
+          {"figure6_artifact_ratings.csv", ratings_csv(tables)},
+          {"background_correlation.csv", background_csv(tables)},
+          {"exclusions.csv", exclusions_csv(tables)}};
+}
+
+}  // namespace foveola::analysis

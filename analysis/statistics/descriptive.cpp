@@ -1,0 +1,94 @@
+#include "analysis/statistics/descriptive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/student_t.h"
+#include "renderer/base/error.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::vector<double> logarithms(std::span<const double> values) {
+  std::vector<double> logs;
+  logs.reserve(values.size());
+  for (const double value : values) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+      throw Error(fmt::format("value {} of {}", logs.size() + 1, values.size()),
+                  fmt::format("is {}, which has no logarithm", value),
+                  "a geometric mean needs values above zero");
+    }
+    logs.push_back(std::log(value));
+  }
+  return logs;
+}
+
+}  // namespace
+
+std::optional<double> mean(std::span<const double> values) {
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  return static_cast<double>(extended_mean(values));
+}
+
+std::optional<double> standard_deviation(std::span<const double> values) {
+  if (values.size() < 2) {
+    return std::nullopt;
+  }
+  const long double center = extended_mean(values);
+  long double squares = 0.0L;
+  for (const double value : values) {
+    squares += (value - center) * (value - center);
+  }
+  return static_cast<double>(std::sqrt(squares / static_cast<long double>(values.size() - 1)));
+}
+
+std::optional<double> median(std::span<const double> values) {
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  std::vector<double> ordered(values.begin(), values.end());
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  if (ordered.size() % 2 == 1) {
+    return *middle;
+  }
+  return std::midpoint(*std::max_element(ordered.begin(), middle), *middle);
+}
+
+Description describe(std::span<const double> values) {
+  return {values.size(), mean(values), standard_deviation(values), median(values)};
+}
+
+std::optional<Estimate> mean_estimate(std::span<const double> values, double confidence) {
+  const std::optional<double> center = mean(values);
+  if (!center) {
+    return std::nullopt;
+  }
+  Estimate estimate{values.size(), *center, std::nullopt};
+  if (const std::optional<double> deviation = standard_deviation(values)) {
+    const auto n = static_cast<double>(values.size());
+    const double half_width = student_t_quantile(confidence, n - 1.0) * *deviation / std::sqrt(n);
+    estimate.interval = {*center - half_width, *center + half_width};
+  }
+  return estimate;
+}
+
+std::optional<Estimate> geometric_mean(std::span<const double> values, double confidence) {
+  std::optional<Estimate> estimate = mean_estimate(logarithms(values), confidence);
+  if (estimate) {
+    estimate->value = std::exp(estimate->value);
+    if (estimate->interval) {
+      estimate->interval = {std::exp(estimate->interval->low), std::exp(estimate->interval->high)};
+    }
+  }
+  return estimate;
+}
+
+}  // namespace foveola::analysis

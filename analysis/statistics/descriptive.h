@@ -1,0 +1,53 @@
+// Describing a sample: its centre and spread, and means with their intervals.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace foveola::analysis {
+
+// All values are finite. Sums are taken in long double around the mean, so that values with a
+// large common offset keep their digits. What a sample is too small for is empty, never NaN.
+
+std::optional<double> mean(std::span<const double> values);
+
+/// With n - 1 in the denominator; needs two values.
+std::optional<double> standard_deviation(std::span<const double> values);
+
+/// The middle value, or the mean of the two middle ones.
+std::optional<double> median(std::span<const double> values);
+
+struct Description {
+  std::size_t n = 0;
+  std::optional<double> mean;
+  std::optional<double> standard_deviation;
+  std::optional<double> median;
+};
+
+Description describe(std::span<const double> values);
+
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+struct Estimate {
+  std::size_t n = 0;
+  double value = 0.0;
+  std::optional<Interval> interval;  ///< needs two values
+};
+
+inline constexpr double default_confidence = 0.95;
+
+/// The arithmetic mean and its interval from Student's t. Empty for an empty sample.
+std::optional<Estimate> mean_estimate(std::span<const double> values,
+                                      double confidence = default_confidence);
+
+/// The geometric mean and its interval, exp(m -+ t s / sqrt(n)) with m and s of the logarithms
+/// (Sauro and Lewis 2010, "Average task times in usability tests"). Empty for an empty sample.
+/// Throws Error, naming the position from 1, if a value is not above zero.
+std::optional<Estimate> geometric_mean(std::span<const double> values,
+                                       double confidence = default_confidence);
+
+}  // namespace foveola::analysis

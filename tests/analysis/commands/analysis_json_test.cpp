@@ -1,0 +1,54 @@
+#include "analysis/commands/analysis_json.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/analysis/golden.h"
+#include "tests/analysis/made_up_study.h"
+
+namespace foveola::analysis {
+namespace {
+
+nlohmann::json json_of(const study::StudyRecords& records) {
+  AnalysisOutput output;
+  output.report = "results/report.html";
+  output.files = {"results/report.html"};
+  output.tables = tabulate_study(records);
+  return nlohmann::json::parse(analysis_json(output));
+}
+
+TEST(AnalysisJson, HasThePathsAndTheNumbersOfR) {
+  const auto golden = golden_study();
+  const nlohmann::json json = json_of(golden_study_records());
+  EXPECT_EQ(json["report"], "results/report.html");
+  EXPECT_EQ(json["baseline"], "od");
+  EXPECT_EQ(json["participants"], 8);
+  EXPECT_EQ(json["excluded"], 6);
+  const nlohmann::json& fv_outline = json["geometric_means"].at(2);
+  EXPECT_EQ(fv_outline["method"], "fv");
+  EXPECT_GOLDEN(fv_outline["percent_of_baseline"]["value"].get<double>(),
+                golden.at("outline.fv.geometric_mean_percent"));
+  EXPECT_GOLDEN(fv_outline["percent_of_baseline"]["ci95"].at(1).get<double>(),
+                golden.at("outline.fv.high_percent"));
+  EXPECT_GOLDEN(json["scene_times"].at(0)["seconds"]["sd"].get<double>(),
+                golden.at("outline.aula.od.sd_s"));
+  EXPECT_GOLDEN(json["background"]["correlations"].at(1)["p_two_sided"].get<double>(),
+                golden.at("outline.fv.p"));
+}
+
+TEST(AnalysisJson, WhatDoesNotExistIsNull) {
+  const nlohmann::json json = json_of(complete_study(1));
+  EXPECT_TRUE(json["geometric_means"].at(0)["percent_of_baseline"].is_null());
+  EXPECT_TRUE(json["geometric_means"].at(1)["percent_of_baseline"]["ci95"].is_null());
+  EXPECT_TRUE(json["scene_times"].at(0)["seconds"]["sd"].is_null());
+  EXPECT_TRUE(json["background"]["correlations"].at(0)["pearson_r"].is_null());
+}
+
+TEST(AnalysisJson, NamesThatAreNotUtf8DoNotBreakIt) {
+  study::StudyRecords records = complete_study(1);
+  records.protocol_name = "damaged \xff name";
+  EXPECT_NO_THROW((void)json_of(records));
+}
+
+}  // namespace
+}  // namespace foveola::analysis

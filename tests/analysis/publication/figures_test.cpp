@@ -1,0 +1,71 @@
+#include "analysis/publication/figures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/analysis/made_up_study.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::vector<std::string> names_of(const std::vector<Figure>& figures) {
+  std::vector<std::string> names;
+  for (const Figure& figure : figures) {
+    names.push_back(figure.name);
+  }
+  return names;
+}
+
+TEST(Figures, ThePublishedOnesAreDrawn) {
+  const std::vector<Figure> figures = draw_figures(tabulate_study(golden_study_records()));
+  EXPECT_THAT(names_of(figures),
+              ElementsAre("figure5_relative", "figure5_seconds", "figure6_artifact_ratings"));
+  for (const Figure& figure : figures) {
+    EXPECT_THAT(figure.svg, HasSubstr("</svg>"));
+    EXPECT_THAT(figure.svg, HasSubstr("<text>FV</text>"));
+  }
+  // From R: the means and deviations of the ratings.
+  EXPECT_THAT(figures[2].svg, HasSubstr("2.42 ± 0.78"));
+}
+
+TEST(Figures, OneParticipantIsDrawnWithoutIntervals) {
+  EXPECT_EQ(draw_figures(tabulate_study(complete_study(1))).size(), 3U);
+}
+
+TEST(Figures, WithoutValuesThereIsNoFigure) {
+  study::StudyRecords records = complete_study(2);
+  for (study::TrialRow& row : records.trials) {
+    row.outline_s.reset();
+    row.material_s.reset();
+    row.artifact_rating.reset();
+  }
+  EXPECT_THAT(draw_figures(tabulate_study(records)), IsEmpty());
+}
+
+TEST(Figures, OneMethodHasNoRelativeFigure) {
+  study::StudyRecords records = complete_study(2);
+  records.methods = {"od"};
+  EXPECT_THAT(names_of(draw_figures(tabulate_study(records))),
+              ElementsAre("figure5_seconds", "figure6_artifact_ratings"));
+}
+
+TEST(Figures, HostileNamesStayText) {
+  study::StudyRecords records = complete_study(2);
+  const std::string hostile = "</text><script>'`id`\n\"@x";
+  for (study::TrialRow& row : records.trials) {
+    row.method = row.method == "fv" ? hostile : row.method;
+  }
+  records.methods[2] = hostile;
+  for (const Figure& figure : draw_figures(tabulate_study(records))) {
+    EXPECT_THAT(figure.svg, HasSubstr("&lt;/text>&lt;script>'`id` \"@x"));
+    EXPECT_THAT(figure.svg, Not(HasSubstr("<script")));
+  }
+}
+
+}  // namespace
+}  // namespace foveola::analysis

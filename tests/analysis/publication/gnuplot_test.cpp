@@ -1,0 +1,52 @@
+#include "analysis/publication/gnuplot.h"
+
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(Gnuplot, PrintsWhatTheScriptDraws) {
+  EXPECT_THAT(run_gnuplot("set terminal svg\nplot [0:1] x\n"),
+              AllOf(HasSubstr("<svg"), HasSubstr("</svg>")));
+}
+
+TEST(Gnuplot, AnErrorInTheScriptIsAnError) {
+  EXPECT_THAT([] { (void)run_gnuplot("set terminal nonsense\n"); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("gnuplot"), HasSubstr("nonsense"))));
+}
+
+TEST(Gnuplot, QuotedTextIsNeitherRunNorExpanded) {
+  const std::string label = "it's `echo run` @macro \"x\" \\n %d\nend";
+  const std::string svg =
+      run_gnuplot("macro = 'expanded'\nset terminal svg noenhanced\nset label " +
+                  gnuplot_quoted(label) + " at 0.5,0.5\nplot [0:1] x\n");
+  EXPECT_THAT(svg, HasSubstr("it's `echo run` @macro \"x\" \\n %d end"));
+}
+
+/// Sets PATH for the length of a test.
+class PathWithoutPrograms : public testing::Test {
+ protected:
+  void SetUp() override { ::setenv("PATH", "/nonexistent", 1); }
+  void TearDown() override { ::setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_ = std::getenv("PATH");
+};
+
+TEST_F(PathWithoutPrograms, AMissingGnuplotIsAnErrorWithARemedy) {
+  EXPECT_THAT([] { (void)run_gnuplot("plot x\n"); },
+              ThrowsMessage<Error>(
+                  AllOf(HasSubstr("cannot be started"), HasSubstr("install gnuplot-nox"))));
+}
+
+}  // namespace
+}  // namespace foveola::analysis

@@ -1,0 +1,133 @@
+#include "analysis/publication/report.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/analysis/made_up_study.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}};
+
+std::string report_of(const study::StudyRecords& records) {
+  const StudyTables tables = tabulate_study(records);
+  return report_html(tables, draw_figures(tables), published);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+study::StudyRecords simulated_study() {
+  study::StudyRecords records = complete_study(3);
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "simulated";
+  }
+  return records;
+}
+
+TEST(Report, IsOnePageWithItsFiguresInside) {
+  const std::string html = report_of(golden_study_records());
+  EXPECT_EQ(count_of(html, "<svg role=\"img\""), 3U);
+  EXPECT_EQ(count_of(html, "</svg>"), 3U);
+  EXPECT_THAT(html, Not(HasSubstr("<?xml")));
+  EXPECT_THAT(html, Not(HasSubstr("src=")));
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
+  EXPECT_THAT(html, HasSubstr("prefers-color-scheme: dark"));
+}
+
+TEST(Report, HasTheNumbersOfR) {
+  const std::string html = report_of(golden_study_records());
+  EXPECT_THAT(html, HasSubstr("10.1 [9.2, 11.0]"));
+  EXPECT_THAT(html, HasSubstr("<td>[-0.92, 0.14]</td>"));
+}
+
+TEST(Report, NamesTheProtocolAndThePaper) {
+  const std::string html = report_of(golden_study_records());
+  EXPECT_THAT(html, HasSubstr("<h1>A made-up study</h1>"));
+  EXPECT_THAT(html, HasSubstr(std::string(64, 'a')));
+  EXPECT_THAT(html, HasSubstr("Computational Visual Media"));
+  EXPECT_THAT(html, HasSubstr("10.1007/s41095-018-0113-0"));
+}
+
+TEST(Report, PublishedValuesStandBesideOurs) {
+  EXPECT_THAT(report_of(golden_study_records()), HasSubstr("<td>9–12</td>"));
+}
+
+TEST(Report, EveryCaptionSaysThatDataAreSimulated) {
+  const std::string html = report_of(simulated_study());
+  EXPECT_THAT(html, HasSubstr("<p class=\"notice\" role=\"note\">Simulated data"));
+  const std::size_t captions = count_of(html, "<caption>") + count_of(html, "<figcaption>");
+  EXPECT_GT(captions, 6U);
+  EXPECT_EQ(count_of(html, "<caption><span class=\"tag\">Simulated data</span>") +
+                count_of(html, "<figcaption><span class=\"tag\">Simulated data</span>"),
+            captions);
+}
+
+TEST(Report, PeoplesDataAreNotCalledSimulated) {
+  EXPECT_THAT(report_of(complete_study(3)), Not(HasSubstr("Simulated data")));
+}
+
+TEST(Report, SaysThatSimulatedSessionsWereLeftOut) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[0].kind = "simulated";
+  EXPECT_THAT(report_of(records), HasSubstr("also holds simulated sessions"));
+}
+
+TEST(Report, ListsWhatWasLeftOut) {
+  const std::string html = report_of(golden_study_records());
+  EXPECT_THAT(html, HasSubstr("<li>2 × timed out: the time is only a lower bound</li>"));
+  EXPECT_THAT(html, HasSubstr("<li>1 × session interrupted</li>"));
+  EXPECT_THAT(report_of(complete_study(2)), HasSubstr("Nothing: every session was completed"));
+}
+
+TEST(Report, ManyExclusionsAreCutWithACount) {
+  study::StudyRecords records = complete_study(2);
+  for (int i = 0; i < 150; ++i) {
+    records.sessions.push_back({fmt::format("X{}", i), "human", "withdrawn"});
+  }
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, HasSubstr("150 × session withdrawn"));
+  EXPECT_THAT(html, HasSubstr("And 50 more"));
+}
+
+TEST(Report, HostileStringsStayText) {
+  const std::string hostile = "</td><script>alert('x')</script>&\"";
+  study::StudyRecords records = complete_study(3);
+  records.protocol_name = hostile;
+  records.protocol_title = hostile;
+  records.protocol_sha256 = hostile;
+  records.scenes[0] = hostile + " scene";
+  records.methods[2] = hostile + " method";
+  records.sessions.push_back({hostile, "human", hostile});
+  for (study::TrialRow& row : records.trials) {
+    row.scene = row.scene == "aula" ? records.scenes[0] : row.scene;
+    row.method = row.method == "fv" ? records.methods[2] : row.method;
+  }
+  for (study::BackgroundRow& row : records.background) {
+    row.question = row.question == "virtual_reality" ? hostile : row.question;
+  }
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
+  EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;&amp;&quot; scene"));
+}
+
+TEST(Report, OneParticipantAndOneMethodStillMakeAReport) {
+  study::StudyRecords records = complete_study(1);
+  records.methods = {"od"};
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, HasSubstr("</html>"));
+  EXPECT_THAT(html, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace foveola::analysis

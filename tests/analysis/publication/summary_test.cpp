@@ -1,0 +1,49 @@
+#include "analysis/publication/summary.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/analysis/made_up_study.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Summary, HasTheMainNumbers) {
+  const StudyTables tables = tabulate_study(golden_study_records());
+  const std::string text = terminal_summary(tables);
+  // From R, in data/golden/study_values.csv.
+  EXPECT_THAT(text, HasSubstr("10.1 [9.2, 11.0]"));
+  EXPECT_THAT(text, HasSubstr("OD − FV, material"));
+  EXPECT_THAT(text, HasSubstr("1.74 ± 0.62"));
+  EXPECT_THAT(text, HasSubstr("8 participants, 3 scenes, 3 methods"));
+  EXPECT_THAT(text, Not(HasSubstr("imulated")));
+}
+
+TEST(Summary, SaysThatDataAreSimulated) {
+  study::StudyRecords records = complete_study(2);
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "simulated";
+  }
+  EXPECT_THAT(terminal_summary(tabulate_study(records)), HasSubstr("Simulated data"));
+}
+
+TEST(Summary, NamesCannotSteerTheTerminal) {
+  study::StudyRecords records = complete_study(2);
+  records.scenes[0] = "au\x1b[31mla";
+  for (study::TrialRow& row : records.trials) {
+    row.scene = row.scene == "aula" ? records.scenes[0] : row.scene;
+  }
+  const std::string text = terminal_summary(tabulate_study(records));
+  EXPECT_THAT(text, HasSubstr("au?[31mla"));
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+}
+
+TEST(Summary, NoLineEndsInBlanks) {
+  EXPECT_THAT(terminal_summary(tabulate_study(complete_study(1))), Not(HasSubstr(" \n")));
+}
+
+}  // namespace
+}  // namespace foveola::analysis

@@ -1,0 +1,119 @@
+#include "analysis/statistics/descriptive.h"
+
+#include <limits>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "tests/analysis/golden.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// The samples of one value per row.
+std::map<std::string, std::vector<double>> single_samples() {
+  std::map<std::string, std::vector<double>> samples;
+  for (const CsvRow& row : golden_rows("statistics_samples.csv")) {
+    if (row.at(2).empty()) {
+      samples[row[0]].push_back(std::stod(row[1]));
+    }
+  }
+  return samples;
+}
+
+TEST(Descriptive, MomentsAndMediansAreThoseOfR) {
+  const auto golden = golden_statistics();
+  for (const auto& [name, values] : single_samples()) {
+    SCOPED_TRACE(name);
+    const Description description = describe(values);
+    EXPECT_EQ(static_cast<double>(description.n), golden.at(name + ".n"));
+    EXPECT_GOLDEN(description.mean.value(), golden.at(name + ".mean"));
+    EXPECT_GOLDEN(description.standard_deviation.value(), golden.at(name + ".standard_deviation"));
+    EXPECT_GOLDEN(description.median.value(), golden.at(name + ".median"));
+  }
+}
+
+TEST(Descriptive, GeometricMeansAndIntervalsAreThoseOfR) {
+  const auto golden = golden_statistics();
+  for (const auto& [name, values] : single_samples()) {
+    SCOPED_TRACE(name);
+    const Estimate estimate = geometric_mean(values).value();
+    EXPECT_GOLDEN(estimate.value, golden.at(name + ".geometric_mean"));
+    const bool varies = name != "constant";
+    EXPECT_GOLDEN(estimate.interval->low,
+                  golden.at(name + (varies ? ".geometric_mean_low" : ".geometric_mean")));
+    EXPECT_GOLDEN(estimate.interval->high,
+                  golden.at(name + (varies ? ".geometric_mean_high" : ".geometric_mean")));
+  }
+}
+
+TEST(Descriptive, SaurosTaskTimesHaveHisGeometricMean) {
+  const std::vector<double> seconds = {55, 65, 75, 62, 45, 135};
+  const Estimate estimate = geometric_mean(seconds).value();
+  EXPECT_NEAR(estimate.value, 68.24, 0.005);
+  EXPECT_NEAR(estimate.interval->low, 46.01, 0.005);
+  EXPECT_NEAR(estimate.interval->high, 101.22, 0.005);
+  EXPECT_EQ(estimate.n, 6U);
+}
+
+TEST(Descriptive, ACommonOffsetLeavesTheDeviation) {
+  const std::vector<double> plain = {0.0, 0.25, 0.5, 1.0};
+  std::vector<double> shifted = plain;
+  for (double& value : shifted) {
+    value += 1e9;
+  }
+  EXPECT_DOUBLE_EQ(mean(shifted).value(), 1e9 + 0.4375);
+  EXPECT_DOUBLE_EQ(standard_deviation(shifted).value(), standard_deviation(plain).value());
+}
+
+TEST(Descriptive, EmptySamplesHaveNothing) {
+  const std::vector<double> none;
+  EXPECT_FALSE(mean(none));
+  EXPECT_FALSE(standard_deviation(none));
+  EXPECT_FALSE(median(none));
+  EXPECT_FALSE(mean_estimate(none));
+  EXPECT_FALSE(geometric_mean(none));
+}
+
+TEST(Descriptive, OneValueHasAMeanButNoSpread) {
+  const std::vector<double> one = {4.0};
+  EXPECT_EQ(mean(one), 4.0);
+  EXPECT_EQ(median(one), 4.0);
+  EXPECT_FALSE(standard_deviation(one));
+  EXPECT_DOUBLE_EQ(geometric_mean(one)->value, 4.0);
+  EXPECT_FALSE(geometric_mean(one)->interval);
+}
+
+TEST(Descriptive, MedianDoesNotDependOnOrder) {
+  EXPECT_EQ(median(std::vector<double>{9, 1, 5}), 5.0);
+  EXPECT_EQ(median(std::vector<double>{9, 1, 5, 2}), 3.5);
+}
+
+TEST(Descriptive, AWiderConfidenceWidensTheInterval) {
+  const std::vector<double> values = {1, 2, 4, 8};
+  const Interval narrow = mean_estimate(values, 0.5)->interval.value();
+  const Interval wide = mean_estimate(values, 0.99)->interval.value();
+  EXPECT_LT(wide.low, narrow.low);
+  EXPECT_GT(wide.high, narrow.high);
+}
+
+TEST(Descriptive, GeometricMeanNamesTheValueWithoutLogarithm) {
+  const auto of = [](std::vector<double> values) {
+    return [values = std::move(values)] { (void)geometric_mean(values); };
+  };
+  EXPECT_THAT(of({1.0, 2.0, 0.0}),
+              ThrowsMessage<Error>(AllOf(HasSubstr("value 3 of 3"), HasSubstr("is 0"))));
+  EXPECT_THAT(of({-1.5, 2.0}),
+              ThrowsMessage<Error>(AllOf(HasSubstr("value 1 of 2"), HasSubstr("is -1.5"))));
+  EXPECT_THAT(of({1.0, std::numeric_limits<double>::quiet_NaN()}),
+              ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
+}
+
+}  // namespace
+}  // namespace foveola::analysis
