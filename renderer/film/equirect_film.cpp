@@ -15,6 +15,10 @@ constexpr int largest_side = 65536;
 /// Tiles that one task adds to.
 constexpr std::size_t tile_block = 4;
 
+std::uint32_t tiles_along(int side) {
+  return static_cast<std::uint32_t>((side + EquirectFilm::tile_size - 1) / EquirectFilm::tile_size);
+}
+
 std::uint32_t pixel_coordinate(float position, int size) {
   return static_cast<std::uint32_t>(
       std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1));
@@ -27,16 +31,18 @@ EquirectFilm::EquirectFilm(int width, int height) : width_(width), height_(heigh
     throw Error("film size", fmt::format("{}x{} pixels cannot be made", width, height),
                 fmt::format("choose sides from 1 to {}", largest_side));
   }
-  tiles_across_ = (width + tile_size - 1) / tile_size;
-  const int tiles_down = (height + tile_size - 1) / tile_size;
-  tiles_.resize(static_cast<std::size_t>(tiles_across_) * tiles_down);
+  tiles_across_ = tiles_along(width);
+  tiles_.resize(static_cast<std::size_t>(tiles_across_) * tiles_along(height));
+}
+
+EquirectFilm::Place EquirectFilm::place(std::uint32_t x, std::uint32_t y) const {
+  constexpr std::uint32_t size = tile_size;
+  return {.tile = y / size * tiles_across_ + x / size, .index = y % size * size + x % size};
 }
 
 EquirectFilm::Place EquirectFilm::place(std::uint32_t pixel) const {
-  const auto x = static_cast<int>(pixel % static_cast<std::uint32_t>(width_));
-  const auto y = static_cast<int>(pixel / static_cast<std::uint32_t>(width_));
-  return {.tile = static_cast<std::uint32_t>(y / tile_size * tiles_across_ + x / tile_size),
-          .index = static_cast<std::uint32_t>(y % tile_size * tile_size + x % tile_size)};
+  const auto width = static_cast<std::uint32_t>(width_);
+  return place(pixel % width, pixel / width);
 }
 
 void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& batch) {
@@ -55,9 +61,10 @@ std::vector<std::size_t> EquirectFilm::sort_by_tile(std::span<const ViewSample> 
   std::vector<std::uint32_t> pixels(samples.size());
   std::vector<std::size_t> begins(tiles_.size() + 1, 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    pixels[i] = pixel_coordinate(samples[i].image.y, height_) * static_cast<std::uint32_t>(width_) +
-                pixel_coordinate(samples[i].image.x, width_);
-    ++begins[place(pixels[i]).tile + 1];
+    const std::uint32_t x = pixel_coordinate(samples[i].image.x, width_);
+    const std::uint32_t y = pixel_coordinate(samples[i].image.y, height_);
+    pixels[i] = y * static_cast<std::uint32_t>(width_) + x;
+    ++begins[place(x, y).tile + 1];
   }
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
     begins[tile + 1] += begins[tile];
@@ -78,7 +85,7 @@ void EquirectFilm::number_tile(const NumberedBatch::TileRange& range, NumberedBa
   }
   for (std::size_t i = range.begin; i < range.end; ++i) {
     SampleJob& job = batch.jobs[i];
-    job.sample_number = (*tile)[place(job.pixel).index].numbered++;
+    job.sample_number = tile->numbered[place(job.pixel).index]++;
   }
 }
 
@@ -107,9 +114,9 @@ void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const Numbere
   Tile& tile = *tiles_[range.tile];
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (is_finite(radiance[i])) {
-      Pixel& pixel = tile[place(batch.jobs[i].pixel).index];
-      pixel.sum += DVec3(radiance[i]);
-      ++pixel.count;
+      const std::uint32_t index = place(batch.jobs[i].pixel).index;
+      tile.sum[index] += DVec3(radiance[i]);
+      ++tile.count[index];
     }
   }
 }
@@ -121,23 +128,15 @@ void EquirectFilm::clear() {
   total_samples_ = 0;
 }
 
-const EquirectFilm::Pixel* EquirectFilm::find(int x, int y) const {
+FilmPixel EquirectFilm::pixel(int x, int y) const {
   assert(x >= 0 && x < width_ && y >= 0 && y < height_);
-  const Place at = place(static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) +
-                         static_cast<std::uint32_t>(x));
-  const std::unique_ptr<Tile>& tile = tiles_[at.tile];
-  return tile ? &(*tile)[at.index] : nullptr;
-}
-
-Rgb EquirectFilm::mean(int x, int y) const {
-  const Pixel* pixel = find(x, y);
-  return pixel != nullptr && pixel->count > 0 ? Rgb(pixel->sum / static_cast<double>(pixel->count))
-                                              : Rgb(0.0F);
-}
-
-std::uint32_t EquirectFilm::sample_count(int x, int y) const {
-  const Pixel* pixel = find(x, y);
-  return pixel != nullptr ? pixel->count : 0;
+  const Place at = place(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+  const Tile* tile = tiles_[at.tile].get();
+  const std::uint32_t samples = tile != nullptr ? tile->count[at.index] : 0;
+  if (samples == 0) {
+    return {};
+  }
+  return {.mean = Rgb(tile->sum[at.index] / static_cast<double>(samples)), .samples = samples};
 }
 
 FilmImage EquirectFilm::resolve() const {
@@ -145,8 +144,9 @@ FilmImage EquirectFilm::resolve() const {
   image.samples.reserve(image.color.pixels.size());
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      image.color.at(x, y) = mean(x, y);
-      image.samples.push_back(sample_count(x, y));
+      const FilmPixel resolved = pixel(x, y);
+      image.color.at(x, y) = resolved.mean;
+      image.samples.push_back(resolved.samples);
     }
   }
   return image;

@@ -8,6 +8,9 @@
 namespace foveola {
 namespace {
 
+/// Rows of the view that one task makes.
+constexpr std::size_t row_block = 16;
+
 struct Weighted {
   Rgb color;
   bool known;  ///< whether the pixel has a value at all
@@ -21,7 +24,12 @@ Weighted wrapped(const PixelAt& pixel_at, int width, int height, int x, int y) {
     y = y < 0 ? -1 - y : 2 * height - 1 - y;
     x += width / 2;
   }
-  return pixel_at((x % width + width) % width, y);
+  if (x < 0) {
+    x += width;
+  } else if (x >= width) {
+    x -= width;
+  }
+  return pixel_at(x, y);
 }
 
 /// The bilinear mean of the four pixels around `image` that have a value; black if none has.
@@ -47,35 +55,53 @@ Rgb bilinear(const PixelAt& pixel_at, int width, int height, const Vec2& image) 
   return total > 0.0F ? sum / total : Rgb(0.0F);
 }
 
+/// The rows [begin, end) of `view`.
 template <typename PixelAt>
-RgbImage resample(const PixelAt& pixel_at, int film_width, int film_height,
-                  const Viewport& viewport, int width, int height) {
-  RgbImage view(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Vec2 plane((static_cast<float>(x) + 0.5F) / static_cast<float>(width),
-                       (static_cast<float>(y) + 0.5F) / static_cast<float>(height));
+void resample(const PixelAt& pixel_at, const IVec2& film_size, const Viewport& viewport,
+              RgbImage& view, int begin, int end) {
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const Vec2 plane((static_cast<float>(x) + 0.5F) / static_cast<float>(view.width),
+                       (static_cast<float>(y) + 0.5F) / static_cast<float>(view.height));
       const Vec2 image = equirect_from_direction(viewport.direction(plane));
-      view.at(x, y) = bilinear(pixel_at, film_width, film_height, image);
+      view.at(x, y) = bilinear(pixel_at, film_size.x, film_size.y, image);
     }
   }
-  return view;
+}
+
+auto pixels_of(const EquirectFilm& film) {
+  return [&film](int x, int y) {
+    const FilmPixel pixel = film.pixel(x, y);
+    return Weighted{.color = pixel.mean, .known = pixel.samples > 0};
+  };
 }
 
 }  // namespace
 
 RgbImage viewport_image(const EquirectFilm& film, const Viewport& viewport, int width, int height) {
-  const auto pixel_at = [&](int x, int y) {
-    return Weighted{.color = film.mean(x, y), .known = film.sample_count(x, y) > 0};
-  };
-  return resample(pixel_at, film.width(), film.height(), viewport, width, height);
+  RgbImage view(width, height);
+  resample(pixels_of(film), {film.width(), film.height()}, viewport, view, 0, height);
+  return view;
+}
+
+RgbImage viewport_image(const EquirectFilm& film, const Viewport& viewport, int width, int height,
+                        const Workers& workers) {
+  RgbImage view(width, height);
+  workers.for_each_block(static_cast<std::size_t>(height), row_block,
+                         [&](std::size_t begin, std::size_t end) {
+                           resample(pixels_of(film), {film.width(), film.height()}, viewport, view,
+                                    static_cast<int>(begin), static_cast<int>(end));
+                         });
+  return view;
 }
 
 RgbImage viewport_image(const RgbImage& panorama, const Viewport& viewport, int width, int height) {
-  const auto pixel_at = [&](int x, int y) {
+  const auto pixel_at = [&panorama](int x, int y) {
     return Weighted{.color = panorama.at(x, y), .known = true};
   };
-  return resample(pixel_at, panorama.width, panorama.height, viewport, width, height);
+  RgbImage view(width, height);
+  resample(pixel_at, {panorama.width, panorama.height}, viewport, view, 0, height);
+  return view;
 }
 
 }  // namespace foveola

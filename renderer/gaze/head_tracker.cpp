@@ -7,11 +7,17 @@
 #include "renderer/base/error.h"
 
 namespace foveola {
+namespace {
+
+/// An angle in [-pi, pi] that points the same way.
+double wrapped(double angle_rad) { return std::remainder(angle_rad, 2.0 * std::numbers::pi); }
+
+}  // namespace
 
 ScriptedHeadTracker::ScriptedHeadTracker(std::vector<HeadPose> poses) : poses_(std::move(poses)) {
-  const auto not_before = [](const HeadPose& a, const HeadPose& b) { return a.time <= b.time; };
+  const auto earlier = [](const HeadPose& a, const HeadPose& b) { return a.time < b.time; };
   if (poses_.empty() ||
-      std::adjacent_find(poses_.begin(), poses_.end(), std::not_fn(not_before)) != poses_.end()) {
+      std::adjacent_find(poses_.begin(), poses_.end(), std::not_fn(earlier)) != poses_.end()) {
     throw Error("head poses", "there are none, or their times do not ascend",
                 "give at least one pose, in the order of time");
   }
@@ -27,10 +33,9 @@ HeadPose ScriptedHeadTracker::pose(Nanoseconds now) {
   }
   const HeadPose& from = *std::prev(next);
   const double done = seconds(now - from.time) / seconds(next->time - from.time);
-  const double turn_rad =
-      std::remainder(next->heading.azimuth_rad - from.heading.azimuth_rad, 2.0 * std::numbers::pi);
+  const double turn_rad = wrapped(next->heading.azimuth_rad - from.heading.azimuth_rad);
   return {.time = now,
-          .heading = {.azimuth_rad = from.heading.azimuth_rad + done * turn_rad,
+          .heading = {.azimuth_rad = wrapped(from.heading.azimuth_rad + done * turn_rad),
                       .elevation_rad = std::lerp(from.heading.elevation_rad,
                                                  next->heading.elevation_rad, done)}};
 }

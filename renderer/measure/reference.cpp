@@ -7,9 +7,11 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/image_file.h"
+#include "renderer/film/sample_pass.h"
 #include "renderer/view/view_sampler.h"
 
 namespace fs = std::filesystem;
@@ -17,7 +19,11 @@ namespace fs = std::filesystem;
 namespace foveola {
 namespace {
 
-constexpr std::uint64_t batch_samples = 1 << 18;
+constexpr std::uint64_t pass_samples = 1 << 18;
+
+/// Keeps the noise of a reference apart from that of previews, which may have the same seed: an
+/// image that shared paths with its reference would look closer to it than it is.
+constexpr std::uint32_t reference_stream = 0x72656665U;
 
 /// Everything the image depends on, and this program's way of rendering it.
 std::string cache_key(const std::string& scene_key, const ReferenceSettings& settings) {
@@ -47,17 +53,30 @@ std::optional<FilmImage> read_cached(const fs::path& file, const ReferenceSettin
   return std::nullopt;
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    throw Error(folder.string(), "cannot be made: " + failure.message(),
+                "choose another folder for the cache");
+  }
+}
+
 /// Adds samples of one sampler after the other to one film.
 class ReferenceRender {
  public:
   ReferenceRender(const PathTracer& tracer, const ReferenceSettings& settings,
                   const Workers& workers, const std::function<void(double)>& progress,
                   std::stop_token stop)
-      : tracer_(tracer),
-        settings_(settings),
+      : settings_(settings),
         workers_(workers),
         progress_(progress),
         stop_(std::move(stop)),
+        trace_settings_{.max_depth = settings.max_depth,
+                        .seed = mix(settings.seed, reference_stream)},
+        trace_([this, &tracer](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+          tracer.trace(settings_.viewpoint, jobs, radiance, trace_settings_, workers_);
+        }),
         film_(settings.width, settings.height),
         planned_(uniform_samples() + settings.interests.size() * settings.samples_per_interest) {}
 
@@ -80,42 +99,30 @@ class ReferenceRender {
     constexpr double unused_fov_rad = 1.0;
     sampler->aim(
         {.viewport = Viewport(head_orientation({}), unused_fov_rad, unused_fov_rad), .gaze = gaze});
-    for (std::uint64_t begin = 0; begin < count; begin += batch_samples) {
+    const std::uint32_t pattern_seed = mix(trace_settings_.seed, ++patterns_);
+    for (std::uint64_t begin = 0; begin < count; begin += pass_samples) {
       if (stop_.stop_requested()) {
         throw Error("reference image", "stopped before it was finished");
       }
-      add_batch(*sampler, begin, std::min(batch_samples, count - begin));
+      const SobolRange points = {
+          .first = begin, .count = std::min(pass_samples, count - begin), .seed = pattern_seed};
+      pass_.run(*sampler, points, trace_, film_, workers_);
+      done_ += points.count;
       progress_(static_cast<double>(done_) / static_cast<double>(planned_));
     }
   }
 
-  void add_batch(const ViewSampler& sampler, std::uint64_t begin, std::uint64_t count) {
-    points_.resize(count);
-    samples_.resize(count);
-    for (std::uint64_t i = 0; i < count; ++i) {
-      points_[i] = sobol_2d(begin + i, settings_.seed);
-    }
-    sampler.sample(points_, samples_);
-    film_.number(samples_, batch_);
-    radiance_.resize(count);
-    tracer_.trace(settings_.viewpoint, batch_.jobs, radiance_,
-                  {.max_depth = settings_.max_depth, .seed = settings_.seed}, workers_);
-    film_.add(batch_, radiance_, workers_);
-    done_ += count;
-  }
-
-  const PathTracer& tracer_;
   const ReferenceSettings& settings_;
   const Workers& workers_;
   const std::function<void(double)>& progress_;
   std::stop_token stop_;
+  TraceSettings trace_settings_;
+  SamplePass::Trace trace_;
   EquirectFilm film_;
+  SamplePass pass_;
+  std::uint32_t patterns_ = 0;
   std::uint64_t planned_;
   std::uint64_t done_ = 0;
-  std::vector<Vec2> points_;
-  std::vector<ViewSample> samples_;
-  NumberedBatch batch_;
-  std::vector<Rgb> radiance_;
 };
 
 }  // namespace
@@ -126,10 +133,12 @@ FilmImage reference_image(const PathTracer& tracer, const std::string& scene_key
                           std::stop_token stop) {
   const fs::path file = cache / (cache_key(scene_key, settings) + ".exr");
   if (std::optional<FilmImage> cached = read_cached(file, settings)) {
+    progress(1.0);
     return std::move(*cached);
   }
+  make_folder(cache);
+  require_writable(file);
   FilmImage image = ReferenceRender(tracer, settings, workers, progress, std::move(stop)).render();
-  fs::create_directories(cache);
   write_film_image(file, image, 0.0);
   return image;
 }

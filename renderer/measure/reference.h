@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "renderer/film/image.h"
@@ -24,7 +25,9 @@ struct ReferenceSettings {
 
 /// Renders the reference, or takes it from `cache`, where it lies under a hash of the scene's
 /// `scene_key` (its content's SHA-256 and whatever was added to it) and the settings. progress is
-/// called with the fraction done. Throws Error if stopped.
+/// called with the fraction done. Throws Error if stopped, or if the cache cannot be written. Its
+/// noise is independent of every preview's, whatever their seeds. A cached file that is damaged is
+/// rendered again.
 FilmImage reference_image(const PathTracer& tracer, const std::string& scene_key,
                           const ReferenceSettings& settings, const Workers& workers,
                           const std::filesystem::path& cache,

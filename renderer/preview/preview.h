@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/film/equirect_film.h"
+#include "renderer/film/sample_pass.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/trace/path_tracer.h"
@@ -33,9 +35,11 @@ struct FrameReport {
   Nanoseconds time{0};           ///< when head and gaze were polled
   AzimuthElevation head;         ///< world
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< world, the one that was used
-  bool gaze_valid = false;       ///< whether the newest sample was; if not, the last valid one held
-  Nanoseconds gaze_age{0};       ///< of the gaze that was used, at `time`
-  std::uint64_t samples = 0;     ///< traced in this frame
+  /// Whether the newest sample was valid. If not, the last valid one holds in the head's axes, or
+  /// straight ahead if there was none yet.
+  bool gaze_valid = false;
+  Nanoseconds gaze_age{0};    ///< of the gaze that was used, at `time`; 0 if none was valid yet
+  std::uint64_t samples = 0;  ///< traced in this frame
   std::uint64_t rays = 0;
 };
 
@@ -67,8 +71,6 @@ class Preview {
  private:
   /// Polls head and gaze, and aims the sampler with them.
   FrameReport aim(Nanoseconds now);
-  /// Fills samples_ with this frame's directions.
-  void place(std::uint64_t samples);
 
   const PathTracer* tracer_;
   PreviewSettings settings_;
@@ -80,12 +82,9 @@ class Preview {
   std::unique_ptr<ViewSampler> sampler_;
   std::uint64_t next_point_ = 0;
   std::uint64_t next_frame_ = 0;
-  GazeSample last_valid_gaze_;
+  std::optional<GazeSample> last_valid_gaze_;
   std::vector<DroppedSample> dropped_;
-  std::vector<Vec2> points_;
-  std::vector<ViewSample> samples_;
-  NumberedBatch batch_;
-  std::vector<Rgb> radiance_;
+  SamplePass pass_;
 };
 
 }  // namespace foveola
