@@ -6,8 +6,11 @@
 namespace foveola {
 
 float srgb_from_linear(float linear) {
+  if (linear >= 1.0F) {
+    return 1.0F;
+  }
   // The comparison is false for NaN, which so becomes 0.
-  const float x = linear > 0.0F ? std::min(linear, 1.0F) : 0.0F;
+  const float x = linear > 0.0F ? linear : 0.0F;
   return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
 }
 

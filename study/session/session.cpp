@@ -10,6 +10,7 @@ struct Overloaded : Functions... {
   using Functions::operator()...;
 };
 template <typename... Functions>
+// NOLINTNEXTLINE(readability-identifier-naming): a deduction guide has its class's name.
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
 using Result = std::optional<Transition>;

@@ -11,13 +11,13 @@
 
 namespace fs = std::filesystem;
 
-namespace foveola::testing {
+namespace foveola::test {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
 
 void expect_one_line(const ProgramResult& result, int exit_code, const std::string& says) {
   EXPECT_EQ(result.exit_code, exit_code) << result.errors;
@@ -52,7 +52,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-class BadSceneFile : public ::testing::TestWithParam<BadScene> {};
+class BadSceneFile : public testing::TestWithParam<BadScene> {};
 
 TEST_P(BadSceneFile, IsRefused) {
   const TemporaryFolder folder;
@@ -71,7 +71,7 @@ const auto write = [](const std::string& content) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, BadSceneFile,
-    ::testing::Values(
+    testing::Values(
         BadScene{"missing", "absent.glb", [](const fs::path&) {}, "absent.glb"},
         BadScene{"folder", "folder.glb", [](const fs::path& p) { fs::create_directory(p); },
                  "folder"},
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"wild_count", "count.gltf",
                  write(replaced(room_gltf(), R"("count":36)", R"("count":4000000000)")),
                  "count.gltf"}),
-    [](const ::testing::TestParamInfo<BadScene>& test) { return test.param.name; });
+    [](const testing::TestParamInfo<BadScene>& test) { return test.param.name; });
 
 /// Options of `render` that make no sense.
 struct BadOptions {
@@ -106,7 +106,7 @@ struct BadOptions {
 
 void PrintTo(const BadOptions& options, std::ostream* out) { *out << options.name; }
 
-class BadRenderOptions : public ::testing::TestWithParam<BadOptions> {};
+class BadRenderOptions : public testing::TestWithParam<BadOptions> {};
 
 TEST_P(BadRenderOptions, AreUsageErrors) {
   const TemporaryFolder folder;
@@ -120,33 +120,33 @@ TEST_P(BadRenderOptions, AreUsageErrors) {
 
 INSTANTIATE_TEST_SUITE_P(
     Options, BadRenderOptions,
-    ::testing::Values(BadOptions{"negative_size", {"--size", "-64x32"}, "--size"},
-                      BadOptions{"zero_size", {"--size", "0x32"}, "--size"},
-                      BadOptions{"huge_size", {"--size", "100000x100000"}, "--size"},
-                      BadOptions{"wordy_size", {"--size", "big"}, "--size"},
-                      BadOptions{"nan_gaze", {"--gaze", "nan,0"}, "--gaze"},
-                      BadOptions{"infinite_gaze", {"--gaze", "inf,0"}, "--gaze"},
-                      BadOptions{"high_gaze", {"--gaze", "0,91"}, "--gaze"},
-                      BadOptions{"half_a_head", {"--head", "10"}, "--head"},
-                      BadOptions{"nan_camera", {"--camera", "0,nan,0"}, "--camera"},
-                      BadOptions{"zero_samples", {"--samples", "0"}, "--samples"},
-                      BadOptions{"negative_samples", {"--samples", "-5"}, "--samples"},
-                      BadOptions{"zero_spp", {"--spp", "0"}, "--spp"},
-                      BadOptions{"nan_spp", {"--spp", "nan"}, "--spp"},
-                      BadOptions{"negative_seconds", {"--seconds", "-1"}, "--seconds"},
-                      BadOptions{"nan_seconds", {"--seconds", "nan"}, "--seconds"},
-                      BadOptions{"two_budgets", {"--spp", "1", "--seconds", "1"}, "--spp"},
-                      BadOptions{"flat_view", {"--fov", "180"}, "--fov"},
-                      BadOptions{"nan_fov", {"--fov", "nan"}, "--fov"},
-                      BadOptions{"no_depth", {"--max-depth", "0"}, "--max-depth"},
-                      BadOptions{"minus_threads", {"--threads", "-1"}, "--threads"},
-                      BadOptions{"negative_seed", {"--seed", "-1"}, "--seed"},
-                      BadOptions{"unknown_method", {"--method", "xx"}, "--method"},
-                      BadOptions{"dark_sky", {"--environment", "-1,0,0"}, "--environment"},
-                      BadOptions{"unknown_option", {"--sizes", "8x4"}, "--sizes"}),
-    [](const ::testing::TestParamInfo<BadOptions>& test) { return test.param.name; });
+    testing::Values(BadOptions{"negative_size", {"--size", "-64x32"}, "--size"},
+                    BadOptions{"zero_size", {"--size", "0x32"}, "--size"},
+                    BadOptions{"huge_size", {"--size", "100000x100000"}, "--size"},
+                    BadOptions{"wordy_size", {"--size", "big"}, "--size"},
+                    BadOptions{"nan_gaze", {"--gaze", "nan,0"}, "--gaze"},
+                    BadOptions{"infinite_gaze", {"--gaze", "inf,0"}, "--gaze"},
+                    BadOptions{"high_gaze", {"--gaze", "0,91"}, "--gaze"},
+                    BadOptions{"half_a_head", {"--head", "10"}, "--head"},
+                    BadOptions{"nan_camera", {"--camera", "0,nan,0"}, "--camera"},
+                    BadOptions{"zero_samples", {"--samples", "0"}, "--samples"},
+                    BadOptions{"negative_samples", {"--samples", "-5"}, "--samples"},
+                    BadOptions{"zero_spp", {"--spp", "0"}, "--spp"},
+                    BadOptions{"nan_spp", {"--spp", "nan"}, "--spp"},
+                    BadOptions{"negative_seconds", {"--seconds", "-1"}, "--seconds"},
+                    BadOptions{"nan_seconds", {"--seconds", "nan"}, "--seconds"},
+                    BadOptions{"two_budgets", {"--spp", "1", "--seconds", "1"}, "--spp"},
+                    BadOptions{"flat_view", {"--fov", "180"}, "--fov"},
+                    BadOptions{"nan_fov", {"--fov", "nan"}, "--fov"},
+                    BadOptions{"no_depth", {"--max-depth", "0"}, "--max-depth"},
+                    BadOptions{"minus_threads", {"--threads", "-1"}, "--threads"},
+                    BadOptions{"negative_seed", {"--seed", "-1"}, "--seed"},
+                    BadOptions{"unknown_method", {"--method", "xx"}, "--method"},
+                    BadOptions{"dark_sky", {"--environment", "-1,0,0"}, "--environment"},
+                    BadOptions{"unknown_option", {"--sizes", "8x4"}, "--sizes"}),
+    [](const testing::TestParamInfo<BadOptions>& test) { return test.param.name; });
 
-class BadInput : public ::testing::Test {
+class BadInput : public testing::Test {
  protected:
   void SetUp() override { write_file(folder_ / "room.gltf", room_gltf()); }
   ProgramResult render_to(const std::string& output) {
@@ -184,7 +184,7 @@ TEST_F(BadInput, ProtocolsAreRefusedWithLineAndColumn) {
   expect_one_line(check("colour = 1\n" + protocol), 1, "p.toml:1:1");
   expect_one_line(check(replaced(protocol, "\"arcade\"", "\"no-such-scene\"")), 1, "no-such-scene");
   EXPECT_THAT(check(replaced(protocol, "\"arcade\"", "\"no-such-scene\"")).errors,
-              ::testing::ContainsRegex("p\\.toml:[0-9]+:[0-9]+"));
+              testing::ContainsRegex("p\\.toml:[0-9]+:[0-9]+"));
   expect_one_line(check("= ["), 1, "p.toml:1:1");
   EXPECT_THAT(folder_.entries(), ElementsAre("p.toml", "room.gltf"));
 }
@@ -212,4 +212,4 @@ TEST_F(BadInput, DatabasesOfAnotherSchemaAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace foveola::testing
+}  // namespace foveola::test

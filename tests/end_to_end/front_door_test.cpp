@@ -8,13 +8,13 @@
 
 namespace fs = std::filesystem;
 
-namespace foveola::testing {
+namespace foveola::test {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
 
-class FrontDoor : public ::testing::Test {
+class FrontDoor : public testing::Test {
  protected:
   void SetUp() override {
     fs::copy_file(FRONT_DOOR, folder_ / "foveola");
@@ -69,4 +69,4 @@ TEST_F(FrontDoor, SaysPlainlyThatTheNetworkFailed) {
 }
 
 }  // namespace
-}  // namespace foveola::testing
+}  // namespace foveola::test

@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace foveola::testing {
+namespace foveola::test {
 namespace {
 
 std::string content_of(const fs::path& path) {
@@ -139,4 +139,4 @@ std::string room_gltf() {
          base64(bytes) + R"("}]})";
 }
 
-}  // namespace foveola::testing
+}  // namespace foveola::test

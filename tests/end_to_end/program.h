@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace foveola::testing {
+namespace foveola::test {
 
 struct ProgramResult {
   int exit_code = -1;  ///< 128 + the signal's number if one ended it
@@ -44,4 +44,4 @@ class TemporaryFolder {
 /// A small closed room with a lamp, as a .gltf with its buffer inside.
 std::string room_gltf();
 
-}  // namespace foveola::testing
+}  // namespace foveola::test

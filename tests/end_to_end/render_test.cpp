@@ -11,10 +11,10 @@
 #include "renderer/view/equirect.h"
 #include "tests/end_to_end/program.h"
 
-namespace foveola::testing {
+namespace foveola::test {
 namespace {
 
-class Render : public ::testing::Test {
+class Render : public testing::Test {
  protected:
   void SetUp() override { write_file(folder_ / "room.gltf", room_gltf()); }
 
@@ -48,7 +48,7 @@ TEST_F(Render, OdGivesEveryPixelItsSamples) {
   const FilmImage image = read_film_image(folder_ / "a.exr");
   ASSERT_EQ(image.color.width, 64);
   ASSERT_EQ(image.color.height, 32);
-  EXPECT_THAT(image.samples, ::testing::Each(4U));
+  EXPECT_THAT(image.samples, testing::Each(4U));
   for (const Rgb& pixel : image.color.pixels) {
     EXPECT_TRUE(is_finite(pixel));
     EXPECT_GT(luminance(pixel), 0.0F);
@@ -121,7 +121,7 @@ TEST_F(Render, AConstantEnvironmentFillsTheSkyOfAnOpenScene) {
                                             "--spp", "1", "--environment", "0.25,0.5,2"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(read_film_image(folder_ / "sky.exr").color.pixels,
-              ::testing::Each(Rgb(0.25F, 0.5F, 2.0F)));
+              testing::Each(Rgb(0.25F, 0.5F, 2.0F)));
 }
 
 TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
@@ -135,4 +135,4 @@ TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
 }
 
 }  // namespace
-}  // namespace foveola::testing
+}  // namespace foveola::test

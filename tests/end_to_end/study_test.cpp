@@ -12,10 +12,10 @@
 
 namespace fs = std::filesystem;
 
-namespace foveola::testing {
+namespace foveola::test {
 namespace {
 
-using ::testing::HasSubstr;
+using testing::HasSubstr;
 
 /// One scene, two participants, a film of 96 x 48: seconds of work.
 const char* const small_protocol = R"(
@@ -94,4 +94,4 @@ TEST(Study, TheSameSeedGivesTheSameMarks) {
 }
 
 }  // namespace
-}  // namespace foveola::testing
+}  // namespace foveola::test

@@ -1,0 +1,171 @@
+#include "renderer/film/equirect_film.h"
+
+#include <limits>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/random.h"
+#include "renderer/view/equirect.h"
+
+namespace foveola {
+namespace {
+
+std::vector<ViewSample> sobol_samples(std::uint64_t begin, std::uint64_t count) {
+  std::vector<ViewSample> samples;
+  for (std::uint64_t i = begin; i < begin + count; ++i) {
+    const Vec2 image = sobol_2d(i, 3);
+    samples.push_back({.direction = direction_from_equirect(image), .image = image});
+  }
+  return samples;
+}
+
+std::vector<ViewSample> in_pixel(int x, int y, const EquirectFilm& film, std::size_t count) {
+  const Vec2 image((static_cast<float>(x) + 0.5F) / static_cast<float>(film.width()),
+                   (static_cast<float>(y) + 0.5F) / static_cast<float>(film.height()));
+  return {count, {.direction = direction_from_equirect(image), .image = image}};
+}
+
+/// A colour that depends on the job alone, as the tracer's does.
+Rgb color_of(const SampleJob& job) {
+  const float value = unit_float(mix(mix(job.pixel), job.sample_number));
+  return {value, value * value, 1.0F - value};
+}
+
+std::vector<Rgb> colors_of(const NumberedBatch& batch) {
+  std::vector<Rgb> colors;
+  for (const SampleJob& job : batch.jobs) {
+    colors.push_back(color_of(job));
+  }
+  return colors;
+}
+
+TEST(EquirectFilm, NumbersEachPixelsSamplesInOrder) {
+  EquirectFilm film(100, 50);  // neither side a multiple of the tile's
+  NumberedBatch batch;
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const std::uint64_t begin : {0U, 5000U, 12000U}) {
+    const std::vector<ViewSample> samples = sobol_samples(begin, 5000);
+    film.number(samples, batch);
+    ASSERT_EQ(batch.jobs.size(), samples.size());
+    for (const SampleJob& job : batch.jobs) {
+      const Vec2 image = equirect_from_direction(job.direction);
+      EXPECT_EQ(job.sample_number, next[job.pixel]++);
+      EXPECT_NEAR(static_cast<float>(job.pixel % 100) + 0.5F, image.x * 100.0F, 0.5001F);
+      EXPECT_NEAR(static_cast<float>(job.pixel / 100) + 0.5F, image.y * 50.0F, 0.5001F);
+    }
+  }
+}
+
+TEST(EquirectFilm, TilesPartitionTheBatch) {
+  EquirectFilm film(100, 50);
+  NumberedBatch batch;
+  film.number(sobol_samples(0, 3000), batch);
+  std::size_t end = 0;
+  for (const NumberedBatch::TileRange& range : batch.tiles) {
+    EXPECT_EQ(range.begin, end);
+    EXPECT_LT(range.begin, range.end);
+    end = range.end;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const std::uint32_t tile =
+          batch.jobs[i].pixel / 100 / 32 * 4 + batch.jobs[i].pixel % 100 / 32;
+      EXPECT_EQ(tile, range.tile);
+    }
+  }
+  EXPECT_EQ(end, batch.jobs.size());
+}
+
+TEST(EquirectFilm, APixelIsTheMeanOfItsSamples) {
+  const Workers workers(2);
+  EquirectFilm film(64, 32);
+  NumberedBatch batch;
+  film.number(in_pixel(63, 31, film, 3), batch);
+  film.add(batch, std::vector<Rgb>{{1, 2, 3}, {2, 4, 6}, {6, 0, 0}}, workers);
+  EXPECT_EQ(film.mean(63, 31), Rgb(3, 2, 3));
+  EXPECT_EQ(film.sample_count(63, 31), 3U);
+  EXPECT_EQ(film.total_samples(), 3U);
+  EXPECT_EQ(film.mean(0, 0), Rgb(0.0F));
+  EXPECT_EQ(film.sample_count(0, 0), 0U);
+  const FilmImage image = film.resolve();
+  EXPECT_EQ(image.color.at(63, 31), Rgb(3, 2, 3));
+  EXPECT_EQ(image.samples.back(), 3U);
+}
+
+TEST(EquirectFilm, IsTheSameOnAnyNumberOfThreadsAndInAnyBatches) {
+  const auto render = [](int threads, std::uint64_t batch_size) {
+    const Workers workers(threads);
+    EquirectFilm film(96, 48);
+    NumberedBatch batch;
+    for (std::uint64_t begin = 0; begin < 24000; begin += batch_size) {
+      film.number(sobol_samples(begin, batch_size), batch);
+      film.add(batch, colors_of(batch), workers);
+    }
+    return film.resolve();
+  };
+  const FilmImage one = render(1, 24000);
+  for (const auto& [threads, batch_size] :
+       {std::pair<int, std::uint64_t>{2, 24000}, {4, 24000}, {2, 1000}}) {
+    const FilmImage other = render(threads, batch_size);
+    EXPECT_EQ(one.color.pixels, other.color.pixels);
+    EXPECT_EQ(one.samples, other.samples);
+  }
+}
+
+TEST(EquirectFilm, NonFiniteSamplesAreDroppedCountedAndNamed) {
+  const Workers workers(2);
+  EquirectFilm film(64, 32);
+  NumberedBatch batch;
+  film.number(in_pixel(5, 7, film, 4), batch);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  const std::vector<DroppedSample> dropped = film.add(
+      batch, std::vector<Rgb>{{1, 1, 1}, {0, nan, 0}, {3, 3, 3}, {-infinity, 0, 0}}, workers);
+  ASSERT_EQ(dropped.size(), 2U);
+  EXPECT_EQ(dropped[0].pixel, 7U * 64 + 5);
+  EXPECT_EQ(dropped[0].sample_number, 1U);
+  EXPECT_EQ(dropped[1].sample_number, 3U);
+  EXPECT_EQ(film.mean(5, 7), Rgb(2.0F));
+  EXPECT_EQ(film.sample_count(5, 7), 2U);
+  EXPECT_EQ(film.total_samples(), 2U);
+  film.number(in_pixel(5, 7, film, 1), batch);
+  EXPECT_EQ(batch.jobs[0].sample_number, 4U);  // dropped samples keep their numbers
+}
+
+// A float sum would stall at 2^24 here.
+TEST(EquirectFilm, SumsOfTensOfMillionsOfSamplesStayExact) {
+  const Workers workers(2);
+  EquirectFilm film(1, 1);
+  NumberedBatch batch;
+  const std::vector<ViewSample> samples = in_pixel(0, 0, film, 1'000'000);
+  const std::vector<Rgb> colors(samples.size(), Rgb(0.1F, 1.0F, 1000.0F));
+  for (int i = 0; i < 20; ++i) {
+    film.number(samples, batch);
+    film.add(batch, colors, workers);
+  }
+  EXPECT_EQ(film.sample_count(0, 0), 20'000'000U);
+  EXPECT_EQ(film.mean(0, 0), Rgb(0.1F, 1.0F, 1000.0F));
+}
+
+TEST(EquirectFilm, ClearForgetsEverything) {
+  const Workers workers(1);
+  EquirectFilm film(64, 32);
+  NumberedBatch batch;
+  film.number(in_pixel(5, 7, film, 2), batch);
+  film.add(batch, std::vector<Rgb>(2, Rgb(1.0F)), workers);
+  film.clear();
+  EXPECT_EQ(film.total_samples(), 0U);
+  EXPECT_EQ(film.sample_count(5, 7), 0U);
+  film.number(in_pixel(5, 7, film, 1), batch);
+  EXPECT_EQ(batch.jobs[0].sample_number, 0U);
+}
+
+TEST(EquirectFilm, RefusesImpossibleSizes) {
+  EXPECT_THROW(EquirectFilm(0, 10), Error);
+  EXPECT_THROW(EquirectFilm(10, -1), Error);
+  EXPECT_THROW(EquirectFilm(65537, 10), Error);
+}
+
+}  // namespace
+}  // namespace foveola

@@ -1,0 +1,99 @@
+#include "renderer/film/viewport_image.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/view/equirect.h"
+
+namespace foveola {
+namespace {
+
+/// A smooth function of direction: spherical harmonics of the first and second degree.
+Rgb smooth(const Vec3& d) {
+  return {0.5F + 0.5F * d.x, 0.5F + 0.5F * d.y * d.z, 0.5F + 0.25F * (3.0F * d.y * d.y - 1.0F)};
+}
+
+RgbImage panorama_of_smooth(int width, int height) {
+  RgbImage panorama(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      panorama.at(x, y) = smooth(
+          direction_from_equirect({(static_cast<float>(x) + 0.5F) / static_cast<float>(width),
+                                   (static_cast<float>(y) + 0.5F) / static_cast<float>(height)}));
+    }
+  }
+  return panorama;
+}
+
+class Heading : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(Heading, ASmoothPanoramaIsShownAsItIs) {
+  const RgbImage panorama = panorama_of_smooth(512, 256);
+  const auto [azimuth_deg, elevation_deg] = GetParam();
+  const Viewport viewport(head_orientation({.azimuth_rad = radians(azimuth_deg),
+                                            .elevation_rad = radians(elevation_deg)}),
+                          radians(100.0), radians(80.0));
+  const RgbImage view = viewport_image(panorama, viewport, 90, 70);
+  for (int y = 0; y < 70; ++y) {
+    for (int x = 0; x < 90; ++x) {
+      const Rgb expected = smooth(viewport.direction(
+          {(static_cast<float>(x) + 0.5F) / 90.0F, (static_cast<float>(y) + 0.5F) / 70.0F}));
+      ASSERT_LT(glm::distance(view.at(x, y), expected), 1e-3F) << x << ", " << y;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AheadSeamAndPoles, Heading,
+                         testing::Values(std::pair{0.0, 0.0}, std::pair{180.0, 0.0},
+                                         std::pair{40.0, 90.0}, std::pair{-120.0, -90.0},
+                                         std::pair{179.0, 60.0}));
+
+class SparseFilm : public testing::Test {
+ protected:
+  void sample(int x, int y, const Rgb& color) {
+    const Vec2 image((static_cast<float>(x) + 0.5F) / 64.0F,
+                     (static_cast<float>(y) + 0.5F) / 32.0F);
+    film_.number(std::vector<ViewSample>{{direction_from_equirect(image), image}}, batch_);
+    film_.add(batch_, std::vector<Rgb>{color}, workers_);
+  }
+
+  const Workers workers_{1};
+  EquirectFilm film_{64, 32};
+  NumberedBatch batch_;
+  const Viewport ahead_{head_orientation({}), radians(20.0), radians(20.0)};
+};
+
+TEST_F(SparseFilm, IsBlackWhereNothingWasSampled) {
+  for (const Rgb& pixel : viewport_image(film_, ahead_, 16, 16).pixels) {
+    EXPECT_EQ(pixel, Rgb(0.0F));
+  }
+}
+
+// One pixel known: around it the view has its colour to the full, further away it is black.
+TEST_F(SparseFilm, UnsampledPixelsDoNotDarkenTheirNeighbours) {
+  sample(32, 16, Rgb(0.25F, 0.5F, 1.0F));
+  const RgbImage view = viewport_image(film_, ahead_, 64, 64);
+  int known = 0;
+  for (const Rgb& pixel : view.pixels) {
+    if (pixel != Rgb(0.0F)) {
+      EXPECT_LT(glm::distance(pixel, Rgb(0.25F, 0.5F, 1.0F)), 1e-6F);
+      ++known;
+    }
+  }
+  EXPECT_GT(known, 100);
+  EXPECT_LT(known, 64 * 64);
+}
+
+TEST_F(SparseFilm, FilmAndPanoramaAreShownAlike) {
+  const RgbImage panorama = panorama_of_smooth(64, 32);
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      sample(x, y, panorama.at(x, y));
+    }
+  }
+  EXPECT_EQ(viewport_image(film_, ahead_, 20, 20).pixels,
+            viewport_image(panorama, ahead_, 20, 20).pixels);
+}
+
+}  // namespace
+}  // namespace foveola

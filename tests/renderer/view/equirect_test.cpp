@@ -1,0 +1,98 @@
+#include "renderer/view/equirect.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/error.h"
+#include "renderer/base/random.h"
+#include "renderer/view/viewport.h"
+
+namespace foveola {
+namespace {
+
+void expect_near(const Vec2& a, const Vec2& b) {
+  EXPECT_NEAR(a.x, b.x, 1e-6F);
+  EXPECT_NEAR(a.y, b.y, 1e-6F);
+}
+
+TEST(Equirect, FollowsTheConvention) {
+  expect_near(equirect_from_direction({0, 0, -1}), {0.5F, 0.5F});
+  expect_near(equirect_from_direction({1, 0, 0}), {0.75F, 0.5F});
+  expect_near(equirect_from_direction({-1, 0, 0}), {0.25F, 0.5F});
+  EXPECT_NEAR(equirect_from_direction({0, 1, 0}).y, 0.0F, 1e-6F);
+  EXPECT_NEAR(equirect_from_direction({0, -1, 0}).y, 1.0F, 1e-6F);
+  EXPECT_LT(glm::distance(direction_from_equirect({0.75F, 0.25F}), glm::normalize(Vec3(1, 1, 0))),
+            1e-6F);
+}
+
+TEST(Equirect, StaysBelowOneAtTheSeam) {
+  for (const float x : {0.0F, -0.0F, 1e-30F, -1e-30F, 1e-7F, -1e-7F}) {
+    const float u = equirect_from_direction({x, 0.0F, 1.0F}).x;
+    EXPECT_GE(u, 0.0F);
+    EXPECT_LT(u, 1.0F);
+  }
+}
+
+TEST(Equirect, RoundTripsEverywhere) {
+  Pcg32 generator(1);
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = generator.normal();
+    const double y = generator.normal() * (i % 3 == 0 ? 1000.0 : 1.0);  // many near the poles
+    const double z = generator.normal();
+    const Vec3 direction = glm::normalize(Vec3(x, y, z));
+    const Vec3 back = direction_from_equirect(equirect_from_direction(direction));
+    ASSERT_LT(glm::distance(back, direction), 1e-6F);
+  }
+}
+
+TEST(Equirect, AreaPerSteradianIsTheJacobian) {
+  for (const double elevation_deg : {0.0, 45.0, -80.0}) {
+    const double e = radians(elevation_deg);
+    const double expected = 1.0 / (2.0 * std::numbers::pi * std::numbers::pi * std::cos(e));
+    EXPECT_NEAR(equirect_area_per_sr(direction_from({.elevation_rad = e})), expected,
+                1e-5 * expected);
+  }
+}
+
+TEST(Viewport, CornersAndCentre) {
+  const Viewport view(head_orientation({}), radians(90.0), radians(90.0));
+  EXPECT_LT(glm::distance(view.direction({0.5F, 0.5F}), Vec3(0, 0, -1)), 1e-6F);
+  EXPECT_LT(glm::distance(view.direction({0.0F, 0.0F}), glm::normalize(Vec3(-1, 1, -1))), 1e-6F);
+  EXPECT_LT(glm::distance(view.direction({1.0F, 1.0F}), glm::normalize(Vec3(1, -1, -1))), 1e-6F);
+}
+
+TEST(Viewport, ProjectsWhatItShowsAndNothingElse) {
+  const AzimuthElevation heading{.azimuth_rad = radians(170.0), .elevation_rad = radians(-40.0)};
+  const Viewport view(head_orientation(heading), radians(100.0), radians(60.0));
+  EXPECT_LT(glm::distance(view.direction({0.5F, 0.5F}), direction_from(heading)), 1e-6F);
+  for (const Vec2 plane : {Vec2(0.1F, 0.2F), Vec2(0.9F, 0.5F), Vec2(0.5F, 0.99F)}) {
+    const auto back = view.project(view.direction(plane));
+    ASSERT_TRUE(back);
+    EXPECT_LT(glm::distance(*back, plane), 1e-6F);
+  }
+  EXPECT_FALSE(view.project(-direction_from(heading)));
+  EXPECT_FALSE(view.project(view.direction({1.1F, 0.5F})));
+}
+
+TEST(Viewport, TheHorizonStaysLevel) {
+  const Quat head = head_orientation({.azimuth_rad = 1.0, .elevation_rad = 0.7});
+  EXPECT_NEAR((head * Vec3(1, 0, 0)).y, 0.0F, 1e-6F);
+}
+
+// Six square views of 90 degrees make a sphere.
+TEST(Viewport, SolidAngleOfACubeFaceIsASixthOfTheSphere) {
+  const Viewport view(head_orientation({}), radians(90.0), radians(90.0));
+  EXPECT_NEAR(view.solid_angle_sr(), 4.0 * std::numbers::pi / 6.0, 1e-6);
+}
+
+TEST(Viewport, RefusesWhatCannotBeShownFlat) {
+  for (const double fov_deg : {0.0, -10.0, 180.0, 200.0, std::nan("")}) {
+    EXPECT_THROW(Viewport(head_orientation({}), radians(fov_deg), 1.0), Error);
+    EXPECT_THROW(Viewport(head_orientation({}), 1.0, radians(fov_deg)), Error);
+  }
+}
+
+}  // namespace
+}  // namespace foveola
