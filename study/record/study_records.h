@@ -12,10 +12,10 @@ namespace foveola::study {
 struct TrialRow {
   std::string participant;  ///< code
   std::string scene;
-  std::string method;       ///< "od", "vp", "fv"
-  int scene_position = 0;   ///< 0 is the first scene that this participant saw
-  int method_position = 0;  ///< 0 is the first method within the scene
-  int attempts = 0;
+  std::string method;                ///< "od", "vp", "fv"
+  int scene_position = 0;            ///< 0 is the first scene that this participant saw
+  int method_position = 0;           ///< 0 is the first method within the scene
+  int attempts = 0;                  ///< 0 if the session ended before it
   std::optional<double> outline_s;   ///< from the first presented frame to the outline mark
   std::optional<double> material_s;  ///< from the first presented frame to the material mark
   bool outline_censored = false;     ///< timed out: outline_s is a lower bound
@@ -33,7 +33,7 @@ struct BackgroundRow {
 struct SessionRow {
   std::string participant;
   std::string kind;   ///< "human", "pilot" or "simulated"
-  std::string state;  ///< "completed", "interrupted", ...
+  std::string state;  ///< name_of(Phase); not an end's if the program died in it or still runs
 };
 
 struct StudyRecords {
@@ -43,8 +43,8 @@ struct StudyRecords {
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
   std::vector<SessionRow> sessions;
-  std::vector<TrialRow> trials;  ///< of completed and interrupted sessions alike
-  std::vector<BackgroundRow> background;
+  std::vector<TrialRow> trials;  ///< all that were planned, in order; none of withdrawn sessions
+  std::vector<BackgroundRow> background;  ///< none of withdrawn sessions
 
   /// Whether any session was simulated: every table and report must then say so.
   bool has_simulated() const;

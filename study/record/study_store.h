@@ -46,7 +46,8 @@ struct FrameRow {
 };
 
 /// A study's file, open for writing. Every function that returns has committed with
-/// synchronous=FULL.
+/// synchronous=FULL; one that throws Error has changed nothing. Several programs may write to one
+/// file at a time: each waits for the other's commit.
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
@@ -62,6 +63,7 @@ class StudyStore {
   bool has_participant(const std::string& code) const;
 
   /// Records a new session with its whole plan, before anything happens in it. Returns its row id.
+  /// Throws Error if the participant has one already.
   std::int64_t begin_session(const SessionFacts& facts, const Plan& plan);
 
   /// Appends `event`, which took the session from `before` to `after`, to the log, together with
@@ -69,8 +71,8 @@ class StudyStore {
   void record_event(std::int64_t session, Nanoseconds time, const Event& event,
                     const SessionState& before, const SessionState& after);
 
-  /// Appends a chunk of consecutive frames of one attempt; first_frame counts from the attempt's
-  /// start.
+  /// Appends a chunk of consecutive frames, at least one, of one attempt; first_frame counts from
+  /// the attempt's start.
   void record_frames(std::int64_t session, std::size_t trial, int attempt,
                      std::uint64_t first_frame, const std::vector<FrameRow>& frames);
 

@@ -1,0 +1,226 @@
+#include "study/record/database.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/error.h"
+#include "study/record/schema.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr int busy_timeout_ms = 5000;
+constexpr const char* damage_remedy = "restore it from a copy";
+
+Error error_of(const fs::path& path, const SQLite::Exception& fault) {
+  const auto error = [&](const std::string& what, const std::string& remedy) {
+    return Error(path.string(), what, remedy);
+  };
+  switch (fault.getErrorCode()) {
+    case SQLITE_FULL:
+      return error("the disk is full", "free some space; what was acknowledged is safe");
+    case SQLITE_READONLY:
+      return error("cannot be written", "check its permissions and its folder's");
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return error("is in use by another program", "let that finish and try again");
+    case SQLITE_NOTADB:
+      return error("is no database", "name a study that foveola has written, or a new file");
+    case SQLITE_CORRUPT:
+      return error(fmt::format("is damaged ({})", fault.what()), damage_remedy);
+    case SQLITE_CANTOPEN:
+      return error("cannot be opened", "check its permissions and its folder's");
+    case SQLITE_IOERR:
+      return error(fmt::format("cannot be read or written ({})", fault.what()),
+                   "check the disk and its free space; what was acknowledged is safe");
+    default:
+      return error(fault.what(), "");
+  }
+}
+
+/// The file as a URI by which SQLite reads it without locks or side files.
+std::string immutable_uri(const fs::path& path) {
+  std::string uri = "file:";
+  for (const char c : fs::absolute(path).string()) {
+    const bool is_plain = c != '%' && c != '?' && c != '#';
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri + "?immutable=1";
+}
+
+SQLite::Database open_immutable(const fs::path& path) {
+  return {immutable_uri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI};
+}
+
+bool has_write_ahead_log(const fs::path& path) { return fs::exists(path.string() + "-wal"); }
+
+void require_regular_file(const fs::path& path) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(path, failure);
+  if (!fs::exists(status)) {
+    throw Error(path.string(), "no such file", "check the path");
+  }
+  if (!fs::is_regular_file(status)) {
+    throw Error(path.string(), "is no file", "name a study that foveola has written");
+  }
+}
+
+/// From the header alone, which is final since the file was made.
+void require_study(const fs::path& path) {
+  SQLite::Database database = open_immutable(path);
+  const int application_id = database.execAndGet("PRAGMA application_id").getInt();
+  const int version = database.execAndGet("PRAGMA user_version").getInt();
+  if (application_id != study_application_id) {
+    throw Error(path.string(), "is no study of Foveola",
+                "name a study that foveola has written, or a new file");
+  }
+  if (version != study_schema_version) {
+    throw Error(
+        path.string(),
+        fmt::format("has schema {}, and this program knows only {}", version, study_schema_version),
+        version > study_schema_version ? "use a newer Foveola" : damage_remedy);
+  }
+}
+
+/// Every table, view and trigger must be the known one: so a stranger's file cannot make a query do
+/// anything else, and a file whose guards were removed is not trusted. Others may stand beside.
+void require_schema(SQLite::Database& database, const fs::path& path) {
+  SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
+  known.exec(study_schema());
+  SQLite::Statement objects(known, "SELECT type, name, sql FROM sqlite_schema");
+  SQLite::Statement same(database,
+                         "SELECT 1 FROM sqlite_schema WHERE type = ? AND name = ? AND sql IS ?");
+  while (objects.executeStep()) {
+    same.reset();
+    same.clearBindings();
+    same.bind(1, objects.getColumn(0).getString());
+    same.bind(2, objects.getColumn(1).getString());
+    if (!objects.isColumnNull(2)) {
+      same.bind(3, objects.getColumn(2).getString());
+    }
+    if (!same.executeStep()) {
+      throw Error(path.string(),
+                  fmt::format("its {} {} is missing or was changed",
+                              objects.getColumn(0).getString(), objects.getColumn(1).getString()),
+                  damage_remedy);
+    }
+  }
+}
+
+void require_sound(SQLite::Database& database, const fs::path& path) {
+  const std::string finding = database.execAndGet("PRAGMA quick_check(1)").getString();
+  if (finding != "ok") {
+    throw Error(path.string(), fmt::format("is damaged ({})", finding), damage_remedy);
+  }
+  require_schema(database, path);
+}
+
+/// A database beside its final path; what is left of it goes at the end of the scope.
+class TemporaryDatabase {
+ public:
+  explicit TemporaryDatabase(const fs::path& final_path)
+      : path_(final_path.parent_path() /
+              fmt::format(".{}.{}.partial", final_path.filename().string(), ::getpid())) {}
+  ~TemporaryDatabase() {
+    std::error_code ignored;
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+      fs::remove(path_.string() + suffix, ignored);
+    }
+  }
+  TemporaryDatabase(const TemporaryDatabase&) = delete;
+  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void insert_study(SQLite::Database& database, const Protocol& protocol) {
+  SQLite::Statement study(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?)");
+  SQLite::bind(study, protocol.name, protocol.title, protocol.text, protocol.sha256, utc_now());
+  study.exec();
+  for (std::size_t i = 0; i < protocol.scenes.size(); ++i) {
+    SQLite::Statement scene(database, "INSERT INTO study_scene VALUES (?, ?)");
+    SQLite::bind(scene, static_cast<std::int64_t>(i), protocol.scenes[i].name);
+    scene.exec();
+  }
+  for (std::size_t i = 0; i < protocol.methods.size(); ++i) {
+    SQLite::Statement method(database, "INSERT INTO study_method VALUES (?, ?)");
+    SQLite::bind(method, static_cast<std::int64_t>(i), protocol.methods[i]);
+    method.exec();
+  }
+}
+
+void write_new_study(const fs::path& path, const Protocol& protocol) {
+  SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+  SQLite::Transaction transaction(database);
+  database.exec(study_schema());
+  insert_study(database, protocol);
+  transaction.commit();
+  database.exec("PRAGMA journal_mode = WAL");
+}
+
+}  // namespace
+
+void with_clear_errors(const fs::path& path, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const SQLite::Exception& fault) {
+    throw error_of(path, fault);
+  }
+}
+
+SQLite::Database open_study_to_read(const fs::path& path) {
+  require_regular_file(path);
+  const fs::path file = fs::canonical(path);
+  require_study(file);
+  // Without a log nobody writes, and SQLite would leave an empty one behind if it took part.
+  SQLite::Database database = has_write_ahead_log(file)
+                                  ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
+                                  : open_immutable(file);
+  database.exec("PRAGMA trusted_schema = OFF");
+  require_sound(database, path);
+  return database;
+}
+
+void create_study(const fs::path& path, const Protocol& protocol) {
+  const TemporaryDatabase temporary(path);
+  write_new_study(temporary.path(), protocol);
+  // SQLite syncs the folder, and with it the new name, before the first commit to the log.
+  if (::renameat2(AT_FDCWD, temporary.path().c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) !=
+          0 &&
+      errno != EEXIST) {
+    throw Error(path.string(),
+                fmt::format("cannot be made: {}",
+                            std::error_code(errno, std::generic_category()).message()),
+                "choose another path");
+  }
+}
+
+SQLite::Database open_study_to_write(const fs::path& path) {
+  if (::access(path.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "cannot be written", "check its permissions");
+  }
+  SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
+  database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA trusted_schema = OFF");
+  const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
+  if (mode != "wal") {
+    throw Error(path.string(), "its folder does not support a write-ahead log",
+                "keep studies on a local disk");
+  }
+  return database;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,259 @@
+-- The file of a study, schema version 1.
+--
+-- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
+-- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. What was measured is only ever
+-- added: triggers refuse to change or remove it.
+--
+-- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
+-- outside the statements, and whoever changes a statement raises user_version.
+
+PRAGMA application_id = 1181709932; -- "Fovl"
+PRAGMA user_version = 1;
+
+-- What is studied: exactly one row. protocol_text is the researcher's file, to the letter.
+CREATE TABLE study (
+  id INTEGER PRIMARY KEY CHECK (id = 1),
+  protocol_name TEXT NOT NULL,
+  protocol_title TEXT NOT NULL,
+  protocol_text TEXT NOT NULL,
+  protocol_sha256 TEXT NOT NULL
+    CHECK (length(protocol_sha256) = 64 AND protocol_sha256 NOT GLOB '*[^0-9a-f]*'),
+  created_utc TEXT NOT NULL
+) STRICT;
+
+-- The protocol's scenes in its order; position 0 is the first.
+CREATE TABLE study_scene (
+  position INTEGER PRIMARY KEY CHECK (position >= 0),
+  name TEXT NOT NULL UNIQUE
+) STRICT;
+
+-- The protocol's methods in its order; position 0 is the baseline.
+CREATE TABLE study_method (
+  position INTEGER PRIMARY KEY CHECK (position >= 0),
+  name TEXT NOT NULL UNIQUE
+) STRICT;
+
+-- One participant's visit, with all that is needed to repeat it. participant is a code, never a
+-- name. seed is an unsigned 64-bit number in decimal digits, more than SQLite's integers hold.
+-- state is the phase that the session is in, or ended in; nothing else of the row ever changes.
+CREATE TABLE session (
+  id INTEGER PRIMARY KEY,
+  uuid TEXT NOT NULL UNIQUE CHECK (length(uuid) = 36),
+  participant TEXT NOT NULL UNIQUE CHECK (participant <> ''),
+  kind TEXT NOT NULL CHECK (kind IN ('human', 'pilot', 'simulated')),
+  seed TEXT NOT NULL CHECK (seed <> '' AND seed NOT GLOB '*[^0-9]*'),
+  started_utc TEXT NOT NULL,
+  program_version TEXT NOT NULL,
+  compiler TEXT NOT NULL,
+  build_type TEXT NOT NULL,
+  processor TEXT NOT NULL,
+  cores INTEGER NOT NULL,
+  operating_system TEXT NOT NULL,
+  state TEXT NOT NULL CHECK (
+    state IN ('created', 'background', 'choosing_object', 'armed', 'outline', 'material', 'rating',
+              'completed', 'interrupted', 'withdrawn'))
+) STRICT;
+
+-- The file of each scene that this session really showed.
+CREATE TABLE session_scene (
+  session INTEGER NOT NULL REFERENCES session (id),
+  scene TEXT NOT NULL REFERENCES study_scene (name),
+  file_name TEXT NOT NULL,
+  file_sha256 TEXT NOT NULL
+    CHECK (length(file_sha256) = 64 AND file_sha256 NOT GLOB '*[^0-9a-f]*'),
+  PRIMARY KEY (session, scene)
+) STRICT;
+
+-- What the session set out to do, written before anything happened in it; trial 0 is the first.
+CREATE TABLE planned_trial (
+  session INTEGER NOT NULL REFERENCES session (id),
+  trial INTEGER NOT NULL CHECK (trial >= 0),
+  scene TEXT NOT NULL REFERENCES study_scene (name),
+  method TEXT NOT NULL REFERENCES study_method (name),
+  scene_position INTEGER NOT NULL CHECK (scene_position >= 0),
+  method_position INTEGER NOT NULL CHECK (method_position >= 0),
+  PRIMARY KEY (session, trial),
+  UNIQUE (session, scene, method)
+) STRICT;
+
+-- Everything that happened, in order; sequence 1 is a session's first event. payload is a JSON
+-- object with the event's values. The tables below follow from this log and the plan.
+CREATE TABLE event (
+  session INTEGER NOT NULL REFERENCES session (id),
+  sequence INTEGER NOT NULL CHECK (sequence >= 1),
+  time_ns INTEGER NOT NULL,
+  utc TEXT NOT NULL,
+  type TEXT NOT NULL CHECK (
+    type IN ('session_started', 'background_answered', 'object_chosen', 'first_frame_presented',
+             'outline_marked', 'material_marked', 'timed_out', 'artifacts_rated',
+             'retime_requested', 'interrupted', 'withdrawn')),
+  payload TEXT NOT NULL CHECK (json_type(payload) = 'object'),
+  PRIMARY KEY (session, sequence)
+) STRICT;
+
+-- Answers of the background questionnaire, by the question's id in the protocol.
+CREATE TABLE background_answer (
+  session INTEGER NOT NULL REFERENCES session (id),
+  question TEXT NOT NULL,
+  value INTEGER NOT NULL,
+  PRIMARY KEY (session, question)
+) STRICT;
+
+-- One timing of a planned trial; attempt 1 is the first, and the last one counts. first_frame_ns is
+-- when its first frame was presented. An outcome stays 'open' only if the program died in it.
+CREATE TABLE attempt (
+  session INTEGER NOT NULL,
+  trial INTEGER NOT NULL,
+  attempt INTEGER NOT NULL CHECK (attempt >= 1),
+  object TEXT NOT NULL,
+  first_frame_ns INTEGER,
+  outcome TEXT NOT NULL DEFAULT 'open'
+    CHECK (outcome IN ('open', 'rated', 'retimed', 'interrupted', 'withdrawn')),
+  PRIMARY KEY (session, trial, attempt),
+  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
+) STRICT;
+
+-- When the participant saw the outline or the material well enough. time_ns counts from the
+-- attempt's first presented frame. Censored: no mark came until then, so it is a lower bound.
+CREATE TABLE mark (
+  session INTEGER NOT NULL,
+  trial INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  kind TEXT NOT NULL CHECK (kind IN ('outline', 'material')),
+  time_ns INTEGER NOT NULL CHECK (time_ns >= 0),
+  censored INTEGER NOT NULL CHECK (censored IN (0, 1)),
+  PRIMARY KEY (session, trial, attempt, kind),
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+) STRICT;
+
+-- How much the artifacts disturbed: 1 none ... 5 not discernible at all.
+CREATE TABLE rating (
+  session INTEGER NOT NULL,
+  trial INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  artifacts INTEGER NOT NULL CHECK (artifacts BETWEEN 1 AND 5),
+  PRIMARY KEY (session, trial, attempt),
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+) STRICT;
+
+-- Consecutive rendered frames of an attempt; first_frame counts from the attempt's start.
+--
+-- Encoding 'frames-1' is frame_count records of 44 bytes without gaps, all little-endian:
+--   offset  0  int64    time, session clock, ns
+--   offset  8  float32  head azimuth, rad, from -Z towards +X
+--   offset 12  float32  head elevation, rad
+--   offset 16  float32  gaze direction x, world, as it was used
+--   offset 20  float32  gaze direction y
+--   offset 24  float32  gaze direction z
+--   offset 28  int64    age of that gaze, ns
+--   offset 36  uint32   samples traced for this frame
+--   offset 40  uint32   flags: bit 0 is set if the gaze was valid; the others are 0
+CREATE TABLE frame_chunk (
+  session INTEGER NOT NULL,
+  trial INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  first_frame INTEGER NOT NULL CHECK (first_frame >= 0),
+  frame_count INTEGER NOT NULL CHECK (frame_count >= 1),
+  encoding TEXT NOT NULL CHECK (encoding = 'frames-1'),
+  data BLOB NOT NULL CHECK (length(data) = 44 * frame_count),
+  data_sha256 TEXT NOT NULL
+    CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
+  PRIMARY KEY (session, trial, attempt, first_frame),
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+) STRICT;
+
+-- One row per planned trial with its last attempt's values; attempts is 0 if it was never begun.
+CREATE VIEW trial_result AS
+SELECT
+  session.participant,
+  session.kind AS session_kind,
+  session.state AS session_state,
+  planned_trial.*,
+  coalesce(last.attempt, 0) AS attempts,
+  last.object,
+  last.outcome,
+  outline.time_ns / 1e9 AS outline_s,
+  outline.censored AS outline_censored,
+  material.time_ns / 1e9 AS material_s,
+  material.censored AS material_censored,
+  rating.artifacts
+FROM planned_trial
+JOIN session ON session.id = planned_trial.session
+LEFT JOIN attempt AS last
+  ON last.session = planned_trial.session AND last.trial = planned_trial.trial
+  AND last.attempt = (
+    SELECT max(attempt.attempt) FROM attempt
+    WHERE attempt.session = planned_trial.session AND attempt.trial = planned_trial.trial)
+LEFT JOIN mark AS outline
+  ON outline.session = last.session AND outline.trial = last.trial
+  AND outline.attempt = last.attempt AND outline.kind = 'outline'
+LEFT JOIN mark AS material
+  ON material.session = last.session AND material.trial = last.trial
+  AND material.attempt = last.attempt AND material.kind = 'material'
+LEFT JOIN rating
+  ON rating.session = last.session AND rating.trial = last.trial
+  AND rating.attempt = last.attempt;
+
+-- Two tables change after their rows are made, in these ways only.
+CREATE TRIGGER session_changes_state_only
+BEFORE UPDATE OF id, uuid, participant, kind, seed, started_utc, program_version, compiler,
+  build_type, processor, cores, operating_system ON session
+BEGIN SELECT raise(ABORT, 'only a session''s state changes'); END;
+CREATE TRIGGER session_ends_once BEFORE UPDATE ON session
+WHEN OLD.state IN ('completed', 'interrupted', 'withdrawn')
+BEGIN SELECT raise(ABORT, 'the session is over'); END;
+CREATE TRIGGER session_stays BEFORE DELETE ON session
+BEGIN SELECT raise(ABORT, 'sessions are never removed'); END;
+
+CREATE TRIGGER attempt_keeps_its_object
+BEFORE UPDATE OF session, trial, attempt, object ON attempt
+BEGIN SELECT raise(ABORT, 'only an attempt''s first frame and outcome change'); END;
+CREATE TRIGGER attempt_starts_once BEFORE UPDATE OF first_frame_ns ON attempt
+WHEN OLD.first_frame_ns IS NOT NULL
+BEGIN SELECT raise(ABORT, 'the attempt has its first frame'); END;
+CREATE TRIGGER attempt_ends_once BEFORE UPDATE ON attempt WHEN OLD.outcome <> 'open'
+BEGIN SELECT raise(ABORT, 'the attempt is over'); END;
+CREATE TRIGGER attempt_stays BEFORE DELETE ON attempt
+BEGIN SELECT raise(ABORT, 'attempts are never removed'); END;
+
+-- All others never do.
+CREATE TRIGGER study_is_fixed BEFORE UPDATE ON study
+BEGIN SELECT raise(ABORT, 'study is only added to'); END;
+CREATE TRIGGER study_stays BEFORE DELETE ON study
+BEGIN SELECT raise(ABORT, 'study is only added to'); END;
+CREATE TRIGGER study_scene_is_fixed BEFORE UPDATE ON study_scene
+BEGIN SELECT raise(ABORT, 'study_scene is only added to'); END;
+CREATE TRIGGER study_scene_stays BEFORE DELETE ON study_scene
+BEGIN SELECT raise(ABORT, 'study_scene is only added to'); END;
+CREATE TRIGGER study_method_is_fixed BEFORE UPDATE ON study_method
+BEGIN SELECT raise(ABORT, 'study_method is only added to'); END;
+CREATE TRIGGER study_method_stays BEFORE DELETE ON study_method
+BEGIN SELECT raise(ABORT, 'study_method is only added to'); END;
+CREATE TRIGGER session_scene_is_fixed BEFORE UPDATE ON session_scene
+BEGIN SELECT raise(ABORT, 'session_scene is only added to'); END;
+CREATE TRIGGER session_scene_stays BEFORE DELETE ON session_scene
+BEGIN SELECT raise(ABORT, 'session_scene is only added to'); END;
+CREATE TRIGGER planned_trial_is_fixed BEFORE UPDATE ON planned_trial
+BEGIN SELECT raise(ABORT, 'planned_trial is only added to'); END;
+CREATE TRIGGER planned_trial_stays BEFORE DELETE ON planned_trial
+BEGIN SELECT raise(ABORT, 'planned_trial is only added to'); END;
+CREATE TRIGGER event_is_fixed BEFORE UPDATE ON event
+BEGIN SELECT raise(ABORT, 'event is only added to'); END;
+CREATE TRIGGER event_stays BEFORE DELETE ON event
+BEGIN SELECT raise(ABORT, 'event is only added to'); END;
+CREATE TRIGGER background_answer_is_fixed BEFORE UPDATE ON background_answer
+BEGIN SELECT raise(ABORT, 'background_answer is only added to'); END;
+CREATE TRIGGER background_answer_stays BEFORE DELETE ON background_answer
+BEGIN SELECT raise(ABORT, 'background_answer is only added to'); END;
+CREATE TRIGGER mark_is_fixed BEFORE UPDATE ON mark
+BEGIN SELECT raise(ABORT, 'mark is only added to'); END;
+CREATE TRIGGER mark_stays BEFORE DELETE ON mark
+BEGIN SELECT raise(ABORT, 'mark is only added to'); END;
+CREATE TRIGGER rating_is_fixed BEFORE UPDATE ON rating
+BEGIN SELECT raise(ABORT, 'rating is only added to'); END;
+CREATE TRIGGER rating_stays BEFORE DELETE ON rating
+BEGIN SELECT raise(ABORT, 'rating is only added to'); END;
+CREATE TRIGGER frame_chunk_is_fixed BEFORE UPDATE ON frame_chunk
+BEGIN SELECT raise(ABORT, 'frame_chunk is only added to'); END;
+CREATE TRIGGER frame_chunk_stays BEFORE DELETE ON frame_chunk
+BEGIN SELECT raise(ABORT, 'frame_chunk is only added to'); END;

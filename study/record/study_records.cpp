@@ -1,0 +1,121 @@
+#include "study/record/study_records.h"
+
+#include <algorithm>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "study/record/database.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+std::vector<std::string> read_names(SQLite::Database& database, const char* sql) {
+  std::vector<std::string> names;
+  SQLite::Statement rows(database, sql);
+  while (rows.executeStep()) {
+    names.push_back(rows.getColumn(0).getString());
+  }
+  return names;
+}
+
+void read_protocol(SQLite::Database& database, StudyRecords& records) {
+  SQLite::Statement study(database,
+                          "SELECT protocol_name, protocol_title, protocol_sha256 FROM study");
+  study.executeStep();
+  records.protocol_name = study.getColumn("protocol_name").getString();
+  records.protocol_title = study.getColumn("protocol_title").getString();
+  records.protocol_sha256 = study.getColumn("protocol_sha256").getString();
+  records.scenes = read_names(database, "SELECT name FROM study_scene ORDER BY position");
+  records.methods = read_names(database, "SELECT name FROM study_method ORDER BY position");
+}
+
+std::vector<SessionRow> read_sessions(SQLite::Database& database) {
+  std::vector<SessionRow> sessions;
+  SQLite::Statement rows(database, "SELECT participant, kind, state FROM session ORDER BY id");
+  while (rows.executeStep()) {
+    sessions.push_back({.participant = rows.getColumn("participant").getString(),
+                        .kind = rows.getColumn("kind").getString(),
+                        .state = rows.getColumn("state").getString()});
+  }
+  return sessions;
+}
+
+std::optional<double> optional_number(SQLite::Statement& row, const char* column) {
+  const SQLite::Column value = row.getColumn(column);
+  return value.isNull() ? std::nullopt : std::optional(value.getDouble());
+}
+
+std::optional<int> optional_integer(SQLite::Statement& row, const char* column) {
+  const SQLite::Column value = row.getColumn(column);
+  return value.isNull() ? std::nullopt : std::optional(value.getInt());
+}
+
+TrialRow read_trial(SQLite::Statement& row) {
+  return {.participant = row.getColumn("participant").getString(),
+          .scene = row.getColumn("scene").getString(),
+          .method = row.getColumn("method").getString(),
+          .scene_position = row.getColumn("scene_position").getInt(),
+          .method_position = row.getColumn("method_position").getInt(),
+          .attempts = row.getColumn("attempts").getInt(),
+          .outline_s = optional_number(row, "outline_s"),
+          .material_s = optional_number(row, "material_s"),
+          .outline_censored = optional_integer(row, "outline_censored") == 1,
+          .material_censored = optional_integer(row, "material_censored") == 1,
+          .artifact_rating = optional_integer(row, "artifacts")};
+}
+
+std::vector<TrialRow> read_trials(SQLite::Database& database) {
+  std::vector<TrialRow> trials;
+  SQLite::Statement rows(database,
+                         "SELECT * FROM trial_result WHERE session_state <> 'withdrawn'"
+                         " ORDER BY session, trial");
+  while (rows.executeStep()) {
+    trials.push_back(read_trial(rows));
+  }
+  return trials;
+}
+
+std::vector<BackgroundRow> read_background(SQLite::Database& database) {
+  std::vector<BackgroundRow> background;
+  SQLite::Statement rows(database,
+                         "SELECT participant, question, value"
+                         " FROM background_answer JOIN session ON session.id = session"
+                         " WHERE state <> 'withdrawn' ORDER BY background_answer.rowid");
+  while (rows.executeStep()) {
+    background.push_back({.participant = rows.getColumn("participant").getString(),
+                          .question = rows.getColumn("question").getString(),
+                          .value = rows.getColumn("value").getDouble()});
+  }
+  return background;
+}
+
+/// All queries see the same moment of a study that is being written.
+StudyRecords read_records(SQLite::Database& database) {
+  const SQLite::Transaction moment(database);
+  StudyRecords records;
+  read_protocol(database, records);
+  records.sessions = read_sessions(database);
+  records.trials = read_trials(database);
+  records.background = read_background(database);
+  return records;
+}
+
+}  // namespace
+
+bool StudyRecords::has_simulated() const {
+  return std::ranges::any_of(sessions,
+                             [](const SessionRow& row) { return row.kind == "simulated"; });
+}
+
+StudyRecords read_study(const fs::path& path) {
+  StudyRecords records;
+  with_clear_errors(path, [&] {
+    SQLite::Database database = open_study_to_read(path);
+    records = read_records(database);
+  });
+  return records;
+}
+
+}  // namespace foveola::study
