@@ -19,7 +19,7 @@ std::string preamble(int width, int height) {
       "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background 'white'\n"
       "set encoding utf8\n"
       "set border 1 linecolor rgb '{}'\n"
-      "set tics nomirror textcolor rgb '{}'\n"
+      "set tics out nomirror textcolor rgb '{}'\n"
       "set xlabel textcolor rgb '{}'\n"
       "set key textcolor rgb '{}'\n"
       "set ytics scale 0\n",
@@ -104,7 +104,7 @@ std::string time_figure(const StudyTables& tables, const std::vector<std::size_t
                  [&](std::size_t method) { return tables.set.methods[method]; });
   const int height = 110 + 62 * static_cast<int>(methods.size());
   return preamble(640, height) + row_names(names) +
-         "set key outside top right horizontal samplen 1.5\n" + axis +
+         "set key outside top right horizontal Left reverse samplen 1.5 width 1\n" + axis +
          fmt::format("set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
                      palette::grid.rgb) +
          time_data(tables, Mark::outline, methods, measure) +
@@ -124,7 +124,8 @@ std::optional<Figure> relative_figure(const StudyTables& tables) {
   const double end = std::max(105.0, 1.05 * *std::max_element(values.begin(), values.end()));
   const std::string axis = fmt::format(
       "set xrange [0:{}]\nset xlabel {}\n"
-      "set arrow from 100, graph 0 to 100, graph 1 nohead dashtype 3 linecolor rgb '{}'\n",
+      "set arrow from 100, graph 0 to 100, graph 1 nohead linewidth 1 linecolor rgb "
+      "'{}'\n",
       end, gnuplot_quoted("Time, per cent of " + method_label(tables.set.methods[baseline]) + "’s"),
       palette::ink.rgb);
   return Figure{"figure5_relative", run_gnuplot(time_figure(tables, methods, measure, axis))};
@@ -194,14 +195,12 @@ std::string rating_data(const StudyTables& tables, std::size_t answer) {
 }
 
 std::string rating_plot() {
-  constexpr std::array<std::string_view, 5> titles = {"1 none", "2", "3", "4",
-                                                      "5 not discernible at all"};
   std::string plot = "plot ";
-  for (std::size_t answer = 0; answer < titles.size(); ++answer) {
+  for (std::size_t answer = 0; answer < palette::ratings.size(); ++answer) {
     plot += fmt::format(
         "{}$answer{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid 1 noborder "
         "linecolor rgb '{}' title '{}'",
-        answer > 0 ? ", \\\n" : "", answer + 1, palette::ratings[answer].rgb, titles[answer]);
+        answer > 0 ? ", \\\n" : "", answer + 1, palette::ratings[answer].rgb, answer + 1);
   }
   return plot + "\n";
 }
@@ -228,10 +227,10 @@ std::optional<Figure> rating_figure(const StudyTables& tables) {
   for (std::size_t answer = 0; answer < palette::ratings.size(); ++answer) {
     data += rating_data(tables, answer);
   }
-  const int height = 110 + 46 * static_cast<int>(methods.size());
+  const int height = 104 + 44 * static_cast<int>(methods.size());
   return Figure{"figure6_artifact_ratings",
                 run_gnuplot(preamble(640, height) + row_names(methods) +
-                            "set key outside top center horizontal samplen 1 width -1\n"
+                            "set key outside top center horizontal Left reverse samplen 1 width 2\n"
                             "set rmargin 14\nset xrange [0:100]\n"
                             "set xlabel 'Ratings, per cent'\n" +
                             labels + data + rating_plot())};

@@ -190,17 +190,17 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
       tables, figures, "figure5_relative",
       fmt::format("Time relative to {}.", baseline_label(tables)),
       "Geometric mean over scenes and 95 % interval over participants; each pale dot is one "
-      "participant. The dotted line is no change.");
+      "participant. The dark vertical line is no change.");
   html += figure_html(tables, figures, "figure5_seconds", "Time in seconds.",
                       "Geometric mean over scenes and 95 % interval over participants; each pale "
                       "dot is one participant.");
   html += method_times_table(tables, published);
   if (tables.incomplete_scenes > 0) {
     html += fmt::format(
-        "<p>{} left out here, because not every method’s time was measured in them.</p>\n",
-        tables.incomplete_scenes == 1
-            ? std::string("One mark of one participant in one scene is")
-            : fmt::format("{} marks of participants in scenes are", tables.incomplete_scenes));
+        "<p>Left out here, because not every method’s time was measured: {} of {} pairs of a "
+        "participant and a scene, the two marks counted apart.</p>\n",
+        tables.incomplete_scenes,
+        tables.set.participants.size() * tables.set.scenes.size() * marks.size());
   }
   return html_section("Time over all scenes", html);
 }
@@ -223,16 +223,16 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
     table.rows.push_back(std::move(row));
   }
   const std::string intro =
-      "<p>Fig. 6 of the published study: how disturbing artifacts were in the areas that the "
-      "participant had not looked at. Means treat the steps of the scale as equal, as the "
+      "<p>Fig. 6 of the published study: how disturbing artifacts were in the areas other than "
+      "the chosen object. Means treat the steps of the scale as equal, as the "
       "published study did; the distribution stands beside them because they need not be.</p>\n";
   return html_section(
       "Artifacts in other areas",
       intro +
           figure_html(tables, figures, "figure6_artifact_ratings",
                       "Artifact ratings, all scenes and participants.",
-                      "Bars: the share of each answer, with its count. At the right: mean ± "
-                      "standard deviation.") +
+                      "Bars: the share of each answer, 1 none to 5 not discernible at all, with "
+                      "its count. At the right: mean ± standard deviation.") +
           render(table));
 }
 
@@ -333,7 +333,8 @@ std::string definitions_section(const StudyTables& tables) {
   define("Sessions",
          "Only completed sessions count, and only of one kind: people’s if there are any, else "
          "pilots’, else simulated ones.");
-  define("Mean and standard deviation", "Arithmetic, over participants; n − 1 in the denominator.");
+  define("Mean and standard deviation",
+         "Of times: arithmetic, over participants; n − 1 in the denominator.");
   define("Per cent of " + escape_html(reference),
          fmt::format("100 × a participant’s time divided by the same participant’s {} time in the "
                      "same scene; a participant without both is not in n.",

@@ -75,10 +75,11 @@ h2 {
 p, ul, ol, dl { margin: 0 0 1rem; max-width: 42rem; }
 a { color: var(--accent); }
 code { font-size: 0.88em; overflow-wrap: anywhere; }
-.facts { display: grid; grid-template-columns: max-content 1fr; gap: 0.25rem 1.2rem; font-size: 0.9rem; }
+.facts { display: grid; grid-template-columns: max-content 1fr; gap: 0.25rem 1.2rem; max-width: none; font-size: 0.9rem; }
 .facts dt { color: var(--quiet); }
 .facts dd { margin: 0; overflow-wrap: anywhere; }
 .notice {
+  max-width: none;
   margin: 0 0 1.6rem;
   padding: 0.75rem 1rem;
   border-left: 4px solid var(--notice-rule);
@@ -98,7 +99,7 @@ code { font-size: 0.88em; overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; margin: 1.4rem 0 1.8rem; }
 table { border-collapse: collapse; width: 100%; font-size: 0.88rem; line-height: 1.4; }
 caption, figcaption { text-align: left; color: var(--quiet); font-size: 0.88rem; line-height: 1.45; }
-caption { padding-bottom: 0.6rem; }
+caption { max-width: calc(100vw - 3rem); padding-bottom: 0.6rem; }
 caption strong, figcaption strong { color: var(--text); }
 thead { border-top: 1.5px solid var(--text); border-bottom: 1px solid var(--text); }
 tbody { border-bottom: 1.5px solid var(--text); }
@@ -110,6 +111,7 @@ tbody th { font-weight: 400; overflow-wrap: anywhere; }
 .numeric th:not(:first-child), .numeric td { text-align: right; }
 .numeric td { font-variant-numeric: tabular-nums lining-nums; white-space: nowrap; }
 .numeric th[scope="colgroup"] { text-align: center; }
+thead th[scope="colgroup"] { background: linear-gradient(var(--rule), var(--rule)) bottom / calc(100% - 1.4rem) 1px no-repeat; }
 figure { margin: 1.8rem 0 2.2rem; }
 figure svg { display: block; width: 100%; max-width: 44rem; height: auto; margin-bottom: 0.5rem; }
 .definitions dt { font-weight: 600; }

@@ -118,9 +118,6 @@ std::string terminal_summary(const StudyTables& tables) {
   std::string text = fmt::format(
       "{}: {}, {}, {}\n", printable(tables.protocol_name), participants_in_words(tables),
       counted(tables.set.scenes.size(), "scene"), counted(tables.set.methods.size(), "method"));
-  if (const std::string warning = data_warning(tables); !warning.empty()) {
-    text += fmt::format("{}\n", warning);
-  }
   for (const Mark mark : marks) {
     text += fmt::format("\n{}", times_block(tables, mark));
   }

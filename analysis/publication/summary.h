@@ -7,8 +7,8 @@
 
 namespace foveola::analysis {
 
-/// Several lines of aligned plain text, at their top what must be known about the data, ended by a
-/// line break. Control characters in names are shown as "?".
+/// Several lines of aligned plain text, ended by a line break; the first says whether participants
+/// were simulated. Control characters in names are shown as "?".
 std::string terminal_summary(const StudyTables& tables);
 
 }  // namespace foveola::analysis

@@ -27,7 +27,7 @@ TEST(Summary, SaysThatDataAreSimulated) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  EXPECT_THAT(terminal_summary(tabulate_study(records)), HasSubstr("Simulated data"));
+  EXPECT_THAT(terminal_summary(tabulate_study(records)), HasSubstr("2 simulated participants"));
 }
 
 TEST(Summary, NamesCannotSteerTheTerminal) {
