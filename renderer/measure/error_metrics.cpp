@@ -47,15 +47,13 @@ ErrorMetrics compare_images(const RgbImage& image, const RgbImage& reference, Pi
       ++metrics.pixels;
     }
   }
-  if (metrics.pixels > 0) {
-    const auto mean = [total_weight](const DVec3& sum) {
-      return (sum.x + sum.y + sum.z) / (3.0 * total_weight);
-    };
-    metrics.rmse = std::sqrt(mean(squared));
-    metrics.relative_mse = mean(relative);
-    metrics.mean_image = mean(sum_image);
-    metrics.mean_reference = mean(sum_reference);
-  }
+  const auto mean = [total_weight](const DVec3& sum) {
+    return (sum.x + sum.y + sum.z) / (3.0 * total_weight);
+  };
+  metrics.rmse = std::sqrt(mean(squared));
+  metrics.relative_mse = mean(relative);
+  metrics.mean_image = mean(sum_image);
+  metrics.mean_reference = mean(sum_reference);
   return metrics;
 }
 

@@ -7,6 +7,7 @@
 
 namespace foveola {
 
+/// The means and errors are NaN where no pixel could be compared.
 struct ErrorMetrics {
   double rmse = 0.0;          ///< root of the mean squared difference over pixels and channels
   double relative_mse = 0.0;  ///< mean of d^2 / (r^2 + epsilon)

@@ -1,0 +1,302 @@
+#include "renderer/preview/preview.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "renderer/film/tone_mapping.h"
+#include "renderer/film/viewport_image.h"
+#include "renderer/measure/reference.h"
+#include "renderer/view/acuity.h"
+#include "renderer/view/equirect.h"
+#include "tests/renderer/preview/box_room.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+constexpr Nanoseconds frame_time = std::chrono::milliseconds(20);
+
+double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
+
+/// Says what a test tells it to say.
+class ToldEyeTracker final : public EyeTracker {
+ public:
+  void say(const std::optional<GazeSample>& sample) { newest_ = sample; }
+  std::optional<GazeSample> newest(Nanoseconds) override { return newest_; }
+
+ private:
+  std::optional<GazeSample> newest_;
+};
+
+PreviewSettings small_settings() {
+  PreviewSettings settings;
+  settings.film_width = 256;
+  settings.film_height = 128;
+  settings.view_width = 64;
+  settings.view_height = 48;
+  settings.trace.max_depth = 3;
+  return settings;
+}
+
+class PreviewTest : public testing::Test {
+ protected:
+  Scene scene_ = box_room(0.2F);
+  Workers workers_{2};
+  PathTracer tracer_{scene_, workers_};
+  FixedEyeTracker ahead_{Vec3(0.0F, 0.0F, -1.0F)};
+  ScriptedHeadTracker still_{{{.time = Nanoseconds(0), .heading = {}}}};
+  ToldEyeTracker told_;
+};
+
+/// The share of the film's samples in pixels whose centres `is_inside`.
+template <typename Predicate>
+double share_of_samples(const EquirectFilm& film, const Predicate& is_inside) {
+  std::uint64_t inside = 0;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      const Vec2 center((static_cast<float>(x) + 0.5F) / static_cast<float>(film.width()),
+                        (static_cast<float>(y) + 0.5F) / static_cast<float>(film.height()));
+      if (is_inside(direction_from_equirect(center))) {
+        inside += film.sample_count(x, y);
+      }
+    }
+  }
+  return static_cast<double>(inside) / static_cast<double>(film.total_samples());
+}
+
+TEST_F(PreviewTest, CountsFramesAndSamples) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  preview.restart("od", 1);
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    const Nanoseconds now = frame_time * i;
+    const FrameReport report = preview.render_frame(now, 1000 + i);
+    EXPECT_EQ(report.frame, i);
+    EXPECT_EQ(report.time, now);
+    EXPECT_EQ(report.samples, 1000 + i);
+    EXPECT_GT(report.rays, 1000U);
+  }
+  EXPECT_EQ(preview.film().total_samples(), 3003U);
+  EXPECT_TRUE(preview.dropped().empty());
+}
+
+TEST_F(PreviewTest, AFrameWithoutSamplesStillPollsAndReports) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  preview.restart("fv", 1);
+  const FrameReport report = preview.render_frame(frame_time, 0);
+  EXPECT_TRUE(report.gaze_valid);
+  EXPECT_EQ(report.samples, 0U);
+  EXPECT_EQ(report.rays, 0U);
+  EXPECT_EQ(preview.film().total_samples(), 0U);
+}
+
+TEST_F(PreviewTest, ARestartClearsTheFilmAndCountsAnew) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  preview.restart("od", 1);
+  preview.render_frame(frame_time, 4096);
+  preview.render_frame(frame_time, 4096);
+  const FilmImage first = preview.film().resolve();
+  preview.restart("fv", 2);
+  EXPECT_EQ(preview.film().total_samples(), 0U);
+  EXPECT_EQ(preview.render_frame(frame_time, 100).frame, 0U);
+  preview.restart("od", 1);
+  preview.render_frame(frame_time, 4096);
+  preview.render_frame(frame_time, 4096);
+  EXPECT_EQ(preview.film().resolve().color.pixels, first.color.pixels);
+}
+
+TEST_F(PreviewTest, AnUnknownMethodIsRefused) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  EXPECT_THROW(preview.restart("sharp", 1), Error);
+}
+
+// Two frames of half an image each make one sample in every pixel: the second goes on where the
+// first ended.
+TEST_F(PreviewTest, FramesContinueOneSequence) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  preview.restart("od", 3);
+  preview.render_frame(frame_time, 256 * 128 / 2);
+  preview.render_frame(frame_time, 256 * 128 / 2);
+  EXPECT_THAT(preview.film().resolve().samples, testing::Each(1U));
+}
+
+// Without the fixture: its workers would limit the threads of all others.
+TEST(PreviewThreads, TheFilmDependsOnTheSeedAndNotOnThreadsOrFrames) {
+  const Scene scene = box_room(0.2F);
+  FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = {}}});
+  const auto film = [&](int threads, std::uint32_t seed, const std::vector<std::uint64_t>& frames) {
+    const Workers workers(threads);
+    const PathTracer tracer(scene, workers);
+    Preview preview(tracer, small_settings(), eye, head, workers);
+    preview.restart("fv", seed);
+    for (const std::uint64_t samples : frames) {
+      preview.render_frame(frame_time, samples);
+    }
+    return preview.film().resolve();
+  };
+  const FilmImage expected = film(1, 7, {30'000});
+  for (const int threads : {2, 4}) {
+    const FilmImage image = film(threads, 7, {30'000});
+    EXPECT_EQ(image.color.pixels, expected.color.pixels) << threads << " threads";
+    EXPECT_EQ(image.samples, expected.samples) << threads << " threads";
+  }
+  EXPECT_EQ(film(2, 7, {1, 4096, 25'903}).color.pixels, expected.color.pixels);
+  EXPECT_NE(film(2, 8, {30'000}).color.pixels, expected.color.pixels);
+}
+
+TEST_F(PreviewTest, FvSamplesGatherAroundTheGaze) {
+  PreviewSettings settings = small_settings();
+  settings.film_width = 1024;  // so that whole pixels resolve the discs below
+  settings.film_height = 512;
+  const AzimuthElevation gaze = {.azimuth_rad = radians(60.0), .elevation_rad = radians(-30.0)};
+  FixedEyeTracker eye(direction_from(gaze));
+  Preview preview(tracer_, settings, eye, still_, workers_);
+  preview.restart("fv", 1);
+  preview.render_frame(frame_time, 1 << 17);
+  const FoveatedDistribution distribution;
+  for (const double radius_deg : {5.0, 15.0, 40.0}) {
+    const double share = share_of_samples(preview.film(), [&](const Vec3& direction) {
+      return angle_deg(direction, direction_from(gaze)) < radius_deg;
+    });
+    const double expected = distribution.cumulative(radius_deg) / distribution.cumulative(80.0);
+    EXPECT_NEAR(share, expected, 0.01) << radius_deg;
+  }
+}
+
+TEST_F(PreviewTest, VpSamplesStayInTheViewOfTheHead) {
+  const AzimuthElevation heading = {.azimuth_rad = radians(170.0), .elevation_rad = radians(20.0)};
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = heading}});
+  Preview preview(tracer_, small_settings(), ahead_, head, workers_);
+  preview.restart("vp", 1);
+  preview.render_frame(frame_time, 50'000);
+  const double pixel_rad = 2.0 * std::numbers::pi / 256.0;
+  const Viewport wider(head_orientation(heading), radians(100.0) + 4.0 * pixel_rad,
+                       radians(100.0) + 4.0 * pixel_rad);
+  EXPECT_EQ(share_of_samples(preview.film(),
+                             [&](const Vec3& direction) { return wider.project(direction); }),
+            1.0);
+  EXPECT_LT(angle_deg(preview.viewport().direction(Vec2(0.5F)), direction_from(heading)), 1e-3);
+}
+
+// 90 degrees of the head and 20 of the eye make 110 in the world.
+TEST_F(PreviewTest, TheGazeTurnsWithTheHead) {
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = {}},
+                            {.time = frame_time, .heading = {.azimuth_rad = radians(90.0)}}});
+  FixedEyeTracker eye(direction_from({.azimuth_rad = radians(20.0)}));
+  Preview preview(tracer_, small_settings(), eye, head, workers_);
+  preview.restart("fv", 1);
+  const FrameReport first = preview.render_frame(Nanoseconds(0), 1);
+  EXPECT_LT(angle_deg(first.gaze, direction_from({.azimuth_rad = radians(20.0)})), 1e-3);
+  const FrameReport second = preview.render_frame(frame_time, 1);
+  EXPECT_LT(angle_deg(second.gaze, direction_from({.azimuth_rad = radians(110.0)})), 1e-3);
+  EXPECT_NEAR(second.head.azimuth_rad, radians(90.0), 1e-9);
+}
+
+TEST_F(PreviewTest, LooksStraightAheadBeforeTheFirstValidGaze) {
+  const AzimuthElevation heading = {.azimuth_rad = 0.4, .elevation_rad = 0.2};
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = heading}});
+  Preview preview(tracer_, small_settings(), told_, head, workers_);
+  preview.restart("fv", 1);
+  const auto expect_ahead = [&](const FrameReport& report) {
+    EXPECT_LT(angle_deg(report.gaze, direction_from(heading)), 1e-3);
+    EXPECT_FALSE(report.gaze_valid);
+    EXPECT_EQ(report.gaze_age, Nanoseconds(0));
+  };
+  expect_ahead(preview.render_frame(frame_time, 1));
+  told_.say(GazeSample{.time = frame_time, .direction = Vec3(1.0F, 0.0F, 0.0F), .valid = false});
+  expect_ahead(preview.render_frame(2 * frame_time, 1));
+}
+
+TEST_F(PreviewTest, HoldsTheLastValidGazeThroughABlink) {
+  const Vec3 looked_at = direction_from({.azimuth_rad = 0.3});
+  Preview preview(tracer_, small_settings(), told_, still_, workers_);
+  preview.restart("fv", 1);
+  told_.say(GazeSample{.time = frame_time, .direction = looked_at, .valid = true});
+  const FrameReport open = preview.render_frame(2 * frame_time, 1);
+  EXPECT_TRUE(open.gaze_valid);
+  EXPECT_EQ(open.gaze_age, frame_time);
+  told_.say(GazeSample{.time = 3 * frame_time, .direction = -looked_at, .valid = false});
+  const FrameReport blink = preview.render_frame(4 * frame_time, 1);
+  EXPECT_FALSE(blink.gaze_valid);
+  EXPECT_LT(angle_deg(blink.gaze, looked_at), 1e-3);
+  EXPECT_EQ(blink.gaze_age, 3 * frame_time);
+}
+
+TEST_F(PreviewTest, PresentsTheViewOfTheLastFrame) {
+  PreviewSettings settings = small_settings();
+  settings.exposure_stops = 1.0;
+  const AzimuthElevation heading = {.azimuth_rad = 2.0, .elevation_rad = -0.3};
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = heading}});
+  Preview preview(tracer_, settings, ahead_, head, workers_);
+  preview.restart("fv", 1);
+  preview.render_frame(frame_time, 2000);
+  const Viewport view(head_orientation(heading), radians(100.0), radians(100.0));
+  const RgbImage expected = display_image(viewport_image(preview.film(), view, 64, 48), 1.0);
+  const RgbImage presented = preview.present();
+  EXPECT_EQ(presented.width, 64);
+  EXPECT_EQ(presented.height, 48);
+  EXPECT_EQ(presented.pixels, expected.pixels);
+  EXPECT_NE(presented.pixels, RgbImage(64, 48).pixels);
+}
+
+TEST_F(PreviewTest, ReportsSamplesThatAreNotFinite) {
+  Scene scene = box_room(0.5F);
+  scene.meshes.erase(scene.meshes.begin() + 4);  // the wall ahead
+  scene.environment = Environment{.radiance = Rgb(std::numeric_limits<float>::infinity())};
+  const PathTracer tracer(scene, workers_);
+  Preview preview(tracer, small_settings(), ahead_, still_, workers_);
+  preview.restart("od", 1);
+  preview.render_frame(frame_time, 10'000);
+  EXPECT_EQ(preview.film().total_samples() + preview.dropped().size(), 10'000U);
+  EXPECT_GT(preview.dropped().size(), 1000U);  // the missing wall is a sixth of the sphere
+  preview.restart("od", 1);
+  EXPECT_TRUE(preview.dropped().empty());
+}
+
+// A preview that shared paths with the reference of the same seed would look closer to it than it
+// is: the noise of both would go together.
+TEST_F(PreviewTest, SharesNoNoiseWithTheReferenceOfItsSeed) {
+  PreviewSettings settings = small_settings();
+  settings.film_width = 64;
+  settings.film_height = 32;
+  Preview preview(tracer_, settings, ahead_, still_, workers_);
+  preview.restart("od", 5);
+  preview.render_frame(frame_time, 64 * 32);
+  const fs::path cache = fs::path(testing::TempDir()) / "preview_and_reference";
+  fs::remove_all(cache);
+  const auto reference = [&](int samples_per_pixel, std::uint32_t seed) {
+    const ReferenceSettings same{.width = settings.film_width,
+                                 .height = settings.film_height,
+                                 .max_depth = settings.trace.max_depth,
+                                 .seed = seed,
+                                 .samples_per_pixel = samples_per_pixel};
+    return reference_image(tracer_, "room", same, workers_, cache, [](double) {}, {});
+  };
+  const FilmImage truth = reference(64, 99);
+  const FilmImage same_seed = reference(1, 5);
+  fs::remove_all(cache);
+  double covariance = 0.0;
+  double variance_preview = 0.0;
+  double variance_reference = 0.0;
+  for (int y = 0; y < settings.film_height; ++y) {
+    for (int x = 0; x < settings.film_width; ++x) {
+      const double a = preview.film().mean(x, y).g - truth.color.at(x, y).g;
+      const double b = same_seed.color.at(x, y).g - truth.color.at(x, y).g;
+      covariance += a * b;
+      variance_preview += a * a;
+      variance_reference += b * b;
+    }
+  }
+  // Of 2048 pixels: five standard errors. The truth's own noise, common to both, is a 64th.
+  EXPECT_LT(covariance / std::sqrt(variance_preview * variance_reference),
+            1.0 / 64.0 + 5.0 / std::sqrt(2048.0));
+}
+
+}  // namespace
+}  // namespace foveola
