@@ -190,7 +190,6 @@ SQLite::Database open_study_to_read(const fs::path& path) {
   SQLite::Database database = has_write_ahead_log(file)
                                   ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
                                   : open_immutable(file);
-  database.exec("PRAGMA trusted_schema = OFF");
   require_sound(database, path);
   return database;
 }
@@ -214,7 +213,7 @@ SQLite::Database open_study_to_write(const fs::path& path) {
     throw Error(path.string(), "cannot be written", "check its permissions");
   }
   SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
-  database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL; PRAGMA trusted_schema = OFF");
+  database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
   if (mode != "wal") {
     throw Error(path.string(), "its folder does not support a write-ahead log",

@@ -1,0 +1,274 @@
+#include "study/record/database.h"
+
+#include <fstream>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "small_study.h"
+#include "study/record/study_records.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+void write_bytes(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+void overwrite(const fs::path& path, std::int64_t offset, const std::string& bytes) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(offset);
+  file << bytes;
+}
+
+void run_sql(const fs::path& path, const std::string& sql) {
+  SQLite::Database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(sql);
+}
+
+/// A study with one completed trial in one session.
+void write_small_study(const fs::path& path) {
+  StudyStore store(path, small_protocol());
+  RecordedSession session(store, facts_of("P01"), small_plan());
+  session.begin();
+  session.run_trial(ms(100), ms(2000), ms(3000), 2);
+}
+
+/// A user who may not do everything, for the length of a scope.
+class OrdinaryUser {
+ public:
+  OrdinaryUser() {
+    if (original_ == 0) {
+      constexpr uid_t nobody = 65534;
+      EXPECT_EQ(::setresuid(nobody, nobody, original_), 0);
+    }
+  }
+  ~OrdinaryUser() { EXPECT_EQ(::setresuid(original_, original_, original_), 0); }
+  OrdinaryUser(const OrdinaryUser&) = delete;
+  OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+ private:
+  uid_t original_ = ::geteuid();
+};
+
+/// A file that is no study, and the words that must say so.
+struct BadFile {
+  std::string name;
+  std::function<void(const fs::path&)> make;
+  std::string message;
+};
+
+void PrintTo(const BadFile& file, std::ostream* out) { *out << file.name; }
+
+class BadFiles : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadFiles, AreRefusedByReaderAndWriterAndLeftAsTheyWere) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "bad.sqlite";
+  GetParam().make(path);
+  const auto before = folder.content();
+  const auto message = AllOf(StartsWith(path.string() + ": "), HasSubstr(GetParam().message));
+
+  EXPECT_THAT(refusal([&] { read_study(path); }), message);
+  EXPECT_EQ(folder.content(), before);
+  EXPECT_THAT(refusal([&] { const StudyStore store(path, small_protocol()); }), message);
+  EXPECT_EQ(folder.content(), before);
+}
+
+std::vector<BadFile> bad_files() {
+  return {
+      {"Text", [](const fs::path& path) { write_bytes(path, std::string(5000, 'x')); },
+       "is no database"},
+      {"ShortText", [](const fs::path& path) { write_bytes(path, "x"); }, "is no study of Foveola"},
+      {"Empty", [](const fs::path& path) { write_bytes(path, ""); }, "is no study of Foveola"},
+      {"Folder", [](const fs::path& path) { fs::create_directory(path); }, "is "},
+      {"Pipe", [](const fs::path& path) { ::mkfifo(path.c_str(), 0600); }, "is no file"},
+      {"OtherDatabase", [](const fs::path& path) { run_sql(path, "CREATE TABLE t (x)"); },
+       "is no study of Foveola"},
+      {"OtherApplication",
+       [](const fs::path& path) {
+         write_small_study(path);
+         overwrite(path, 68, "Abcd");
+       },
+       "is no study of Foveola"},
+      {"NewerSchema",
+       [](const fs::path& path) {
+         write_small_study(path);
+         overwrite(path, 63, "\x02");
+       },
+       "has schema 2, and this program knows only 1; use a newer Foveola"},
+      {"Truncated",
+       [](const fs::path& path) {
+         write_small_study(path);
+         fs::resize_file(path, fs::file_size(path) / 2);
+       },
+       "is damaged"},
+      {"OverwrittenPages",
+       [](const fs::path& path) {
+         write_small_study(path);
+         overwrite(path, 8192, std::string(8192, '\x5a'));
+       },
+       "is damaged"},
+      {"GuardRemoved",
+       [](const fs::path& path) {
+         write_small_study(path);
+         run_sql(path, "DROP TRIGGER event_stays");
+       },
+       "its trigger event_stays is missing or was changed"},
+      {"EndlessView",
+       [](const fs::path& path) {
+         write_small_study(path);
+         run_sql(path,
+                 "DROP VIEW trial_result; CREATE VIEW trial_result AS WITH RECURSIVE n(i) AS"
+                 " (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n ORDER BY i");
+       },
+       "its view trial_result is missing or was changed"},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Database, BadFiles, testing::ValuesIn(bad_files()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+TEST(Database, ReaderRefusesWhatIsNotThereAndMakesNothing) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(refusal([&] { read_study(folder / "none.sqlite"); }), HasSubstr("no such file"));
+  EXPECT_TRUE(folder.content().empty());
+}
+
+TEST(Database, WriterRefusesFoldersThatAreMissingOrClosed) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(refusal([&] { const StudyStore store(folder / "none/a.sqlite", small_protocol()); }),
+              HasSubstr("does not exist"));
+  fs::permissions(folder.path(), fs::perms(0555));
+  const OrdinaryUser user;
+  EXPECT_THAT(refusal([&] { const StudyStore store(folder / "a.sqlite", small_protocol()); }),
+              HasSubstr("cannot be written"));
+  EXPECT_TRUE(folder.content().empty());
+}
+
+TEST(Database, WriterRefusesAFileItMayOnlyRead) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  fs::permissions(path, fs::perms(0444));
+  fs::permissions(folder.path(), fs::perms(0777));
+  const auto before = folder.content();
+  {
+    const OrdinaryUser user;
+    EXPECT_THAT(refusal([&] { const StudyStore store(path, small_protocol()); }),
+                HasSubstr("cannot be written"));
+  }
+  EXPECT_EQ(folder.content(), before);
+}
+
+TEST(Database, WriterRefusesAnotherProtocol) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  const auto before = folder.content();
+  EXPECT_THAT(refusal([&] { const StudyStore store(path, other_protocol()); }),
+              HasSubstr("was begun with another protocol than other.toml"));
+  EXPECT_EQ(folder.content(), before);
+}
+
+// What a crash leaves: the file, and beside it a log that holds the newest commits.
+TEST(Database, LogOfACrashIsReadAndSurvivesARefusal) {
+  const TemporaryFolder folder;
+  const TemporaryFolder crashed;
+  const fs::path path = crashed / "study.sqlite";
+  {
+    StudyStore store(folder / "study.sqlite", small_protocol());
+    RecordedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    fs::copy(folder / "study.sqlite", path);
+    fs::copy(folder / "study.sqlite-wal", crashed / "study.sqlite-wal");
+  }
+  const auto before = crashed.content();
+  refusal([&] { const StudyStore store(path, other_protocol()); });
+  EXPECT_EQ(crashed.content().at("study.sqlite"), before.at("study.sqlite"));
+  EXPECT_EQ(crashed.content().at("study.sqlite-wal"), before.at("study.sqlite-wal"));
+
+  EXPECT_EQ(read_study(path).sessions.at(0).state, "choosing_object");
+  { const StudyStore recovered(path, small_protocol()); }
+  EXPECT_THAT(crashed.content(), testing::SizeIs(1));
+  EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "2");
+}
+
+TEST(Database, ReadsInAFolderThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  fs::permissions(folder.path(), fs::perms(0555));
+  {
+    const OrdinaryUser user;
+    EXPECT_EQ(read_study(path).trials.size(), 4U);
+  }
+  EXPECT_THAT(folder.content(), testing::SizeIs(1));
+}
+
+TEST(Database, PathsMayHoldWhatIsSpecialInAUri) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "50%20? a#b&immutable=0.sqlite";
+  write_small_study(path);
+  EXPECT_EQ(read_study(path).sessions.size(), 1U);
+  EXPECT_EQ(folder.content().count("50%20? a#b&immutable=0.sqlite"), 1U);
+  EXPECT_EQ(folder.content().size(), 1U);
+}
+
+TEST(Database, WritersConnectionIsDurable) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  create_study(path, small_protocol());
+  SQLite::Database database = open_study_to_write(path);
+  EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "wal");
+  constexpr int full = 2;
+  EXPECT_EQ(database.execAndGet("PRAGMA synchronous").getInt(), full);
+  EXPECT_EQ(database.execAndGet("PRAGMA foreign_keys").getInt(), 1);
+  EXPECT_GT(database.execAndGet("PRAGMA busy_timeout").getInt(), 0);
+}
+
+TEST(Database, NewStudyNeverTakesTheNameOfAnother) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  const auto before = folder.content();
+  create_study(path, small_protocol());
+  EXPECT_EQ(folder.content(), before);
+}
+
+TEST(Database, FullDiskIsNamed) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  create_study(path, small_protocol());
+  SQLite::Database database = open_study_to_write(path);
+  database.exec("CREATE TABLE filler (x)");
+  database.execAndGet("PRAGMA max_page_count = 1");
+  EXPECT_THAT(refusal([&] {
+                with_clear_errors(
+                    path, [&] { database.exec("INSERT INTO filler VALUES (zeroblob(1000000))"); });
+              }),
+              AllOf(StartsWith(path.string()), HasSubstr("the disk is full; free some space")));
+}
+
+TEST(Database, BusyFileIsNamed) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  create_study(path, small_protocol());
+  SQLite::Database first = open_study_to_write(path);
+  SQLite::Database second = open_study_to_write(path);
+  second.setBusyTimeout(0);
+  first.exec("BEGIN IMMEDIATE");
+  EXPECT_THAT(refusal([&] { with_clear_errors(path, [&] { second.exec("BEGIN IMMEDIATE"); }); }),
+              HasSubstr("is in use by another program"));
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,174 @@
+// What is acknowledged stays: through kills, full disks and, as far as a test can see it, power
+// cuts.
+#include <atomic>
+#include <csignal>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "small_study.h"
+#include "study/record/study_records.h"
+#include "study/record/study_store.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::atomic<int> sync_count = 0;
+
+}  // namespace
+
+// SQLite finds these before the C library's, so that the tests can count how often it syncs.
+extern "C" int fsync(int file) {
+  ++sync_count;
+  return static_cast<int>(::syscall(SYS_fsync, file));
+}
+extern "C" int fdatasync(int file) {
+  ++sync_count;
+  return static_cast<int>(::syscall(SYS_fdatasync, file));
+}
+
+namespace foveola::study {
+namespace {
+
+int syncs_during(const std::function<void()>& work) {
+  const int before = sync_count;
+  work();
+  return sync_count - before;
+}
+
+TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
+  const TemporaryFolder folder;
+  StudyStore store(folder / "study.sqlite", small_protocol());
+  std::int64_t session = 0;
+  EXPECT_GE(syncs_during([&] { session = store.begin_session(facts_of("P01"), small_plan()); }), 1);
+  const SessionState armed{.phase = Phase::armed, .object = "vase"};
+  EXPECT_GE(syncs_during([&] {
+              store.record_event(session, ms(1), ObjectChosen{"vase"},
+                                 {.phase = Phase::choosing_object}, armed);
+            }),
+            1);
+  EXPECT_GE(syncs_during([&] { store.record_frames(session, 0, 1, 0, {FrameRow{}}); }), 1);
+}
+
+/// Times one method again and again, with one byte on `acknowledgements` for each recorded event.
+[[noreturn]] void record_until_killed(const fs::path& path, int acknowledgements) {
+  StudyStore store(path, small_protocol());
+  RecordedSession session(store, facts_of("P01"), small_plan());
+  const auto acknowledge = [&](const Event& event) {
+    session.happen(ms(1), event);
+    if (::write(acknowledgements, "!", 1) != 1) {
+      ::_exit(1);
+    }
+  };
+  acknowledge(SessionStarted{});
+  acknowledge(BackgroundAnswered{});
+  acknowledge(ObjectChosen{"vase"});
+  while (true) {
+    acknowledge(FirstFramePresented{ms(1)});
+    acknowledge(OutlineMarked{ms(1)});
+    acknowledge(RetimeRequested{});
+  }
+}
+
+/// Kills a recording program once it has acknowledged `enough` events. Returns how many it had.
+int kill_after(const fs::path& path, int enough) {
+  std::array<int, 2> pipe_ends{};
+  EXPECT_EQ(::pipe(pipe_ends.data()), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    record_until_killed(path, pipe_ends[1]);
+  }
+  ::close(pipe_ends[1]);
+  int acknowledged = 0;
+  char byte = 0;
+  while (acknowledged < enough && ::read(pipe_ends[0], &byte, 1) == 1) {
+    ++acknowledged;
+  }
+  ::kill(child, SIGKILL);
+  while (::read(pipe_ends[0], &byte, 1) == 1) {
+    ++acknowledged;
+  }
+  ::close(pipe_ends[0]);
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status)) << "the program ended by itself";
+  return acknowledged;
+}
+
+TEST(Durability, KilledProgramHasKeptAllItAcknowledged) {
+  for (const int enough : {1, 3, 20, 100}) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "study.sqlite";
+    const int acknowledged = kill_after(path, enough);
+    EXPECT_GE(acknowledged, enough);
+
+    EXPECT_EQ(read_study(path).sessions.size(), 1U);
+    { const StudyStore recovered(path, small_protocol()); }
+    EXPECT_THAT(folder.content(), testing::SizeIs(1));
+    EXPECT_EQ(query(path, "PRAGMA integrity_check"), "ok");
+    const int kept = std::stoi(query(path, "SELECT count(*) FROM event"));
+    EXPECT_GE(kept, acknowledged);
+    EXPECT_LE(kept, acknowledged + 1) << "only the event at work may be kept unacknowledged";
+    EXPECT_EQ(query(path, "SELECT max(sequence) FROM event"), std::to_string(kept));
+  }
+}
+
+/// No file can grow beyond a size for the length of a scope.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &original_);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = original_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &original_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit original_{};
+};
+
+TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  constexpr std::uint64_t frames_per_chunk = 1000;
+  std::uint64_t acknowledged = 0;
+  {
+    StudyStore store(path, small_protocol());
+    RecordedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    session.happen(ms(20), ObjectChosen{"vase"});
+    const std::vector<FrameRow> frames(frames_per_chunk);
+    const auto record_chunk = [&] {
+      store.record_frames(session.id(), 0, 1, acknowledged * frames_per_chunk, frames);
+      ++acknowledged;
+    };
+    {
+      const FileSizeLimit limit(1'000'000);
+      const std::string message = refusal([&] {
+        while (acknowledged < 100) {
+          record_chunk();
+        }
+      });
+      EXPECT_THAT(message, testing::AllOf(testing::StartsWith(path.string() + ": "),
+                                          testing::HasSubstr("acknowledged is safe")));
+    }
+    EXPECT_GT(acknowledged, 0U);
+    record_chunk();
+  }
+  EXPECT_EQ(query(path, "SELECT count(*) FROM frame_chunk"), std::to_string(acknowledged));
+  EXPECT_EQ(query(path, "PRAGMA integrity_check"), "ok");
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,124 @@
+#include "small_study.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return std::move(bytes).str();
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "foveola-record-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw std::runtime_error("no temporary folder: " + name);
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::map<std::string, std::string> TemporaryFolder::content() const {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+    files[entry.path().filename()] = entry.is_regular_file() ? bytes_of(entry.path()) : "";
+  }
+  return files;
+}
+
+Protocol small_protocol() {
+  Protocol protocol;
+  protocol.name = "small";
+  protocol.title = "A small study";
+  protocol.scenes = {{.name = "box"}, {.name = "hall"}};
+  protocol.methods = {"od", "fv"};
+  protocol.path = "small.toml";
+  protocol.text = "name = \"small\"\n";
+  protocol.sha256 = std::string(64, 'a');
+  return protocol;
+}
+
+Protocol other_protocol() {
+  Protocol protocol = small_protocol();
+  protocol.text += "# changed\n";
+  protocol.sha256 = std::string(64, 'b');
+  protocol.path = "other.toml";
+  return protocol;
+}
+
+Plan small_plan() {
+  return {{.scene = "hall", .method = "fv", .scene_position = 0, .method_position = 0},
+          {.scene = "hall", .method = "od", .scene_position = 0, .method_position = 1},
+          {.scene = "box", .method = "od", .scene_position = 1, .method_position = 0},
+          {.scene = "box", .method = "fv", .scene_position = 1, .method_position = 1}};
+}
+
+SessionFacts facts_of(const std::string& participant) {
+  return {.participant = participant,
+          .kind = SessionKind::simulated,
+          .seed = 18'446'744'073'709'551'615U,
+          .build = {.version = "0.1.0", .compiler = "GNU 12.2.0", .build_type = "Release"},
+          .machine = {.processor = "A processor", .cores = 2, .system = "Linux 6.1"},
+          .scenes = {{.name = "box", .file_name = "box.glb", .sha256 = std::string(64, 'c')},
+                     {.name = "hall", .file_name = "hall.glb", .sha256 = std::string(64, 'd')}}};
+}
+
+RecordedSession::RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan)
+    : store_(store), plan_(plan), id_(store.begin_session(facts, plan)) {}
+
+void RecordedSession::happen(Nanoseconds time, const Event& event) {
+  const std::optional<Transition> transition = step(plan_, state_, event);
+  ASSERT_TRUE(transition) << name_of(event) << " in " << name_of(state_.phase);
+  store_.record_event(id_, time, event, state_, transition->state);
+  state_ = transition->state;
+}
+
+void RecordedSession::begin() {
+  happen(ms(0), SessionStarted{});
+  happen(ms(10), BackgroundAnswered{{{.question = "age", .value = 31},
+                                     {.question = "cg_experience", .value = 4}}});
+}
+
+void RecordedSession::run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material,
+                                int rating) {
+  happen(first_frame - ms(1), ObjectChosen{"vase"});
+  happen(first_frame, FirstFramePresented{first_frame});
+  happen(first_frame + outline, OutlineMarked{first_frame + outline});
+  happen(first_frame + material, MaterialMarked{first_frame + material});
+  happen(first_frame + material + ms(1), ArtifactsRated{rating});
+}
+
+std::string query(const fs::path& path, const std::string& sql) {
+  SQLite::Database database(path, SQLite::OPEN_READONLY);
+  return database.execAndGet(sql).getString();
+}
+
+std::string refusal(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {};
+}
+
+}  // namespace foveola::study

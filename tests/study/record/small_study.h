@@ -1,0 +1,72 @@
+// A study small enough to know by heart, for the tests of its record.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "study/record/study_store.h"
+
+namespace foveola::study {
+
+/// A new folder that goes, with all that is in it, at the end of the scope.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  /// Each regular file's name and bytes.
+  std::map<std::string, std::string> content() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+constexpr Nanoseconds ms(std::int64_t milliseconds) {
+  return std::chrono::milliseconds(milliseconds);
+}
+
+/// Scenes "box" and "hall", methods "od" and "fv".
+Protocol small_protocol();
+/// The same with another text.
+Protocol other_protocol();
+
+/// hall fv, hall od, box od, box fv.
+Plan small_plan();
+
+SessionFacts facts_of(const std::string& participant);
+
+/// Takes a session through events and records each.
+class RecordedSession {
+ public:
+  RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan);
+
+  /// Fails the test if the session does not allow the event.
+  void happen(Nanoseconds time, const Event& event);
+  void begin();  ///< until the first trial's object is to be chosen
+  /// One whole trial: the first frame at `first_frame`, the marks so long after it.
+  void run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material, int rating);
+
+  std::int64_t id() const { return id_; }
+  const SessionState& state() const { return state_; }
+
+ private:
+  StudyStore& store_;
+  Plan plan_;
+  std::int64_t id_;
+  SessionState state_;
+};
+
+/// The single value of a query, as text, by a connection of its own.
+std::string query(const std::filesystem::path& path, const std::string& sql);
+
+/// The message of the Error that `work` throws; a failure and empty if it throws none.
+std::string refusal(const std::function<void()>& work);
+
+}  // namespace foveola::study

@@ -1,0 +1,140 @@
+#include "study/record/study_records.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "small_study.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::ElementsAre;
+using testing::FieldsAre;
+
+class Records : public testing::Test {
+ protected:
+  RecordedSession session_of(const std::string& participant) {
+    RecordedSession session(store_, facts_of(participant), small_plan());
+    session.begin();
+    return session;
+  }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+  StudyStore store_{path_, small_protocol()};
+};
+
+TEST_F(Records, OfACompletedSession) {
+  RecordedSession session = session_of("P01");
+  session.run_trial(ms(1000), ms(500), ms(1500), 1);
+  session.run_trial(ms(11'000), ms(4000), ms(9250), 4);
+  session.run_trial(ms(31'000), ms(2000), ms(2000), 3);
+  session.run_trial(ms(41'000), ms(250), ms(750), 5);
+  const StudyRecords records = read_study(path_);
+
+  EXPECT_EQ(records.protocol_name, "small");
+  EXPECT_EQ(records.protocol_title, "A small study");
+  EXPECT_EQ(records.protocol_sha256, small_protocol().sha256);
+  EXPECT_THAT(records.scenes, ElementsAre("box", "hall"));
+  EXPECT_THAT(records.methods, ElementsAre("od", "fv"));
+  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "completed")));
+  EXPECT_THAT(records.trials,
+              ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 1, 0.5, 1.5, false, false, 1),
+                          FieldsAre("P01", "hall", "od", 0, 1, 1, 4.0, 9.25, false, false, 4),
+                          FieldsAre("P01", "box", "od", 1, 0, 1, 2.0, 2.0, false, false, 3),
+                          FieldsAre("P01", "box", "fv", 1, 1, 1, 0.25, 0.75, false, false, 5)));
+  EXPECT_THAT(records.background,
+              ElementsAre(FieldsAre("P01", "age", 31.0), FieldsAre("P01", "cg_experience", 4.0)));
+}
+
+TEST_F(Records, GiveTheLastAttempt) {
+  RecordedSession session = session_of("P01");
+  session.happen(ms(20), ObjectChosen{"vase"});
+  session.happen(ms(1000), FirstFramePresented{ms(1000)});
+  session.happen(ms(2000), OutlineMarked{ms(2000)});
+  session.happen(ms(3000), MaterialMarked{ms(3000)});
+  session.happen(ms(3100), RetimeRequested{});
+  session.happen(ms(5000), FirstFramePresented{ms(5000)});
+  session.happen(ms(5250), OutlineMarked{ms(5250)});
+  EXPECT_THAT(read_study(path_).trials.at(0), FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25,
+                                                        std::nullopt, false, false, std::nullopt));
+  session.happen(ms(5500), MaterialMarked{ms(5500)});
+  session.happen(ms(5600), ArtifactsRated{2});
+  EXPECT_THAT(read_study(path_).trials.at(0),
+              FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25, 0.5, false, false, 2));
+  EXPECT_EQ(query(path_, "SELECT group_concat(time_ns) FROM mark"),
+            "1000000000,2000000000,250000000,500000000");
+}
+
+TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
+  RecordedSession session = session_of("P01");
+  session.happen(ms(20), ObjectChosen{"vase"});
+  session.happen(ms(1000), FirstFramePresented{ms(1000)});
+  session.happen(ms(121'000), TimedOut{ms(121'000)});
+  session.happen(ms(121'500), MaterialMarked{ms(121'500)});
+  session.happen(ms(121'600), ArtifactsRated{5});
+  session.happen(ms(121'700), ObjectChosen{"vase"});
+  session.happen(ms(122'000), FirstFramePresented{ms(122'000)});
+  session.happen(ms(123'000), OutlineMarked{ms(123'000)});
+  session.happen(ms(243'000), TimedOut{ms(243'000)});
+  const StudyRecords records = read_study(path_);
+  EXPECT_THAT(records.trials.at(0),
+              FieldsAre("P01", "hall", "fv", 0, 0, 1, 120.0, 120.5, true, false, 5));
+  EXPECT_THAT(records.trials.at(1),
+              FieldsAre("P01", "hall", "od", 0, 1, 1, 1.0, 121.0, false, true, std::nullopt));
+}
+
+TEST_F(Records, HoldInterruptedSessionsWithWhatTheyReached) {
+  RecordedSession session = session_of("P01");
+  session.run_trial(ms(1000), ms(500), ms(1500), 1);
+  session.happen(ms(5000), ObjectChosen{"vase"});
+  session.happen(ms(6000), FirstFramePresented{ms(6000)});
+  session.happen(ms(7000), Interrupted{});
+  const StudyRecords records = read_study(path_);
+  EXPECT_EQ(records.sessions.at(0).state, "interrupted");
+  ASSERT_THAT(records.trials, testing::SizeIs(4));
+  EXPECT_EQ(records.trials[0].artifact_rating, 1);
+  EXPECT_EQ(records.trials[1].attempts, 1);
+  EXPECT_EQ(records.trials[1].outline_s, std::nullopt);
+  EXPECT_EQ(records.trials[2].attempts, 0);
+}
+
+TEST_F(Records, LeaveOutWhatAParticipantTookBack) {
+  RecordedSession withdrawn = session_of("P01");
+  withdrawn.run_trial(ms(1000), ms(500), ms(1500), 1);
+  withdrawn.happen(ms(5000), Withdrawn{});
+  session_of("P02");
+  const StudyRecords records = read_study(path_);
+  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "withdrawn"),
+                                            FieldsAre("P02", "simulated", "choosing_object")));
+  EXPECT_THAT(records.trials, testing::Each(testing::Field(&TrialRow::participant, "P02")));
+  EXPECT_THAT(records.trials, testing::SizeIs(4));
+  EXPECT_THAT(records.background,
+              testing::Each(testing::Field(&BackgroundRow::participant, "P02")));
+}
+
+TEST_F(Records, SayWhetherAnySessionWasSimulated) {
+  SessionFacts human = facts_of("P01");
+  human.kind = SessionKind::human;
+  SessionFacts pilot = facts_of("P02");
+  pilot.kind = SessionKind::pilot;
+  store_.begin_session(human, small_plan());
+  store_.begin_session(pilot, small_plan());
+  EXPECT_FALSE(read_study(path_).has_simulated());
+  EXPECT_THAT(read_study(path_).sessions, ElementsAre(FieldsAre("P01", "human", "created"),
+                                                      FieldsAre("P02", "pilot", "created")));
+  store_.begin_session(facts_of("P03"), small_plan());
+  EXPECT_TRUE(read_study(path_).has_simulated());
+}
+
+TEST_F(Records, OfANewStudyAreEmpty) {
+  const StudyRecords records = read_study(path_);
+  EXPECT_TRUE(records.sessions.empty());
+  EXPECT_TRUE(records.trials.empty());
+  EXPECT_FALSE(records.has_simulated());
+}
+
+}  // namespace
+}  // namespace foveola::study
