@@ -58,7 +58,7 @@ Vec3 shading_normal_at(const Mesh& mesh, const Hit& hit, const Vec3& geometric_n
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const Triangle triangle(mesh, hit.triangle);
-  const Vec3 front_normal = glm::normalize(triangle.area_normal());
+  const Vec3 front_normal = triangle.front_normal();
   const Vec3 geometric_normal =
       glm::dot(front_normal, direction) > 0.0F ? -front_normal : front_normal;
   return {.origin = triangle.at(hit.barycentric) + triangle.rounding_error() * geometric_normal,
@@ -83,7 +83,7 @@ SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3&
   if (!material.is_emissive()) {
     return {};
   }
-  const Vec3 front_normal = glm::normalize(Triangle(mesh, hit.triangle).area_normal());
+  const Vec3 front_normal = Triangle(mesh, hit.triangle).front_normal();
   const float front_cosine = -glm::dot(front_normal, direction);
   if (front_cosine <= 0.0F && !material.double_sided) {
     return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -29,8 +30,20 @@ struct Triangle {
         p1(mesh.positions[mesh.triangles[index][1]]),
         p2(mesh.positions[mesh.triangles[index][2]]) {}
 
-  /// The front face's normal, as long as twice the area.
-  Vec3 area_normal() const { return glm::cross(p1 - p0, p2 - p0); }
+  /// The front face's normal, unit length; not a number without area.
+  Vec3 front_normal() const {
+    const Vec3 normal = glm::cross(p1 - p0, p2 - p0);
+    const float squared_length = glm::dot(normal, normal);
+    if (squared_length > 1e-30F && squared_length < 1e30F) {
+      return normal / std::sqrt(squared_length);
+    }
+    // The squares of very small or large sides' products leave the range of a float.
+    return glm::normalize(glm::cross(DVec3(p1) - DVec3(p0), DVec3(p2) - DVec3(p0)));
+  }
+
+  double area() const {
+    return 0.5 * glm::length(glm::cross(DVec3(p1) - DVec3(p0), DVec3(p2) - DVec3(p0)));
+  }
 
   Vec3 at(const Vec2& barycentric) const {
     return (1.0F - barycentric.x - barycentric.y) * p0 + barycentric.x * p1 + barycentric.y * p2;

@@ -36,11 +36,6 @@ double exitance(const Scene& scene, const Material& material) {
   return sides * std::numbers::pi * luminance(radiance);
 }
 
-double area_of(const Triangle& triangle) {
-  return 0.5 * glm::length(glm::cross(DVec3(triangle.p1) - DVec3(triangle.p0),
-                                      DVec3(triangle.p2) - DVec3(triangle.p0)));
-}
-
 /// Uniform barycentric coordinates (Heitz 2019, "A Low-Distortion Map Between Triangle and
 /// Square").
 Vec2 sample_barycentric(const Vec2& u) {
@@ -61,9 +56,14 @@ TriangleLights::TriangleLights(const Scene& scene)
     }
     exitance_of_mesh[m] = exitance(scene, material);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const double power = area_of(Triangle(mesh, t)) * exitance_of_mesh[m];
+      const Triangle triangle(mesh, t);
+      const double power = triangle.area() * exitance_of_mesh[m];
       if (power > 0.0 && std::isfinite(power)) {
-        triangles_.push_back({m, t});
+        emitters_.push_back({.triangle = triangle,
+                             .front_normal = triangle.front_normal(),
+                             .rounding_error = triangle.rounding_error(),
+                             .mesh = m,
+                             .index = t});
         powers.push_back(power);
         power_ += power;
       }
@@ -81,28 +81,27 @@ TriangleLights::TriangleLights(const Scene& scene)
 std::optional<TriangleLights::Sample> TriangleLights::sample(const Vec3& receiver,
                                                              const Vec2& u_choice,
                                                              const Vec2& u) const {
-  const Emitter& emitter = triangles_[choice_->sample(u_choice)];
+  const Emitter& emitter = emitters_[choice_->sample(u_choice)];
   const Mesh& mesh = scene_.meshes[emitter.mesh];
   const Material& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
-  const Triangle triangle(mesh, emitter.triangle);
-  const Vec3 front_normal = glm::normalize(triangle.area_normal());
   const Vec2 barycentric = sample_barycentric(u);
-  if (is_hole(scene_, mesh, emitter.triangle, barycentric)) {
+  if (is_hole(scene_, mesh, emitter.index, barycentric)) {
     return std::nullopt;
   }
-  const Vec3 point = triangle.at(barycentric);
+  const Vec3 point = emitter.triangle.at(barycentric);
 
   const Vec3 to_receiver = receiver - point;
   const float squared_distance = glm::dot(to_receiver, to_receiver);
-  const float height = glm::dot(front_normal, to_receiver);
+  const float height = glm::dot(emitter.front_normal, to_receiver);
   if (height == 0.0F || (height < 0.0F && !material.double_sided)) {
     return std::nullopt;
   }
-  const Vec3 towards_receiver = std::copysign(triangle.rounding_error(), height) * front_normal;
+  const Vec3 towards_receiver =
+      std::copysign(emitter.rounding_error, height) * emitter.front_normal;
   const float cosine = std::abs(height) / std::sqrt(squared_distance);
   return Sample{.point = point + towards_receiver,
                 .pdf = area_pdf_of_mesh_[emitter.mesh] * squared_distance / cosine,
-                .radiance = emitted_radiance(scene_, mesh, emitter.triangle, barycentric)};
+                .radiance = emitted_radiance(scene_, mesh, emitter.index, barycentric)};
 }
 
 }  // namespace foveola

@@ -7,6 +7,7 @@
 
 #include "renderer/scene/scene.h"
 #include "renderer/trace/alias_table.h"
+#include "renderer/trace/triangle.h"
 
 namespace foveola {
 
@@ -18,7 +19,7 @@ class TriangleLights {
   /// The scene must outlive this object.
   explicit TriangleLights(const Scene& scene);
 
-  bool empty() const { return triangles_.empty(); }
+  bool empty() const { return emitters_.empty(); }
 
   /// The luminous power of all of them, in radiance times square metre times steradian.
   double power() const { return power_; }
@@ -35,13 +36,17 @@ class TriangleLights {
   float area_pdf(std::uint32_t mesh) const { return area_pdf_of_mesh_[mesh]; }
 
  private:
+  /// What a sample needs of a triangle, in one place.
   struct Emitter {
+    Triangle triangle;
+    Vec3 front_normal;
+    float rounding_error;
     std::uint32_t mesh;
-    std::uint32_t triangle;
+    std::uint32_t index;  ///< of the triangle in its mesh
   };
 
   const Scene& scene_;
-  std::vector<Emitter> triangles_;
+  std::vector<Emitter> emitters_;
   std::vector<float> area_pdf_of_mesh_;
   std::optional<AliasTable> choice_;  ///< empty without emitters
   double power_ = 0.0;

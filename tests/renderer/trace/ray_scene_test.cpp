@@ -11,8 +11,8 @@ namespace foveola {
 namespace {
 
 const Workers& workers() {
-  static const Workers two(2);
-  return two;
+  static const Workers four(4);
+  return four;
 }
 
 Scene one_quad() {
@@ -122,10 +122,8 @@ TEST(RaySceneTest, TiesDoNotDependOnTheThreadsThatBuilt) {
   Scene scene;
   scene.materials = {dielectric(0.5F)};
   scene.meshes = {inward_sphere(1.0F, 4, 0), inward_sphere(1.0F, 4, 0)};
-  const Workers one(1);
-  const Workers four(4);
-  const RayScene built_by_one(scene, one);
-  const RayScene built_by_four(scene, four);
+  const RayScene built_by_one(scene, Workers(1));
+  const RayScene built_by_four(scene, workers());
   for (const auto& triangle : scene.meshes[0].triangles) {
     const Vec3 edge =
         scene.meshes[0].positions[triangle[0]] + scene.meshes[0].positions[triangle[1]];
