@@ -1,6 +1,7 @@
 #include "renderer/film/image_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -18,6 +19,10 @@ namespace foveola {
 namespace {
 
 constexpr int largest_side = 65536;
+
+/// How many pixels a header may promise: no image worth reading packs more of them into a byte.
+constexpr std::uintmax_t most_pixels_per_byte = 4096;
+constexpr std::uintmax_t always_allowed_pixels = 1U << 20;
 
 std::string lower_extension(const fs::path& path) {
   std::string extension = path.extension().string();
@@ -85,31 +90,80 @@ void write(const fs::path& path, const RgbImage& image, const std::vector<std::u
   }
 }
 
-/// The position of the channel `name`, or `fallback`.
-int channel_index(const OIIO::ImageSpec& spec, const std::string& name, int fallback) {
-  const int found = spec.channelindex(name);
-  return found >= 0 ? found : fallback;
-}
+/// Reads one channel after the other, so that a file with many of them costs no more memory.
+class ChannelReader {
+ public:
+  ChannelReader(const fs::path& path, OIIO::ImageInput& input) : path_(path), input_(input) {}
 
-FilmImage film_image_from(const OIIO::ImageSpec& spec, const std::vector<float>& values) {
-  const int samples_channel = spec.channelindex("samples");
-  const bool encoded = spec.format.basetype == OIIO::TypeDesc::UINT8;
-  const int grey = spec.nchannels < 3 ? 0 : -1;
-  const int channels[3] = {channel_index(spec, "R", 0), grey == 0 ? 0 : channel_index(spec, "G", 1),
-                           grey == 0 ? 0 : channel_index(spec, "B", 2)};
-  FilmImage image{.color = RgbImage(spec.width, spec.height), .samples = {}};
-  image.samples.assign(image.color.pixels.size(), 1);
-  for (std::size_t i = 0; i < image.color.pixels.size(); ++i) {
-    const float* pixel = &values[i * static_cast<std::size_t>(spec.nchannels)];
-    for (int channel = 0; channel < 3; ++channel) {
-      const float value = pixel[channels[channel]];
-      image.color.pixels[i][channel] = encoded ? linear_from_srgb(value) : value;
-    }
-    if (samples_channel >= 0) {
-      image.samples[i] = static_cast<std::uint32_t>(std::max(0.0F, pixel[samples_channel]));
+  /// Where the channel `name` is, or `fallback`.
+  int index(const std::string& name, int fallback) const {
+    const int found = input_.spec().channelindex(name);
+    return found >= 0 ? found : fallback;
+  }
+
+  /// Writes the values of a channel to every `stride`-th float from `first` on.
+  void read(int channel, float* first, std::size_t stride) const {
+    if (!input_.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, first,
+                           static_cast<OIIO::stride_t>(stride * sizeof(float)))) {
+      throw Error(path_.string(), "cannot be read as an image: " + input_.geterror());
     }
   }
-  return image;
+
+ private:
+  const fs::path& path_;
+  OIIO::ImageInput& input_;
+};
+
+RgbImage read_color(const ChannelReader& reader, const OIIO::ImageSpec& spec) {
+  RgbImage color(spec.width, spec.height);
+  const bool is_grey = spec.nchannels < 3;
+  const std::array<const char*, 3> names = {"R", "G", "B"};
+  for (int channel = 0; channel < 3; ++channel) {
+    const int index = is_grey ? 0 : reader.index(names[static_cast<std::size_t>(channel)], channel);
+    reader.read(index, &color.pixels[0][channel], sizeof(Rgb) / sizeof(float));
+  }
+  if (spec.format.basetype == OIIO::TypeDesc::UINT8) {
+    for (Rgb& pixel : color.pixels) {
+      pixel = {linear_from_srgb(pixel.r), linear_from_srgb(pixel.g), linear_from_srgb(pixel.b)};
+    }
+  }
+  return color;
+}
+
+/// A count that came as a float, whatever a stranger's file says.
+std::uint32_t count_from(float value) {
+  constexpr float largest = 0x1.fffffep31F;
+  return value > 0.0F ? static_cast<std::uint32_t>(std::min(value, largest)) : 0;
+}
+
+std::vector<std::uint32_t> read_samples(const ChannelReader& reader, std::size_t pixels) {
+  const int channel = reader.index("samples", -1);
+  if (channel < 0) {
+    return std::vector<std::uint32_t>(pixels, 1);
+  }
+  std::vector<float> values(pixels);
+  reader.read(channel, values.data(), 1);
+  std::vector<std::uint32_t> samples(pixels);
+  std::transform(values.begin(), values.end(), samples.begin(), count_from);
+  return samples;
+}
+
+void require_sensible(const fs::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.width < 1 || spec.height < 1 || spec.width > largest_side ||
+      spec.height > largest_side || spec.nchannels < 1 || spec.depth > 1 || spec.deep) {
+    throw Error(
+        path.string(),
+        fmt::format("has {} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels),
+        fmt::format("use a flat image of at most {} pixels a side", largest_side));
+  }
+  const std::uintmax_t plausible =
+      always_allowed_pixels + most_pixels_per_byte * fs::file_size(path);
+  if (spec.image_pixels() > plausible) {
+    throw Error(path.string(),
+                fmt::format("is too short for the {} x {} pixels that it promises", spec.width,
+                            spec.height),
+                "check whether it is complete");
+  }
 }
 
 }  // namespace
@@ -140,19 +194,11 @@ FilmImage read_film_image(const fs::path& path) {
     throw Error(path.string(), "cannot be read as an image: " + OIIO::geterror());
   }
   const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > largest_side ||
-      spec.height > largest_side || spec.nchannels < 1 || spec.depth > 1) {
-    throw Error(
-        path.string(),
-        fmt::format("has {} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels),
-        fmt::format("use a flat image of at most {} pixels a side", largest_side));
-  }
-  std::vector<float> values(static_cast<std::size_t>(spec.image_pixels()) *
-                            static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
-    throw Error(path.string(), "cannot be read as an image: " + input->geterror());
-  }
-  return film_image_from(spec, values);
+  require_sensible(path, spec);
+  const ChannelReader reader(path, *input);
+  FilmImage image{.color = read_color(reader, spec), .samples = {}};
+  image.samples = read_samples(reader, image.color.pixels.size());
+  return image;
 }
 
 }  // namespace foveola

@@ -1,6 +1,8 @@
 #include "renderer/gaze/eye_tracker.h"
 
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
@@ -25,28 +27,40 @@ std::optional<GazeSample> FixedEyeTracker::newest(Nanoseconds now) {
 
 SimulatedEyeTracker::SimulatedEyeTracker(const SimulatedTrackerSettings& settings,
                                          TrueGaze true_gaze)
-    : settings_(settings), true_gaze_(std::move(true_gaze)) {}
+    : settings_(settings), true_gaze_(std::move(true_gaze)) {
+  assert(settings_.rate_hz > 0.0);
+}
 
 std::optional<GazeSample> SimulatedEyeTracker::newest(Nanoseconds now) {
-  const double newest_exposure_s = seconds(now) - settings_.latency_s;
-  const auto newest_index =
-      static_cast<std::int64_t>(std::floor(newest_exposure_s * settings_.rate_hz));
-  if (newest_index < 0 || newest_index == newest_index_) {
-    return newest_;
+  const std::int64_t index = last_exposure(now - nanoseconds_from_seconds(settings_.latency_s));
+  if (index >= 0 && index != newest_index_) {
+    newest_index_ = index;
+    newest_ = expose(index);
   }
-  newest_index_ = newest_index;
-  newest_ = expose(newest_index);
   return newest_;
 }
 
+Nanoseconds SimulatedEyeTracker::exposure_time(std::int64_t index) const {
+  return Nanoseconds(std::llround(1e9 * static_cast<double>(index) / settings_.rate_hz));
+}
+
+std::int64_t SimulatedEyeTracker::last_exposure(Nanoseconds time) const {
+  const auto index = static_cast<std::int64_t>(std::floor(seconds(time) * settings_.rate_hz));
+  // The product may be rounded across an exposure.
+  if (exposure_time(index + 1) <= time) {
+    return index + 1;
+  }
+  return exposure_time(index) > time ? index - 1 : index;
+}
+
 GazeSample SimulatedEyeTracker::expose(std::int64_t index) const {
-  const Nanoseconds time = nanoseconds_from_seconds(static_cast<double>(index) / settings_.rate_hz);
+  const Nanoseconds time = exposure_time(index);
   const std::optional<Vec3> eye = true_gaze_(time);
   if (!eye) {
     return {.time = time};
   }
   // Keyed by the sample's index: what the host polls does not change what the tracker saw.
-  Pcg32 noise(mix(settings_.seed, static_cast<std::uint32_t>(index)));
+  Pcg32 noise(settings_.seed, static_cast<std::uint64_t>(index));
   return {
       .time = time, .direction = with_noise(*eye, settings_.precision_deg, noise), .valid = true};
 }

@@ -36,7 +36,7 @@ class FixedEyeTracker final : public EyeTracker {
 
 /// A tracker with a rate, a delay and noise, looking at a simulated eye.
 struct SimulatedTrackerSettings {
-  double rate_hz = 120.0;
+  double rate_hz = 120.0;      ///< > 0
   double latency_s = 0.014;    ///< from the eye to the host: FOVE 0's 8 + 2 + 4 ms
   double precision_deg = 0.1;  ///< standard deviation along each axis
   std::uint32_t seed = 0;
@@ -51,6 +51,9 @@ class SimulatedEyeTracker final : public EyeTracker {
   std::optional<GazeSample> newest(Nanoseconds now) override;
 
  private:
+  Nanoseconds exposure_time(std::int64_t index) const;
+  /// The number of the last exposure at or before `time`; negative before the first.
+  std::int64_t last_exposure(Nanoseconds time) const;
   /// What the tracker saw at the exposure of this number.
   GazeSample expose(std::int64_t index) const;
 

@@ -25,7 +25,7 @@ Vec2 equirect_from_direction(const Vec3& direction) {
 Vec3 direction_from_equirect(const Vec2& image) {
   const float azimuth = (image.x - 0.5F) * static_cast<float>(2.0 * pi);
   const float polar = image.y * static_cast<float>(pi);
-  const float horizontal = std::sin(polar);
+  const float horizontal = std::max(std::sin(polar), 0.0F);  // pi, rounded, lies beyond the pole
   return {horizontal * std::sin(azimuth), std::cos(polar), -horizontal * std::cos(azimuth)};
 }
 

@@ -98,6 +98,54 @@ TEST_F(ImageFile, WhatCannotBeReadIsNamed) {
   }
 }
 
+// The header of a small file is changed to promise 65536 x 65536 pixels.
+TEST_F(ImageFile, AHeaderIsNotBelievedBlindly) {
+  write_film_image(folder_ / "a.exr", image_, 0.0);
+  std::string bytes = read_file(folder_ / "a.exr");
+  const std::string attribute("dataWindow\0box2i\0\x10\0\0\0", 21);
+  const std::size_t window = bytes.find(attribute);
+  ASSERT_NE(window, std::string::npos);
+  bytes.replace(window + attribute.size() + 8, 8, std::string("\xFF\xFF\0\0\xFF\xFF\0\0", 8));
+  bytes.resize(bytes.size() + (1U << 16));  // room for the table of where its rows begin
+  write_file(folder_ / "a.exr", bytes);
+  EXPECT_THAT([&] { read_film_image(folder_ / "a.exr"); },
+              ThrowsMessage<Error>(HasSubstr("65536 x 65536")));
+}
+
+TEST_F(ImageFile, CountsOfAStrangerAreBroughtIntoRange) {
+  OIIO::ImageSpec spec(4, 1, 4, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"R", "G", "B", "samples"};
+  const float nan = std::nanf("");
+  const std::vector<float> values = {1, 2, 3, nan, 1, 2, 3, -5, 1, 2, 3, 1e30F, 1, 2, 3, 7.9F};
+  const auto output = OIIO::ImageOutput::create((folder_ / "a.exr").string());
+  ASSERT_TRUE(output->open((folder_ / "a.exr").string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+  ASSERT_TRUE(output->close());
+  const FilmImage image = read_film_image(folder_ / "a.exr");
+  EXPECT_THAT(image.samples, testing::ElementsAre(0U, 0U, 0xFFFFFF00U, 7U));
+  EXPECT_THAT(image.color.pixels, testing::Each(Rgb(1, 2, 3)));
+}
+
+TEST_F(ImageFile, GreyImagesBecomeColours) {
+  OIIO::ImageSpec spec(2, 1, 1, OIIO::TypeDesc::UINT8);
+  const std::vector<std::uint8_t> values = {0, 128};
+  const auto output = OIIO::ImageOutput::create((folder_ / "a.png").string());
+  ASSERT_TRUE(output->open((folder_ / "a.png").string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, values.data()));
+  ASSERT_TRUE(output->close());
+  const FilmImage image = read_film_image(folder_ / "a.png");
+  EXPECT_EQ(image.color.pixels[0], Rgb(0.0F));
+  EXPECT_NEAR(image.color.pixels[1].r, 0.2158605F, 1e-6F);  // IEC 61966-2-1 of 128 / 255
+  EXPECT_EQ(image.color.pixels[1], Rgb(image.color.pixels[1].r));
+}
+
+TEST_F(ImageFile, WhatStandsInTheWayIsLeftAlone) {
+  fs::create_directories(folder_ / "a.exr");
+  EXPECT_THROW(write_film_image(folder_ / "a.exr", image_, 0.0), Error);
+  EXPECT_TRUE(fs::is_directory(folder_ / "a.exr"));
+  EXPECT_EQ(entries(), 1);
+}
+
 TEST_F(ImageFile, AFolderThatDoesNotExistIsNamedAndNothingIsLeft) {
   EXPECT_THAT([&] { write_image(folder_ / "no" / "a.exr", image_.color, 0.0); },
               ThrowsMessage<Error>(HasSubstr("does not exist")));

@@ -25,8 +25,8 @@ TEST(FixedEyeTracker, AlwaysLooksThere) {
 TEST(SimulatedEyeTracker, DeliversNothingBeforeItsLatency) {
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.02},
                               [](Nanoseconds) { return ahead; });
-  EXPECT_FALSE(tracker.newest(milliseconds(19)));
-  EXPECT_TRUE(tracker.newest(milliseconds(21)));
+  EXPECT_FALSE(tracker.newest(milliseconds(20) - Nanoseconds(1)));
+  EXPECT_TRUE(tracker.newest(milliseconds(20)));
 }
 
 TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
@@ -36,11 +36,25 @@ TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
   };
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.014, .precision_deg = 0.0}, eye);
   for (const auto& [now_ms, exposed_ms] :
-       {std::pair{14, 0}, {23, 0}, {25, 10}, {33, 10}, {47, 30}}) {
-    const auto sample = tracker.newest(milliseconds(now_ms) + std::chrono::microseconds(1));
+       {std::pair{14, 0}, {23, 0}, {24, 10}, {33, 10}, {44, 30}}) {
+    const auto sample = tracker.newest(milliseconds(now_ms));
     ASSERT_TRUE(sample);
     EXPECT_EQ(sample->time, milliseconds(exposed_ms));
     EXPECT_LT(glm::distance(sample->direction, eye(milliseconds(exposed_ms))), 1e-6F);
+  }
+}
+
+// A third of a second is no number of nanoseconds, and an hour at 120 Hz is many exposures.
+TEST(SimulatedEyeTracker, AgesLieBetweenTheLatencyAndAPeriodMore) {
+  SimulatedEyeTracker tracker({.rate_hz = 120.0, .latency_s = 0.014},
+                              [](Nanoseconds) { return ahead; });
+  const Nanoseconds latency = milliseconds(14);
+  const Nanoseconds period(8'333'334);
+  for (Nanoseconds now = std::chrono::hours(1); now < std::chrono::seconds(3601);
+       now += Nanoseconds(1'388'889)) {
+    const Nanoseconds age = now - tracker.newest(now)->time;
+    ASSERT_GE(age, latency);
+    ASSERT_LT(age, latency + period);
   }
 }
 
@@ -55,7 +69,7 @@ TEST(SimulatedEyeTracker, NoiseHasItsStandardDeviationOnBothAxes) {
   double lagged = 0.0;
   double last_x = 0.0;
   for (int i = 0; i < count; ++i) {
-    const auto sample = tracker.newest(milliseconds(i) + std::chrono::microseconds(1));
+    const auto sample = tracker.newest(milliseconds(i));
     const double x = degrees(std::atan(-sample->direction.x / sample->direction.z));
     const double y = degrees(std::atan(-sample->direction.y / sample->direction.z));
     squares_x += x * x;

@@ -35,6 +35,9 @@ TEST(ScriptedHeadTracker, TurnsTheShortWayAcrossTheSeam) {
   ScriptedHeadTracker tracker({pose_at(0, 170, 0), pose_at(100, -170, 0)});
   const double middle_rad = tracker.pose(milliseconds(50)).heading.azimuth_rad;
   EXPECT_NEAR(std::cos(middle_rad), -1.0, 1e-12);
+  EXPECT_NEAR(degrees(tracker.pose(milliseconds(75)).heading.azimuth_rad), -175.0, 1e-9);
+  ScriptedHeadTracker back({pose_at(0, -170, 0), pose_at(100, 170, 0)});
+  EXPECT_NEAR(degrees(back.pose(milliseconds(75)).heading.azimuth_rad), 175.0, 1e-9);
 }
 
 TEST(ScriptedHeadTracker, NeedsPosesInTheOrderOfTime) {

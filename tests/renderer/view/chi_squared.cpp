@@ -13,10 +13,10 @@ namespace foveola::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int rings = 90;
-constexpr int sectors = 24;
+constexpr int rings = 60;
+constexpr int sectors = 16;
 constexpr int steps_per_ring = 48;
-constexpr int steps_per_sector = 24;
+constexpr int steps_per_sector = 32;
 
 /// Around `pole`: rings of equal eccentricity, sectors of equal azimuth.
 class Cells {

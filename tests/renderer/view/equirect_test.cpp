@@ -47,6 +47,18 @@ TEST(Equirect, RoundTripsEverywhere) {
   }
 }
 
+TEST(Equirect, WrapsAcrossTheSeam) {
+  const Vec3 inside = direction_from_equirect({0.25F, 0.4F});
+  EXPECT_LT(glm::distance(direction_from_equirect({1.25F, 0.4F}), inside), 1e-6F);
+  EXPECT_LT(glm::distance(direction_from_equirect({-0.75F, 0.4F}), inside), 1e-6F);
+}
+
+// The rounded pi lies beyond the pole, where the image would be upside down.
+TEST(Equirect, TheLastRowEndsAtThePole) {
+  EXPECT_EQ(direction_from_equirect({0.75F, 1.0F}), Vec3(0.0F, -1.0F, 0.0F));
+  EXPECT_EQ(direction_from_equirect({0.75F, 0.0F}), Vec3(0.0F, 1.0F, 0.0F));
+}
+
 TEST(Equirect, AreaPerSteradianIsTheJacobian) {
   for (const double elevation_deg : {0.0, 45.0, -80.0}) {
     const double e = radians(elevation_deg);

@@ -1,0 +1,93 @@
+#include "renderer/film/sample_pass.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/random.h"
+#include "renderer/view/equirect.h"
+
+namespace foveola {
+namespace {
+
+/// A tracer's stand-in: the colour is the direction's.
+void trace_direction(std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+  std::transform(jobs.begin(), jobs.end(), radiance.begin(),
+                 [](const SampleJob& job) { return 0.5F * (job.direction + 1.0F); });
+}
+
+TEST(SamplePass, BringsTheSequencesPointsToTheirPixels) {
+  const Workers workers(2);
+  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
+  EquirectFilm film(64, 32);
+  SamplePass pass;
+  const SobolRange points = {.first = 1000, .count = 9000, .seed = 4};
+  EXPECT_TRUE(pass.run(*od, points, trace_direction, film, workers).empty());
+  std::vector<std::uint32_t> expected(64 * 32, 0);
+  for (std::uint64_t i = 1000; i < 10'000; ++i) {
+    const Vec2 point = sobol_2d(i, 4);
+    ++expected[static_cast<std::size_t>(point.y * 32.0F) * 64 +
+               static_cast<std::size_t>(point.x * 64.0F)];
+  }
+  EXPECT_EQ(film.resolve().samples, expected);
+  const Rgb ahead = 0.5F * (direction_from_equirect({32.5F / 64.0F, 16.5F / 32.0F}) + 1.0F);
+  EXPECT_LT(glm::distance(film.mean(32, 16), ahead), 0.05F);
+}
+
+// OD maps the unit square to the image as it is, so the net's equal boxes are the pixels.
+TEST(SamplePass, WholeNetsGiveEveryPixelTheSame) {
+  const Workers workers(2);
+  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
+  for (const std::uint32_t seed : {0U, 1U, 77U}) {
+    EquirectFilm film(128, 64);
+    SamplePass pass;
+    pass.run(*od, {.first = 0, .count = 128 * 64 * 8, .seed = seed}, trace_direction, film,
+             workers);
+    EXPECT_THAT(film.resolve().samples, testing::Each(8U));
+  }
+}
+
+TEST(SamplePass, CutsAndThreadsDoNotMatter) {
+  const std::unique_ptr<ViewSampler> fv = make_view_sampler("fv");
+  fv->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0), .gaze = Vec3(0.6F, 0.8F, 0.0F)});
+  const auto film = [&](int threads, const std::vector<std::uint64_t>& counts) {
+    const Workers workers(threads);
+    EquirectFilm result(100, 50);
+    SamplePass pass;
+    SobolRange points = {.seed = 9};
+    for (const std::uint64_t count : counts) {
+      points.count = count;
+      pass.run(*fv, points, trace_direction, result, workers);
+      points.first += count;
+    }
+    return result.resolve();
+  };
+  const FilmImage expected = film(1, {20'000});
+  for (const FilmImage& image : {film(4, {20'000}), film(2, {1, 0, 7000, 12'999})}) {
+    EXPECT_EQ(image.color.pixels, expected.color.pixels);
+    EXPECT_EQ(image.samples, expected.samples);
+  }
+}
+
+TEST(SamplePass, ReturnsWhatWasDropped) {
+  const Workers workers(2);
+  const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
+  EquirectFilm film(8, 4);
+  SamplePass pass;
+  const auto broken_in_pixel_9 = [](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    std::transform(jobs.begin(), jobs.end(), radiance.begin(), [](const SampleJob& job) {
+      return Rgb(job.pixel == 9 ? std::numeric_limits<float>::quiet_NaN() : 1.0F);
+    });
+  };
+  const std::vector<DroppedSample> dropped =
+      pass.run(*od, {.count = 64, .seed = 1}, broken_in_pixel_9, film, workers);
+  ASSERT_EQ(dropped.size(), 2U);
+  EXPECT_EQ(dropped[0].pixel, 9U);
+  EXPECT_EQ(dropped[1].sample_number, 1U);
+  EXPECT_EQ(film.total_samples(), 62U);
+}
+
+}  // namespace
+}  // namespace foveola
