@@ -1,0 +1,53 @@
+// A protocol's scene made ready: loaded, traceable, its objects on offer, its converged image
+// known.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/base/parallel.h"
+#include "renderer/base/scene_source.h"
+#include "renderer/film/image.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/path_tracer.h"
+#include "study/participant/participant.h"
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+class SceneStage {
+ public:
+  /// Loads the scene and builds its tracer. source has a camera position and objects (see
+  /// find_scenes). Throws Error for a bad file.
+  SceneStage(SceneSource source, const Workers& workers);
+  SceneStage(const SceneStage&) = delete;
+  SceneStage& operator=(const SceneStage&) = delete;
+
+  /// Renders what the scene converges to, or takes it from the cache. Throws Error if stopped.
+  void render_reference(const Protocol& protocol, const Workers& workers,
+                        const std::function<void(double)>& progress, const std::stop_token& stop);
+
+  const SceneSource& source() const { return source_; }
+  const Scene& scene() const { return scene_; }
+  const PathTracer& tracer() const { return tracer_; }
+  const Vec3& viewpoint() const { return *source_.camera_position; }
+  const std::vector<OfferedObject>& objects() const { return objects_; }
+  /// Linear radiance, as large as the film; empty before render_reference.
+  const RgbImage& reference() const { return reference_; }
+
+ private:
+  SceneSource source_;
+  Scene scene_;
+  PathTracer tracer_;
+  std::vector<OfferedObject> objects_;
+  RgbImage reference_;
+};
+
+/// A protocol's scenes by name.
+using SceneStages = std::map<std::string, std::unique_ptr<SceneStage>>;
+
+}  // namespace foveola::study

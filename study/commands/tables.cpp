@@ -1,0 +1,106 @@
+#include "study/commands/tables.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "study/commands/participant_code.h"
+
+namespace foveola::study {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest cell, two spaces between them.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      widths[column] = std::max(widths[column], row[column].size());
+    }
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      line += fmt::format("{:<{}}", row[column], widths[column] + 2);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string objects_of(const SceneSource& source) {
+  std::vector<std::string> names;
+  names.reserve(source.objects.size());
+  for (const ObjectOfInterest& object : source.objects) {
+    names.push_back(object.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string protocol_table(const Protocol& protocol, const std::vector<SceneSource>& sources) {
+  std::vector<Row> rows = {
+      {"protocol", protocol.name},
+      {"title", protocol.title},
+      {"sha256", protocol.sha256},
+      {"methods", fmt::format("{} (baseline {})", fmt::join(protocol.methods, ", "),
+                              protocol.methods.front())},
+      {"trials", fmt::format("{} per participant", sources.size() * protocol.methods.size())},
+      {"machine", fmt::format("{} samples per second at {} Hz", protocol.machine.samples_per_second,
+                              protocol.machine.frame_rate_hz)},
+      {"display", fmt::format("{} x {} pixels, {} degrees", protocol.display.view_width,
+                              protocol.display.view_height, protocol.display.fov_deg)},
+      {"film", fmt::format("{} x {} pixels, {} surface vertices", protocol.film.width,
+                           protocol.film.height, protocol.film.max_depth)},
+      {"questions", fmt::format("{}", protocol.background.size())},
+  };
+  for (const SceneSource& source : sources) {
+    rows.push_back({"scene", fmt::format("{}: {}", source.name, objects_of(source))});
+  }
+  return aligned(rows);
+}
+
+std::string plan_table(const std::vector<Plan>& plans) {
+  std::vector<Row> rows = {{"participant", "position", "scene", "methods"}};
+  for (std::size_t index = 0; index < plans.size(); ++index) {
+    for (const PlannedTrial& trial : plans[index]) {
+      if (trial.method_position == 0) {
+        rows.push_back({participant_code(static_cast<int>(index)),
+                        fmt::format("{}", trial.scene_position + 1), trial.scene, trial.method});
+      } else {
+        rows.back().back() += ", " + trial.method;
+      }
+    }
+  }
+  return aligned(rows);
+}
+
+StudyStatus status_of(const StudyRecords& records) {
+  StudyStatus status;
+  for (const SessionRow& session : records.sessions) {
+    ++status.sessions[{session.kind, session.state}];
+  }
+  status.trials_done = static_cast<int>(
+      std::count_if(records.trials.begin(), records.trials.end(),
+                    [](const TrialRow& trial) { return trial.artifact_rating.has_value(); }));
+  return status;
+}
+
+std::string status_table(const StudyRecords& records, const StudyStatus& status) {
+  std::vector<Row> rows = {{"protocol", records.protocol_name},
+                           {"title", records.protocol_title},
+                           {"sha256", records.protocol_sha256}};
+  for (const auto& [group, count] : status.sessions) {
+    rows.push_back({"sessions", fmt::format("{} {} {}", count, group.first, group.second)});
+  }
+  rows.push_back({"trials", fmt::format("{} done", status.trials_done)});
+  return aligned(rows);
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,66 @@
+#include "study/commands/virtual_preview.h"
+
+#include <cmath>
+
+namespace foveola::study {
+namespace {
+
+PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage) {
+  PreviewSettings settings;
+  settings.film_width = protocol.film.width;
+  settings.film_height = protocol.film.height;
+  settings.view_width = protocol.display.view_width;
+  settings.view_height = protocol.display.view_height;
+  settings.horizontal_fov_deg = protocol.display.fov_deg;
+  settings.vertical_fov_deg = protocol.display.fov_deg;
+  settings.viewpoint = stage.viewpoint();
+  settings.exposure_stops = stage.source().exposure_stops;
+  settings.trace.max_depth = protocol.film.max_depth;
+  return settings;
+}
+
+SimulatedTrackerSettings tracker_from(const TrackerProfile& profile, std::uint32_t seed) {
+  return {.rate_hz = profile.rate_hz,
+          .latency_s = profile.latency_s,
+          .precision_deg = profile.precision_deg,
+          .seed = seed};
+}
+
+Vec3 gaze_in_head(Participant& participant, Nanoseconds time) {
+  const Quat world_from_head = head_orientation(participant.head(time));
+  return glm::normalize(glm::conjugate(world_from_head) * participant.gaze(time));
+}
+
+}  // namespace
+
+VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
+                               std::string_view method, const AttemptSeeds& seeds,
+                               Participant& participant, VirtualClock& clock,
+                               const Workers& workers)
+    : machine_(protocol.machine),
+      clock_(clock),
+      start_(clock.now()),
+      eye_(tracker_from(protocol.tracker, seeds.tracker),
+           [&participant](Nanoseconds time) {
+             return std::optional<Vec3>(gaze_in_head(participant, time));
+           }),
+      head_([&participant](Nanoseconds time) { return participant.head(time); }),
+      preview_(stage.tracer(), settings_from(protocol, stage), eye_, head_, workers) {
+  preview_.restart(method, seeds.rendering);
+}
+
+FrameReport VirtualPreview::next_frame() {
+  const double samples_per_frame = machine_.samples_per_second / machine_.frame_rate_hz;
+  const auto samples_after = [&](std::uint64_t frames) {
+    return static_cast<std::uint64_t>(std::floor(samples_per_frame * static_cast<double>(frames)));
+  };
+  const std::uint64_t samples = samples_after(frames_ + 1) - samples_after(frames_);
+  const FrameReport report = preview_.render_frame(clock_.now(), samples);
+  ++frames_;
+  const Nanoseconds presented =
+      start_ + nanoseconds_from_seconds(static_cast<double>(frames_) / machine_.frame_rate_hz);
+  clock_.advance(presented - clock_.now());
+  return report;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,48 @@
+// The preview on the clock of a machine model: how long a frame takes does not depend on the host.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "renderer/base/clock.h"
+#include "renderer/preview/preview.h"
+#include "study/commands/scene_stage.h"
+#include "study/participant/participant.h"
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+/// The seeds of one attempt.
+struct AttemptSeeds {
+  std::uint32_t tracker = 0;
+  std::uint32_t rendering = 0;
+};
+
+/// One attempt's rendering, watched by `participant` through a simulated eye and head tracker. It
+/// refers to everything it is made of and advances `clock` by a frame's time a frame.
+class VirtualPreview {
+ public:
+  VirtualPreview(const SceneStage& stage, const Protocol& protocol, std::string_view method,
+                 const AttemptSeeds& seeds, Participant& participant, VirtualClock& clock,
+                 const Workers& workers);
+
+  /// Renders the next frame; when it returns, the clock shows when that frame is presented.
+  FrameReport next_frame();
+
+  /// What is on the display now, and the view that it was rendered for.
+  RgbImage present() const { return preview_.present(); }
+  const Viewport& viewport() const { return preview_.viewport(); }
+  std::uint64_t samples() const { return preview_.film().total_samples(); }
+  std::uint64_t non_finite() const { return preview_.dropped().size(); }
+
+ private:
+  MachineModel machine_;
+  VirtualClock& clock_;
+  Nanoseconds start_;
+  std::uint64_t frames_ = 0;
+  SimulatedEyeTracker eye_;
+  SimulatedHeadTracker head_;
+  Preview preview_;
+};
+
+}  // namespace foveola::study

@@ -1,0 +1,66 @@
+// Whoever takes part in a session: what is asked of a participant, and all that one ever gets to
+// see.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/clock.h"
+#include "renderer/film/image.h"
+#include "renderer/view/viewport.h"
+#include "study/protocol/protocol.h"
+#include "study/session/session.h"
+
+namespace foveola::study {
+
+/// An object that may be chosen, as it is seen from the viewpoint.
+struct OfferedObject {
+  std::string name;
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, world
+  double radius_deg = 4.0;            ///< angular radius that covers it
+};
+
+/// One glance at the display. Nothing in it tells how the image was made.
+struct Percept {
+  const RgbImage& image;     ///< the presented pixels: sRGB-encoded, in [0, 1]
+  const Viewport& viewport;  ///< the view that they were shown through
+  Vec3 gaze{0.0F};           ///< unit length, world: where the participant's own eye pointed
+  Nanoseconds presented{0};  ///< session clock
+};
+
+/// What a participant is to do from now on.
+enum class Task {
+  mark_outline,   ///< mark when the chosen object's outline can be made out
+  mark_material,  ///< mark when its material looks as it will
+  look_around,    ///< and afterwards rate the artifacts
+};
+
+class Participant {
+ public:
+  virtual ~Participant() = default;
+
+  /// One answer to each question, within its range.
+  virtual std::vector<Answer> answer(const std::vector<Question>& questions) = 0;
+
+  /// Turns to one of the objects of `scene` and returns its index. offered is not empty.
+  virtual std::size_t choose_object(const std::string& scene,
+                                    const std::vector<OfferedObject>& offered, Nanoseconds now) = 0;
+
+  virtual void begin(Task task, Nanoseconds now) = 0;
+
+  /// Where the head points and, in world axes, the eye. Times may go back by a tracker's latency,
+  /// but not before the participant's last begin() or choice: there the pose is that of the start.
+  virtual AzimuthElevation head(Nanoseconds time) = 0;
+  virtual Vec3 gaze(Nanoseconds time) = 0;
+
+  /// Shows the participant what is on the display. Returns the time of the key press, not earlier
+  /// than the percept, once the mark that the task asks for is made.
+  virtual std::optional<Nanoseconds> see(const Percept& percept) = 0;
+
+  /// How much artifacts disturbed while looking around: 1 none ... 5 not discernible at all.
+  virtual int rate_artifacts() = 0;
+};
+
+}  // namespace foveola::study

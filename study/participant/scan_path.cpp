@@ -1,0 +1,133 @@
+#include "study/participant/scan_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foveola::study {
+namespace {
+
+/// 0 before `start`, 1 after `end`, and without a jerk between them.
+double eased(Nanoseconds time, Nanoseconds start, Nanoseconds end) {
+  if (time >= end) {
+    return 1.0;
+  }
+  const double t = std::max(0.0, seconds(time - start) / seconds(end - start));
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// The last item of a path that has begun by `time`; the first if none has.
+template <typename Items, typename StartOf>
+std::size_t current(const Items& items, Nanoseconds time, const StartOf& start_of) {
+  std::size_t i = items.size() - 1;
+  while (i > 0 && start_of(items[i]) > time) {
+    --i;
+  }
+  return i;
+}
+
+double between(double low, double high, Pcg32& random) {
+  return low + (high - low) * random.uniform();
+}
+
+}  // namespace
+
+ScanPath::ScanPath(const GazeHabits& habits, std::uint64_t seed)
+    : habits_(habits), random_(seed), fixations_(1), turns_(1) {}
+
+void ScanPath::examine(const Vec3& object, double radius_deg, Nanoseconds start) {
+  begin(start);
+  exploring_ = false;
+  object_ = object;
+  radius_deg_ = radius_deg;
+  turn_head(azimuth_elevation(object), start);
+}
+
+void ScanPath::explore(const AzimuthElevation& around, Nanoseconds start) {
+  begin(start);
+  exploring_ = true;
+  around_ = around;
+  fixations_since_turn_ = habits_.fixations_per_head_turn;
+}
+
+void ScanPath::begin(Nanoseconds start) {
+  const Fixation fixation{.saccade_start = start, .saccade_end = start, .direction = gaze(start)};
+  const HeadTurn turn{.start = start, .heading = head(start)};
+  fixations_.assign(1, fixation);
+  turns_.assign(1, turn);
+  next_saccade_ = start;
+}
+
+void ScanPath::turn_head(const AzimuthElevation& heading, Nanoseconds start) {
+  const HeadTurn turn{.start = start, .heading = heading};
+  turns_.push_back(turn);
+}
+
+Vec3 ScanPath::gaze(Nanoseconds time) {
+  continue_to(time);
+  const std::size_t i =
+      current(fixations_, time, [](const Fixation& f) { return f.saccade_start; });
+  const Fixation& to = fixations_[i];
+  const Fixation& from = fixations_[i > 0 ? i - 1 : 0];
+  const auto part = static_cast<float>(eased(time, to.saccade_start, to.saccade_end));
+  return glm::normalize(glm::mix(from.direction, to.direction, part));
+}
+
+AzimuthElevation ScanPath::head(Nanoseconds time) {
+  continue_to(time);
+  const std::size_t i = current(turns_, time, [](const HeadTurn& t) { return t.start; });
+  const AzimuthElevation& to = turns_[i].heading;
+  const AzimuthElevation& from = turns_[i > 0 ? i - 1 : 0].heading;
+  const Nanoseconds end = turns_[i].start + nanoseconds_from_seconds(habits_.head_turn_s);
+  const double part = eased(time, turns_[i].start, end);
+  const double turn_rad = std::remainder(to.azimuth_rad - from.azimuth_rad, 2.0 * std::numbers::pi);
+  return {.azimuth_rad = from.azimuth_rad + part * turn_rad,
+          .elevation_rad = from.elevation_rad + part * (to.elevation_rad - from.elevation_rad)};
+}
+
+void ScanPath::continue_to(Nanoseconds time) {
+  const bool anything_to_look_at = exploring_ || radius_deg_ > 0.0;
+  while (anything_to_look_at && next_saccade_ <= time) {
+    const Vec3 target = next_target();
+    const double amplitude_deg = degrees(angle_between(fixations_.back().direction, target));
+    const Nanoseconds landing =
+        next_saccade_ +
+        nanoseconds_from_seconds(habits_.saccade_s + habits_.saccade_s_per_deg * amplitude_deg);
+    fixations_.push_back(
+        {.saccade_start = next_saccade_, .saccade_end = landing, .direction = target});
+    next_saccade_ =
+        landing + nanoseconds_from_seconds(
+                      between(habits_.shortest_fixation_s, habits_.longest_fixation_s, random_));
+  }
+}
+
+Vec3 ScanPath::next_target() { return exploring_ ? target_around() : target_on_object(); }
+
+Vec3 ScanPath::target_on_object() {
+  const double radius_rad =
+      radians(radius_deg_ * habits_.examined_part * std::sqrt(random_.uniform()));
+  const double angle_rad = 2.0 * std::numbers::pi * random_.uniform();
+  const Frame frame(object_);
+  return frame.to_world({static_cast<float>(std::sin(radius_rad) * std::cos(angle_rad)),
+                         static_cast<float>(std::sin(radius_rad) * std::sin(angle_rad)),
+                         static_cast<float>(std::cos(radius_rad))});
+}
+
+Vec3 ScanPath::target_around() {
+  if (fixations_since_turn_ == habits_.fixations_per_head_turn) {
+    fixations_since_turn_ = 0;
+    const double right_deg = between(-habits_.head_azimuth_deg, habits_.head_azimuth_deg, random_);
+    const double up_deg = between(-habits_.head_elevation_deg, habits_.head_elevation_deg, random_);
+    turn_head({.azimuth_rad = around_.azimuth_rad + radians(right_deg),
+               .elevation_rad = around_.elevation_rad + radians(up_deg)},
+              next_saccade_);
+  }
+  ++fixations_since_turn_;
+  const AzimuthElevation& heading = turns_.back().heading;
+  const double eye_right_deg = habits_.eye_in_head_deg * random_.normal();
+  const double eye_up_deg = habits_.eye_in_head_deg * random_.normal();
+  return direction_from({.azimuth_rad = heading.azimuth_rad + radians(eye_right_deg),
+                         .elevation_rad = heading.elevation_rad + radians(eye_up_deg)});
+}
+
+}  // namespace foveola::study

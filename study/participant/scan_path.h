@@ -1,0 +1,62 @@
+// Where a simulated participant looks: fixations, saccades and turns of the head over time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/random.h"
+#include "study/participant/population.h"
+
+namespace foveola::study {
+
+/// The path is made up as time passes, and is the same for the same seed and calls, whatever the
+/// times it is asked for.
+class ScanPath {
+ public:
+  ScanPath(const GazeHabits& habits, std::uint64_t seed);
+
+  /// From `start` on the head faces `object` (unit length, world) and the eye wanders over it.
+  void examine(const Vec3& object, double radius_deg, Nanoseconds start);
+  /// From `start` on head and eye look around.
+  void explore(const AzimuthElevation& around, Nanoseconds start);
+
+  /// The eye's direction in world axes and the head's heading at `time`; before the last start,
+  /// those of the start.
+  Vec3 gaze(Nanoseconds time);
+  AzimuthElevation head(Nanoseconds time);
+
+ private:
+  struct Fixation {
+    Nanoseconds saccade_start{0};
+    Nanoseconds saccade_end{0};
+    Vec3 direction{0.0F, 0.0F, -1.0F};
+  };
+  struct HeadTurn {
+    Nanoseconds start{0};
+    AzimuthElevation heading;
+  };
+
+  /// Forgets everything but where head and eye are at `start`.
+  void begin(Nanoseconds start);
+  void turn_head(const AzimuthElevation& heading, Nanoseconds start);
+  /// Adds fixations until one lasts beyond `time`.
+  void continue_to(Nanoseconds time);
+  Vec3 next_target();
+  Vec3 target_on_object();
+  Vec3 target_around();
+
+  GazeHabits habits_;
+  Pcg32 random_;
+  std::vector<Fixation> fixations_;  ///< the first is where the eye was at the start
+  std::vector<HeadTurn> turns_;      ///< likewise
+  Nanoseconds next_saccade_{0};
+  bool exploring_ = false;
+  int fixations_since_turn_ = 0;
+  Vec3 object_{0.0F, 0.0F, -1.0F};
+  double radius_deg_ = 0.0;
+  AzimuthElevation around_;
+};
+
+}  // namespace foveola::study
