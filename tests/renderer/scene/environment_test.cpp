@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/renderer/scene/glb_builder.h"
 
@@ -81,9 +82,10 @@ TEST_F(LoadEnvironment, RefusesWhatIsNoImage) {
   EXPECT_THAT(error_of(folder()), HasSubstr("is not a file"));
   EXPECT_THAT(error_of(write("text.exr", "this is no image")), HasSubstr("text.exr: "));
   EXPECT_THAT(error_of(write("empty.png", "")), HasSubstr("empty.png: "));
-  const std::string whole = png(8, 8, 3, std::vector<std::uint8_t>(192, 5));
-  EXPECT_THAT(error_of(write("cut.png", whole.substr(0, whole.size() - 20))),
-              HasSubstr("cut.png: is damaged"));
+  const std::string whole =
+      read_file(write_floats("whole.exr", 4, 4, 3, std::vector<float>(48, 1)));
+  EXPECT_THAT(error_of(write("cut.exr", whole.substr(0, whole.size() - 20))),
+              HasSubstr("cut.exr: is damaged"));
 }
 
 }  // namespace

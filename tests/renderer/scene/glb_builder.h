@@ -122,6 +122,7 @@ class TemporaryFolder : public ::testing::Test {
   const std::filesystem::path& folder() const { return folder_; }
 
   std::filesystem::path write(const std::string& name, const std::string& content) const {
+    std::filesystem::remove(folder_ / name);  // some file systems flush a file that is overwritten
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
   }
