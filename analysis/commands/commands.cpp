@@ -33,6 +33,7 @@ void run_analyze(const AnalyzeArguments& arguments) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): every room adds its commands alike.
 void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   const auto arguments = std::make_shared<AnalyzeArguments>();
   CLI::App* command =

@@ -24,12 +24,12 @@ using testing::ThrowsMessage;
 
 class AnalyzeStudy : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(root_); }
-  void TearDown() override { fs::remove_all(root_); }
+  void SetUp() override { fs::create_directories(root); }
+  void TearDown() override { fs::remove_all(root); }
 
-  const fs::path root_ =
+  const fs::path root =
       fs::path(testing::TempDir()) / ("foveola_analyze_" + std::to_string(::getpid()));
-  const fs::path folder_ = root_ / "results";
+  const fs::path folder = root / "results";
 };
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -41,59 +41,59 @@ std::set<std::string> names_in(const fs::path& folder) {
 }
 
 TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
-  const AnalysisOutput output = analyze_records(golden_study_records(), folder_);
+  const AnalysisOutput output = analyze_records(golden_study_records(), folder);
   EXPECT_THAT(
-      names_in(folder_),
+      names_in(folder),
       ElementsAre("background_correlation.csv", "exclusions.csv", "figure5_geometric_means.csv",
                   "figure5_relative.svg", "figure5_seconds.svg", "figure6_artifact_ratings.csv",
                   "figure6_artifact_ratings.svg", "report.html", "table2_times.csv"));
-  EXPECT_EQ(output.report, folder_ / "report.html");
+  EXPECT_EQ(output.report, folder / "report.html");
   EXPECT_EQ(output.files.size(), 9U);
   EXPECT_THAT(output.summary, HasSubstr("geometric mean"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("6 sessions or values are left out")));
 }
 
 TEST_F(AnalyzeStudy, ReplacesItsOwnFilesAndLeavesOthers) {
-  fs::create_directory(folder_);
-  write_file(folder_ / "notes.txt", "mine");
-  write_file(folder_ / "report.html", "old");
-  (void)analyze_records(complete_study(2), folder_);
-  EXPECT_EQ(read_file(folder_ / "notes.txt"), "mine");
-  EXPECT_THAT(read_file(folder_ / "report.html"), HasSubstr("</html>"));
+  fs::create_directory(folder);
+  write_file(folder / "notes.txt", "mine");
+  write_file(folder / "report.html", "old");
+  (void)analyze_records(complete_study(2), folder);
+  EXPECT_EQ(read_file(folder / "notes.txt"), "mine");
+  EXPECT_THAT(read_file(folder / "report.html"), HasSubstr("</html>"));
 }
 
 TEST_F(AnalyzeStudy, SameRecordsSameBytes) {
-  const AnalysisOutput first = analyze_records(golden_study_records(), folder_);
-  const AnalysisOutput second = analyze_records(golden_study_records(), root_ / "again");
+  const AnalysisOutput first = analyze_records(golden_study_records(), folder);
+  const AnalysisOutput second = analyze_records(golden_study_records(), root / "again");
   for (std::size_t i = 0; i < first.files.size(); ++i) {
     EXPECT_EQ(read_file(first.files[i]), read_file(second.files[i])) << first.files[i];
   }
 }
 
 TEST_F(AnalyzeStudy, NothingIsWrittenWhenThereIsNothingToAnalyse) {
-  EXPECT_THROW((void)analyze_records(complete_study(0), folder_), Error);
-  EXPECT_THAT(names_in(root_), IsEmpty());
+  EXPECT_THROW((void)analyze_records(complete_study(0), folder), Error);
+  EXPECT_THAT(names_in(root), IsEmpty());
 }
 
 TEST_F(AnalyzeStudy, AFolderThatCannotBeMadeIsAnError) {
-  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), root_ / "no" / "where"); },
+  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), root / "no" / "where"); },
               ThrowsMessage<Error>(HasSubstr("no/where: cannot be made")));
-  write_file(root_ / "file", "");
-  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), root_ / "file"); },
+  write_file(root / "file", "");
+  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), root / "file"); },
               ThrowsMessage<Error>(HasSubstr("is a file, not a folder")));
 }
 
 TEST_F(AnalyzeStudy, AMissingDatabaseIsAnErrorThatNamesIt) {
-  EXPECT_THAT([this] { (void)analyze_study(root_ / "none.sqlite", folder_); },
+  EXPECT_THAT([this] { (void)analyze_study(root / "none.sqlite", folder); },
               ThrowsMessage<Error>(HasSubstr("none.sqlite")));
-  EXPECT_FALSE(fs::exists(folder_));
+  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST_F(AnalyzeStudy, SaysWhatLimitsTheResult) {
   study::StudyRecords records = complete_study(1);
   records.methods = {"od"};
   records.sessions[0].kind = "simulated";
-  const AnalysisOutput output = analyze_records(records, folder_);
+  const AnalysisOutput output = analyze_records(records, folder);
   EXPECT_THAT(output.warnings, Contains(HasSubstr("Simulated data")));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("one method")));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("One participant")));
