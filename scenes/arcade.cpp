@@ -61,13 +61,13 @@ Materials add_materials(Model& model) {
       model, "walk tiles", floor_tiles(512, 8, {0.5F, 0.46F, 0.4F}, {0.22F, 0.1F, 0.07F}, 13),
       0.45F);
   m.brick = add_textured_material(model, "brick",
-                                  masonry(1024,
+                                  masonry(512,
                                           {.courses = 16,
                                            .stones = 6,
                                            .joint = 0.1,
                                            .variation = 0.3,
-                                           .stone = {0.5F, 0.33F, 0.22F},
-                                           .mortar = {0.5F, 0.46F, 0.4F}},
+                                           .stone = {0.62F, 0.47F, 0.35F},
+                                           .mortar = {0.58F, 0.54F, 0.47F}},
                                           14),
                                   0.9F);
   m.plaster =
@@ -205,9 +205,9 @@ void add_arches(Model& model, const Materials& m) {
 }
 
 void add_columns(Model& model, const Materials& m) {
-  const Shape lower = column({.radius = 0.2, .height = lower_springing, .slab = 0.62}, 28);
+  const Shape lower = column({.radius = 0.2, .height = lower_springing, .slab = 0.62}, 20);
   const Shape upper =
-      column({.radius = 0.16, .height = upper_springing - upper_floor, .slab = 0.6}, 24);
+      column({.radius = 0.16, .height = upper_springing - upper_floor, .slab = 0.6}, 16);
   Shape columns;
   for_each_column([&](double x, double z, double) {
     append(columns, moved(lower, {x, 0.0, z}));
@@ -221,7 +221,7 @@ void add_columns(Model& model, const Materials& m) {
 
 void add_balustrade(Model& model, const Materials& m) {
   constexpr double height = 0.8;
-  const Shape post = baluster(height, 10);
+  const Shape post = baluster(height, 8);
   Shape balustrade;
   for_each_bay([&](double x, double z, double turn_deg) {
     Shape one;

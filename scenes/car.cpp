@@ -286,7 +286,7 @@ Shape tyre() {
     outline.emplace_back(point->x, 2.0 * w - point->y);
   }
   outline.push_back(side.front());
-  return lathe(outline, 72);
+  return lathe(outline, 64);
 }
 
 void add_car(Model& model, const CarMaterials& materials, double ground) {

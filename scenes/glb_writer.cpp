@@ -38,6 +38,7 @@ class GlbWriter {
     write_cameras();
     write_materials();
     write_images();
+    pad(binary_, '\0');
     document_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
     return assembled();
   }
@@ -187,7 +188,6 @@ class GlbWriter {
   std::string assembled() {
     std::string json = document_.dump();
     pad(json, ' ');
-    pad(binary_, '\0');
     std::string file;
     const auto append_uint32 = [&](std::size_t value) {
       const auto word = static_cast<std::uint32_t>(value);

@@ -41,16 +41,15 @@ struct Materials {
 
 Materials add_materials(Model& model) {
   Materials m;
-  m.floor =
-      add_textured_material(model, "floor boards",
-                            wood(1024, 12, {0.42F, 0.26F, 0.13F}, {0.24F, 0.13F, 0.06F}, 21), 0.4F);
+  m.floor = add_textured_material(
+      model, "floor boards", wood(512, 12, {0.42F, 0.26F, 0.13F}, {0.24F, 0.13F, 0.06F}, 21), 0.4F);
   m.ceiling = add_textured_material(model, "ceiling panels", ceiling_panels(512, 2, 22), 0.95F);
   m.wall =
       add_textured_material(model, "wall", plaster(512, {0.68F, 0.65F, 0.58F}, 0.06, 23), 0.95F);
   m.accent_wall = add_textured_material(model, "accent wall",
                                         plaster(512, {0.2F, 0.33F, 0.36F}, 0.08, 24), 0.95F);
   m.table = add_textured_material(
-      model, "table top", wood(1024, 6, {0.36F, 0.17F, 0.07F}, {0.17F, 0.07F, 0.03F}, 25), 0.25F);
+      model, "table top", wood(512, 6, {0.36F, 0.17F, 0.07F}, {0.17F, 0.07F, 0.03F}, 25), 0.25F);
   m.dark_wood = add_textured_material(
       model, "dark wood", wood(256, 2, {0.11F, 0.06F, 0.035F}, {0.05F, 0.03F, 0.02F}, 26), 0.5F);
   m.fabric = add_textured_material(

@@ -1,6 +1,7 @@
 #include "scenes/patterns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,23 +16,37 @@ struct Texel {
   double alpha = 1.0;
 };
 
-std::uint8_t srgb_byte(double linear) {
-  const double value = std::clamp(linear, 0.0, 1.0);
-  const double encoded =
-      value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
-}
+/// Linear light to sRGB bytes (IEC 61966-2-1), rounded.
+class SrgbEncoder {
+ public:
+  SrgbEncoder() {
+    for (std::size_t i = 0; i < thresholds_.size(); ++i) {
+      const double encoded = (static_cast<double>(i) + 0.5) / 255.0;
+      thresholds_[i] =
+          encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    }
+  }
+
+  std::uint8_t byte(double linear) const {
+    const auto* const above = std::upper_bound(thresholds_.begin(), thresholds_.end(), linear);
+    return static_cast<std::uint8_t>(above - thresholds_.begin());
+  }
+
+ private:
+  std::array<double, 255> thresholds_{};  ///< the linear value from which on a byte is one more
+};
 
 /// An image whose texel at (u, v) in (0, 1) from the top left is texel(u, v).
 template <typename Function>
 Image painted(int width, int height, const Function& texel) {
+  const SrgbEncoder srgb;
   Image image{width, height, {}};
   image.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const Texel t = texel((x + 0.5) / width, (y + 0.5) / height);
       image.rgba.insert(image.rgba.end(),
-                        {srgb_byte(t.color.r), srgb_byte(t.color.g), srgb_byte(t.color.b),
+                        {srgb.byte(t.color.r), srgb.byte(t.color.g), srgb.byte(t.color.b),
                          static_cast<std::uint8_t>(std::lround(255.0 * t.alpha))});
     }
   }
@@ -43,30 +58,26 @@ double smooth_step(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
+double blend(double a, double b, double t) { return a + (b - a) * t; }
 DVec3 blend(const DVec3& a, const DVec3& b, double t) { return a + (b - a) * t; }
 
 /// A number in [0, 1) for the cell (x, y).
 double cell_value(int x, int y, std::uint32_t seed) {
-  return unit_float(
-      mix(mix(mix(seed), static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y)));
+  return unit_float(mix(mix(seed + static_cast<std::uint32_t>(x)) + static_cast<std::uint32_t>(y)));
 }
 
-int wrapped(int i, int period) { return (i % period + period) % period; }
-
-/// Smooth noise in [0, 1] with one value at each integer point, repeating after the two periods
-/// (value noise, Perlin 1985 with a smoothed lattice).
+/// Smooth noise in [0, 1] for x in [0, period_x) and y in [0, period_y), with one value at each
+/// integer point, repeating after the periods (value noise, Perlin 1985 with a smoothed lattice).
 double noise(double x, double y, int period_x, int period_y, std::uint32_t seed) {
-  const double floor_x = std::floor(x);
-  const double floor_y = std::floor(y);
-  const int x0 = wrapped(static_cast<int>(floor_x), period_x);
-  const int y0 = wrapped(static_cast<int>(floor_y), period_y);
-  const int x1 = wrapped(x0 + 1, period_x);
-  const int y1 = wrapped(y0 + 1, period_y);
-  const double tx = smooth_step(0.0, 1.0, x - floor_x);
-  const double ty = smooth_step(0.0, 1.0, y - floor_y);
-  const double top = std::lerp(cell_value(x0, y0, seed), cell_value(x1, y0, seed), tx);
-  const double bottom = std::lerp(cell_value(x0, y1, seed), cell_value(x1, y1, seed), tx);
-  return std::lerp(top, bottom, ty);
+  const int x0 = static_cast<int>(x);
+  const int y0 = static_cast<int>(y);
+  const int x1 = x0 + 1 == period_x ? 0 : x0 + 1;
+  const int y1 = y0 + 1 == period_y ? 0 : y0 + 1;
+  const double tx = smooth_step(0.0, 1.0, x - x0);
+  const double ty = smooth_step(0.0, 1.0, y - y0);
+  const double top = blend(cell_value(x0, y0, seed), cell_value(x1, y0, seed), tx);
+  const double bottom = blend(cell_value(x0, y1, seed), cell_value(x1, y1, seed), tx);
+  return blend(top, bottom, ty);
 }
 
 /// Four octaves of noise in [0, 1] over the unit square, coarsest with the given periods.

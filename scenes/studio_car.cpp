@@ -50,7 +50,7 @@ CarMaterials add_car_materials(Model& model) {
   m.headlight = add_material(model, {.name = "headlight",
                                      .base_color = Rgb(0.6F),
                                      .roughness = 0.08F,
-                                     .emission = {0.9F, 0.9F, 0.8F}});
+                                     .emission = {0.3F, 0.3F, 0.27F}});
   m.tail_light = add_material(
       model, {.name = "tail light", .base_color = {0.4F, 0.01F, 0.01F}, .roughness = 0.1F});
   return m;
@@ -59,18 +59,18 @@ CarMaterials add_car_materials(Model& model) {
 Materials add_materials(Model& model) {
   Materials m;
   m.concrete =
-      add_textured_material(model, "concrete", plaster(1024, {0.3F, 0.29F, 0.27F}, 0.35, 31), 0.7F);
+      add_textured_material(model, "concrete", plaster(512, {0.38F, 0.37F, 0.35F}, 0.35, 31), 0.7F);
   m.brick = add_textured_material(model, "painted brick",
-                                  masonry(1024,
+                                  masonry(512,
                                           {.courses = 16,
                                            .stones = 6,
                                            .joint = 0.1,
                                            .variation = 0.08,
-                                           .stone = {0.5F, 0.49F, 0.46F},
-                                           .mortar = {0.38F, 0.37F, 0.35F}},
+                                           .stone = {0.66F, 0.65F, 0.61F},
+                                           .mortar = {0.42F, 0.41F, 0.39F}},
                                           32),
                                   0.85F);
-  m.ceiling = add_textured_material(model, "ceiling", plaster(256, Rgb(0.3F), 0.1, 33), 0.95F);
+  m.ceiling = add_textured_material(model, "ceiling", plaster(256, Rgb(0.5F), 0.1, 33), 0.95F);
   m.backdrop = add_material(model, {.name = "backdrop",
                                     .base_color = {0.62F, 0.6F, 0.57F},
                                     .roughness = 0.9F,
@@ -86,8 +86,8 @@ Materials add_materials(Model& model) {
       model, {.name = "aluminium", .base_color = Rgb(0.8F), .metallic = 1.0F, .roughness = 0.45F});
   m.wood = add_textured_material(
       model, "wood", wood(512, 6, {0.4F, 0.25F, 0.13F}, {0.22F, 0.12F, 0.06F}, 34), 0.5F);
-  m.softbox = add_material(model, {.name = "softbox", .emission = Rgb(7.0F)});
-  m.warm_softbox = add_material(model, {.name = "warm softbox", .emission = {7.5F, 6.2F, 4.8F}});
+  m.softbox = add_material(model, {.name = "softbox", .emission = Rgb(13.0F)});
+  m.warm_softbox = add_material(model, {.name = "warm softbox", .emission = {14.0F, 11.5F, 9.0F}});
   m.plant = add_plant_materials(model);
   m.car = add_car_materials(model);
   return m;

@@ -9,6 +9,7 @@
 #include "renderer/base/files.h"
 #include "renderer/film/image_file.h"
 #include "renderer/view/equirect.h"
+#include "renderer/view/viewport.h"
 #include "tests/end_to_end/program.h"
 
 namespace foveola::test {

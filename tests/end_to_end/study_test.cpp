@@ -23,6 +23,22 @@ name = "small"
 title = "A small study for the tests"
 scenes = ["meeting-room"]
 methods = ["od", "vp", "fv"]
+
+[machine]
+samples_per_second = 3845  # the demo's, scaled with the film's area
+
+[film]
+width = 96
+height = 48
+max_depth = 3
+
+[display]
+view_width = 40
+view_height = 40
+
+[reference]
+samples_per_pixel = 32
+samples_per_object = 20000
 )";
 
 std::string query(const fs::path& path, const std::string& sql) {

@@ -1,0 +1,38 @@
+// What is known of a scene before its file is opened: scenes/NAME.toml.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/base/scene_source.h"
+
+namespace foveola::scenes {
+
+struct Descriptor {
+  std::string name;  ///< the file's, without .toml
+  std::string author;
+  std::string licence;
+  std::string origin;       ///< where a real scene can be got; empty for a built-in one
+  std::string counterpart;  ///< the built-in scene that stands in for a real one; may be empty
+  bool is_builtin = false;
+  std::string file_name;  ///< of a real scene
+  SceneSource source;     ///< all but the file
+};
+
+/// Reads one descriptor. Throws Error with file:line:column for bad TOML, an unknown key, a wrong
+/// type or a value out of range.
+Descriptor read_descriptor(const std::filesystem::path& file);
+
+/// The descriptor `name` among the program's own, if there is one.
+std::optional<Descriptor> find_descriptor(const std::string& name);
+
+/// All of the program's own, by name.
+std::vector<Descriptor> all_descriptors();
+
+/// The file of a real scene in the folders of $FOVEOLA_SCENE_PATH or their subfolders, if it is
+/// there.
+std::optional<std::filesystem::path> find_real_file(const Descriptor& descriptor);
+
+}  // namespace foveola::scenes

@@ -1,0 +1,238 @@
+#include "scenes/builtin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "scenes/descriptor.h"
+#include "scenes/glb_writer.h"
+#include "tests/scenes/environment.h"
+#include "tests/scenes/glb.h"
+
+namespace foveola::scenes {
+namespace {
+
+using testing::HasSubstr;
+
+struct Hit {
+  double distance = std::numeric_limits<double>::infinity();
+  std::string object;
+  bool from_the_front = false;
+};
+
+/// Where a ray hits a triangle (Moller and Trumbore 1997), without back-face culling.
+std::optional<double> distance_to(const DVec3& origin, const DVec3& direction, const DVec3& a,
+                                  const DVec3& b, const DVec3& c) {
+  const DVec3 p = glm::cross(direction, c - a);
+  const double determinant = glm::dot(b - a, p);
+  if (determinant == 0.0) {
+    return std::nullopt;
+  }
+  const DVec3 from_a = origin - a;
+  const double u = glm::dot(from_a, p) / determinant;
+  const DVec3 q = glm::cross(from_a, b - a);
+  const double v = glm::dot(direction, q) / determinant;
+  const double t = glm::dot(c - a, q) / determinant;
+  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 1e-9 ? std::optional(t) : std::nullopt;
+}
+
+/// The nearest hit among all triangles; leaves count as opaque.
+std::optional<Hit> first_hit(const Model& model, const DVec3& origin, const DVec3& direction) {
+  Hit nearest;
+  for (const Object& object : model.objects) {
+    for (const Surface& surface : object.surfaces) {
+      for (const auto& [a, b, c] : surface.triangles) {
+        const DVec3 pa(surface.positions[a]);
+        const DVec3 pb(surface.positions[b]);
+        const DVec3 pc(surface.positions[c]);
+        const auto distance = distance_to(origin, direction, pa, pb, pc);
+        if (distance && *distance < nearest.distance) {
+          const bool front = glm::dot(glm::cross(pb - pa, pc - pa), direction) < 0.0;
+          nearest = {*distance, object.name,
+                     front || model.materials[surface.material].double_sided};
+        }
+      }
+    }
+  }
+  return std::isfinite(nearest.distance) ? std::optional(nearest) : std::nullopt;
+}
+
+/// Directions spread evenly over the sphere (spherical Fibonacci points).
+std::vector<DVec3> even_directions(int count) {
+  std::vector<DVec3> directions;
+  for (int i = 0; i < count; ++i) {
+    const double y = 1.0 - (2.0 * i + 1.0) / count;
+    const double azimuth = 2.0 * std::numbers::pi * i / std::numbers::phi;
+    const double r = std::sqrt(1.0 - y * y);
+    directions.emplace_back(r * std::cos(azimuth), y, r * std::sin(azimuth));
+  }
+  return directions;
+}
+
+/// The scene, made once for all tests of a run.
+const Model& scene(const std::string& name) {
+  static std::map<std::string, Model> scenes;
+  const auto [entry, is_new] = scenes.try_emplace(name);
+  if (is_new) {
+    entry->second = make_builtin(name);
+  }
+  return entry->second;
+}
+
+class BuiltinScene : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Every, BuiltinScene, testing::ValuesIn(builtin_names()),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_P(BuiltinScene, HasTheSameHashTwice) {
+  EXPECT_EQ(sha256(glb_from(scene(GetParam()))), sha256(glb_from(make_builtin(GetParam()))));
+}
+
+TEST_P(BuiltinScene, IsAStudyScenesSize) {
+  const std::size_t triangles = scene(GetParam()).triangle_count();
+  EXPECT_GE(triangles, 20'000U);
+  EXPECT_LE(triangles, 120'000U);
+}
+
+TEST_P(BuiltinScene, AccessorsLieInsideTheirBufferViews) {
+  const Glb glb = taken_apart(glb_from(scene(GetParam())));
+  for (const nlohmann::json& view : glb.json.at("bufferViews")) {
+    EXPECT_EQ(view.at("byteOffset").get<std::size_t>() % 4, 0U);
+    EXPECT_LE(view.at("byteOffset").get<std::size_t>() + view.at("byteLength").get<std::size_t>(),
+              glb.binary.size());
+  }
+  for (const nlohmann::json& mesh : glb.json.at("meshes")) {
+    for (const nlohmann::json& primitive : mesh.at("primitives")) {
+      const nlohmann::json& attributes = primitive.at("attributes");
+      const auto positions = items_of<float>(glb, attributes.at("POSITION"), 3);
+      const auto normals = items_of<float>(glb, attributes.at("NORMAL"), 3);
+      EXPECT_EQ(normals.size(), positions.size());
+      if (attributes.contains("TEXCOORD_0")) {
+        const auto uvs = items_of<float>(glb, attributes.at("TEXCOORD_0"), 2);
+        EXPECT_EQ(uvs.size() / 2, positions.size() / 3);
+      }
+      const auto indices = items_of<std::uint32_t>(glb, primitive.at("indices"));
+      EXPECT_EQ(indices.size() % 3, 0U);
+      EXPECT_LT(*std::max_element(indices.begin(), indices.end()), positions.size() / 3);
+      EXPECT_LT(primitive.at("material").get<std::size_t>(), glb.json.at("materials").size());
+    }
+  }
+}
+
+TEST_P(BuiltinScene, HasNoDegenerateTrianglesAndNormalsOnTheFrontSide) {
+  std::size_t faults = 0;
+  for (const Object& object : scene(GetParam()).objects) {
+    for (const Surface& surface : object.surfaces) {
+      for (const auto& triangle : surface.triangles) {
+        const DVec3 a(surface.positions[triangle[0]]);
+        const DVec3 across = glm::cross(DVec3(surface.positions[triangle[1]]) - a,
+                                        DVec3(surface.positions[triangle[2]]) - a);
+        faults += glm::length(across) > 0.0 ? 0 : 1;
+        for (const std::uint32_t corner : triangle) {
+          const DVec3 normal(surface.normals[corner]);
+          faults += std::abs(glm::length(normal) - 1.0) < 1e-5 ? 0 : 1;
+          faults += glm::dot(normal, across) > 0.0 ? 0 : 1;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(faults, 0U);
+}
+
+TEST_P(BuiltinScene, StandsAtItsDescriptorsCamera) {
+  const Descriptor descriptor = find_descriptor(GetParam()).value();
+  const Camera& camera = scene(GetParam()).cameras.at(0);
+  EXPECT_EQ(descriptor.source.camera_position, camera.position);
+  EXPECT_DOUBLE_EQ(descriptor.source.heading.azimuth_rad, camera.heading.azimuth_rad);
+  EXPECT_DOUBLE_EQ(descriptor.source.heading.elevation_rad, camera.heading.elevation_rad);
+}
+
+TEST_P(BuiltinScene, ObjectsOfInterestAreVisibleAndApart) {
+  const SceneSource source = find_descriptor(GetParam()).value().source;
+  const Model& model = scene(GetParam());
+  const Vec3 camera = source.camera_position.value();
+  EXPECT_GE(source.objects.size(), 3U);
+  for (const ObjectOfInterest& object : source.objects) {
+    SCOPED_TRACE(object.name);
+    const Vec3 towards = object.position - camera;
+    EXPECT_LT(degrees(angle_between(towards, direction_from(source.heading))), 45.0);
+    EXPECT_GE(object.radius_deg, 4.0F);
+    EXPECT_LE(object.radius_deg, 12.0F);
+    const auto hit = first_hit(model, DVec3(camera), glm::normalize(DVec3(towards)));
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->object, object.name);
+    const double distance = glm::length(towards);
+    EXPECT_LT(std::abs(hit->distance - distance), distance * std::tan(radians(object.radius_deg)));
+    for (const ObjectOfInterest& other : source.objects) {
+      if (&other != &object) {
+        EXPECT_GT(degrees(angle_between(towards, other.position - camera)),
+                  std::max(object.radius_deg, other.radius_deg));
+      }
+    }
+  }
+}
+
+TEST_P(BuiltinScene, EndsInFrontFacesInEveryDirection) {
+  const bool has_open_sky = GetParam() == "arcade";
+  const Model& model = scene(GetParam());
+  const DVec3 camera(model.cameras.at(0).position);
+  int sky = 0;
+  for (const DVec3& direction : even_directions(600)) {
+    const auto hit = first_hit(model, camera, direction);
+    if (!hit) {
+      EXPECT_TRUE(has_open_sky && direction.y > 0.3) << "a hole where y = " << direction.y;
+      ++sky;
+      continue;
+    }
+    EXPECT_TRUE(hit->from_the_front) << hit->object;
+  }
+  EXPECT_EQ(sky > 0, has_open_sky);
+}
+
+TEST(Builtin, UnknownNameIsRefused) {
+  try {
+    make_builtin("castle");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("arcade, meeting-room, studio-car"));
+  }
+}
+
+TEST(Builtin, IsMadeOnceIntoTheCache) {
+  const TemporaryFolder cache;
+  const EnvironmentVariable cache_home("XDG_CACHE_HOME", cache.path().string());
+  const std::filesystem::path file = require_builtin("meeting-room");
+  EXPECT_EQ(file.parent_path(), cache.path() / "foveola" / "scenes");
+  EXPECT_EQ(read_file(file).substr(0, 4), "glTF");
+  write_file(file, "kept");
+  EXPECT_EQ(read_file(require_builtin("meeting-room")), "kept");
+}
+
+TEST(Builtin, WritesIntoANewFolder) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "new" / "room.glb";
+  EXPECT_GT(write_builtin("meeting-room", file), 0U);
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+TEST(Builtin, FolderThatIsAFileIsRefused) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("taken", "x");
+  EXPECT_THROW(write_builtin("meeting-room", file / "room.glb"), Error);
+}
+
+}  // namespace
+}  // namespace foveola::scenes

@@ -1,0 +1,180 @@
+#include "scenes/descriptor.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "scenes/builtin.h"
+#include "tests/scenes/environment.h"
+
+namespace foveola::scenes {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const char* const good = R"(title = "A hall"
+author = "Somebody"
+licence = "CC BY 4.0"
+file = "hall.glb"
+origin = "example.org"
+counterpart = "church"
+exposure_stops = -1.5
+environment_radiance = [1, 2.5, 3.0]
+
+[camera]
+position = [1.0, 2.0, 3.0]
+azimuth_deg = 90
+elevation_deg = -10.0
+
+[[light]]
+center = [0.0, 5.0, 0.0]
+size = [2.0, 1.0]
+normal = [0, -1, 0]
+radiance = [10, 9, 8]
+
+[[object]]
+name = "Organ"
+position = [4.0, 2.0, -3.0]
+radius_deg = 6.5
+)";
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string error_of(const std::string& content) {
+  const TemporaryFolder folder;
+  try {
+    read_descriptor(folder.write("hall.toml", content));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Descriptor, ReadsEveryKey) {
+  const TemporaryFolder folder;
+  const Descriptor hall = read_descriptor(folder.write("hall.toml", good));
+  EXPECT_EQ(hall.name, "hall");
+  EXPECT_EQ(hall.author, "Somebody");
+  EXPECT_EQ(hall.licence, "CC BY 4.0");
+  EXPECT_EQ(hall.file_name, "hall.glb");
+  EXPECT_EQ(hall.origin, "example.org");
+  EXPECT_EQ(hall.counterpart, "church");
+  EXPECT_FALSE(hall.is_builtin);
+  EXPECT_EQ(hall.source.title, "A hall");
+  EXPECT_EQ(hall.source.camera_position, Vec3(1.0F, 2.0F, 3.0F));
+  EXPECT_NEAR(hall.source.heading.azimuth_rad, 1.5707963267948966, 1e-15);
+  EXPECT_NEAR(hall.source.heading.elevation_rad, -0.17453292519943295, 1e-15);
+  EXPECT_EQ(hall.source.exposure_stops, -1.5);
+  EXPECT_EQ(hall.source.environment_radiance, Rgb(1.0F, 2.5F, 3.0F));
+  ASSERT_EQ(hall.source.lights.size(), 1U);
+  EXPECT_EQ(hall.source.lights[0].center, Vec3(0.0F, 5.0F, 0.0F));
+  EXPECT_EQ(hall.source.lights[0].size, Vec2(2.0F, 1.0F));
+  EXPECT_EQ(hall.source.lights[0].normal, Vec3(0.0F, -1.0F, 0.0F));
+  EXPECT_EQ(hall.source.lights[0].radiance, Rgb(10.0F, 9.0F, 8.0F));
+  ASSERT_EQ(hall.source.objects.size(), 1U);
+  EXPECT_EQ(hall.source.objects[0].name, "Organ");
+  EXPECT_EQ(hall.source.objects[0].position, Vec3(4.0F, 2.0F, -3.0F));
+  EXPECT_EQ(hall.source.objects[0].radius_deg, 6.5F);
+}
+
+TEST(Descriptor, UnknownKeysAreNamedWithLineAndColumn) {
+  EXPECT_THAT(error_of(with(good, "origin =", "oirgin =")),
+              AllOf(HasSubstr("hall.toml:5:1"), HasSubstr("'oirgin'")));
+  EXPECT_THAT(error_of(with(good, "normal =", "  nromal =")), HasSubstr("hall.toml:15:1"));
+  EXPECT_THAT(error_of(std::string(good) + "  color = 3\n"),
+              AllOf(HasSubstr("hall.toml:25:3"), HasSubstr("'color'")));
+}
+
+TEST(Descriptor, WrongTypesAndValuesAreNamedWithTheirPlace) {
+  EXPECT_THAT(error_of(with(good, "\"A hall\"", "7")),
+              AllOf(HasSubstr("hall.toml:1:9"), HasSubstr("title must be a text")));
+  EXPECT_THAT(error_of(with(good, "exposure_stops = -1.5", "exposure_stops = \"dark\"")),
+              HasSubstr("hall.toml:7:18"));
+  EXPECT_THAT(error_of(with(good, "azimuth_deg = 90", "azimuth_deg = 400")),
+              HasSubstr("hall.toml:12:15"));
+  EXPECT_THAT(error_of(with(good, "azimuth_deg = 90", "azimuth_deg = nan")),
+              HasSubstr("hall.toml:12:15"));
+  EXPECT_THAT(error_of(with(good, "[1.0, 2.0, 3.0]", "[1.0, 2.0]")),
+              AllOf(HasSubstr("hall.toml:11:12"), HasSubstr("3 numbers")));
+  EXPECT_THAT(error_of(with(good, "[1.0, 2.0, 3.0]", "[1.0, \"x\", 3.0]")),
+              HasSubstr("hall.toml:11:18"));
+  EXPECT_THAT(error_of(with(good, "normal = [0, -1, 0]", "normal = [0, -1, 1]")),
+              HasSubstr("must be an axis"));
+  EXPECT_THAT(error_of(with(good, "[[light]]", "[light]")), HasSubstr("[[light]]"));
+  EXPECT_THAT(error_of(with(good, "radiance = [10, 9, 8]", "radiance = [10, -9, 8]")),
+              HasSubstr("hall.toml:19:17"));
+}
+
+TEST(Descriptor, MissingKeysAreNamed) {
+  EXPECT_THAT(error_of(with(good, "author = \"Somebody\"\n", "")), HasSubstr("author is missing"));
+  EXPECT_THAT(error_of(with(good, "radius_deg = 6.5\n", "")), HasSubstr("radius_deg is missing"));
+}
+
+TEST(Descriptor, IsEitherBuiltInOrHasAFile) {
+  EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", "builtin = true\nfile = \"hall.glb\"")),
+              HasSubstr("either built in or has a file"));
+  EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"\n", "")),
+              HasSubstr("either built in or has a file"));
+}
+
+TEST(Descriptor, BrokenTomlIsNamedWithItsPlace) {
+  EXPECT_THAT(error_of("title = \"A hall\nauthor = 3\n"), HasSubstr("hall.toml:1:"));
+}
+
+TEST(Descriptor, EveryBuiltinSceneHasOneAndEveryBuiltinOneHasAScene) {
+  std::vector<std::string> names;
+  for (const Descriptor& descriptor : all_descriptors()) {
+    if (descriptor.is_builtin) {
+      names.push_back(descriptor.name);
+    }
+  }
+  EXPECT_EQ(names, builtin_names());
+}
+
+TEST(Descriptor, TheStudysFiveScenesHaveOneWithObjectsInView) {
+  for (const char* const name : {"bmw", "classroom", "conference", "sibenik", "sponza"}) {
+    SCOPED_TRACE(name);
+    const auto descriptor = find_descriptor(name);
+    ASSERT_TRUE(descriptor.has_value());
+    EXPECT_FALSE(descriptor->is_builtin);
+    const SceneSource& source = descriptor->source;
+    EXPECT_GE(source.objects.size(), 2U);
+    for (const ObjectOfInterest& object : source.objects) {
+      const Vec3 towards = object.position - source.camera_position.value();
+      EXPECT_LT(degrees(angle_between(towards, direction_from(source.heading))), 45.0)
+          << object.name;
+    }
+  }
+}
+
+TEST(Descriptor, NamesThatAreNoNamesHaveNone) {
+  for (const char* const name : {"", ".", "..", "../scenes/arcade", "./arcade", "castle"}) {
+    EXPECT_FALSE(find_descriptor(name).has_value()) << name;
+  }
+}
+
+TEST(Descriptor, RealFilesAreFoundInFoldersAndTheirSubfolders) {
+  const TemporaryFolder folder;
+  Descriptor descriptor;
+  descriptor.file_name = "hall.glb";
+  const std::string missing = (folder.path() / "missing").string();
+  const EnvironmentVariable path("FOVEOLA_SCENE_PATH",
+                                 missing + "::" + (folder.path() / "a").string());
+  EXPECT_FALSE(find_real_file(descriptor).has_value());
+  folder.write("a/b/c/hall.glb", "too deep");
+  EXPECT_FALSE(find_real_file(descriptor).has_value());
+  const auto below = folder.write("a/b/hall.glb", "x");
+  EXPECT_EQ(find_real_file(descriptor), below);
+  const auto beside = folder.write("a/hall.glb", "x");
+  EXPECT_EQ(find_real_file(descriptor), beside);
+}
+
+}  // namespace
+}  // namespace foveola::scenes

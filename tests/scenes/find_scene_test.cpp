@@ -1,0 +1,94 @@
+#include "scenes/find_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "scenes/builtin.h"
+#include "tests/scenes/environment.h"
+
+namespace foveola::scenes {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class FindScene : public testing::Test {
+ protected:
+  std::string error_of(const std::string& name_or_path) {
+    try {
+      find_scene(name_or_path);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  TemporaryFolder folder;
+
+ private:
+  EnvironmentVariable cache_home_{"XDG_CACHE_HOME", (folder.path() / "cache").string()};
+  EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", (folder.path() / "real").string()};
+};
+
+TEST_F(FindScene, BuiltinSceneIsMade) {
+  const SceneSource source = find_scene("meeting-room");
+  EXPECT_EQ(source.name, "meeting-room");
+  EXPECT_EQ(source.title, "Meeting room");
+  EXPECT_TRUE(std::filesystem::is_regular_file(source.file));
+  EXPECT_TRUE(source.camera_position.has_value());
+}
+
+TEST_F(FindScene, RealSceneIsFoundOnTheScenePath) {
+  const auto file = folder.write("real/somewhere/bmw.glb", "x");
+  const SceneSource source = find_scene("bmw");
+  EXPECT_EQ(source.name, "bmw");
+  EXPECT_EQ(source.file, file);
+  EXPECT_TRUE(source.camera_position.has_value());
+}
+
+TEST_F(FindScene, MissingRealSceneNamesFileVariableAndCounterpart) {
+  EXPECT_THAT(error_of("bmw"), AllOf(HasSubstr("bmw.glb"), HasSubstr("FOVEOLA_SCENE_PATH"),
+                                     HasSubstr("studio-car")));
+}
+
+TEST_F(FindScene, PathTakesTheViewpointOfTheDescriptorThatNamesTheFile) {
+  const std::string path = folder.write("mine/sponza_crytek.glb", "x").string();
+  const SceneSource source = find_scene(path);
+  EXPECT_EQ(source.name, path);
+  EXPECT_EQ(source.file, path);
+  EXPECT_TRUE(source.camera_position.has_value());
+  EXPECT_FALSE(source.objects.empty());
+}
+
+TEST_F(FindScene, CopiesOfBuiltinScenesKeepTheirViewpoint) {
+  const std::string made = folder.write("mine/arcade.glb", "x").string();
+  EXPECT_EQ(find_scene(made).title, "Arcade");
+  const std::string cached =
+      folder.write("mine/" + cached_builtin("arcade").filename().string(), "x").string();
+  EXPECT_EQ(find_scene(cached).title, "Arcade");
+}
+
+TEST_F(FindScene, OtherFilesHaveNoViewpoint) {
+  const std::string path = folder.write("kitchen.glb", "x").string();
+  const SceneSource source = find_scene(path);
+  EXPECT_EQ(source.title, "kitchen");
+  EXPECT_EQ(source.file, path);
+  EXPECT_FALSE(source.camera_position.has_value());
+  EXPECT_TRUE(source.objects.empty());
+}
+
+TEST_F(FindScene, UnknownNameListsTheBuiltinScenes) {
+  EXPECT_THAT(error_of("castle"),
+              AllOf(HasSubstr("castle"), HasSubstr("arcade, meeting-room, studio-car"),
+                    HasSubstr("FOVEOLA_SCENE_PATH")));
+  EXPECT_THAT(error_of((folder.path() / "missing.glb").string()), HasSubstr("arcade"));
+  EXPECT_THAT(error_of(""), HasSubstr("arcade"));
+}
+
+TEST_F(FindScene, FolderIsRefused) {
+  EXPECT_THAT(error_of(folder.path().string()), HasSubstr("is a folder"));
+}
+
+}  // namespace
+}  // namespace foveola::scenes
