@@ -1,0 +1,104 @@
+#include "study/participant/scan_path.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace foveola::study {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+const Vec3 object = direction_from({.azimuth_rad = 0.7, .elevation_rad = -0.2});
+constexpr double object_radius_deg = 6.0;
+
+double head_offset_deg(const AzimuthElevation& head, const Vec3& direction) {
+  return degrees(angle_between(direction_from(head), direction));
+}
+
+TEST(ScanPath, KeepsTheEyeOnTheExaminedObjectAndTheHeadFacingIt) {
+  ScanPath path(GazeHabits{}, 3);
+  path.examine(object, object_radius_deg, seconds(2));
+  for (Nanoseconds time = seconds(3); time < seconds(20); time += milliseconds(5)) {
+    EXPECT_LT(degrees(angle_between(path.gaze(time), object)), object_radius_deg);
+    EXPECT_LT(head_offset_deg(path.head(time), object), 0.01);
+  }
+}
+
+TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
+  const GazeHabits habits;
+  ScanPath path(habits, 4);
+  path.examine(object, object_radius_deg, Nanoseconds(0));
+  // The lengths of the stretches during which the eye stands still, at 1 ms.
+  std::vector<int> fixations_ms;
+  int still_ms = 0;
+  for (Nanoseconds time = seconds(1); time < seconds(30); time += milliseconds(1)) {
+    if (path.gaze(time) == path.gaze(time + milliseconds(1))) {
+      ++still_ms;
+    } else if (still_ms > 0) {
+      fixations_ms.push_back(still_ms);
+      still_ms = 0;
+    }
+  }
+  ASSERT_GT(fixations_ms.size(), 29 / (habits.longest_fixation_s + 0.05));
+  // The first one may have begun before we looked.
+  const auto [shortest, longest] =
+      std::minmax_element(fixations_ms.begin() + 1, fixations_ms.end());
+  EXPECT_GE(*shortest, 1e3 * habits.shortest_fixation_s - 2.0);
+  EXPECT_LE(*longest, 1e3 * habits.longest_fixation_s + 2.0);
+}
+
+TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
+  const GazeHabits habits;
+  ScanPath path(habits, 5);
+  path.explore({.azimuth_rad = 3.0, .elevation_rad = 0.1}, Nanoseconds(0));
+  double leftmost_deg = 0.0;
+  double rightmost_deg = 0.0;
+  // After the first turn of the head, which may start from anywhere.
+  for (Nanoseconds time = seconds(2); time < seconds(60); time += milliseconds(20)) {
+    const AzimuthElevation head = path.head(time);
+    const double offset_deg =
+        degrees(std::remainder(head.azimuth_rad - 3.0, 2.0 * std::numbers::pi));
+    leftmost_deg = std::min(leftmost_deg, offset_deg);
+    rightmost_deg = std::max(rightmost_deg, offset_deg);
+  }
+  EXPECT_LT(leftmost_deg, -20.0);
+  EXPECT_GT(rightmost_deg, 20.0);
+  EXPECT_GE(leftmost_deg, -habits.head_azimuth_deg - 0.01);
+  EXPECT_LE(rightmost_deg, habits.head_azimuth_deg + 0.01);
+}
+
+TEST(ScanPath, NeverJumps) {
+  ScanPath path(GazeHabits{}, 6);
+  path.examine(object, object_radius_deg, Nanoseconds(0));
+  path.gaze(seconds(3));
+  path.explore(azimuth_elevation(object), seconds(3));
+  const Nanoseconds end = seconds(10);
+  constexpr auto step = milliseconds(1);
+  for (Nanoseconds time = seconds(3); time < end; time += step) {
+    // The fastest saccades reach about 700 degrees per second; ours are eased with a peak of 1.5
+    // times the mean speed, which tends to 1 / 2.2 degrees per millisecond.
+    EXPECT_LT(degrees(angle_between(path.gaze(time), path.gaze(time + step))), 1.0);
+    EXPECT_LT(head_offset_deg(path.head(time), direction_from(path.head(time + step))), 1.0);
+  }
+}
+
+TEST(ScanPath, IsTheSameHoweverOftenItIsAsked) {
+  ScanPath often(GazeHabits{}, 7);
+  ScanPath seldom(GazeHabits{}, 7);
+  ScanPath other(GazeHabits{}, 8);
+  for (ScanPath* path : {&often, &seldom, &other}) {
+    path->explore({}, Nanoseconds(0));
+  }
+  for (Nanoseconds time{0}; time < seconds(9); time += milliseconds(3)) {
+    often.gaze(time);
+  }
+  EXPECT_EQ(often.gaze(seconds(9)), seldom.gaze(seconds(9)));
+  EXPECT_NE(often.gaze(seconds(9)), other.gaze(seconds(9)));
+  EXPECT_EQ(often.gaze(seconds(4)), seldom.gaze(seconds(4)));
+}
+
+}  // namespace
+}  // namespace foveola::study

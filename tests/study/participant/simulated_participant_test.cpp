@@ -1,0 +1,232 @@
+#include "study/participant/simulated_participant.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/film/tone_mapping.h"
+#include "renderer/film/viewport_image.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr int view_size = 96;
+constexpr double first_presented_s = 1.0;
+constexpr double glance_s = 0.1;
+const std::vector<OfferedObject> offered = {
+    {.name = "Ball", .direction = direction_from({.azimuth_rad = 0.3}), .radius_deg = 8.0},
+    {.name = "Cube", .direction = direction_from({.azimuth_rad = -0.3}), .radius_deg = 8.0}};
+
+/// A panorama with things to see in it: stripes, bands and colours of several sizes.
+RgbImage made_up_panorama() {
+  RgbImage panorama(256, 128);
+  for (int y = 0; y < panorama.height; ++y) {
+    for (int x = 0; x < panorama.width; ++x) {
+      const float stripes = x / 8 % 2 == 0 ? 0.15F : 0.7F;
+      const float bands = y / 8 % 2 == 0 ? 0.6F : 1.0F;
+      panorama.at(x, y) = stripes * bands * Rgb(1.0F, 0.8F, 0.5F);
+    }
+  }
+  return panorama;
+}
+
+/// What a rendering shows `time_s` after its first frame.
+using Display = std::function<RgbImage(const RgbImage& converged, double time_s)>;
+
+/// Every pixel's noise falls with the square root of the time, as that of a progressive rendering.
+RgbImage noisy(const RgbImage& converged, double time_s, double noise_after_1_s) {
+  Pcg32 random(17, static_cast<std::uint64_t>(1e3 * time_s));
+  RgbImage image = converged;
+  for (Rgb& pixel : image.pixels) {
+    const auto noise = static_cast<float>(noise_after_1_s / std::sqrt(time_s) * random.normal());
+    pixel = glm::clamp(pixel + noise, 0.0F, 1.0F);
+  }
+  return image;
+}
+
+/// Moves every pixel to another place; the same one each time.
+RgbImage scrambled(RgbImage image) {
+  Pcg32 random(23);
+  shuffle(std::span(image.pixels), random);
+  return image;
+}
+
+struct Marks {
+  std::optional<double> outline_s;  ///< after the first frame
+  std::optional<double> material_s;
+  friend bool operator==(const Marks&, const Marks&) = default;
+};
+
+class SimulatedParticipantTest : public ::testing::Test {
+ protected:
+  SimulatedParticipant participant(std::uint64_t seed) const {
+    return {Population{}, [this](const std::string&) { return KnownScene{.panorama = &panorama_}; },
+            seed};
+  }
+
+  /// What the view converges to; kept, since most looks are through the same view.
+  const RgbImage& converged(const Viewport& viewport) const {
+    if (!converged_head_ || *converged_head_ != viewport.head()) {
+      converged_head_ = viewport.head();
+      converged_ = display_image(viewport_image(panorama_, viewport, view_size, view_size), 0.0);
+    }
+    return converged_;
+  }
+
+  std::optional<Nanoseconds> glance(SimulatedParticipant& person, Nanoseconds now,
+                                    const Display& display) const {
+    const Viewport viewport(head_orientation(person.head(now)), radians(100.0), radians(100.0));
+    const RgbImage image =
+        display(converged(viewport), seconds(now) - first_presented_s + glance_s);
+    return person.see(
+        {.image = image, .viewport = viewport, .gaze = person.gaze(now), .presented = now});
+  }
+
+  /// Looks every glance_s until a mark, but not beyond limit_s after the first frame.
+  std::optional<Nanoseconds> wait(SimulatedParticipant& person, Task task, Nanoseconds& now,
+                                  const Display& display, double limit_s) const {
+    person.begin(task, now);
+    while (seconds(now) - first_presented_s < limit_s) {
+      const std::optional<Nanoseconds> mark = glance(person, now, display);
+      if (mark) {
+        EXPECT_GE(*mark, now) << "nobody reacts before they see";
+        now = std::max(now, *mark);
+        return mark;
+      }
+      now += nanoseconds_from_seconds(glance_s);
+    }
+    return std::nullopt;
+  }
+
+  Marks marks(SimulatedParticipant person, const Display& display, double limit_s = 40.0) const {
+    Nanoseconds now{0};
+    person.choose_object("scene", offered, now);
+    now = nanoseconds_from_seconds(first_presented_s);
+    const auto after_first_frame = [](std::optional<Nanoseconds> mark) {
+      return mark ? std::optional(seconds(*mark) - first_presented_s) : std::nullopt;
+    };
+    Marks result;
+    result.outline_s = after_first_frame(wait(person, Task::mark_outline, now, display, limit_s));
+    if (result.outline_s) {
+      result.material_s =
+          after_first_frame(wait(person, Task::mark_material, now, display, limit_s));
+    }
+    return result;
+  }
+
+  int rating(SimulatedParticipant person, const Display& display) const {
+    Nanoseconds now{0};
+    person.choose_object("scene", offered, now);
+    now = nanoseconds_from_seconds(first_presented_s);
+    wait(person, Task::look_around, now, display, 3.0);
+    return person.rate_artifacts();
+  }
+
+  RgbImage panorama_ = made_up_panorama();
+  std::size_t chosen_ = 0;
+  mutable std::optional<Quat> converged_head_;
+  mutable RgbImage converged_;
+};
+
+RgbImage rendering(const RgbImage& image, double time_s) { return noisy(image, time_s, 0.1); }
+RgbImage finished(const RgbImage& image, double) { return image; }
+RgbImage black(const RgbImage& image, double) { return {image.width, image.height}; }
+
+TEST_F(SimulatedParticipantTest, MarksAFinishedImageAfterLookingAndReacting) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Marks m = marks(participant(seed), finished);
+    ASSERT_TRUE(m.outline_s && m.material_s);
+    EXPECT_GT(*m.outline_s, 0.3);
+    EXPECT_LT(*m.outline_s, 1.5);
+    EXPECT_GT(*m.material_s - *m.outline_s, 0.3);
+    EXPECT_LT(*m.material_s, 3.0);
+  }
+}
+
+TEST_F(SimulatedParticipantTest, NeverMarksBlackness) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    EXPECT_EQ(marks(participant(seed), black), Marks{});
+  }
+}
+
+TEST_F(SimulatedParticipantTest, MarksWhatTheRenderingShowsAndNotWhatIsScrambled) {
+  const Display scrambled_rendering = [](const RgbImage& image, double time_s) {
+    return scrambled(rendering(image, time_s));
+  };
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Marks seen = marks(participant(seed), rendering);
+    ASSERT_TRUE(seen.outline_s && seen.material_s);
+    EXPECT_FALSE(marks(participant(seed), scrambled_rendering).material_s);
+  }
+}
+
+TEST_F(SimulatedParticipantTest, MarksTheOutlineBeforeTheMaterialIsRight) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Marks m = marks(participant(seed), rendering);
+    ASSERT_TRUE(m.outline_s && m.material_s);
+    EXPECT_LT(2.0 * *m.outline_s, *m.material_s);
+  }
+}
+
+TEST_F(SimulatedParticipantTest, LooksAtTheChosenObjectOnly) {
+  const Display finished_at_object = [this](const RgbImage& image, double) {
+    RgbImage half = black(image, 0.0);
+    const Viewport facing(head_orientation(azimuth_elevation(offered[chosen_].direction)),
+                          radians(100.0), radians(100.0));
+    const Region around = region_around(facing, view_size, view_size, offered[chosen_].direction,
+                                        offered[chosen_].radius_deg * 1.5 + 2.0, 0.1);
+    for (const std::size_t pixel : around.pixels) {
+      half.pixels[pixel] = image.pixels[pixel];
+    }
+    return half;
+  };
+  SimulatedParticipant person = participant(3);
+  chosen_ = person.choose_object("scene", offered, Nanoseconds(0));
+  EXPECT_TRUE(marks(person, finished_at_object).material_s);
+}
+
+TEST_F(SimulatedParticipantTest, IsAlwaysTheSamePersonForASeedAndAnotherForAnother) {
+  const Marks first = marks(participant(1), rendering);
+  EXPECT_EQ(first, marks(participant(1), rendering));
+  const Marks second = marks(participant(2), rendering);
+  EXPECT_NE(first.outline_s, second.outline_s);
+  EXPECT_NE(first.material_s, second.material_s);
+}
+
+TEST_F(SimulatedParticipantTest, LosesInterestAfterAMark) {
+  SimulatedParticipant person = participant(4);
+  person.choose_object("scene", offered, Nanoseconds(0));
+  Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
+  ASSERT_TRUE(wait(person, Task::mark_outline, now, finished, 5.0));
+  for (int i = 0; i < 20; ++i) {
+    now += nanoseconds_from_seconds(glance_s);
+    EXPECT_FALSE(glance(person, now, finished));
+  }
+}
+
+TEST_F(SimulatedParticipantTest, StaysWithOneObjectPerSceneAndDiffersInItsChoice) {
+  std::vector<int> chosen(offered.size());
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SimulatedParticipant person = participant(seed);
+    const std::size_t first = person.choose_object("scene", offered, Nanoseconds(0));
+    person.choose_object("another scene", offered, Nanoseconds(1));
+    EXPECT_EQ(person.choose_object("scene", offered, Nanoseconds(2)), first);
+    ++chosen.at(first);
+  }
+  EXPECT_GT(chosen[0], 0);
+  EXPECT_GT(chosen[1], 0);
+}
+
+TEST_F(SimulatedParticipantTest, RatesByWhatIsWrongWithTheImage) {
+  const Display slightly_noisy = [](const RgbImage& image, double) {
+    return noisy(image, 1.0, 0.06);
+  };
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    EXPECT_EQ(rating(participant(seed), finished), 1);
+    EXPECT_EQ(rating(participant(seed), black), 5);
+    const int noisy_rating = rating(participant(seed), slightly_noisy);
+    EXPECT_GT(noisy_rating, 1);
+    EXPECT_LT(noisy_rating, 5);
+  }
+}
+
+}  // namespace
+}  // namespace foveola::study
