@@ -126,23 +126,28 @@ void require_sound(SQLite::Database& database, const fs::path& path) {
   require_schema(database, path);
 }
 
-/// A database beside its final path; what is left of it goes at the end of the scope.
+/// A database beside its final path; what is left of it, or of one that a kill left there under
+/// the same name, goes.
 class TemporaryDatabase {
  public:
   explicit TemporaryDatabase(const fs::path& final_path)
       : path_(final_path.parent_path() /
-              fmt::format(".{}.{}.partial", final_path.filename().string(), ::getpid())) {}
-  ~TemporaryDatabase() {
-    std::error_code ignored;
-    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
-      fs::remove(path_.string() + suffix, ignored);
-    }
+              fmt::format(".{}.{}.partial", final_path.filename().string(), ::getpid())) {
+    remove();
   }
+  ~TemporaryDatabase() { remove(); }
   TemporaryDatabase(const TemporaryDatabase&) = delete;
   TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
   const fs::path& path() const { return path_; }
 
  private:
+  void remove() const {
+    std::error_code ignored;
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+      fs::remove(path_.string() + suffix, ignored);
+    }
+  }
+
   fs::path path_;
 };
 

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -66,7 +67,7 @@ struct BadFile {
   std::string message;
 };
 
-void PrintTo(const BadFile& file, std::ostream* out) { *out << file.name; }
+std::ostream& operator<<(std::ostream& out, const BadFile& file) { return out << file.name; }
 
 class BadFiles : public testing::TestWithParam<BadFile> {};
 
@@ -242,6 +243,14 @@ TEST(Database, NewStudyNeverTakesTheNameOfAnother) {
   const auto before = folder.content();
   create_study(path, small_protocol());
   EXPECT_EQ(folder.content(), before);
+}
+
+TEST(Database, HalfMadeStudyOfAKilledProgramIsNoObstacle) {
+  const TemporaryFolder folder;
+  write_bytes(folder / fmt::format(".study.sqlite.{}.partial", ::getpid()), "half");
+  create_study(folder / "study.sqlite", small_protocol());
+  EXPECT_EQ(folder.content().size(), 1U);
+  EXPECT_TRUE(read_study(folder / "study.sqlite").sessions.empty());
 }
 
 TEST(Database, FullDiskIsNamed) {

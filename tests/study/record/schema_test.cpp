@@ -1,12 +1,11 @@
 #include "study/record/schema.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "small_study.h"
-
-namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
@@ -66,7 +65,7 @@ TEST_F(Schema, RecordsAreOnlyAddedTo) {
     const std::string table = place.substr(0, place.find('.'));
     const std::string column = place.substr(place.find('.') + 1);
     EXPECT_NE(query(folder_ / "study.sqlite", "SELECT count(*) FROM " + table), "0") << table;
-    EXPECT_EQ(answer("UPDATE " + table + " SET " + column + " = " + column),
+    EXPECT_EQ(answer(fmt::format("UPDATE {0} SET {1} = {1}", table, column)),
               table + " is only added to");
     EXPECT_EQ(answer("DELETE FROM " + table), table + " is only added to");
   }
