@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <stop_token>
 #include <thread>
 
@@ -109,6 +110,17 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
+/// CLI11 only says that a command is required, whatever was typed in its place.
+void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') {
+    return;
+  }
+  const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+  if (app.get_subcommands(named).empty()) {
+    throw UsageError(argv[1], "there is no such command", "see foveola --help");
+  }
+}
+
 int complain(const std::string& message, int exit_code) {
   fmt::print(stderr, "foveola: error: {}\n", message);
   return exit_code;
@@ -127,6 +139,7 @@ int run(int argc, char** argv) {
   study::add_study_commands(app, scenes::find_scene, signals.token());
   analysis::add_analysis_commands(app, signals.token());
   try {
+    reject_unknown_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
@@ -135,7 +148,8 @@ int run(int argc, char** argv) {
   } catch (const UsageError& error) {
     return complain(error.what(), usage_error);
   } catch (const Error& error) {
-    return complain(error.what(), user_error);
+    const bool stopped = signals.token().stop_requested();
+    return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory; try a smaller image or scene", user_error);
   } catch (const std::exception& error) {

@@ -5,7 +5,7 @@
 namespace foveola::analysis {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 json number(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
 

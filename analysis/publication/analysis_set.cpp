@@ -52,10 +52,9 @@ std::string kind_to_analyse(const StudyRecords& records) {
       return kind;
     }
   }
-  throw Error(
-      study_name(records),
-      fmt::format("has no completed session ({} in another state)", records.sessions.size()),
-      "complete one with `foveola study run` or `foveola study simulate` first");
+  throw Error(study_name(records),
+              fmt::format("none of its {} sessions is completed", records.sessions.size()),
+              "complete one first, for instance with `foveola study simulate`");
 }
 
 std::vector<std::string> participants_of(const StudyRecords& records, const std::string& kind) {

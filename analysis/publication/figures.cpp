@@ -83,18 +83,29 @@ std::string time_plot() {
       estimates(Mark::material, palette::material));
 }
 
-/// All the numbers that a time figure must have room for.
-std::vector<double> plotted_values(const StudyTables& tables, const TimeMeasure& measure) {
+/// How far a time figure's axis reaches: over every participant's value, and over an interval only
+/// up to a multiple of these, so that the interval of a few participants does not hide the rest.
+std::optional<Interval> axis_range(const StudyTables& tables, const TimeMeasure& measure) {
+  constexpr double farthest = 2.5;
   std::vector<double> values;
+  std::vector<double> ends;
   for (const MethodTimes& times : tables.method_times) {
-    std::copy((times.*measure.participants).begin(), (times.*measure.participants).end(),
-              std::back_inserter(values));
+    const std::vector<double>& participants = times.*measure.participants;
+    values.insert(values.end(), participants.begin(), participants.end());
     if (const auto& estimate = times.*measure.estimate; estimate && estimate->interval) {
-      values.push_back(estimate->interval->low);
-      values.push_back(estimate->interval->high);
+      ends.insert(ends.end(), {estimate->interval->low, estimate->interval->high});
     }
   }
-  return values;
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  Interval range{*low, *high};
+  for (const double end : ends) {
+    range.low = std::min(range.low, std::max(end, *low / farthest));
+    range.high = std::max(range.high, std::min(end, *high * farthest));
+  }
+  return range;
 }
 
 std::string time_figure(const StudyTables& tables, const std::vector<std::size_t>& methods,
@@ -113,15 +124,15 @@ std::string time_figure(const StudyTables& tables, const std::vector<std::size_t
 
 std::optional<Figure> relative_figure(const StudyTables& tables) {
   const TimeMeasure measure{&MethodTimes::participant_percent, &MethodTimes::percent_of_baseline};
-  const std::vector<double> values = plotted_values(tables, measure);
-  if (values.empty()) {
+  const std::optional<Interval> range = axis_range(tables, measure);
+  if (!range) {
     return std::nullopt;
   }
   std::vector<std::size_t> methods;
   for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
     methods.push_back(method);
   }
-  const double end = std::max(105.0, 1.05 * *std::max_element(values.begin(), values.end()));
+  const double end = std::max(105.0, 1.05 * range->high);
   const std::string axis = fmt::format(
       "set xrange [0:{}]\nset xlabel {}\n"
       "set arrow from 100, graph 0 to 100, graph 1 nohead linewidth 1 linecolor rgb "
@@ -133,18 +144,17 @@ std::optional<Figure> relative_figure(const StudyTables& tables) {
 
 std::optional<Figure> seconds_figure(const StudyTables& tables) {
   const TimeMeasure measure{&MethodTimes::participant_seconds, &MethodTimes::seconds};
-  const std::vector<double> values = plotted_values(tables, measure);
-  if (values.empty()) {
+  const std::optional<Interval> range = axis_range(tables, measure);
+  if (!range) {
     return std::nullopt;
   }
   std::vector<std::size_t> methods(tables.set.methods.size());
   std::iota(methods.begin(), methods.end(), std::size_t{0});
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const std::string axis = fmt::format(
       "set logscale x\nset xrange [{}:{}]\nset xlabel 'Time, seconds (logarithmic)'\n"
       "set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, "
       "2000, 5000)\n",
-      *low / 1.25, *high * 1.25);
+      range->low / 1.25, range->high * 1.25);
   return Figure{"figure5_seconds", run_gnuplot(time_figure(tables, methods, measure, axis))};
 }
 

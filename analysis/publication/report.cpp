@@ -190,10 +190,12 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
       tables, figures, "figure5_relative",
       fmt::format("Time relative to {}.", baseline_label(tables)),
       "Geometric mean over scenes and 95 % interval over participants; each pale dot is one "
-      "participant. The dark vertical line is no change.");
-  html += figure_html(tables, figures, "figure5_seconds", "Time in seconds.",
-                      "Geometric mean over scenes and 95 % interval over participants; each pale "
-                      "dot is one participant.");
+      "participant. The dark vertical line is no change. An interval "
+      "may run off the axis; the table has it.");
+  html +=
+      figure_html(tables, figures, "figure5_seconds", "Time in seconds.",
+                  "Geometric mean over scenes and 95 % interval over participants; each pale "
+                  "dot is one participant. An interval may run off the axis; the table has it.");
   html += method_times_table(tables, published);
   if (tables.incomplete_scenes > 0) {
     html += fmt::format(

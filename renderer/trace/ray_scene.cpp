@@ -14,7 +14,8 @@
 namespace foveola {
 namespace {
 
-static_assert(sizeof(Ray) == sizeof(RTCRay) && alignof(Ray) == alignof(RTCRay));
+static_assert(sizeof(Ray) == sizeof(RTCRay));
+static_assert(alignof(Ray) == alignof(RTCRay));
 static_assert(offsetof(Ray, origin) == offsetof(RTCRay, org_x));
 static_assert(offsetof(Ray, t_min) == offsetof(RTCRay, tnear));
 static_assert(offsetof(Ray, direction) == offsetof(RTCRay, dir_x));

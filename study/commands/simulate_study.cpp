@@ -45,15 +45,24 @@ SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>
   return stages;
 }
 
+/// Renders what each scene converges to, until it is stopped.
 void render_references(const SceneStages& stages, const Protocol& protocol, const Workers& workers,
                        const std::stop_token& stop) {
   Progress progress("Reference images");
   double stages_done = 0.0;
   for (const auto& [name, stage] : stages) {
+    const std::string& scene = name;
     const auto show = [&](double fraction) {
-      progress.update((stages_done + fraction) / static_cast<double>(stages.size()), name);
+      progress.update((stages_done + fraction) / static_cast<double>(stages.size()), scene);
     };
-    stage->render_reference(protocol, workers, show, stop);
+    try {
+      stage->render_reference(protocol, workers, show, stop);
+    } catch (const Error&) {
+      if (stop.stop_requested()) {
+        return;
+      }
+      throw;
+    }
     stages_done += 1.0;
   }
 }
@@ -180,7 +189,10 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
   render_references(stages, protocol, workers, stop);
-  SimulateReport report = StudySimulation(settings, protocol, stages, workers).run(stop);
+  SimulateReport report;
+  if (!stop.stop_requested()) {
+    report = StudySimulation(settings, protocol, stages, workers).run(stop);
+  }
   report.wall_s = seconds(clock.now() - start);
   return report;
 }

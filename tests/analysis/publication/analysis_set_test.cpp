@@ -87,10 +87,10 @@ TEST(AnalysisSet, NothingCompletedIsAnErrorWithARemedy) {
   records.sessions[0].state = "interrupted";
   records.sessions[1].state = "withdrawn";
   EXPECT_THAT(selecting(records),
-              ThrowsMessage<Error>(AllOf(HasSubstr("no completed session (2 in another state)"),
+              ThrowsMessage<Error>(AllOf(HasSubstr("none of its 2 sessions is completed"),
                                          HasSubstr("foveola study simulate"))));
   EXPECT_THAT(selecting(complete_study(0)),
-              ThrowsMessage<Error>(HasSubstr("no completed session")));
+              ThrowsMessage<Error>(HasSubstr("none of its 0 sessions")));
 }
 
 TEST(AnalysisSet, AProtocolWithoutScenesOrMethodsIsAnError) {

@@ -29,9 +29,9 @@ TEST(AliasTableTest, DrawsByWeight) {
   for (const double weight : weights) {
     total += weight;
   }
-  std::vector<double> expected;
-  for (const double weight : weights) {
-    expected.push_back(weight / total * draws);
+  std::vector<double> expected(weights.size());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    expected[i] = weights[i] / total * draws;
   }
   EXPECT_GT(chi_squared_p_value(counts, expected), 1e-3);
   EXPECT_EQ(counts[2], 0.0);
