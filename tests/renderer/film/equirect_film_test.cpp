@@ -53,8 +53,10 @@ TEST(EquirectFilm, NumbersEachPixelsSamplesInOrder) {
     for (const SampleJob& job : batch.jobs) {
       const Vec2 image = equirect_from_direction(job.direction);
       EXPECT_EQ(job.sample_number, next[job.pixel]++);
-      EXPECT_NEAR(static_cast<float>(job.pixel % 100) + 0.5F, image.x * 100.0F, 0.5001F);
-      EXPECT_NEAR(static_cast<float>(job.pixel / 100) + 0.5F, image.y * 50.0F, 0.5001F);
+      const std::uint32_t column = job.pixel % 100;
+      const std::uint32_t row = job.pixel / 100;
+      EXPECT_NEAR(static_cast<float>(column) + 0.5F, image.x * 100.0F, 0.5001F);
+      EXPECT_NEAR(static_cast<float>(row) + 0.5F, image.y * 50.0F, 0.5001F);
     }
   }
 }

@@ -29,7 +29,7 @@ class Cells {
     const double azimuth = std::atan2(local.y, local.x) + pi;
     const int ring = std::min(static_cast<int>(eccentricity / pi * rings), rings - 1);
     const int sector = std::min(static_cast<int>(azimuth / (2.0 * pi) * sectors), sectors - 1);
-    return static_cast<std::size_t>(ring * sectors + sector);
+    return static_cast<std::size_t>(ring) * sectors + static_cast<std::size_t>(sector);
   }
 
   /// The integral of `density` over one cell.

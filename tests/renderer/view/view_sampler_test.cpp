@@ -58,6 +58,7 @@ TEST_P(EverySampler, FollowsItsDensity) {
   std::vector<ViewSample> samples(points.size());
   sampler_->sample(points, samples);
   std::vector<Vec3> directions;
+  directions.reserve(samples.size());
   for (const ViewSample& sample : samples) {
     directions.push_back(sample.direction);
   }
