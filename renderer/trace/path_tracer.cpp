@@ -17,9 +17,16 @@
 namespace foveola {
 namespace {
 
-/// Paths that are traced together: enough shadow rays for Embree's streams, few enough that the
-/// state of all of them stays in the second-level cache.
-constexpr std::size_t block_size = 512;
+/// Paths that are traced together: at most so many that the state of all of them stays in the
+/// second-level cache, at least enough shadow rays for Embree's streams, and between the two so few
+/// that a preview's small batches keep every thread busy.
+constexpr std::size_t largest_block = 512;
+constexpr std::size_t smallest_block = 64;
+
+std::size_t block_size(std::size_t jobs, int threads) {
+  const std::size_t blocks_wanted = 2 * static_cast<std::size_t>(threads);
+  return std::clamp(jobs / blocks_wanted, smallest_block, largest_block);
+}
 
 /// From the vertex after this one on, dim paths are ended at random.
 constexpr int vertices_before_roulette = 3;
@@ -241,7 +248,8 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
   std::atomic<std::uint64_t> primary{0};
   std::atomic<std::uint64_t> bounce{0};
   std::atomic<std::uint64_t> shadow{0};
-  workers.for_each_block(jobs.size(), block_size, [&](std::size_t begin, std::size_t end) {
+  const std::size_t block = block_size(jobs.size(), workers.threads());
+  workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
     BlockTracer tracer(self.scene, self.rays, self.lights, self.coat, settings);
     const RayCounts counts = tracer.trace(viewpoint, jobs.subspan(begin, end - begin),
                                           radiance.subspan(begin, end - begin));
