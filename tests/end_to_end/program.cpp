@@ -78,28 +78,6 @@ ProgramResult run_foveola(std::vector<std::string> arguments, const Environment&
   return run_program(arguments, environment);
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "foveola-test-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) {
-    throw std::runtime_error("cannot make " + pattern);
-  }
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::vector<std::string> TemporaryFolder::entries() const {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-    names.push_back(entry.path().filename());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 std::string room_gltf() {
   // A cube of 4 m whose corners are numbered by the bits of their index (x, y, z), its walls facing
   // inwards, and a lamp of 1 m below the ceiling, facing down.

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/temporary_folder.h"
+
 namespace foveola::test {
 
 struct ProgramResult {
@@ -23,23 +25,6 @@ ProgramResult run_program(const std::vector<std::string>& command,
 
 /// The built program with `arguments`.
 ProgramResult run_foveola(std::vector<std::string> arguments, const Environment& environment = {});
-
-/// A folder of its own for each test, removed afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-  /// Names of everything in it, sorted.
-  std::vector<std::string> entries() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A small closed room with a lamp, as a .gltf with its buffer inside.
 std::string room_gltf();

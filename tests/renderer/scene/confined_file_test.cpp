@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-class ConfinedFile : public TemporaryFolder {
+class ConfinedFile : public InTemporaryFolder {
  protected:
   ConfinedFile() {
     fs::create_directories(scene() / "maps");

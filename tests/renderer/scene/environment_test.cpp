@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class LoadEnvironment : public TemporaryFolder {
+class LoadEnvironment : public InTemporaryFolder {
  protected:
   std::filesystem::path write_floats(const std::string& name, int width, int height, int channels,
                                      const std::vector<float>& values) const {

@@ -13,6 +13,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola::test {
 
@@ -110,29 +111,20 @@ inline GlbBuilder one_triangle() {
   return glb;
 }
 
-/// A folder that is empty before each test and gone after it.
-class TemporaryFolder : public ::testing::Test {
+/// A test with a folder of its own.
+class InTemporaryFolder : public ::testing::Test {
  protected:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "foveola-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~TemporaryFolder() override { std::filesystem::remove_all(folder_); }
-
-  const std::filesystem::path& folder() const { return folder_; }
-
+  const std::filesystem::path& folder() const { return folder_.path(); }
   std::filesystem::path write(const std::string& name, const std::string& content) const {
-    std::filesystem::remove(folder_ / name);  // some file systems flush a file that is overwritten
-    std::ofstream(folder_ / name, std::ios::binary) << content;
-    return folder_ / name;
+    return folder_.write(name, content);
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 /// A test of load_gltf.
-class LoadGltf : public TemporaryFolder {
+class LoadGltf : public InTemporaryFolder {
  protected:
   Scene load(const GlbBuilder& glb) const { return load_bytes(glb.bytes()); }
   Scene load_bytes(const std::string& bytes, const std::string& name = "scene.glb") const;

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class LoadScene : public TemporaryFolder {
+class LoadScene : public InTemporaryFolder {
  protected:
   SceneSource source() const {
     SceneSource source;

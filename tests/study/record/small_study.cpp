@@ -1,9 +1,5 @@
 #include "small_study.h"
 
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
@@ -12,38 +8,6 @@
 namespace fs = std::filesystem;
 
 namespace foveola::study {
-namespace {
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return std::move(bytes).str();
-}
-
-}  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "foveola-record-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error("no temporary folder: " + name);
-  }
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::map<std::string, std::string> TemporaryFolder::content() const {
-  std::map<std::string, std::string> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-    files[entry.path().filename()] = entry.is_regular_file() ? bytes_of(entry.path()) : "";
-  }
-  return files;
-}
-
 Protocol small_protocol() {
   Protocol protocol;
   protocol.name = "small";

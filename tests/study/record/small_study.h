@@ -8,25 +8,11 @@
 #include <vector>
 
 #include "study/record/study_store.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola::study {
 
-/// A new folder that goes, with all that is in it, at the end of the scope.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Each regular file's name and bytes.
-  std::map<std::string, std::string> content() const;
-
- private:
-  std::filesystem::path path_;
-};
+using test::TemporaryFolder;
 
 constexpr Nanoseconds ms(std::int64_t milliseconds) {
   return std::chrono::milliseconds(milliseconds);

@@ -1,0 +1,260 @@
+// Scenes whose radiance is known: furnaces, planes and lights, by closed forms and quadrature.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "paths.h"
+#include "reference_bsdf.h"
+#include "renderer/trace/bsdf.h"
+#include "renderer/trace/environment_light.h"
+#include "renderer/trace/lights.h"
+#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/surface.h"
+#include "scenes.h"
+#include "statistics.h"
+
+namespace foveola {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A closed sphere that shines 0.5 and reflects all light: each vertex adds 0.5.
+TEST(KnownAnswerTest, WhiteFurnaceIsTheGeometricSeries) {
+  Scene scene;
+  scene.materials = {dielectric(1.0F)};
+  scene.materials[0].emission = Rgb(0.5F);
+  scene.meshes = {inward_sphere(1.0F, 5, 0)};
+  const PathTracer tracer(scene, workers());
+  for (const int max_depth : {1, 3, 12}) {
+    const auto radiance = trace(tracer, Vec3(0.0F), jobs_all_around(20000), max_depth);
+    expect_mean(mean_of(radiance), 0.5 * (max_depth + 1), 2e-3);
+  }
+}
+
+/// The radiance inside a closed sphere that shines with radiance 1, by quadrature. In a sphere a
+/// chord makes the same angle at both of its ends, so that radiance depends on that angle only.
+double sphere_radiance(const ReferenceMaterial& material, int max_depth) {
+  constexpr int cosines = 100;
+  constexpr int azimuths = 64;
+  const ReferenceCoat coat(material.alpha());
+  const auto cosine_at = [](int i) { return (i + 0.5) / cosines; };
+  const auto reflected = [&](double cosine, const std::vector<double>& incoming) {
+    const DVec3 o(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+    double sum = 0.0;
+    for (int i = 0; i < cosines; ++i) {
+      const double c = cosine_at(i);
+      const double s = std::sqrt(1.0 - c * c);
+      for (int k = 0; k < azimuths; ++k) {
+        const double azimuth = pi * (k + 0.5) / azimuths;
+        const DVec3 w(s * std::cos(azimuth), s * std::sin(azimuth), c);
+        sum += reference_bsdf(material, coat, o, w) * c * incoming[static_cast<std::size_t>(i)];
+      }
+    }
+    return sum * 2.0 * pi / (cosines * azimuths);
+  };
+  std::vector<double> radiance(cosines, 1.0);
+  for (int depth = 1; depth < max_depth; ++depth) {
+    std::vector<double> next;
+    for (int i = 0; i < cosines; ++i) {
+      next.push_back(1.0 + reflected(cosine_at(i), radiance));
+    }
+    radiance = next;
+  }
+  return 1.0 + reflected(1.0, radiance);
+}
+
+TEST(KnownAnswerTest, GreyFurnaceIsItsQuadrature) {
+  for (const ReferenceMaterial material :
+       {ReferenceMaterial{0.5, 0.0, 1.0}, ReferenceMaterial{0.7, 1.0, 0.6}}) {
+    Scene scene;
+    scene.materials = {
+        dielectric(static_cast<float>(material.base), static_cast<float>(material.roughness))};
+    scene.materials[0].metallic = static_cast<float>(material.metallic);
+    scene.materials[0].emission = Rgb(1.0F);
+    scene.meshes = {inward_sphere(1.0F, 5, 0)};
+    const PathTracer tracer(scene, workers());
+    for (const int max_depth : {1, 3}) {
+      const auto radiance = trace(tracer, Vec3(0.0F), jobs_all_around(20000), max_depth);
+      expect_mean(mean_of(radiance), sphere_radiance(material, max_depth), 2e-3);
+    }
+  }
+}
+
+TEST(KnownAnswerTest, PlaneUnderAConstantSkyShowsItsAlbedo) {
+  for (const double roughness : {0.1, 0.4, 1.0}) {
+    for (const double metallic : {0.0, 1.0}) {
+      for (const double cosine : {0.95, 0.3}) {
+        const ReferenceMaterial material{1.0, metallic, roughness};
+        Scene scene;
+        scene.materials = {dielectric(1.0F, static_cast<float>(roughness))};
+        scene.materials[0].metallic = static_cast<float>(metallic);
+        scene.meshes = {quad(Vec3(-50, -1, 50), Vec3(100, 0, 0), Vec3(0, 0, -100), 0)};
+        scene.environment = constant_environment(1.0F);
+        const Vec3 direction(std::sqrt(1.0 - cosine * cosine), -cosine, 0.0);
+        const MeanEstimate radiance = mean_radiance(scene, Vec3(0.0F), direction, 1, 10000);
+        expect_mean(radiance, reference_albedo(material, cosine), 1.5e-3);
+        EXPECT_LE(radiance.mean(), 1.001 + 5.0 * radiance.standard_error());
+      }
+    }
+  }
+}
+
+/// A floor at y = 0 under a rectangle of radiance 5 at y = 1, |x| < 0.5, |z| < 1, seen from
+/// (-1, 1, 0) where the ray meets the floor at the origin.
+Scene floor_and_light(const Material& material) {
+  Scene scene;
+  scene.materials = {material, emitter(5.0F)};
+  scene.meshes = {quad(Vec3(-9, 0, 9), Vec3(18, 0, 0), Vec3(0, 0, -18), 0),
+                  quad(Vec3(-0.5F, 1, -1), Vec3(1, 0, 0), Vec3(0, 0, 2), 1)};
+  return scene;
+}
+
+double floor_radiance(const ReferenceMaterial& material) {
+  const ReferenceCoat coat(material.alpha());
+  const double a = std::sqrt(0.5);
+  constexpr int steps = 800;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    for (int k = 0; k < steps; ++k) {
+      // Local coordinates, whose z is the floor's normal.
+      const DVec3 to((i + 0.5) / steps - 0.5, 2.0 * (k + 0.5) / steps - 1.0, 1.0);
+      const double squared = glm::dot(to, to);
+      const DVec3 w = to / std::sqrt(squared);
+      sum += reference_bsdf(material, coat, DVec3(-a, 0.0, a), w) * w.z * w.z / squared;
+    }
+  }
+  return 5.0 * 2.0 * sum / (steps * steps);
+}
+
+TEST(KnownAnswerTest, DirectLightOfARectangleIsItsQuadrature) {
+  for (const ReferenceMaterial material :
+       {ReferenceMaterial{0.8, 0.0, 1.0}, ReferenceMaterial{0.8, 0.5, 0.5},
+        ReferenceMaterial{0.9, 1.0, 0.2}}) {
+    Material floor =
+        dielectric(static_cast<float>(material.base), static_cast<float>(material.roughness));
+    floor.metallic = static_cast<float>(material.metallic);
+    const MeanEstimate radiance =
+        mean_radiance(floor_and_light(floor), Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000);
+    expect_mean(radiance, floor_radiance(material), 1.5e-3, 0.015);
+  }
+}
+
+/// The image environment through the whole estimator: a bright square of sky 40 times the rest.
+TEST(KnownAnswerTest, DirectLightOfAnImageIsItsQuadrature) {
+  constexpr int width = 64;
+  constexpr int height = 32;
+  Scene scene;
+  scene.materials = {dielectric(0.6F, 0.5F)};
+  scene.meshes = {quad(Vec3(-9, 0, 9), Vec3(18, 0, 0), Vec3(0, 0, -18), 0)};
+  Environment sky = constant_environment(1.0F);
+  sky.map_width = width;
+  sky.map_height = height;
+  sky.map.assign(width * height, Rgb(0.5F));
+  for (std::size_t y = 8; y < 12; ++y) {
+    for (std::size_t x = 30; x < 36; ++x) {
+      sky.map[y * width + x] = Rgb(20.0F);
+    }
+  }
+  scene.environment = sky;
+  const EnvironmentLight light(sky);
+  const ReferenceMaterial material{0.6, 0.0, 0.5};
+  const ReferenceCoat coat(material.alpha());
+  const double a = std::sqrt(0.5);
+  double expected = 0.0;
+  constexpr int rings = 300;
+  constexpr int sectors = 600;
+  for (int i = 0; i < rings; ++i) {
+    const double up = (i + 0.5) / rings;
+    const double horizontal = std::sqrt(1.0 - up * up);
+    for (int k = 0; k < sectors; ++k) {
+      const double azimuth = 2.0 * pi * (k + 0.5) / sectors;
+      const DVec3 w(horizontal * std::cos(azimuth), up, horizontal * std::sin(azimuth));
+      // Local coordinates of the floor: x, -z, y.
+      expected += reference_bsdf(material, coat, DVec3(-a, 0.0, a), DVec3(w.x, -w.z, w.y)) * up *
+                  light.radiance(Vec3(w)).g * 2.0 * pi / (rings * sectors);
+    }
+  }
+  expect_mean(mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000), expected, 2e-3);
+}
+
+/// Each strategy alone, without weights, on the scene of floor_and_light.
+MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
+  const RayScene rays(scene, workers());
+  const Lights lights(scene);
+  const CoatAlbedo coat(workers());
+  const Vec3 direction = glm::normalize(Vec3(1, -1, 0));
+  const Hit hit = rays.closest_hit(Vec3(-1, 1, 0), direction);
+  const SurfacePoint point = surface_point(scene, hit, direction);
+  const Frame frame(point.shading_normal);
+  const Bsdf bsdf(point.reflectance, frame.to_local(-direction), coat);
+  const auto from_light = [&](SampleStream& random) -> double {
+    const Vec2 choice = random.next_2d();
+    const auto light = lights.sample(point.origin, 0.0F, choice, random.next_2d());
+    if (!light) {
+      return 0.0;
+    }
+    Ray shadow = light->shadow_ray;
+    rays.find_blocked({&shadow, 1});
+    const BsdfValue value = bsdf.eval(frame.to_local(light->direction));
+    return shadow.is_blocked() ? 0.0 : value.times_cosine.g * light->radiance.g / light->pdf;
+  };
+  const auto from_bsdf = [&](SampleStream& random) -> double {
+    const float lobe = random.next_1d();
+    const auto sample = bsdf.sample(lobe, random.next_2d());
+    if (!sample) {
+      return 0.0;
+    }
+    const Vec3 world = frame.to_world(sample->incoming);
+    const Hit next = rays.closest_hit(point.origin, world);
+    return next.missed() ? 0.0 : sample->weight.g * surface_emission(scene, next, world).radiance.g;
+  };
+  MeanEstimate estimate;
+  for (int i = 0; i < samples; ++i) {
+    SampleStream random(9, 0, static_cast<std::uint32_t>(i));
+    estimate.add(sample_lights ? from_light(random) : from_bsdf(random));
+  }
+  return estimate;
+}
+
+TEST(KnownAnswerTest, BothStrategiesAndTheirCombinationAgree) {
+  const Scene scene = floor_and_light(metal(0.9F, 0.5F));
+  const MeanEstimate combined = mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000);
+  const MeanEstimate lights = one_strategy(scene, true, 40000);
+  const MeanEstimate bsdf = one_strategy(scene, false, 40000);
+  for (const MeanEstimate& alone : {lights, bsdf}) {
+    EXPECT_NEAR(alone.mean(), combined.mean(),
+                5.0 * std::hypot(alone.standard_error(), combined.standard_error()));
+    EXPECT_LT(combined.standard_error(), 1.1 * alone.standard_error());
+  }
+}
+
+/// A lamp behind a sheet whose left half (x < 0) is cut out, and a floor beyond.
+TEST(KnownAnswerTest, LightPassesThroughCutOuts) {
+  Scene scene = floor_and_light(dielectric(0.8F));
+  const double open = mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 20000).mean();
+  scene.materials.push_back(dielectric(0.0F));
+  scene.materials[2].base_color_texture = 0;
+  scene.materials[2].alpha_cutoff = 0.5F;
+  scene.textures.emplace_back(1, 1, std::vector<std::uint8_t>{255, 255, 255, 0}, true, Wrap::repeat,
+                              Wrap::repeat);
+  scene.meshes.push_back(quad(Vec3(-5, 0.5F, 5), Vec3(10, 0, 0), Vec3(0, 0, -10), 2));
+  EXPECT_EQ(mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 20000).mean(), open);
+  scene.materials[2].alpha_cutoff = 0.0F;
+  EXPECT_EQ(mean_radiance(scene, Vec3(-1, 0.4F, 0), Vec3(1, -0.4F, 0), 1, 2000).mean(), 0.0);
+}
+
+TEST(KnownAnswerTest, HolesOfAnEmitterDoNotShine) {
+  Scene scene = floor_and_light(dielectric(0.8F));
+  scene.materials[1].base_color_texture = 0;
+  scene.materials[1].alpha_cutoff = 0.5F;
+  // The light's two halves along z: a hole and solid.
+  scene.textures.emplace_back(1, 2, std::vector<std::uint8_t>{255, 255, 255, 0, 0, 0, 0, 255}, true,
+                              Wrap::clamp_to_edge, Wrap::clamp_to_edge);
+  const MeanEstimate half = mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000);
+  expect_mean(half, 0.5 * floor_radiance({0.8, 0.0, 1.0}), 2e-3);
+}
+
+}  // namespace
+}  // namespace foveola
