@@ -10,8 +10,11 @@ using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
 using DVec3 = glm::dvec3;
+using DMat3 = glm::dmat3;
 using IVec2 = glm::ivec2;
 using Mat3 = glm::mat3;
+/// Three columns of two: an affine map of the plane.
+using Mat3x2 = glm::mat3x2;
 using Mat4 = glm::mat4;
 using DMat4 = glm::dmat4;
 using Quat = glm::quat;

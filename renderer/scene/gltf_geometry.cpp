@@ -17,7 +17,6 @@ namespace foveola {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-using DMat3 = glm::dmat3;
 
 /// The accessor of attribute `name`, or -1.
 int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
@@ -95,7 +94,9 @@ void drop_unused_vertices(Mesh& mesh) {
   }
   keep_only(mesh.positions, used);
   keep_only(mesh.normals, used);
-  keep_only(mesh.uvs, used);
+  for (std::vector<Vec2>& uvs : mesh.uv_sets) {
+    keep_only(uvs, used);
+  }
 }
 
 /// Many primitives may share one large accessor: only the run of vertices that these triangles use
@@ -216,7 +217,7 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
     if (const int uv = attribute(primitive, name); uv >= 0) {
       const std::string uv_place = fmt::format("{}.attributes.{}", place, name);
       require_count(model, uv, vertex_count, uv_place);
-      mesh.uvs = read_texture_coordinates(model, uv, used, uv_place);
+      mesh.uv_sets = {read_texture_coordinates(model, uv, used, uv_place)};
     } else {
       warnings.add("texture coordinates are missing: a textured material shows no texture", place);
     }

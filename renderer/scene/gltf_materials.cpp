@@ -12,9 +12,6 @@
 namespace foveola {
 namespace {
 
-/// Exporters write alpha blending where the artist meant holes; one radiance sample cannot blend.
-constexpr float blend_cutoff = 0.5F;
-
 constexpr const char* strength_extension = "KHR_materials_emissive_strength";
 
 Vec3 vector_of(const std::vector<double>& numbers) {
@@ -47,13 +44,11 @@ Rgb emission_of(const tinygltf::Material& source, const std::string& place, Warn
                  "the emission of a material", place, warnings);
 }
 
-float alpha_cutoff_of(const tinygltf::Material& source, const std::string& place,
-                      Warnings& warnings) {
+AlphaMode alpha_mode_of(const tinygltf::Material& source) {
   if (source.alphaMode == "BLEND") {
-    warnings.add("alpha blending is shown as a cut-out at alpha 0.5", place);
-    return blend_cutoff;
+    return AlphaMode::blend;
   }
-  return source.alphaMode == "MASK" ? static_cast<float>(source.alphaCutoff) : 0.0F;
+  return source.alphaMode == "MASK" ? AlphaMode::mask : AlphaMode::opaque;
 }
 
 /// The set that the base colour names, else that of the first texture there is: a mesh keeps one.
@@ -65,9 +60,9 @@ std::optional<int> uv_set_of(const tinygltf::Material& source, const Material& m
   };
   const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
   const std::array<Use, 3> uses = {
-      {{material.base_color_texture, pbr.baseColorTexture.texCoord},
-       {material.metallic_roughness_texture, pbr.metallicRoughnessTexture.texCoord},
-       {material.emissive_texture, source.emissiveTexture.texCoord}}};
+      {{material.base_color_texture.texture, pbr.baseColorTexture.texCoord},
+       {material.metallic_roughness_texture.texture, pbr.metallicRoughnessTexture.texCoord},
+       {material.emissive_texture.texture, source.emissiveTexture.texCoord}}};
   std::optional<int> chosen;
   for (const Use& use : uses) {
     if (use.texture < 0) {
@@ -97,16 +92,14 @@ Material read_material(const tinygltf::Material& source, const std::string& plac
                                "a roughness factor", pbr_place + ".roughnessFactor", warnings);
   material.emission = emission_of(source, place, warnings);
   material.double_sided = source.doubleSided;
-  material.base_color_texture = textures.add(pbr.baseColorTexture.index, Encoding::srgb);
-  material.metallic_roughness_texture =
+  material.base_color_texture.texture = textures.add(pbr.baseColorTexture.index, Encoding::srgb);
+  material.metallic_roughness_texture.texture =
       textures.add(pbr.metallicRoughnessTexture.index, Encoding::linear);
   if (material.is_emissive()) {
-    material.emissive_texture = textures.add(source.emissiveTexture.index, Encoding::srgb);
+    material.emissive_texture.texture = textures.add(source.emissiveTexture.index, Encoding::srgb);
   }
-  material.alpha_cutoff = alpha_cutoff_of(source, place, warnings);
-  if (material.base_color_texture < 0 && material.alpha >= material.alpha_cutoff) {
-    material.alpha_cutoff = 0.0F;  // nothing is cut out, and opaque surfaces trace faster
-  }
+  material.alpha_mode = alpha_mode_of(source);
+  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   if (source.normalTexture.index >= 0) {
     warnings.add("normal textures are ignored", place + ".normalTexture");
   }

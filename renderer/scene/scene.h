@@ -1,8 +1,9 @@
-// What is rendered: triangles, materials, textures and an environment, immutable once loaded.
+// What is rendered: triangles, materials, textures and lights, immutable once loaded.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,42 +14,113 @@
 
 namespace foveola {
 
-/// glTF's metallic-roughness material. Texture indices point into Scene::textures; -1 is none.
-struct Material {
-  std::string name;
-  Rgb base_color{1.0F};  ///< linear reflectance in [0, 1]
-  float alpha = 1.0F;    ///< multiplies the base colour texture's alpha
-  float metallic = 0.0F;
-  float roughness = 1.0F;  ///< perceptual; GGX alpha is its square
-  Rgb emission{0.0F};      ///< radiance; multiplies the emissive texture
-  int base_color_texture = -1;
-  int metallic_roughness_texture = -1;  ///< green: roughness, blue: metallic
-  int emissive_texture = -1;
-  /// Surfaces whose alpha is below this let light pass; 0 where everything is opaque.
-  float alpha_cutoff = 0.0F;
-  bool double_sided = false;
+/// A texture as one of a material's values uses it.
+struct TextureUse {
+  int texture = -1;  ///< index into Scene::textures; -1: the value has no texture
+  int uv_set = 0;    ///< index into Mesh::uv_sets of every mesh with the material
+  /// KHR_texture_transform: the texture's coordinates are this times (u, v, 1).
+  Mat3x2 texture_from_mesh{1.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F};
 
-  bool is_emissive() const { return max_component(emission) > 0.0F; }
-  bool is_cut_out() const { return alpha_cutoff > 0.0F; }
+  bool exists() const { return texture >= 0; }
 };
 
-/// Triangles of one material in world space. Front faces are counter-clockwise.
+enum class AlphaMode : std::uint8_t {
+  opaque,  ///< alpha is ignored
+  mask,    ///< surfaces whose alpha is below the cutoff are not there
+  blend,   ///< a surface is there with the probability alpha
+};
+
+/// glTF's metallic-roughness material with the KHR_materials extensions; renderer/MATERIALS.md says
+/// what each value does. Factors multiply their textures. Defaults are glTF's, but for metallic.
+struct Material {
+  std::string name;
+
+  Rgb base_color{1.0F};  ///< linear reflectance in [0, 1]
+  float alpha = 1.0F;    ///< multiplies the base colour texture's alpha
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5F;  ///< of AlphaMode::mask
+  float metallic = 0.0F;
+  float roughness = 1.0F;     ///< perceptual; GGX alpha is its square
+  float normal_scale = 1.0F;  ///< multiplies x and y of the normal texture
+  Rgb emission{0.0F};         ///< radiance; multiplies the emissive texture
+  bool double_sided = false;  ///< emitters only: whether the back shines too
+  bool unlit = false;         ///< shines with its base colour, and reflects nothing
+
+  float ior = 1.5F;             ///< index of refraction, >= 1
+  float specular = 1.0F;        ///< strength of the dielectric's reflection, in [0, 1]
+  Rgb specular_color{1.0F};     ///< its colour at normal incidence, >= 0
+  float transmission = 0.0F;    ///< share of the light entering the dielectric that is let through
+  bool is_solid = false;        ///< the mesh bounds a volume that refracts; else it is a thin wall
+  Rgb attenuation_color{1.0F};  ///< of a solid: what is left after the attenuation distance
+  float attenuation_distance_m = std::numeric_limits<float>::infinity();
+  float clearcoat = 0.0F;
+  float clearcoat_roughness = 0.0F;
+  Rgb sheen_color{0.0F};
+  float sheen_roughness = 0.0F;
+
+  TextureUse base_color_texture;
+  TextureUse metallic_roughness_texture;  ///< green: roughness, blue: metallic
+  TextureUse normal_texture;              ///< tangent space, 2 * rgb - 1
+  TextureUse emissive_texture;
+  TextureUse specular_texture;  ///< alpha
+  TextureUse specular_color_texture;
+  TextureUse transmission_texture;         ///< red
+  TextureUse clearcoat_texture;            ///< red
+  TextureUse clearcoat_roughness_texture;  ///< green
+  TextureUse sheen_color_texture;
+  TextureUse sheen_roughness_texture;  ///< alpha
+
+  bool is_emissive() const { return max_component(emission) > 0.0F; }
+};
+
+/// Triangles of one material. Front faces are counter-clockwise.
 struct Mesh {
   std::string name;  ///< the object's name in the file
   int material = 0;
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< unit length, one a vertex, or empty: flat shading
-  std::vector<Vec2> uvs;      ///< one a vertex, or empty: nothing is textured
+  std::vector<Vec3> normals;   ///< unit length, one a vertex, or empty: flat shading
+  std::vector<Vec4> tangents;  ///< unit length and the bitangent's sign, one a vertex, or empty
+  std::vector<Vec4> colors;    ///< linear, multiply base colour and alpha, one a vertex, or empty
+  /// One list a set, one element a vertex. Has all sets that the material's textures use, or none:
+  /// then nothing is textured.
+  std::vector<std::vector<Vec2>> uv_sets;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A further appearance of a mesh that stands in more than one place.
+struct Instance {
+  std::string name;
+  std::uint32_t prototype = 0;  ///< index into Scene::prototypes
+  Mat4 world_from_local{1.0F};  ///< affine and invertible; it may mirror
 };
 
 /// Light from infinitely far: constant, or an equirect image in the convention of the film
 /// (centre -Z, u increasing towards +X, first row +Y).
 struct Environment {
   Rgb radiance{1.0F};  ///< multiplies the map where there is one
+  /// Turns the map about +Y: what it shows at azimuth a stands at azimuth a + rotation.
+  double rotation_rad = 0.0;
   int map_width = 0;
   int map_height = 0;
   std::vector<Rgb> map;  ///< row-major, or empty: constant
+};
+
+/// KHR_lights_punctual's lights, which have no geometry of their own.
+struct PunctualLight {
+  enum class Kind : std::uint8_t { point, spot, directional };
+
+  std::string name;
+  Kind kind = Kind::point;
+  Vec3 position{0.0F};                ///< of points and spots
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< where spots and directional lights shine, unit length
+  /// Radiant intensity of points and spots; irradiance across its direction of a directional light.
+  Rgb intensity{1.0F};
+  float inner_cone_rad = 0.0F;          ///< of spots, from the axis: full intensity inside
+  float outer_cone_rad = 0.785398163F;  ///< nothing outside
+  float radius_m =
+      0.0F;  ///< of points and spots: a sphere of this size, seen by no ray; 0: a point
+  /// Of directional lights: a disc in the sky, which rays do see; 0: none of them does.
+  float angular_radius_rad = 0.0F;
 };
 
 struct CameraView {
@@ -62,17 +134,33 @@ struct Bounds {
   Vec3 upper{0.0F};
 };
 
+/// Objects are numbered: first the meshes, which stand in the world as they are, then the
+/// instances.
 struct Scene {
-  std::vector<Mesh> meshes;
+  std::vector<Mesh> meshes;      ///< in world space
+  std::vector<Mesh> prototypes;  ///< each in a space of its own, shown by instances only
+  std::vector<Instance> instances;
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::optional<Environment> environment;
+  std::vector<PunctualLight> lights;
   std::vector<CameraView> cameras;
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
   std::string sha256;                 ///< of the scene file
+  /// Where this scene's (0, 0, 0) lies in the file's world. Not zero for scenes far from the file's
+  /// own origin, where floats would be too coarse.
+  DVec3 origin{0.0};
 
+  std::size_t object_count() const { return meshes.size() + instances.size(); }
+  /// The geometry of an object; an instance's is in its prototype's space.
+  const Mesh& mesh_of(std::uint32_t object) const;
+  /// Null for an object that is a mesh in world space.
+  const Instance* instance_of(std::uint32_t object) const;
+  const std::string& object_name(std::uint32_t object) const;
+
+  /// Of all objects, each instance counted.
   std::size_t triangle_count() const;
-  /// Of all vertices; both zero for an empty scene.
+  /// Of all objects' vertices; both zero for an empty scene.
   Bounds bounds() const;
 };
 

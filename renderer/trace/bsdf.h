@@ -13,13 +13,28 @@ namespace foveola {
 struct Reflectance {
   Rgb base_color{1.0F};  ///< linear, in [0, 1]
   float metallic = 0.0F;
-  float roughness = 1.0F;  ///< perceptual, in [0, 1]; below smallest_roughness is raised to it
+  float roughness = 1.0F;     ///< perceptual, in [0, 1]
+  float ior = 1.5F;           ///< >= 1
+  float specular = 1.0F;      ///< in [0, 1]
+  Rgb specular_color{1.0F};   ///< >= 0
+  float transmission = 0.0F;  ///< in [0, 1]
+  bool is_solid = false;      ///< what is transmitted is refracted; else the wall is thin
+  bool from_inside = false;   ///< the outgoing direction lies in the solid
+  float clearcoat = 0.0F;     ///< in [0, 1]
+  float clearcoat_roughness = 0.0F;
+  Rgb sheen_color{0.0F};  ///< in [0, 1]
+  float sheen_roughness = 0.0F;
 };
 
 struct BsdfSample {
-  Vec3 incoming;  ///< unit length, local
-  Rgb weight;     ///< BSDF times cosine over pdf
-  float pdf;      ///< per steradian
+  Vec3 incoming;  ///< unit length, local; z < 0: transmitted
+  Rgb weight;     ///< BSDF times |cosine| over pdf
+  float pdf;      ///< per steradian; of a specular sample the probability
+  /// The direction is the only one of a perfect mirror or lens: eval() knows nothing of it.
+  bool is_specular = false;
+  /// How much transmission has scaled the radiance: eta^2 when refracted (MATERIALS.md), else 1.
+  /// Roulette takes it out again.
+  float radiance_scale = 1.0F;
 };
 
 /// The BSDF and its sampling density, which share nearly all of their terms.

@@ -13,17 +13,22 @@ const Material& material_of(const Scene& scene, const Mesh& mesh) {
 
 bool has_varying_alpha(const Scene& scene, const Mesh& mesh) {
   const Material& material = material_of(scene, mesh);
-  return material.is_cut_out() && material.base_color_texture >= 0 && !mesh.uvs.empty();
+  return material.alpha_mode != AlphaMode::opaque && material.base_color_texture.exists() &&
+         !mesh.uv_sets.empty();
 }
 
 bool is_hole(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,
              const Vec2& barycentric) {
   const Material& material = material_of(scene, mesh);
+  if (material.alpha_mode == AlphaMode::opaque) {
+    return false;
+  }
   if (!has_varying_alpha(scene, mesh)) {
     return material.alpha < material.alpha_cutoff;
   }
-  const Texture& texture = scene.textures[static_cast<std::size_t>(material.base_color_texture)];
-  const Vec2 uv = interpolate(mesh.uvs, mesh.triangles[triangle], barycentric);
+  const Texture& texture =
+      scene.textures[static_cast<std::size_t>(material.base_color_texture.texture)];
+  const Vec2 uv = interpolate(mesh.uv_sets[0], mesh.triangles[triangle], barycentric);
   return material.alpha * texture.sample(uv).a < material.alpha_cutoff;
 }
 

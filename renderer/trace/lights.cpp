@@ -72,7 +72,7 @@ std::optional<LightSample> Lights::sample_environment(const Vec3& receiver, cons
 }
 
 float Lights::triangle_pdf(const Hit& hit, float distance, float cosine) const {
-  return (1.0F - environment_probability_) * triangles_.area_pdf(hit.mesh) * distance * distance /
+  return (1.0F - environment_probability_) * triangles_.area_pdf(hit.object) * distance * distance /
          cosine;
 }
 

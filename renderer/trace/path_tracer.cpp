@@ -270,7 +270,7 @@ std::optional<Picked> PathTracer::pick(const Vec3& origin, const Vec3& direction
   if (hit.missed()) {
     return std::nullopt;
   }
-  return Picked{.mesh = hit.mesh, .position = origin + hit.t * unit, .distance = hit.t};
+  return Picked{.object = hit.object, .position = origin + hit.t * unit, .distance = hit.t};
 }
 
 }  // namespace foveola

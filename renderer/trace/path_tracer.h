@@ -26,7 +26,7 @@ struct RayCounts {
 };
 
 struct Picked {
-  std::size_t mesh = 0;  ///< index into Scene::meshes
+  std::uint32_t object = 0;  ///< see Scene's numbering
   Vec3 position{0.0F};
   float distance = 0.0F;  ///< metres
 };

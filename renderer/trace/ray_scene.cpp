@@ -149,7 +149,7 @@ Hit RayScene::closest_hit(const Vec3& origin, const Vec3& direction) const {
   }
   return {.t = query.ray.tfar,
           .barycentric = {query.hit.u, query.hit.v},
-          .mesh = query.hit.geomID,
+          .object = query.hit.geomID,
           .triangle = query.hit.primID};
 }
 

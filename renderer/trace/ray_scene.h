@@ -33,10 +33,10 @@ struct Hit {
 
   float t = std::numeric_limits<float>::infinity();
   Vec2 barycentric{0.0F};
-  std::uint32_t mesh = nothing;  ///< index into Scene::meshes
-  std::uint32_t triangle = 0;    ///< index into Mesh::triangles
+  std::uint32_t object = nothing;  ///< see Scene's numbering
+  std::uint32_t triangle = 0;      ///< index into its mesh's triangles
 
-  bool missed() const { return mesh == nothing; }
+  bool missed() const { return object == nothing; }
 };
 
 /// Answers depend on the ray alone, to the bit: not on the rays that are traced with it, nor on the

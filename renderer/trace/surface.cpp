@@ -12,13 +12,14 @@ const Material& material_of(const Scene& scene, const Mesh& mesh) {
 }
 
 /// The texture's value, or white where the material has none.
-Vec4 texture_value(const Scene& scene, int texture, const Vec2& uv) {
-  return texture < 0 ? Vec4(1.0F) : scene.textures[static_cast<std::size_t>(texture)].sample(uv);
+Vec4 texture_value(const Scene& scene, const TextureUse& use, const Vec2& uv) {
+  return use.exists() ? scene.textures[static_cast<std::size_t>(use.texture)].sample(uv)
+                      : Vec4(1.0F);
 }
 
 Vec2 texture_coordinate(const Mesh& mesh, std::uint32_t triangle, const Vec2& barycentric) {
-  return mesh.uvs.empty() ? Vec2(0.0F)
-                          : interpolate(mesh.uvs, mesh.triangles[triangle], barycentric);
+  return mesh.uv_sets.empty() ? Vec2(0.0F)
+                              : interpolate(mesh.uv_sets[0], mesh.triangles[triangle], barycentric);
 }
 
 Reflectance reflectance_at(const Scene& scene, const Mesh& mesh, const Hit& hit) {
@@ -26,7 +27,7 @@ Reflectance reflectance_at(const Scene& scene, const Mesh& mesh, const Hit& hit)
   Reflectance reflectance{.base_color = material.base_color,
                           .metallic = material.metallic,
                           .roughness = material.roughness};
-  if (material.base_color_texture < 0 && material.metallic_roughness_texture < 0) {
+  if (!material.base_color_texture.exists() && !material.metallic_roughness_texture.exists()) {
     return reflectance;
   }
   const Vec2 uv = texture_coordinate(mesh, hit.triangle, hit.barycentric);
@@ -56,7 +57,7 @@ Vec3 shading_normal_at(const Mesh& mesh, const Hit& hit, const Vec3& geometric_n
 }  // namespace
 
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction) {
-  const Mesh& mesh = scene.meshes[hit.mesh];
+  const Mesh& mesh = scene.mesh_of(hit.object);
   const Triangle triangle(mesh, hit.triangle);
   const Vec3 front_normal = triangle.front_normal();
   const Vec3 geometric_normal =
@@ -70,7 +71,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
 Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,
                      const Vec2& barycentric) {
   const Material& material = material_of(scene, mesh);
-  if (material.emissive_texture < 0) {
+  if (!material.emissive_texture.exists()) {
     return material.emission;
   }
   const Vec2 uv = texture_coordinate(mesh, triangle, barycentric);
@@ -78,7 +79,7 @@ Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangl
 }
 
 SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3& direction) {
-  const Mesh& mesh = scene.meshes[hit.mesh];
+  const Mesh& mesh = scene.mesh_of(hit.object);
   const Material& material = material_of(scene, mesh);
   if (!material.is_emissive()) {
     return {};

@@ -29,8 +29,9 @@ Rgb mean_colour(const Texture& texture) {
 /// The luminous exitance of a material's surface, both sides together.
 double exitance(const Scene& scene, const Material& material) {
   Rgb radiance = material.emission;
-  if (material.emissive_texture >= 0) {
-    radiance *= mean_colour(scene.textures[static_cast<std::size_t>(material.emissive_texture)]);
+  if (material.emissive_texture.exists()) {
+    radiance *=
+        mean_colour(scene.textures[static_cast<std::size_t>(material.emissive_texture.texture)]);
   }
   const int sides = material.double_sided ? 2 : 1;
   return sides * std::numbers::pi * luminance(radiance);

@@ -235,20 +235,20 @@ TEST(KnownAnswerTest, LightPassesThroughCutOuts) {
   Scene scene = floor_and_light(dielectric(0.8F));
   const double open = mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 20000).mean();
   scene.materials.push_back(dielectric(0.0F));
-  scene.materials[2].base_color_texture = 0;
-  scene.materials[2].alpha_cutoff = 0.5F;
+  scene.materials[2].base_color_texture.texture = 0;
+  scene.materials[2].alpha_mode = AlphaMode::mask;
   scene.textures.emplace_back(1, 1, std::vector<std::uint8_t>{255, 255, 255, 0}, true, Wrap::repeat,
                               Wrap::repeat);
   scene.meshes.push_back(quad(Vec3(-5, 0.5F, 5), Vec3(10, 0, 0), Vec3(0, 0, -10), 2));
   EXPECT_EQ(mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 20000).mean(), open);
-  scene.materials[2].alpha_cutoff = 0.0F;
+  scene.materials[2].alpha_mode = AlphaMode::opaque;
   EXPECT_EQ(mean_radiance(scene, Vec3(-1, 0.4F, 0), Vec3(1, -0.4F, 0), 1, 2000).mean(), 0.0);
 }
 
 TEST(KnownAnswerTest, HolesOfAnEmitterDoNotShine) {
   Scene scene = floor_and_light(dielectric(0.8F));
-  scene.materials[1].base_color_texture = 0;
-  scene.materials[1].alpha_cutoff = 0.5F;
+  scene.materials[1].base_color_texture.texture = 0;
+  scene.materials[1].alpha_mode = AlphaMode::mask;
   // The light's two halves along z: a hole and solid.
   scene.textures.emplace_back(1, 2, std::vector<std::uint8_t>{255, 255, 255, 0, 0, 0, 0, 255}, true,
                               Wrap::clamp_to_edge, Wrap::clamp_to_edge);

@@ -95,7 +95,7 @@ TEST(LightsTest, DensitiesAgreeWithThoseOfSampledPoints) {
       continue;
     }
     const float distance = glm::length(light->shadow_ray.direction);
-    const Hit hit{.t = distance, .barycentric = {}, .mesh = 0, .triangle = 0};
+    const Hit hit{.t = distance, .barycentric = {}, .object = 0, .triangle = 0};
     EXPECT_NEAR(lights.triangle_pdf(hit, distance, light->direction.y), light->pdf,
                 1e-4F * light->pdf);
   }
@@ -120,14 +120,14 @@ TEST(LightsTest, BlackEnvironmentIsNoLight) {
 TEST(LightsTest, TexturedEmitterIsWeighedByItsTexturesMean) {
   Scene scene = ceiling_light({1.0F, 1.0F});
   scene.materials.push_back(scene.materials[0]);
-  scene.materials[1].emissive_texture = 0;
+  scene.materials[1].emissive_texture.texture = 0;
   // Half black, half white: half the power of the plain one beside it.
   scene.textures.emplace_back(2, 1, std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255, 255, 255},
                               false, Wrap::clamp_to_edge, Wrap::clamp_to_edge);
   scene.meshes.push_back(quad(Vec3(0, 2, 0), Vec3(-1, 0, 0), Vec3(0, 0, -1), 1));
   const Lights lights(scene);
-  const Hit plain{.t = 1.0F, .barycentric = {}, .mesh = 0, .triangle = 0};
-  const Hit textured{.t = 1.0F, .barycentric = {}, .mesh = 1, .triangle = 0};
+  const Hit plain{.t = 1.0F, .barycentric = {}, .object = 0, .triangle = 0};
+  const Hit textured{.t = 1.0F, .barycentric = {}, .object = 1, .triangle = 0};
   EXPECT_NEAR(lights.triangle_pdf(plain, 1.0F, 1.0F), 2.0 / 3.0, 1e-3);
   EXPECT_NEAR(lights.triangle_pdf(textured, 1.0F, 1.0F), 1.0 / 3.0, 1e-3);
 }

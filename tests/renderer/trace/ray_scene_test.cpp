@@ -36,7 +36,7 @@ TEST(RaySceneTest, FindsTheClosestTriangleAndWhere) {
   const RayScene rays(scene, workers());
   const Hit hit = rays.closest_hit(Vec3(0.5F, -0.25F, 0.0F), Vec3(0, 0, -1));
   ASSERT_FALSE(hit.missed());
-  EXPECT_EQ(hit.mesh, 1U);
+  EXPECT_EQ(hit.object, 1U);
   EXPECT_EQ(hit.triangle, 0U);
   EXPECT_FLOAT_EQ(hit.t, 2.0F);
   // The point is corner + 0.75 a + 0.375 b, on the triangle (corner, corner + a, corner + a + b).
@@ -57,7 +57,7 @@ TEST(RaySceneTest, MeshesWithoutTrianglesKeepTheNumbersOfTheOthers) {
   Scene scene = one_quad();
   scene.meshes.insert(scene.meshes.begin(), Mesh{});
   const Hit hit = RayScene(scene, workers()).closest_hit(Vec3(0.1F), Vec3(0, 0, -1));
-  EXPECT_EQ(hit.mesh, 1U);
+  EXPECT_EQ(hit.object, 1U);
 }
 
 TEST(RaySceneTest, OcclusionKnowsWhereTheRayEnds) {
@@ -83,8 +83,8 @@ TEST(RaySceneTest, NonFiniteTrianglesAreNeverHit) {
 Scene half_transparent() {
   Scene scene = one_quad();
   scene.materials.push_back(scene.materials[0]);
-  scene.materials[1].base_color_texture = 0;
-  scene.materials[1].alpha_cutoff = 0.5F;
+  scene.materials[1].base_color_texture.texture = 0;
+  scene.materials[1].alpha_mode = AlphaMode::mask;
   scene.textures.emplace_back(2, 1, std::vector<std::uint8_t>{255, 255, 255, 0, 255, 255, 255, 255},
                               true, Wrap::clamp_to_edge, Wrap::clamp_to_edge);
   scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 1));
@@ -94,8 +94,8 @@ Scene half_transparent() {
 TEST(RaySceneTest, RaysPassThroughCutOuts) {
   const Scene scene = half_transparent();
   const RayScene rays(scene, workers());
-  EXPECT_EQ(rays.closest_hit(Vec3(-0.5F, 0.1F, 0), Vec3(0, 0, -1)).mesh, 0U);
-  EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).mesh, 1U);
+  EXPECT_EQ(rays.closest_hit(Vec3(-0.5F, 0.1F, 0), Vec3(0, 0, -1)).object, 0U);
+  EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).object, 1U);
   std::vector<Ray> stream{ray_between(Vec3(-0.5F, 0.1F, 0), Vec3(-0.5F, 0.1F, -2.5F)),
                           ray_between(Vec3(0.5F, 0.1F, 0), Vec3(0.5F, 0.1F, -2.5F))};
   rays.find_blocked(stream);
@@ -107,13 +107,13 @@ TEST(RaySceneTest, AlphaFactorMultipliesTheTexture) {
   Scene scene = half_transparent();
   scene.materials[1].alpha = 0.4F;
   const RayScene rays(scene, workers());
-  EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).mesh, 0U);
+  EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).object, 0U);
 }
 
 TEST(RaySceneTest, UntexturedMaterialBelowItsCutoffIsNotThere) {
   Scene scene = one_quad();
   scene.materials[0].alpha = 0.4F;
-  scene.materials[0].alpha_cutoff = 0.5F;
+  scene.materials[0].alpha_mode = AlphaMode::mask;
   EXPECT_TRUE(RayScene(scene, workers()).closest_hit(Vec3(0.0F), Vec3(0, 0, -1)).missed());
 }
 
@@ -129,7 +129,7 @@ TEST(RaySceneTest, TiesDoNotDependOnTheThreadsThatBuilt) {
         scene.meshes[0].positions[triangle[0]] + scene.meshes[0].positions[triangle[1]];
     const Hit a = built_by_one.closest_hit(Vec3(0.0F), edge);
     const Hit b = built_by_four.closest_hit(Vec3(0.0F), edge);
-    EXPECT_EQ(a.mesh, b.mesh);
+    EXPECT_EQ(a.object, b.object);
     EXPECT_EQ(a.triangle, b.triangle);
     EXPECT_EQ(a.t, b.t);
   }

@@ -16,7 +16,7 @@ inline Mesh quad(const Vec3& corner, const Vec3& a, const Vec3& b, int material)
   Mesh mesh;
   mesh.material = material;
   mesh.positions = {corner, corner + a, corner + a + b, corner + b};
-  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.uv_sets = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }

@@ -15,7 +15,7 @@ Scene floor_scene(const Material& material) {
   return scene;
 }
 
-const Hit centre{.t = 1.0F, .barycentric = {0.0F, 0.5F}, .mesh = 0, .triangle = 0};
+const Hit centre{.t = 1.0F, .barycentric = {0.0F, 0.5F}, .object = 0, .triangle = 0};
 const Vec3 down(0, -1, 0);
 const Vec3 up(0, 1, 0);
 
@@ -54,8 +54,8 @@ TEST(SurfaceTest, ShadingNormalWithoutDirectionOrTurnedAwayIsTheGeometricOne) {
 TEST(SurfaceTest, TexturesMultiplyTheFactors) {
   Material material = dielectric(0.5F, 0.8F);
   material.metallic = 1.0F;
-  material.base_color_texture = 0;
-  material.metallic_roughness_texture = 1;
+  material.base_color_texture.texture = 0;
+  material.metallic_roughness_texture.texture = 1;
   Scene scene = floor_scene(material);
   const std::vector<std::uint8_t> base{255, 51, 0, 255};
   const std::vector<std::uint8_t> metallic_roughness{9, 51, 102, 255};

@@ -22,7 +22,7 @@ TEST(TriangleTest, NormalAndAreaAreRightAtAnySize) {
 TEST(TriangleTest, InterpolatesBetweenItsCorners) {
   const Mesh mesh = quad(Vec3(1, 2, 3), Vec3(4, 0, 0), Vec3(0, 0, 8), 0);
   EXPECT_EQ(Triangle(mesh, 0).at({0.5F, 0.25F}), Vec3(4, 2, 5));
-  EXPECT_EQ(interpolate(mesh.uvs, mesh.triangles[0], {0.5F, 0.25F}), Vec2(0.75F, 0.25F));
+  EXPECT_EQ(interpolate(mesh.uv_sets[0], mesh.triangles[0], {0.5F, 0.25F}), Vec2(0.75F, 0.25F));
 }
 
 }  // namespace
