@@ -9,9 +9,9 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
 #include "renderer/trace/bsdf.h"
-#include "renderer/trace/coat_albedo.h"
 #include "renderer/trace/lights.h"
 #include "renderer/trace/ray_scene.h"
+#include "renderer/trace/scattering_tables.h"
 #include "renderer/trace/surface.h"
 
 namespace foveola {
@@ -80,10 +80,10 @@ struct PathTracer::Implementation {
   const Scene& scene;
   RayScene rays;
   Lights lights;
-  CoatAlbedo coat;
+  ScatteringTables tables;
 
   Implementation(const Scene& source, const Workers& workers)
-      : scene(source), rays(source, workers), lights(source), coat(workers) {}
+      : scene(source), rays(source, workers), lights(source), tables(source.materials, workers) {}
 };
 
 namespace {
@@ -92,8 +92,8 @@ namespace {
 class BlockTracer {
  public:
   BlockTracer(const Scene& scene, const RayScene& rays, const Lights& lights,
-              const CoatAlbedo& coat, const TraceSettings& settings)
-      : scene_(scene), rays_(rays), lights_(lights), coat_(coat), settings_(settings) {}
+              const ScatteringTables& tables, const TraceSettings& settings)
+      : scene_(scene), rays_(rays), lights_(lights), tables_(tables), settings_(settings) {}
 
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
     start(viewpoint, jobs);
@@ -158,7 +158,7 @@ class BlockTracer {
     Path& path = paths_[index];
     const SurfacePoint point = surface_point(scene_, hit, path.direction);
     const Frame frame(point.shading_normal);
-    const Bsdf bsdf(point.reflectance, frame.to_local(-path.direction), coat_);
+    const Bsdf bsdf(point.reflectance, frame.to_local(-path.direction), tables_);
     const VertexNumbers numbers(path.random);
 
     queue_light(index, point, frame, bsdf, numbers);
@@ -218,7 +218,7 @@ class BlockTracer {
   const Scene& scene_;
   const RayScene& rays_;
   const Lights& lights_;
-  const CoatAlbedo& coat_;
+  const ScatteringTables& tables_;
   const TraceSettings& settings_;
   int vertex_ = 0;  ///< the one that the active paths are on their way to; the first is 1
   std::vector<Path> paths_;
@@ -250,7 +250,7 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
   std::atomic<std::uint64_t> shadow{0};
   const std::size_t block = block_size(jobs.size(), workers.threads());
   workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
-    BlockTracer tracer(self.scene, self.rays, self.lights, self.coat, settings);
+    BlockTracer tracer(self.scene, self.rays, self.lights, self.tables, settings);
     const RayCounts counts = tracer.trace(viewpoint, jobs.subspan(begin, end - begin),
                                           radiance.subspan(begin, end - begin));
     primary += counts.primary;
