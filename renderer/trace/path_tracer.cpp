@@ -49,6 +49,7 @@ struct Path {
   Rgb throughput{1.0F};
   Rgb radiance{0.0F};   ///< gathered so far
   float pdf = certain;  ///< per steradian, with which the BSDF gave the direction
+  Receiver receiver;    ///< the vertex it left from; of no matter to the primary ray
   SampleStream random;
 };
 
@@ -148,7 +149,7 @@ class BlockTracer {
   void add_emission(Path& path, const Hit& hit) const {
     const SurfaceEmission emission = surface_emission(scene_, hit, path.direction);
     if (max_component(emission.radiance) > 0.0F) {
-      const float light_pdf = lights_.triangle_pdf(hit, hit.t, emission.cosine);
+      const float light_pdf = lights_.triangle_pdf(path.receiver, hit, hit.t, emission.cosine);
       path.radiance += path.throughput * emission.radiance * power_heuristic(path.pdf, light_pdf);
     }
   }
@@ -171,6 +172,7 @@ class BlockTracer {
     if (glm::dot(direction, point.geometric_normal) <= 0.0F) {
       return false;
     }
+    path.receiver = receiver_at(point);
     path.origin = point.origin;
     path.direction = direction;
     path.throughput *= sample->weight;
@@ -178,16 +180,21 @@ class BlockTracer {
     return survives_roulette(path, numbers.roulette);
   }
 
+  static Receiver receiver_at(const SurfacePoint& point) {
+    return {.position = point.origin, .normal = point.geometric_normal, .transmits = false};
+  }
+
   void queue_light(std::size_t index, const SurfacePoint& point, const Frame& frame,
                    const Bsdf& bsdf, const VertexNumbers& numbers) {
-    const auto light =
-        lights_.sample(point.origin, numbers.light_kind, numbers.light_choice, numbers.light_point);
+    const auto light = lights_.sample(receiver_at(point), numbers.light_kind, numbers.light_choice,
+                                      numbers.light_point);
     if (!light || glm::dot(light->direction, point.geometric_normal) <= 0.0F) {
       return;
     }
     const BsdfValue value = bsdf.eval(frame.to_local(light->direction));
-    const Rgb gain = paths_[index].throughput * value.times_cosine * light->radiance *
-                     (power_heuristic(light->pdf, value.pdf) / light->pdf);
+    const float weight = light->is_delta ? 1.0F : power_heuristic(light->pdf, value.pdf);
+    const Rgb gain =
+        paths_[index].throughput * value.times_cosine * light->radiance * (weight / light->pdf);
     if (max_component(gain) > 0.0F) {
       pending_.push_back({.path = index, .radiance = gain});
       shadow_rays_.push_back(light->shadow_ray);
