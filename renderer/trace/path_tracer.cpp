@@ -171,7 +171,7 @@ class BlockTracer {
     if (glm::dot(direction, point.geometric_normal) <= 0.0F) {
       return false;
     }
-    path.origin = point.origin;
+    path.origin = point.origin();
     path.direction = direction;
     path.throughput *= sample->weight;
     path.pdf = sample->pdf;
@@ -180,8 +180,8 @@ class BlockTracer {
 
   void queue_light(std::size_t index, const SurfacePoint& point, const Frame& frame,
                    const Bsdf& bsdf, const VertexNumbers& numbers) {
-    const auto light =
-        lights_.sample(point.origin, numbers.light_kind, numbers.light_choice, numbers.light_point);
+    const auto light = lights_.sample(point.origin(), numbers.light_kind, numbers.light_choice,
+                                      numbers.light_point);
     if (!light || glm::dot(light->direction, point.geometric_normal) <= 0.0F) {
       return;
     }
