@@ -5,7 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/trace/cut_out.h"
+#include "renderer/trace/mesh_attributes.h"
+#include "renderer/trace/opacity.h"
 #include "renderer/trace/spherical_triangle.h"
 #include "renderer/trace/surface.h"
 
@@ -57,27 +58,6 @@ Vec2 sample_barycentric(const Vec2& u) {
   return u.x < u.y ? Vec2(0.5F * u.x, u.y - 0.5F * u.x) : Vec2(u.x - 0.5F * u.y, 0.5F * u.y);
 }
 
-/// Where an instance shows a prototype.
-struct Placement {
-  Mat4 world_from_local{1.0F};
-  bool mirrors = false;
-
-  explicit Placement(const Instance& instance)
-      : world_from_local(instance.world_from_local),
-        mirrors(glm::determinant(DMat3(Mat3(instance.world_from_local))) < 0.0) {}
-
-  Vec3 point(const Vec3& p) const { return Vec3(world_from_local * Vec4(p, 1.0F)); }
-
-  /// The largest sum of products that a coordinate of `p` in the world is made of.
-  float largest_term(const Vec3& p) const {
-    Vec3 sum = glm::abs(Vec3(world_from_local[3]));
-    for (int axis = 0; axis < 3; ++axis) {
-      sum += glm::abs(Vec3(world_from_local[axis]) * p[axis]);
-    }
-    return max_component(sum);
-  }
-};
-
 float density_in_area(float area, float distance, float cosine) {
   const float pdf = distance * distance / (area * cosine);
   return pdf < std::numeric_limits<float>::max() ? pdf : std::numeric_limits<float>::max();
@@ -93,7 +73,7 @@ TriangleLights::TriangleLights(const Scene& scene)
   for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
     const Mesh& mesh = scene.mesh_of(object);
     const auto material = static_cast<std::size_t>(mesh.material);
-    if (is_invisible(scene, mesh) || !shines(scene.materials[material])) {
+    if (is_invisible(scene, mesh) || !shines(material_of(scene, mesh))) {
       continue;
     }
     if (radiance[material] > 0.0F && emitters_.size() + mesh.triangles.size() <= most_triangles) {
@@ -106,41 +86,25 @@ TriangleLights::TriangleLights(const Scene& scene)
 }
 
 void TriangleLights::add_object(std::uint32_t object) {
-  const Mesh& mesh = scene_.mesh_of(object);
-  const Instance* instance = scene_.instance_of(object);
   first_of_object_[object] = static_cast<std::uint32_t>(emitters_.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Emitter emitter{.triangle = Triangle(mesh, t),
-                    .front_normal = Vec3(0.0F),
-                    .rounding_error = 0.0F,
-                    .area = 0.0F,
-                    .object = object,
-                    .index = t};
-    if (instance != nullptr) {
-      const Placement placement(*instance);
-      float largest = 0.0F;
-      for (Vec3* corner : {&emitter.triangle.p0, &emitter.triangle.p1, &emitter.triangle.p2}) {
-        largest = std::max(largest, placement.largest_term(*corner));
-        *corner = placement.point(*corner);
-      }
-      emitter.rounding_error = 32.0F * std::numeric_limits<float>::epsilon() * largest;
-      emitter.front_normal = emitter.triangle.front_normal() * (placement.mirrors ? -1.0F : 1.0F);
-    } else {
-      emitter.rounding_error = emitter.triangle.rounding_error();
-      emitter.front_normal = emitter.triangle.front_normal();
-    }
-    emitter.area = static_cast<float>(emitter.triangle.area());
-    emitters_.push_back(emitter);
+  const auto count = static_cast<std::uint32_t>(scene_.mesh_of(object).triangles.size());
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const Triangle triangle(scene_, object, t);
+    emitters_.push_back({.triangle = triangle,
+                         .front_normal = triangle.front_normal(),
+                         .area = static_cast<float>(triangle.area()),
+                         .object = object,
+                         .index = t});
   }
 }
 
-const Material& TriangleLights::material_of(const Emitter& emitter) const {
-  return scene_.materials[static_cast<std::size_t>(scene_.mesh_of(emitter.object).material)];
+const Material& TriangleLights::material_of_object(std::uint32_t object) const {
+  return material_of(scene_, scene_.mesh_of(object));
 }
 
 double TriangleLights::power(std::size_t triangle) const {
   const Emitter& emitter = emitters_[triangle];
-  const int sides = material_of(emitter).double_sided ? 2 : 1;
+  const int sides = material_of_object(emitter.object).double_sided ? 2 : 1;
   const double power = sides * std::numbers::pi * static_cast<double>(emitter.area) *
                        radiance_of_object_[emitter.object];
   return power > 0.0 && std::isfinite(power) && is_finite(emitter.front_normal) ? power : 0.0;
@@ -157,7 +121,7 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
           .axis = DVec3(emitter.front_normal),
           .spread_rad = 0.0,
           .falloff_rad = 0.5 * std::numbers::pi,
-          .two_sided = material_of(emitter).double_sided,
+          .two_sided = material_of_object(emitter.object).double_sided,
           .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
 }
 
@@ -166,14 +130,15 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   const Emitter& emitter = emitters_[triangle];
   const float height_over_plane = glm::dot(emitter.front_normal, place - emitter.triangle.p0);
   if (height_over_plane == 0.0F ||
-      (height_over_plane < 0.0F && !material_of(emitter).double_sided)) {
+      (height_over_plane < 0.0F && !material_of_object(emitter.object).double_sided)) {
     return std::nullopt;
   }
   const SphericalTriangle seen(emitter.triangle, place);
   const bool is_large = seen.is_large();
   const Vec2 barycentric = is_large ? seen.sample(u) : sample_barycentric(u);
   const Mesh& mesh = scene_.mesh_of(emitter.object);
-  if (is_hole(scene_, mesh, emitter.index, barycentric)) {
+  const float opaque = opacity(scene_, mesh, emitter.index, barycentric);
+  if (!(opaque > 0.0F)) {
     return std::nullopt;
   }
   const Vec3 point = emitter.triangle.at(barycentric);
@@ -185,12 +150,12 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   }
   // Off the triangle on the side of the place, but never past the place.
   const float off =
-      std::copysign(std::min(emitter.rounding_error, 0.5F * height), height_over_plane);
-  return LocalLightSample{.to_light = to_point + off * emitter.front_normal,
-                          .pdf = is_large
-                                     ? static_cast<float>(1.0 / seen.solid_angle())
-                                     : density_in_area(emitter.area, distance, height / distance),
-                          .radiance = emitted_radiance(scene_, mesh, emitter.index, barycentric)};
+      std::copysign(std::min(emitter.triangle.rounding_error(), 0.5F * height), height_over_plane);
+  return LocalLightSample{
+      .to_light = to_point + off * emitter.front_normal,
+      .pdf = is_large ? static_cast<float>(1.0 / seen.solid_angle())
+                      : density_in_area(emitter.area, distance, height / distance),
+      .radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric)};
 }
 
 float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distance,
