@@ -25,6 +25,7 @@ class Texture {
   /// Bilinearly filtered linear value at `uv`, whatever its magnitude; texel centres lie at
   /// half-integers. A non-finite uv reads texel (0, 0).
   Vec4 sample(const Vec2& uv) const;
+  Vec4 sample(const Vec2& uv, float) const { return sample(uv); }
 
  private:
   Vec4 texel(int x, int y) const;

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/trace/cut_out.h"
+#include "renderer/trace/mesh_attributes.h"
+#include "renderer/trace/opacity.h"
 #include "renderer/trace/surface.h"
 #include "renderer/trace/triangle.h"
 
@@ -86,7 +87,8 @@ std::optional<TriangleLights::Sample> TriangleLights::sample(const Vec3& receive
   const Mesh& mesh = scene_.meshes[emitter.mesh];
   const Material& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
   const Vec2 barycentric = sample_barycentric(u);
-  if (is_hole(scene_, mesh, emitter.index, barycentric)) {
+  const float opaque = opacity(scene_, mesh, emitter.index, barycentric);
+  if (!(opaque > 0.0F)) {
     return std::nullopt;
   }
   const Vec3 point = emitter.triangle.at(barycentric);
@@ -102,7 +104,7 @@ std::optional<TriangleLights::Sample> TriangleLights::sample(const Vec3& receive
   const float cosine = std::abs(height) / std::sqrt(squared_distance);
   return Sample{.point = point + towards_receiver,
                 .pdf = area_pdf_of_mesh_[emitter.mesh] * squared_distance / cosine,
-                .radiance = emitted_radiance(scene_, mesh, emitter.index, barycentric)};
+                .radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric)};
 }
 
 }  // namespace foveola

@@ -189,7 +189,7 @@ TEST(PathTracerTest, PicksTheFirstSurface) {
   const auto picked = tracer.pick(Vec3(0.1F, 0.2F, 0.0F), Vec3(0, 0, -20));
   ASSERT_TRUE(picked);
   EXPECT_EQ(picked->object, 1U);
-  EXPECT_FLOAT_EQ(picked->distance, 3.0F);
+  EXPECT_FLOAT_EQ(picked->distance_m, 3.0F);
   EXPECT_NEAR(glm::length(picked->position - Vec3(0.1F, 0.2F, -3.0F)), 0.0, 1e-6);
   EXPECT_FALSE(tracer.pick(Vec3(0.0F), Vec3(0, 0, 1)));
   EXPECT_FALSE(tracer.pick(Vec3(0.0F), Vec3(0.0F)));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/trace/mesh_attributes.h"
 #include "scenes.h"
 
 namespace foveola {
