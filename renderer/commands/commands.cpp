@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/render.h"
 #include "renderer/film/image_file.h"
 #include "renderer/measure/error_metrics.h"
@@ -353,6 +354,7 @@ void add_compare(CLI::App& app) {
 void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
   add_render(app, find_scene, stop);
   add_compare(app);
+  add_bench_commands(app, find_scene, stop);
 }
 
 }  // namespace foveola
