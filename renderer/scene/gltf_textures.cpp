@@ -99,8 +99,8 @@ void TextureSet::require_modest_size() const {
 Texture TextureSet::decode(const Use& use) const {
   DecodedImage image =
       with_place(use.image, [&] { return decode_image(encoded_bytes(model_, use.image)); });
-  return {image.width, image.height, std::move(image.texels), use.encoding == Encoding::srgb,
-          use.wrap_u,  use.wrap_v};
+  return {std::move(image), use.encoding == Encoding::srgb,
+          Sampler{.wrap_u = use.wrap_u, .wrap_v = use.wrap_v}};
 }
 
 }  // namespace foveola
