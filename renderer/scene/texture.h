@@ -49,7 +49,6 @@ class Texture {
   /// The linear value at `uv`, whatever its magnitude, in the finest level and with the filter for
   /// magnification; texel centres lie at half-integers. A non-finite uv reads texel (0, 0).
   Vec4 sample(const Vec2& uv) const;
-  Vec4 sample(const Vec2& uv, float) const { return sample(uv); }
 
   /// The linear value of a footprint around `uv` that is `uv_width` wide, in the unit of uv. In the
   /// level used a texel is as wide as the footprint along the image's longer side. A width that

@@ -39,6 +39,12 @@ float scattered_spread_rad(float pdf) {
   return std::min(0.1F / std::sqrt(pdf), widest_rad);
 }
 
+Receiver receiver_at(const SurfacePoint& point) {
+  return {.position = point.origin(),
+          .normal = point.geometric_normal,
+          .transmits = point.reflectance.transmission > 0.0F};
+}
+
 }  // namespace
 
 /// The random numbers of one vertex, always drawn all of them and in this order, so that a decision
@@ -149,7 +155,7 @@ void BlockTracer::add_environment(Path& path) const {
 void BlockTracer::add_emission(Path& path, const Hit& hit) const {
   const SurfaceEmission emission = surface_emission(traced_.scene, hit, path.ray.direction);
   if (max_component(emission.radiance) > 0.0F) {
-    const float light_pdf = traced_.lights.triangle_pdf(hit, hit.t, emission.cosine);
+    const float light_pdf = traced_.lights.triangle_pdf(path.receiver, hit, hit.t, emission.cosine);
     path.radiance += path.throughput * emission.radiance * power_heuristic(path.pdf, light_pdf);
   }
 }
@@ -188,6 +194,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame
   if (side * sample.incoming.z <= 0.0F) {
     return false;
   }
+  path.receiver = receiver_at(point);
   path.ray.origin = side > 0.0F ? point.origin() : point.origin_beyond();
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
@@ -208,8 +215,8 @@ void BlockTracer::queue_light(std::size_t index, const SurfacePoint& point, cons
   if (traced_.lights.empty()) {
     return;
   }
-  const auto light = traced_.lights.sample(point.origin(), numbers.light_kind, numbers.light_choice,
-                                           numbers.light_point);
+  const auto light = traced_.lights.sample(receiver_at(point), numbers.light_kind,
+                                           numbers.light_choice, numbers.light_point);
   if (!light) {
     return;
   }
@@ -219,8 +226,9 @@ void BlockTracer::queue_light(std::size_t index, const SurfacePoint& point, cons
     return;
   }
   const BsdfValue value = bsdf.eval(incoming);
-  const Rgb gain = paths_[index].throughput * value.times_cosine * light->radiance *
-                   (power_heuristic(light->pdf, value.pdf) / light->pdf);
+  const float weight = light->is_delta ? 1.0F : power_heuristic(light->pdf, value.pdf);
+  const Rgb gain =
+      paths_[index].throughput * value.times_cosine * light->radiance * (weight / light->pdf);
   if (max_component(gain) > 0.0F) {
     pending_.push_back({.path = index, .radiance = gain});
     shadow_rays_.push_back(light->shadow_ray);
