@@ -67,7 +67,7 @@ struct BlockTracer::VertexNumbers {
 };
 
 TracedScene::TracedScene(const Scene& source, const Workers& workers)
-    : scene(source), rays(source, workers), lights(source), coat(workers) {
+    : scene(source), rays(source, workers), lights(source), tables(source.materials, workers) {
   is_dark = lights.empty();
   for (const Material& material : source.materials) {
     traits.push_back({.is_unlit = material.unlit,
@@ -166,7 +166,7 @@ BlockTracer::Step BlockTracer::scatter(std::size_t index, const Hit& hit,
   const SurfacePoint point =
       surface_point(traced_.scene, hit, path.ray.direction, width_at(path, hit));
   const Frame frame(point.shading_normal);
-  const Bsdf bsdf(point.reflectance, frame.to_local(-path.ray.direction), traced_.coat);
+  const Bsdf bsdf(point.reflectance, frame.to_local(-path.ray.direction), traced_.tables);
   const VertexNumbers numbers(path.random);
   const auto sample = bsdf.sample(numbers.lobe, numbers.scattering);
   const bool is_vertex = vertex_ <= settings_.max_depth;
@@ -280,7 +280,7 @@ Rgb BlockTracer::window_transmittance(Ray ray) const {
     const SurfacePoint point = surface_point(traced_.scene, hit, direction);
     const Frame frame(point.shading_normal);
     transmittance *=
-        Bsdf(point.reflectance, frame.to_local(-direction), traced_.coat).straight_transmission();
+        Bsdf(point.reflectance, frame.to_local(-direction), traced_.tables).straight_transmission();
     ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
   }
   return Rgb(0.0F);

@@ -9,11 +9,11 @@
 #include "renderer/base/random.h"
 #include "renderer/base/sample_job.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/coat_albedo.h"
 #include "renderer/trace/lights.h"
 #include "renderer/trace/path_tracer.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/receiver.h"
+#include "renderer/trace/scattering_tables.h"
 #include "renderer/trace/surface.h"
 
 namespace foveola {
@@ -30,7 +30,7 @@ struct TracedScene {
   const Scene& scene;
   RayScene rays;
   Lights lights;
-  CoatAlbedo coat;
+  ScatteringTables tables;
   std::vector<MaterialTraits> traits;  ///< one a material
   bool is_dark;                        ///< nothing shines: every radiance is zero
 

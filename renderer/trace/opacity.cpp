@@ -1,6 +1,6 @@
 #include "renderer/trace/opacity.h"
 
-#include "renderer/trace/bsdf.h"
+#include "renderer/trace/ggx.h"
 #include "renderer/trace/mesh_attributes.h"
 
 namespace foveola {
@@ -49,7 +49,7 @@ bool is_invisible(const Scene& scene, const Mesh& mesh) {
 
 bool is_window(const Material& material) {
   return material.transmission > 0.0F && !material.is_solid && material.metallic < 1.0F &&
-         is_smooth(material.roughness) && !material.metallic_roughness_texture.exists();
+         material.roughness < smallest_roughness;
 }
 
 }  // namespace foveola
