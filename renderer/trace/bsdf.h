@@ -60,6 +60,10 @@ class Bsdf {
 
   BsdfValue eval(const Vec3& incoming) const;
 
+  /// The share of light that passes a smooth thin wall straight on, as a specular sample with
+  /// incoming = -outgoing.
+  Rgb straight_transmission() const { return Rgb(0.0F); }
+
   /// Empty if the lobe's sample ends below the surface. u_lobe in [0, 1), u in the unit square.
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 

@@ -54,6 +54,9 @@ inline Ggx ggx_of_roughness(float roughness) {
   return {.alpha = clamped * clamped};
 }
 
+/// Whether a surface of this perceptual roughness is a perfect mirror or lens.
+inline bool is_smooth(float roughness) { return roughness < 0.01F; }
+
 /// How far Schlick's Fresnel reflectance is on its way from its value at normal incidence to 1
 /// (Schlick 1994, eq. 15). cosine: in [0, 1].
 inline float schlick_weight(float cosine) {
