@@ -1,6 +1,9 @@
 #include "renderer/scene/load_scene.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -78,6 +81,13 @@ void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
 
 }  // namespace
 
+Scene load_scene_file(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".obj" ? load_obj(path) : load_gltf(path);
+}
+
 Scene load_scene(const SceneSource& source) {
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     require_valid(source.lights[i], fmt::format("{}: lights[{}]", source.name, i));
@@ -85,7 +95,7 @@ Scene load_scene(const SceneSource& source) {
   if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
     throw Error(source.name, "the radiance of the environment is negative or not finite");
   }
-  Scene scene = load_gltf(source.file);
+  Scene scene = load_scene_file(source.file);
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     add_light(scene, source.lights[i], i + 1);
   }
