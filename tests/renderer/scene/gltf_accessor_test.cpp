@@ -49,7 +49,7 @@ TEST_F(Accessors, ReadsInterleavedViews) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     EXPECT_EQ(mesh.positions[i], vertices[i].position);
     EXPECT_EQ(mesh.normals[i], vertices[i].normal);
-    EXPECT_EQ(mesh.uvs[i], vertices[i].uv);
+    EXPECT_EQ(mesh.uv_sets.at(0)[i], vertices[i].uv);
   }
 }
 
@@ -59,7 +59,7 @@ TEST_F(Accessors, NormalisesIntegerTextureCoordinates) {
       bytes.add_accessor<std::uint8_t>({0, 255, 51, 102, 204, 153}, u8, "VEC2", 2);
   bytes.document["accessors"][bytes_accessor]["normalized"] = true;
   use_uvs(bytes, bytes_accessor);
-  EXPECT_THAT(load(bytes).meshes.at(0).uvs,
+  EXPECT_THAT(load(bytes).meshes.at(0).uv_sets.at(0),
               ElementsAre(Vec2(0, 1), Vec2(0.2F, 0.4F), Vec2(0.8F, 0.6F)));
 
   GlbBuilder words = one_triangle();
@@ -67,7 +67,8 @@ TEST_F(Accessors, NormalisesIntegerTextureCoordinates) {
       words.add_accessor<std::uint16_t>({0, 65535, 13107, 26214, 0, 0}, u16, "VEC2", 2);
   words.document["accessors"][words_accessor]["normalized"] = true;
   use_uvs(words, words_accessor);
-  EXPECT_THAT(load(words).meshes.at(0).uvs, ElementsAre(Vec2(0, 1), Vec2(0.2F, 0.4F), Vec2(0, 0)));
+  EXPECT_THAT(load(words).meshes.at(0).uv_sets.at(0),
+              ElementsAre(Vec2(0, 1), Vec2(0.2F, 0.4F), Vec2(0, 0)));
 }
 
 TEST_F(Accessors, RefusesOtherTypes) {

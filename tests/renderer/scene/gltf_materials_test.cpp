@@ -53,7 +53,7 @@ TEST_F(GltfMaterials, AbsentFactorsAreTheSpecifications) {
   EXPECT_EQ(material.roughness, 1.0F);
   EXPECT_EQ(material.emission, Rgb(0.0F));
   EXPECT_FALSE(material.double_sided);
-  EXPECT_FALSE(material.is_cut_out());
+  EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
   EXPECT_THAT(warnings, IsEmpty());
 }
 
@@ -112,24 +112,18 @@ TEST_F(GltfMaterials, MaskCutsOutBelowItsCutoff) {
   EXPECT_EQ(load(glb).materials.at(0).alpha_cutoff, 0.25F);
 }
 
-TEST_F(GltfMaterials, AUniformSurfaceIsOpaqueOrCutOutWhole) {
-  const auto mask = [&](double alpha) {
-    return read({{"alphaMode", "MASK"},
-                 {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, alpha}}}}})
-        .first;
-  };
-  EXPECT_FALSE(mask(0.5).is_cut_out()) << "0.5 is not below the cutoff";
-  EXPECT_TRUE(mask(0.25).is_cut_out());
+TEST_F(GltfMaterials, AlphaModesAreReadAsTheyAre) {
+  const auto mode = [&](const char* name) { return read({{"alphaMode", name}}).first.alpha_mode; };
+  EXPECT_EQ(mode("OPAQUE"), AlphaMode::opaque);
+  EXPECT_EQ(mode("MASK"), AlphaMode::mask);
+  EXPECT_EQ(mode("BLEND"), AlphaMode::blend);
 }
 
-TEST_F(GltfMaterials, BlendIsACutOutWithAWarning) {
-  const auto [material, warnings] =
-      read({{"alphaMode", "BLEND"},
-            {"alphaCutoff", 0.1},
-            {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
-  EXPECT_EQ(material.alpha_cutoff, 0.5F);
-  EXPECT_THAT(warnings,
-              ElementsAre("alpha blending is shown as a cut-out at alpha 0.5 (materials[0])"));
+TEST_F(GltfMaterials, BlendKeepsItsAlpha) {
+  const auto [material, warnings] = read(
+      {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
+  EXPECT_EQ(material.alpha, 0.25F);
+  EXPECT_THAT(warnings, IsEmpty());
 }
 
 TEST_F(GltfMaterials, ColoursAreSrgbAndFactorsLinear) {
@@ -142,10 +136,11 @@ TEST_F(GltfMaterials, ColoursAreSrgbAndFactorsLinear) {
                                     {"metallicRoughnessTexture", {{"index", texture}}}}}};
   const Scene scene = load(glb);
   const Material& material = scene.materials.at(0);
-  EXPECT_EQ(material.base_color_texture, material.emissive_texture) << "the same use, decoded once";
+  EXPECT_EQ(material.base_color_texture.texture, material.emissive_texture.texture)
+      << "the same use, decoded once";
   ASSERT_EQ(scene.textures.size(), 2U);
-  const auto red = [&](int index) {
-    return scene.textures.at(static_cast<std::size_t>(index)).sample({0, 0}).r;
+  const auto red = [&](const TextureUse& use) {
+    return scene.textures.at(static_cast<std::size_t>(use.texture)).sample({0, 0}).r;
   };
   EXPECT_NEAR(red(material.base_color_texture), 0.502886F, 1e-5F);
   EXPECT_NEAR(red(material.metallic_roughness_texture), 188.0F / 255.0F, 1e-6F);
@@ -177,9 +172,11 @@ TEST_F(GltfMaterials, TextureCoordinatesAreThoseThatTheBaseColourNames) {
   GlbBuilder glb = with_material(plain);
   const int texture = glb.add_texture(one_pixel(1, 2, 3));
   glb.document["materials"][0] = textured(texture, 1);
-  EXPECT_THAT(load(glb).meshes.at(0).uvs, ElementsAre(Vec2(5, 5), Vec2(6, 5), Vec2(5, 6)));
+  EXPECT_THAT(load(glb).meshes.at(0).uv_sets.at(0),
+              ElementsAre(Vec2(5, 5), Vec2(6, 5), Vec2(5, 6)));
   glb.document["materials"][0] = textured(texture, 0);
-  EXPECT_THAT(load(glb).meshes.at(0).uvs, ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)));
+  EXPECT_THAT(load(glb).meshes.at(0).uv_sets.at(0),
+              ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)));
 }
 
 TEST_F(GltfMaterials, WarnsOfTexturesThatDisagreeOnTheirCoordinates) {
@@ -189,12 +186,12 @@ TEST_F(GltfMaterials, WarnsOfTexturesThatDisagreeOnTheirCoordinates) {
   glb.document["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {
       {"index", texture}};
   const Scene scene = load(glb);
-  EXPECT_EQ(scene.meshes.at(0).uvs.at(0), Vec2(5, 5));
+  EXPECT_EQ(scene.meshes.at(0).uv_sets.at(0).at(0), Vec2(5, 5));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates of the first")));
 }
 
 TEST_F(GltfMaterials, UntexturedSurfacesKeepNoCoordinates) {
-  EXPECT_THAT(load(with_material(plain)).meshes.at(0).uvs, IsEmpty());
+  EXPECT_THAT(load(with_material(plain)).meshes.at(0).uv_sets, IsEmpty());
 }
 
 TEST_F(GltfMaterials, WarnsOfMissingCoordinates) {
@@ -202,7 +199,7 @@ TEST_F(GltfMaterials, WarnsOfMissingCoordinates) {
   glb.document["meshes"][0]["primitives"][0]["material"] =
       glb.add("materials", textured(glb.add_texture(one_pixel(1, 2, 3))));
   const Scene scene = load(glb);
-  EXPECT_THAT(scene.meshes.at(0).uvs, IsEmpty());
+  EXPECT_THAT(scene.meshes.at(0).uv_sets, IsEmpty());
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates are missing")));
 }
 

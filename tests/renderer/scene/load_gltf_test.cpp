@@ -92,7 +92,9 @@ void expect_scene_or_error(const std::filesystem::path& path, const std::string&
     for (const Mesh& mesh : scene.meshes) {
       ASSERT_LT(static_cast<std::size_t>(mesh.material), scene.materials.size()) << mutation;
       ASSERT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size()) << mutation;
-      ASSERT_TRUE(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size()) << mutation;
+      for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
+        ASSERT_EQ(uvs.size(), mesh.positions.size()) << mutation;
+      }
       for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t vertex : triangle) {
           ASSERT_LT(vertex, mesh.positions.size()) << mutation;
