@@ -46,6 +46,7 @@ std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, int 
     }
     return triangles;
   }
+  triangles.reserve(order.size());
   for (std::size_t i = 0; i + 2 < order.size(); ++i) {
     if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
       triangles.push_back({order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]});
@@ -56,31 +57,25 @@ std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, int 
   return triangles;
 }
 
-/// The vertices that `triangles` name, ascending and each once. Many primitives may share one large
-/// accessor, of which each reads only what it uses. Throws if they name one beyond `vertex_count`.
-std::vector<std::uint32_t> vertices_used(const std::vector<Triangle>& triangles,
-                                         std::size_t vertex_count, const std::string& place) {
-  std::vector<std::uint32_t> used;
-  used.reserve(3 * triangles.size());
-  for (const Triangle& triangle : triangles) {
-    used.insert(used.end(), triangle.begin(), triangle.end());
+std::uint32_t highest_vertex(const std::vector<Triangle>& triangles) {
+  std::uint32_t highest = 0;
+  for (const auto& [a, b, c] : triangles) {
+    highest = std::max({highest, a, b, c});
   }
-  const std::uint32_t highest = *std::max_element(used.begin(), used.end());
-  if (highest >= vertex_count) {
-    throw GltfFault(place + ".indices",
-                    fmt::format("names vertex {}, but POSITION has {}", highest, vertex_count));
-  }
-  if (highest > 4 * used.size()) {
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    return used;
-  }
+  return highest;
+}
+
+/// The vertices that `triangles` name, ascending and each once, found by marking them all.
+std::vector<std::uint32_t> vertices_used_of_few(const std::vector<Triangle>& triangles,
+                                                std::uint32_t highest) {
   std::vector<bool> is_used(std::size_t{highest} + 1, false);
-  for (const std::uint32_t vertex : used) {
-    is_used[vertex] = true;
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      is_used[vertex] = true;
+    }
   }
-  used.clear();
-  for (std::uint32_t vertex = 0; vertex <= highest; ++vertex) {
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t vertex = 0; vertex < is_used.size(); ++vertex) {
     if (is_used[vertex]) {
       used.push_back(vertex);
     }
@@ -88,16 +83,41 @@ std::vector<std::uint32_t> vertices_used(const std::vector<Triangle>& triangles,
   return used;
 }
 
-/// Lets `triangles` count the vertices of `used`, an ascending list.
-void renumber(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& used) {
-  const bool has_no_gaps = used.back() - used.front() + 1 == used.size();
+/// The same, in time and memory that do not depend on how many vertices there are.
+std::vector<std::uint32_t> vertices_used_of_many(const std::vector<Triangle>& triangles) {
+  std::vector<std::uint32_t> used;
+  used.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles) {
+    used.insert(used.end(), triangle.begin(), triangle.end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+/// Lets `triangles` count only the vertices that they use, and returns those, ascending. Many
+/// primitives may share one large accessor, of which each reads no more. Throws if the triangles
+/// name a vertex beyond `vertex_count`.
+std::vector<std::uint32_t> renumber(std::vector<Triangle>& triangles, std::size_t vertex_count,
+                                    const std::string& place) {
+  const std::uint32_t highest = highest_vertex(triangles);
+  if (highest >= vertex_count) {
+    throw GltfFault(place + ".indices",
+                    fmt::format("names vertex {}, but POSITION has {}", highest, vertex_count));
+  }
+  const bool are_few = highest < 16 * triangles.size();
+  std::vector<std::uint32_t> used =
+      are_few ? vertices_used_of_few(triangles, highest) : vertices_used_of_many(triangles);
+  if (used.size() == std::size_t{highest} + 1) {
+    return used;  // all of them: the numbers stay
+  }
   for (Triangle& triangle : triangles) {
     for (std::uint32_t& vertex : triangle) {
-      vertex = has_no_gaps ? vertex - used.front()
-                           : static_cast<std::uint32_t>(
-                                 std::lower_bound(used.begin(), used.end(), vertex) - used.begin());
+      vertex = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), vertex) -
+                                          used.begin());
     }
   }
+  return used;
 }
 
 /// The vertex attributes of one primitive.
@@ -247,8 +267,7 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
     warnings.add("primitives without a whole triangle are not shown", place);
     return std::nullopt;
   }
-  const std::vector<std::uint32_t> used = vertices_used(triangles, vertex_count, place);
-  renumber(triangles, used);
+  const std::vector<std::uint32_t> used = renumber(triangles, vertex_count, place);
   const Attributes attributes(model, primitive, place, vertex_count, used);
   Mesh mesh = read_vertices(attributes, needs, place, warnings);
   mesh.triangles = std::move(triangles);

@@ -118,11 +118,11 @@ class MeshPlacer {
       return;
     }
     added_ += added;
+    budget_.take((placements.size() - 1) * bytes_of_all(meshes), place_of(index));
     for (std::size_t i = 0; i + 1 < placements.size(); ++i) {
-      budget_.take(bytes_of_all(meshes), place_of(index));
-      add_copies(index, meshes, placements[i]);
+      add_copy(index, meshes, placements[i]);
     }
-    add_copies(index, std::move(meshes), placements.back());
+    add_copy(index, std::move(meshes), placements.back());
   }
 
  private:
@@ -136,7 +136,7 @@ class MeshPlacer {
     return bytes;
   }
 
-  void add_copies(std::size_t index, LocalMesh meshes, const Placement& placement) {
+  void add_copy(std::size_t index, LocalMesh meshes, const Placement& placement) {
     for (Mesh& mesh : meshes) {
       mesh.name = object_name(model_, index, placement);
       transform(mesh, seen_from(scene_.origin, placement.world_from_local));
@@ -147,24 +147,29 @@ class MeshPlacer {
     }
   }
 
-  void add_instances(std::size_t index, LocalMesh meshes,
-                     const std::vector<Placement>& placements) {
-    const auto first_prototype = static_cast<std::uint32_t>(scene_.prototypes.size());
-    for (const Placement& placement : placements) {
-      const DMat4 transform = seen_from(scene_.origin, placement.world_from_local);
-      if (!is_invertible(transform)) {
-        budget_.take(bytes_of_all(meshes), place_of(index));
-        add_copies(index, meshes, placement);
-        continue;
-      }
-      for (std::uint32_t i = 0; i < meshes.size(); ++i) {
-        budget_.take(sizeof(Instance), place_of(index));
-        scene_.instances.push_back({.name = object_name(model_, index, placement),
-                                    .prototype = first_prototype + i,
-                                    .world_from_local = Mat4(transform)});
+  void add_instances(std::size_t index, LocalMesh meshes, std::vector<Placement> placements) {
+    const auto flattened = std::stable_partition(
+        placements.begin(), placements.end(), [&](const Placement& placement) {
+          return is_invertible(seen_from(scene_.origin, placement.world_from_local));
+        });
+    const auto instances = static_cast<std::size_t>(flattened - placements.begin());
+    budget_.take(instances * meshes.size() * sizeof(Instance) +
+                     (placements.size() - instances) * bytes_of_all(meshes),
+                 place_of(index));
+    for (auto placement = flattened; placement != placements.end(); ++placement) {
+      add_copy(index, meshes, *placement);
+    }
+    for (auto placement = placements.begin(); placement != flattened; ++placement) {
+      const Mat4 world_from_local(seen_from(scene_.origin, placement->world_from_local));
+      for (std::size_t i = 0; i < meshes.size(); ++i) {
+        scene_.instances.push_back(
+            {.name = object_name(model_, index, *placement),
+             .prototype = static_cast<std::uint32_t>(scene_.prototypes.size() + i),
+             .world_from_local = world_from_local});
       }
     }
-    for (Mesh& mesh : meshes) {
+    for (std::size_t i = 0; i < meshes.size() && instances > 0; ++i) {
+      Mesh& mesh = meshes[i];
       mesh.name = disarmed(model_.meshes[index].name);
       scene_.prototypes.push_back(std::move(mesh));
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/trace/fresnel.h"
+
 namespace foveola {
 namespace {
 
@@ -16,60 +18,241 @@ Vec3 sample_cosine_hemisphere(const Vec2& u) {
   return {r * std::cos(azimuth), r * std::sin(azimuth), std::sqrt(1.0F - u.y)};
 }
 
+Vec3 sample_uniform_hemisphere(const Vec2& u) {
+  const float z = 1.0F - u.y;
+  const float r = std::sqrt(u.y * (1.0F + z));
+  const float azimuth = 2.0F * std::numbers::pi_v<float> * u.x;
+  return {r * std::cos(azimuth), r * std::sin(azimuth), z};
+}
+
 Vec3 raised_above_grazing(const Vec3& w) {
   return w.z >= smallest_cosine ? w : glm::normalize(Vec3(w.x, w.y, smallest_cosine));
 }
 
+/// What is left of u in [begin, begin + length), spread over [0, 1).
+float rescaled(float u, float begin, float length) {
+  constexpr float largest = 0x1.fffffep-1F;
+  return std::clamp((u - begin) / length, 0.0F, largest);
+}
+
+bool has_covers(const Reflectance& reflectance) {
+  const bool is_inside = reflectance.is_solid && reflectance.from_inside;
+  return !is_inside &&
+         (reflectance.clearcoat > 0.0F || max_component(reflectance.sheen_color) > 0.0F);
+}
+
 }  // namespace
 
-Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const CoatAlbedo& coat)
+Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
     : outgoing_(raised_above_grazing(outgoing)),
-      ggx_(ggx_of_roughness(reflectance.roughness)),
-      lambda_outgoing_(ggx_.lambda(outgoing_)),
-      coat_(coat.row(reflectance.roughness)),
-      specular_f0_(glm::mix(Rgb(dielectric_f0), reflectance.base_color, reflectance.metallic)) {
-  const float coat_albedo = coat_.at(outgoing_.z);
-  const Rgb diffuse_albedo = (1.0F - reflectance.metallic) * reflectance.base_color;
-  diffuse_ = diffuse_albedo * (inverse_pi * (1.0F - coat_albedo) / (1.0F - coat_.mean()));
+      microfacets_(reflectance.roughness, outgoing_),
+      albedo_(tables.ggx().row(reflectance.roughness)) {
+  const SchlickAlbedo lobe = albedo_.at(outgoing_.z);
+  const float dielectric = 1.0F - reflectance.metallic;
+  const float opaque = dielectric * (1.0F - reflectance.transmission);
 
-  const Rgb metal_albedo = glm::mix(reflectance.base_color, Rgb(1.0F), schlick_weight(outgoing_.z));
-  const float specular = glm::mix(coat_albedo, luminance(metal_albedo), reflectance.metallic);
-  const float diffuse = (1.0F - coat_albedo) * luminance(diffuse_albedo);
-  const float total = specular + diffuse;
-  specular_probability_ = total > 0.0F ? specular / total : 1.0F;
+  const Rgb coat_f0 =
+      reflectance.specular *
+      glm::min(reflectance_at_normal(reflectance.ior) * reflectance.specular_color, Rgb(1.0F));
+  coat_f0_ = max_component(coat_f0);
+  coat_f90_ = reflectance.ior > 1.0F ? reflectance.specular : 0.0F;
+  const float coat_albedo = std::min(lobe.with(coat_f0_, coat_f90_), 1.0F);
+  const float below_coat = 1.0F - albedo_.mean().with(coat_f0_, coat_f90_);
+  const float layer = below_coat > 0.0F ? inverse_pi * (1.0F - coat_albedo) / below_coat : 0.0F;
+  diffuse_ = (opaque * layer) * reflectance.base_color;
+
+  // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
+  const float lost = (1.0F - lobe.white) / lobe.white;
+  const Rgb metal = reflectance.metallic * (1.0F + reflectance.base_color * lost);
+  const float coat_share = reflectance.is_solid ? opaque : dielectric;
+  specular_normal_ = metal * reflectance.base_color + coat_share * coat_f0;
+  specular_grazing_ = metal + coat_share * coat_f90_;
+
+  if (dielectric * reflectance.transmission > 0.0F) {
+    add_transmission(reflectance, coat_albedo, lobe.white, tables);
+  }
+  const float base_albedo =
+      choose_probabilities(lobe.with(luminance(specular_normal_), luminance(specular_grazing_)),
+                           opaque * (1.0F - coat_albedo) * luminance(reflectance.base_color));
+  if (has_covers(reflectance)) {
+    covers_.emplace(reflectance, outgoing_, base_albedo, tables);
+    base_scale_ = covers_->base_scale();
+    base_probability_ = covers_->base_probability();
+  }
+}
+
+void Bsdf::add_transmission(const Reflectance& reflectance, float coat_albedo, float lobe_albedo,
+                            const ScatteringTables& tables) {
+  const float share = (1.0F - reflectance.metallic) * reflectance.transmission;
+  transmitted_ = share * reflectance.base_color;
+  if (!reflectance.is_solid) {
+    transmitted_ *= 1.0F - coat_albedo;
+    wall_.emplace(microfacets_.ggx(), outgoing_, lobe_albedo);
+    return;
+  }
+  glass_share_ = share;
+  is_glass_smooth_ = !is_rough_glass(reflectance.ior, reflectance.roughness);
+  const float albedo = is_glass_smooth_
+                           ? 1.0F
+                           : tables.glass(reflectance.ior)
+                                 .at(reflectance.roughness, outgoing_.z, reflectance.from_inside);
+  const float eta = reflectance.from_inside ? 1.0F / reflectance.ior : reflectance.ior;
+  glass_.emplace(microfacets_.ggx(), outgoing_, eta, albedo);
+}
+
+/// By the light that each lobe sends back; returns that of all.
+float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
+  float transmission_albedo = luminance(transmitted_);
+  if (glass_) {
+    const float reflectance = glass_->reflectance(outgoing_.z);
+    transmission_albedo = glm::mix(transmission_albedo, glass_share_, reflectance);
+  }
+  const float total = specular_albedo + diffuse_albedo + transmission_albedo;
+  specular_probability_ = total > 0.0F ? specular_albedo / total : 1.0F;
+  transmission_probability_ = total > 0.0F ? transmission_albedo / total : 0.0F;
+  diffuse_probability_ = total > 0.0F ? diffuse_albedo / total : 0.0F;
+  return total;
 }
 
 BsdfValue Bsdf::eval(const Vec3& incoming) const {
-  if (!(incoming.z > 0.0F)) {
+  if (incoming.z > 0.0F) {
+    const BsdfValue base = eval_reflection(incoming);
+    return covers_ ? covers_->over(base, incoming) : base;
+  }
+  if (incoming.z < 0.0F && (wall_ || glass_)) {
+    const BsdfValue base = eval_transmission(incoming);
+    return {.times_cosine = base_scale_ * base.times_cosine, .pdf = base_probability_ * base.pdf};
+  }
+  return {};
+}
+
+BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
+  BsdfValue value;
+  if (!microfacets_.is_smooth() && specular_probability_ + glass_share_ > 0.0F) {
+    const MicrofacetLobe::Facets facets = microfacets_.facets(incoming);
+    const Rgb fresnel =
+        glm::mix(specular_normal_, specular_grazing_, schlick_weight(facets.cosine));
+    value.times_cosine = fresnel * facets.times_cosine;
+    value.pdf = specular_probability_ * facets.pdf;
+    if (glass_ && !is_glass_smooth_) {
+      const float reflectance = glass_->reflectance(facets.cosine);
+      value.times_cosine += glass_share_ * glass_->scale() * reflectance * facets.times_cosine;
+      value.pdf += transmission_probability_ * reflectance * facets.pdf;
+    }
+  }
+  if (diffuse_probability_ > 0.0F) {
+    const float coat_albedo = albedo_.at(incoming.z).with(coat_f0_, coat_f90_);
+    value.times_cosine += diffuse_ * (std::max(0.0F, 1.0F - coat_albedo) * incoming.z);
+    value.pdf += diffuse_probability_ * incoming.z * inverse_pi;
+  }
+  return value;
+}
+
+BsdfValue Bsdf::eval_transmission(const Vec3& incoming) const {
+  if (wall_ ? microfacets_.is_smooth() : is_glass_smooth_) {
     return {};
   }
-  const Vec3 half = glm::normalize(outgoing_ + incoming);
-  const float cosine_half = std::min(glm::dot(outgoing_, half), 1.0F);
-  // Both share D / (4 cos(outgoing)); the masking is G2 in the BSDF and G1 in the density of
-  // visible normals (Heitz 2018, eq. 17).
-  const float microfacets = ggx_.density(half) / (4.0F * outgoing_.z);
-  const float masking = 1.0F / (1.0F + lambda_outgoing_ + ggx_.lambda(incoming));
-  const Rgb fresnel = glm::mix(specular_f0_, Rgb(1.0F), schlick_weight(cosine_half));
-  return {.times_cosine = fresnel * (microfacets * masking) +
-                          diffuse_ * ((1.0F - coat_.at(incoming.z)) * incoming.z),
-          .pdf = specular_probability_ * microfacets / (1.0F + lambda_outgoing_) +
-                 (1.0F - specular_probability_) * incoming.z * inverse_pi};
+  const TransmissionValue value = wall_ ? wall_->eval(incoming) : glass_->eval(incoming);
+  return {.times_cosine = transmitted_ * value.times_cosine,
+          .pdf = transmission_probability_ * value.pdf};
+}
+
+Rgb Bsdf::straight_transmission() const {
+  return wall_ && microfacets_.is_smooth() ? base_scale_ * transmitted_ : Rgb(0.0F);
 }
 
 std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
-  Vec3 incoming;
-  if (u_lobe < specular_probability_) {
-    const Vec3 normal = ggx_.sample_visible_normal(outgoing_, u);
-    incoming = glm::normalize(2.0F * glm::dot(outgoing_, normal) * normal - outgoing_);
-  } else {
-    incoming = sample_cosine_hemisphere(u);
+  if (!covers_) {
+    return sample_base(u_lobe, u);
   }
+  const float clearcoat = covers_->clearcoat_probability();
+  if (u_lobe < clearcoat) {
+    if (covers_->clearcoat().is_smooth()) {
+      return BsdfSample{.incoming = microfacets_.mirrored(),
+                        .weight = Rgb(covers_->clearcoat_reflectance(outgoing_.z) / clearcoat),
+                        .pdf = clearcoat,
+                        .is_specular = true};
+    }
+    return reflection(covers_->clearcoat().sample(u));
+  }
+  const float above_base = clearcoat + covers_->sheen_probability();
+  if (u_lobe < above_base) {
+    return weighed(sample_uniform_hemisphere(u));
+  }
+  return sample_base(rescaled(u_lobe, above_base, base_probability_), u);
+}
+
+std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
+  if (u_lobe < specular_probability_) {
+    if (microfacets_.is_smooth()) {
+      const Rgb reflectance =
+          glm::mix(specular_normal_, specular_grazing_, schlick_weight(outgoing_.z));
+      return specular(microfacets_.mirrored(), reflectance, specular_probability_);
+    }
+    return reflection(microfacets_.sample(u));
+  }
+  const float opaque_probability = 1.0F - transmission_probability_;
+  if (u_lobe < opaque_probability) {
+    return weighed(sample_cosine_hemisphere(u));
+  }
+  if (glass_) {
+    return sample_glass(rescaled(u_lobe, opaque_probability, transmission_probability_), u);
+  }
+  if (microfacets_.is_smooth()) {
+    return specular(-outgoing_, transmitted_, transmission_probability_);
+  }
+  const Vec3 incoming = wall_->sample(u);
+  return incoming.z < 0.0F ? weighed(incoming) : std::nullopt;
+}
+
+std::optional<BsdfSample> Bsdf::sample_glass(float u_fresnel, const Vec2& u) const {
+  const Vec3 normal = is_glass_smooth_ ? Vec3(0.0F, 0.0F, 1.0F)
+                                       : microfacets_.ggx().sample_visible_normal(outgoing_, u);
+  const float reflectance = glass_->reflectance(std::min(glm::dot(outgoing_, normal), 1.0F));
+  if (u_fresnel < reflectance) {
+    if (!is_glass_smooth_) {
+      return reflection(reflected(outgoing_, normal));
+    }
+    return specular(microfacets_.mirrored(), Rgb(glass_share_ * reflectance),
+                    transmission_probability_ * reflectance);
+  }
+  const Vec3 incoming = glass_->refracted(normal);
+  if (!(incoming.z < 0.0F)) {
+    return std::nullopt;
+  }
+  std::optional<BsdfSample> sample;
+  if (is_glass_smooth_) {
+    sample = specular(incoming, transmitted_ * ((1.0F - reflectance) * glass_->radiance_scale()),
+                      transmission_probability_ * (1.0F - reflectance));
+  } else {
+    sample = weighed(incoming);
+  }
+  if (sample) {
+    sample->radiance_scale = glass_->radiance_scale();
+  }
+  return sample;
+}
+
+std::optional<BsdfSample> Bsdf::reflection(const Vec3& incoming) const {
+  return incoming.z > 0.0F ? weighed(incoming) : std::nullopt;
+}
+
+std::optional<BsdfSample> Bsdf::weighed(const Vec3& incoming) const {
   const BsdfValue value = eval(incoming);
   if (!(value.pdf > 0.0F)) {
     return std::nullopt;
   }
   return BsdfSample{
       .incoming = incoming, .weight = value.times_cosine / value.pdf, .pdf = value.pdf};
+}
+
+/// share: of the light that comes from there, without the covers. probability: given the base.
+BsdfSample Bsdf::specular(const Vec3& incoming, const Rgb& share, float probability) const {
+  const float total = base_probability_ * probability;
+  return {.incoming = incoming,
+          .weight = share * (base_scale_ / total),
+          .pdf = total,
+          .is_specular = true};
 }
 
 }  // namespace foveola

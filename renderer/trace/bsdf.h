@@ -1,76 +1,74 @@
-// How a surface scatters light: glTF's metallic-roughness model at one point.
+// How a surface scatters light: glTF's metallic-roughness model and its extensions at one point.
 #pragma once
 
 #include <optional>
 
 #include "renderer/base/vec.h"
-#include "renderer/trace/coat_albedo.h"
-#include "renderer/trace/ggx.h"
+#include "renderer/trace/bsdf_value.h"
+#include "renderer/trace/cover_layers.h"
+#include "renderer/trace/ggx_albedo.h"
+#include "renderer/trace/microfacet_lobe.h"
+#include "renderer/trace/scattering_tables.h"
+#include "renderer/trace/transmission_lobe.h"
 
 namespace foveola {
 
-/// A material's values at one point, textures included.
-struct Reflectance {
-  Rgb base_color{1.0F};  ///< linear, in [0, 1]
-  float metallic = 0.0F;
-  float roughness = 1.0F;     ///< perceptual, in [0, 1]
-  float ior = 1.5F;           ///< >= 1
-  float specular = 1.0F;      ///< in [0, 1]
-  Rgb specular_color{1.0F};   ///< >= 0
-  float transmission = 0.0F;  ///< in [0, 1]
-  bool is_solid = false;      ///< what is transmitted is refracted; else the wall is thin
-  bool from_inside = false;   ///< the outgoing direction lies in the solid
-  float clearcoat = 0.0F;     ///< in [0, 1]
-  float clearcoat_roughness = 0.0F;
-  Rgb sheen_color{0.0F};  ///< in [0, 1]
-  float sheen_roughness = 0.0F;
-};
-
-struct BsdfSample {
-  Vec3 incoming;  ///< unit length, local; z < 0: transmitted
-  Rgb weight;     ///< BSDF times |cosine| over pdf
-  float pdf;      ///< per steradian; of a specular sample the probability
-  /// The direction is the only one of a perfect mirror or lens: eval() knows nothing of it.
-  bool is_specular = false;
-  /// How much transmission has scaled the radiance: eta^2 when refracted (MATERIALS.md), else 1.
-  /// Roulette takes it out again.
-  float radiance_scale = 1.0F;
-};
-
-/// The BSDF and its sampling density, which share nearly all of their terms.
-struct BsdfValue {
-  Rgb times_cosine{0.0F};  ///< BSDF times the incoming direction's cosine
-  float pdf = 0.0F;        ///< per steradian, with which sample() gives that direction
-};
-
-/// The model of glTF 2.0, Appendix B, seen from one direction:
-///   metallic * F(base_color) S + (1 - metallic) * (base_color * L + F(0.04) S)
-/// where S is the GGX microfacet lobe with height-correlated Smith masking (alpha = roughness
-/// squared), F Schlick's Fresnel at the half vector, and L a Lambertian layer that gets the light
-/// which the coat above it does not reflect. glTF's sample code gives that layer 1 - F; at grazing
-/// angles the sum then exceeds 1. Here the layer gets (1 - E(outgoing)) (1 - E(incoming)) /
-/// (1 - mean E) with the coat's directional albedo E (Kelemen and Szirmay-Kalos 2001, section 3.2):
-/// reciprocal, and a white dielectric reflects exactly all light.
+/// The model of renderer/MATERIALS.md, seen from one direction.
 ///
-/// Directions are local: +z is the shading normal, and all of them point away from the surface.
+/// Directions are local: +z is the shading normal, on the side of the outgoing direction, and all
+/// of them point away from the surface.
 class Bsdf {
  public:
-  /// outgoing: unit length, z > 0. coat must outlive this object.
-  Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const CoatAlbedo& coat);
+  /// outgoing: unit length, z > 0. tables: of a scene with such a material; must outlive this
+  /// object.
+  Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables);
 
+  /// incoming: unit length. Perfect mirrors and lenses have no value.
   BsdfValue eval(const Vec3& incoming) const;
 
-  /// Empty if the lobe's sample ends below the surface. u_lobe in [0, 1), u in the unit square.
+  /// The share of light that passes a smooth thin wall straight on, as a specular sample with
+  /// incoming = -outgoing.
+  Rgb straight_transmission() const;
+
+  /// Empty if the sample is lost: it ended on the wrong side of the surface. u_lobe in [0, 1), u in
+  /// the unit square, both below 1.
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
+  void add_transmission(const Reflectance& reflectance, float coat_albedo, float lobe_albedo,
+                        const ScatteringTables& tables);
+  float choose_probabilities(float specular_albedo, float diffuse_albedo);
+  BsdfValue eval_reflection(const Vec3& incoming) const;
+  BsdfValue eval_transmission(const Vec3& incoming) const;
+  std::optional<BsdfSample> sample_base(float u_lobe, const Vec2& u) const;
+  std::optional<BsdfSample> sample_glass(float u_fresnel, const Vec2& u) const;
+  std::optional<BsdfSample> reflection(const Vec3& incoming) const;
+  std::optional<BsdfSample> weighed(const Vec3& incoming) const;
+  BsdfSample specular(const Vec3& incoming, const Rgb& share, float probability) const;
+
   Vec3 outgoing_;
-  Ggx ggx_;
-  float lambda_outgoing_;
-  CoatAlbedo::Row coat_;
-  Rgb specular_f0_;  ///< of the metal and the coat, mixed
-  Rgb diffuse_;      ///< the Lambertian layer's BSDF but for (1 - E(incoming))
-  float specular_probability_;
+  MicrofacetLobe microfacets_;
+  GgxAlbedo::Row albedo_;
+  // Of metal and the dielectric's coat together, Schlick's reflectance.
+  Rgb specular_normal_;
+  Rgb specular_grazing_;
+  // Of the coat alone, the strongest channel.
+  float coat_f0_;
+  float coat_f90_;
+  Rgb diffuse_;  ///< the Lambertian layer's BSDF but for (1 - E(incoming))
+  std::optional<ThinWall> wall_;
+  std::optional<GlassInterface> glass_;
+  bool is_glass_smooth_ = false;
+  float glass_share_ = 0.0F;  ///< of the glass in the mixture
+  Rgb transmitted_{
+      0.0F};  ///< share in the mixture and tint of what thin walls or glass let through
+  std::optional<CoverLayers> covers_;
+  // Of the lobes, given that the base is sampled, which has a probability itself.
+  float specular_probability_ = 0.0F;
+  float diffuse_probability_ = 0.0F;
+  float transmission_probability_ = 0.0F;
+  float base_probability_ = 1.0F;
+  float base_scale_ = 1.0F;  ///< what the covers leave of the base
 };
 
 }  // namespace foveola

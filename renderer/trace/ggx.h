@@ -1,13 +1,15 @@
 // The GGX microfacet distribution and its visible normals.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "renderer/base/vec.h"
 
 namespace foveola {
+
+/// Below it a surface is perfectly smooth: reflections of rougher ones blur over 0.006 degrees.
+constexpr float smallest_roughness = 0.01F;
 
 /// All directions are in a local frame whose +z is the surface's normal, unit length.
 struct Ggx {
@@ -21,10 +23,20 @@ struct Ggx {
     return 1.0F / (std::numbers::pi_v<float> * alpha * alpha * s * s);
   }
 
-  /// Smith's Lambda of a direction above the surface (Heitz 2014, eq. 72).
+  /// Smith's Lambda of a direction on either side of the surface (Heitz 2014, eq. 72).
   float lambda(const Vec3& w) const {
     const float tangent_squared = (w.x * w.x + w.y * w.y) / (w.z * w.z);
     return 0.5F * (std::sqrt(1.0F + alpha * alpha * tangent_squared) - 1.0F);
+  }
+
+  /// The normal that reflects one direction into the other. On a nearly smooth surface the slope of
+  /// that normal, which the density hangs on, is finer than floats near 1.
+  Vec3 half_vector(const Vec3& a, const Vec3& b) const {
+    constexpr float fine_alpha = 0.01F;
+    if (alpha < fine_alpha) {
+      return Vec3(glm::normalize(glm::normalize(DVec3(a)) + glm::normalize(DVec3(b))));
+    }
+    return glm::normalize(a + b);
   }
 
   /// A microfacet normal as seen from `w`, with density G1(w) max(0, w.n) density(n) / w.z (Dupuy
@@ -34,32 +46,22 @@ struct Ggx {
     return visible_normal(w, {std::cos(azimuth), std::sin(azimuth)}, u.y);
   }
 
-  /// The same, with the azimuth as a unit vector.
+  /// The same, with the azimuth as a unit vector. u < 1.
   Vec3 visible_normal(const Vec3& w, const Vec2& azimuth, float u) const {
     const Vec3 stretched = glm::normalize(Vec3(alpha * w.x, alpha * w.y, w.z));
-    const float z = (1.0F - u) * (1.0F + stretched.z) - stretched.z;
-    const float r = std::sqrt(std::max(0.0F, 1.0F - z * z));
-    const Vec3 normal = Vec3(r * azimuth.x, r * azimuth.y, z) + stretched;
-    return glm::normalize(Vec3(alpha * normal.x, alpha * normal.y, normal.z));
+    // The point of the cap lies this far below the sphere's top; without the differences from 1
+    // both small and large u keep their digits.
+    const float depth = u * (1.0F + stretched.z);
+    const float r = std::sqrt(depth * (2.0F - depth));
+    return glm::normalize(Vec3(alpha * (r * azimuth.x + stretched.x),
+                               alpha * (r * azimuth.y + stretched.y),
+                               (1.0F - u) * (1.0F + stretched.z)));
   }
 };
 
-/// Smoother surfaces are treated as this smooth (alpha = 0.001: reflections blur over 0.1 degrees),
-/// so that densities stay far from what a float can hold.
-constexpr float smallest_roughness = 0.0316227766F;
-
-/// roughness: perceptual, in [0, 1].
-inline Ggx ggx_of_roughness(float roughness) {
-  const float clamped = std::max(roughness, smallest_roughness);
-  return {.alpha = clamped * clamped};
-}
-
-/// How far Schlick's Fresnel reflectance is on its way from its value at normal incidence to 1
-/// (Schlick 1994, eq. 15). cosine: in [0, 1].
-inline float schlick_weight(float cosine) {
-  const float complement = 1.0F - cosine;
-  const float squared = complement * complement;
-  return squared * squared * complement;
+/// `w` mirrored at `normal`; unit length.
+inline Vec3 reflected(const Vec3& w, const Vec3& normal) {
+  return glm::normalize(2.0F * glm::dot(w, normal) * normal - w);
 }
 
 }  // namespace foveola

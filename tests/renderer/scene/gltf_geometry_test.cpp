@@ -329,7 +329,11 @@ TEST_F(Geometry, RefusesAttributesOfDifferentCounts) {
 
 /// A strip of a million triangles in one byte each, which 200 kilobytes of JSON name 2000 times.
 TEST_F(Geometry, RefusesPrimitivesBeyondAllMeasure) {
-  GlbBuilder glb = indexed<std::uint8_t>(std::vector<std::uint8_t>(1000000, 3), u8, strip_mode);
+  std::vector<std::uint8_t> strip(1000000);
+  for (std::size_t i = 0; i < strip.size(); ++i) {
+    strip[i] = static_cast<std::uint8_t>(i % 4);
+  }
+  GlbBuilder glb = indexed(strip, u8, strip_mode);
   Json& primitives = glb.document["meshes"][0]["primitives"];
   primitives = Json::array();
   for (int i = 0; i < 2000; ++i) {

@@ -178,6 +178,34 @@ TEST_F(GltfMaterials, SamplersSayHowToWrap) {
   EXPECT_EQ(load(glb).textures.at(0).sample({1.25F, 0.25F}).r, 0.0F);
 }
 
+/// A black and a white column of texels, whose centres are at u = 0.25 and 0.75: at 0.4 linear
+/// filtering gives (0.4 - 0.25) / 0.5 and the nearest texel is black; over both, at the centre of
+/// the only coarser level, the mean is a half.
+TEST_F(GltfMaterials, SamplersSayHowToFilter) {
+  const auto texture = [&](const Json& sampler) {
+    GlbBuilder glb = with_material(plain);
+    const int index = glb.add_texture(png(2, 1, 1, std::vector<std::uint8_t>{0, 255}));
+    glb.document["textures"][index]["sampler"] = glb.add("samplers", sampler);
+    // Of its linear channels, so that the mean of the codes is that of the values.
+    glb.document["materials"][0] = {
+        {"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", index}}}}}};
+    return load(glb).textures.at(0);
+  };
+  constexpr int nearest = 9728;
+  constexpr int linear = 9729;
+  constexpr int nearest_mipmap_nearest = 9984;
+  constexpr int linear_mipmap_linear = 9987;
+  const Vec2 uv(0.4F, 0.5F);
+  EXPECT_NEAR(texture(plain).sample(uv).g, 0.3F, 1e-6F);
+  EXPECT_NEAR(texture({{"magFilter", linear}}).sample(uv).g, 0.3F, 1e-6F);
+  EXPECT_EQ(texture({{"magFilter", nearest}}).sample(uv).g, 0.0F);
+  EXPECT_NEAR(texture(plain).sample(uv, 1.0F).g, 0.5F, 0.01F);
+  EXPECT_NEAR(texture({{"minFilter", linear_mipmap_linear}}).sample(uv, 1.0F).g, 0.5F, 0.01F);
+  EXPECT_NEAR(texture({{"minFilter", nearest_mipmap_nearest}}).sample(uv, 1.0F).g, 0.5F, 0.01F);
+  EXPECT_NEAR(texture({{"minFilter", linear}}).sample(uv, 1.0F).g, 0.3F, 1e-6F);
+  EXPECT_EQ(texture({{"minFilter", nearest}}).sample(uv, 1.0F).g, 0.0F);
+}
+
 TEST_F(GltfMaterials, AMeshKeepsTheCoordinatesThatItsTexturesUse) {
   GlbBuilder glb = with_material(plain);
   const int texture = glb.add_texture(one_pixel(1, 2, 3));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
+#include "renderer/trace/ray_scene.h"
 #include "scenes.h"
 #include "statistics.h"
 
@@ -21,8 +22,13 @@ struct Numbers {
       : kind(random.next_1d()), choice(random.next_2d()), point(random.next_2d()) {}
 };
 
-/// The irradiance on a horizontal plane through `receiver`, without occlusion.
-MeanEstimate irradiance_at(const Lights& lights, const Vec3& receiver, int samples) {
+Receiver facing_up(const Vec3& position) {
+  return {.position = position, .normal = Vec3(0, 1, 0), .transmits = false};
+}
+
+/// The irradiance on a horizontal plane through `position`, without occlusion.
+MeanEstimate irradiance_at(const Lights& lights, const Vec3& position, int samples) {
+  const Receiver receiver = facing_up(position);
   MeanEstimate estimate;
   for (int i = 0; i < samples; ++i) {
     SampleStream random(3, 0, static_cast<std::uint32_t>(i));
@@ -67,7 +73,8 @@ TEST(LightsTest, DoubleSidedRectangleShinesBothWays) {
   expect_mean(irradiance_at(lights, Vec3(0.0F), 40000), expected);
   SampleStream random(1, 0, 0);
   const Numbers numbers(random);
-  EXPECT_TRUE(lights.sample(Vec3(0, 4, 0), numbers.kind, numbers.choice, numbers.point));
+  EXPECT_TRUE(
+      lights.sample({.position = Vec3(0, 4, 0)}, numbers.kind, numbers.choice, numbers.point));
 }
 
 TEST(LightsTest, ManyUnequalTrianglesAndAConstantSkyAddUp) {
@@ -84,20 +91,24 @@ TEST(LightsTest, DensitiesAgreeWithThoseOfSampledPoints) {
   Scene scene = ceiling_light({1.0F, 3.0F});
   scene.environment = constant_environment(0.1F);
   const Lights lights(scene);
-  const Vec3 receiver(0.3F, 0.1F, -0.2F);
-  for (std::uint32_t i = 0; i < 200; ++i) {
-    SampleStream random(4, 0, i);
-    const Numbers numbers(random);
-    const auto light = lights.sample(receiver, numbers.kind, numbers.choice, numbers.point);
-    ASSERT_TRUE(light);
-    if (std::isinf(light->shadow_ray.t_max)) {
-      EXPECT_FLOAT_EQ(lights.environment_pdf(light->direction), light->pdf);
-      continue;
+  const RayScene rays(scene, Workers(1));
+  // From far the light is sampled by area, from near by solid angle.
+  for (const float y : {0.1F, -60.0F}) {
+    const Receiver receiver = facing_up(Vec3(0.3F, y, -0.2F));
+    for (std::uint32_t i = 0; i < 200; ++i) {
+      SampleStream random(4, 0, i);
+      const Numbers numbers(random);
+      const auto light = lights.sample(receiver, numbers.kind, numbers.choice, numbers.point);
+      ASSERT_TRUE(light);
+      if (std::isinf(light->shadow_ray.t_max)) {
+        EXPECT_FLOAT_EQ(lights.environment_pdf(light->direction), light->pdf);
+        continue;
+      }
+      const Hit hit = rays.closest_hit(receiver.position, light->direction);
+      ASSERT_FALSE(hit.missed());
+      EXPECT_NEAR(lights.triangle_pdf(receiver, hit, hit.t, light->direction.y), light->pdf,
+                  1e-4F * light->pdf);
     }
-    const float distance = glm::length(light->shadow_ray.direction);
-    const Hit hit{.t = distance, .barycentric = {}, .object = 0, .triangle = 0};
-    EXPECT_NEAR(lights.triangle_pdf(hit, distance, light->direction.y), light->pdf,
-                1e-4F * light->pdf);
   }
 }
 
@@ -128,8 +139,10 @@ TEST(LightsTest, TexturedEmitterIsWeighedByItsTexturesMean) {
   const Lights lights(scene);
   const Hit plain{.t = 1.0F, .barycentric = {}, .object = 0, .triangle = 0};
   const Hit textured{.t = 1.0F, .barycentric = {}, .object = 1, .triangle = 0};
-  EXPECT_NEAR(lights.triangle_pdf(plain, 1.0F, 1.0F), 2.0 / 3.0, 1e-3);
-  EXPECT_NEAR(lights.triangle_pdf(textured, 1.0F, 1.0F), 1.0 / 3.0, 1e-3);
+  // So far away that points are uniform in area.
+  const Receiver receiver = facing_up(Vec3(0, -500, 0));
+  EXPECT_NEAR(lights.triangle_pdf(receiver, plain, 1.0F, 1.0F), 2.0 / 3.0, 1e-3);
+  EXPECT_NEAR(lights.triangle_pdf(receiver, textured, 1.0F, 1.0F), 1.0 / 3.0, 1e-3);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+// What goes into a BSDF and what comes out of it.
+#pragma once
+
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+/// A material's values at one point, textures included.
+struct Reflectance {
+  Rgb base_color{1.0F};  ///< linear, in [0, 1]
+  float metallic = 0.0F;
+  float roughness = 1.0F;     ///< perceptual, in [0, 1]
+  float ior = 1.5F;           ///< >= 1
+  float specular = 1.0F;      ///< in [0, 1]
+  Rgb specular_color{1.0F};   ///< >= 0
+  float transmission = 0.0F;  ///< in [0, 1]
+  bool is_solid = false;      ///< what is transmitted is refracted; else the wall is thin
+  bool from_inside = false;   ///< the outgoing direction lies in the solid
+  float clearcoat = 0.0F;     ///< in [0, 1]
+  float clearcoat_roughness = 0.0F;
+  Rgb sheen_color{0.0F};  ///< in [0, 1]
+  float sheen_roughness = 0.0F;
+};
+
+struct BsdfSample {
+  Vec3 incoming;  ///< unit length, local; z < 0: transmitted
+  Rgb weight;     ///< BSDF times |cosine| over pdf
+  float pdf;      ///< per steradian; of a specular sample the probability
+  /// The direction is the only one of a perfect mirror or lens: eval() knows nothing of it.
+  bool is_specular = false;
+  /// How much transmission has scaled the radiance: eta^2 when refracted (MATERIALS.md), else 1.
+  /// Roulette takes it out again.
+  float radiance_scale = 1.0F;
+};
+
+/// The BSDF and its sampling density, which share nearly all of their terms.
+struct BsdfValue {
+  Rgb times_cosine{0.0F};  ///< BSDF times the incoming direction's cosine
+  float pdf = 0.0F;        ///< per steradian, with which sample() gives that direction
+};
+
+}  // namespace foveola

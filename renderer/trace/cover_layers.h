@@ -1,0 +1,45 @@
+// What lies over a surface: clearcoat, and sheen below it.
+#pragma once
+
+#include "renderer/base/vec.h"
+#include "renderer/trace/bsdf_value.h"
+#include "renderer/trace/microfacet_lobe.h"
+#include "renderer/trace/scattering_tables.h"
+#include "renderer/trace/sheen.h"
+
+namespace foveola {
+
+/// Both layers let through to what is below the share of light that they do not reflect, by their
+/// albedo for the outgoing direction.
+class CoverLayers {
+ public:
+  /// outgoing: unit length, z > 0. base_albedo: luminance of what is below, for the choice of
+  /// lobes.
+  CoverLayers(const Reflectance& reflectance, const Vec3& outgoing, float base_albedo,
+              const ScatteringTables& tables);
+
+  /// With which all that is below is multiplied.
+  float base_scale() const { return base_scale_; }
+
+  float clearcoat_probability() const { return clearcoat_probability_; }
+  float sheen_probability() const { return sheen_probability_; }
+  float base_probability() const { return 1.0F - clearcoat_probability_ - sheen_probability_; }
+
+  const MicrofacetLobe& clearcoat() const { return clearcoat_; }
+  /// Of a smooth clearcoat, in the mirror direction.
+  float clearcoat_reflectance(float cosine) const;
+
+  /// The base's value under the layers, and theirs. incoming: unit length, z > 0.
+  BsdfValue over(const BsdfValue& base, const Vec3& incoming) const;
+
+ private:
+  MicrofacetLobe clearcoat_;
+  float clearcoat_strength_;
+  CharlieSheen sheen_;
+  Rgb sheen_color_{0.0F};  ///< times what is left below the clearcoat
+  float base_scale_ = 1.0F;
+  float clearcoat_probability_ = 0.0F;
+  float sheen_probability_ = 0.0F;
+};
+
+}  // namespace foveola

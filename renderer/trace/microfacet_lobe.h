@@ -1,0 +1,55 @@
+// The reflection of a GGX surface, seen from one direction.
+#pragma once
+
+#include <algorithm>
+
+#include "renderer/base/vec.h"
+#include "renderer/trace/ggx.h"
+
+namespace foveola {
+
+class MicrofacetLobe {
+ public:
+  /// outgoing: unit length, z > 0. roughness: perceptual, in [0, 1].
+  MicrofacetLobe(float roughness, const Vec3& outgoing)
+      : is_smooth_(roughness < smallest_roughness),
+        ggx_{.alpha = is_smooth_ ? 1.0F : roughness * roughness},
+        outgoing_(outgoing),
+        lambda_outgoing_(ggx_.lambda(outgoing)) {}
+
+  /// A perfect mirror: only mirrored() tells what it does.
+  bool is_smooth() const { return is_smooth_; }
+  const Ggx& ggx() const { return ggx_; }
+
+  struct Facets {
+    float times_cosine;  ///< BSDF times the incoming cosine for a Fresnel reflectance of 1
+    float pdf;           ///< per steradian, of sample()
+    float cosine;        ///< between the half vector and either direction, in [0, 1]
+  };
+
+  /// incoming: unit length, z > 0.
+  Facets facets(const Vec3& incoming) const {
+    const Vec3 half = ggx_.half_vector(outgoing_, incoming);
+    // Both share D / (4 cos(outgoing)); the masking is G2 in the BSDF and G1 in the density of
+    // visible normals (Heitz 2018, eq. 17).
+    const float density = ggx_.density(half) / (4.0F * outgoing_.z);
+    return {.times_cosine = density / (1.0F + lambda_outgoing_ + ggx_.lambda(incoming)),
+            .pdf = density / (1.0F + lambda_outgoing_),
+            .cosine = std::min(glm::dot(outgoing_, half), 1.0F)};
+  }
+
+  /// Unit length; z <= 0 if it ends below the surface.
+  Vec3 sample(const Vec2& u) const {
+    return reflected(outgoing_, ggx_.sample_visible_normal(outgoing_, u));
+  }
+
+  Vec3 mirrored() const { return {-outgoing_.x, -outgoing_.y, outgoing_.z}; }
+
+ private:
+  bool is_smooth_;
+  Ggx ggx_;
+  Vec3 outgoing_;
+  float lambda_outgoing_;
+};
+
+}  // namespace foveola
