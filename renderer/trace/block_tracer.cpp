@@ -45,6 +45,14 @@ Receiver receiver_at(const SurfacePoint& point) {
           .transmits = point.reflectance.transmission > 0.0F};
 }
 
+/// Moves the ray's start; where it ends stays.
+void start_at(const Vec3& origin, Ray& ray) {
+  if (std::isfinite(ray.t_max)) {
+    ray.direction += ray.origin - origin;
+  }
+  ray.origin = origin;
+}
+
 }  // namespace
 
 /// The random numbers of one vertex, always drawn all of them and in this order, so that a decision
@@ -234,7 +242,7 @@ void BlockTracer::queue_light(std::size_t index, const SurfacePoint& point, cons
     shadow_rays_.push_back(light->shadow_ray);
     shadow_rays_.back().key = numbers.shadow_key;
     if (side < 0.0F) {
-      shadow_rays_.back().origin = point.origin_beyond();
+      start_at(point.origin_beyond(), shadow_rays_.back());
     }
   }
 }

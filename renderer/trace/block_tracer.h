@@ -55,8 +55,8 @@ class BlockTracer {
     Rgb throughput{1.0F};
     Rgb radiance{0.0F};           ///< gathered so far
     float pdf;                    ///< per steradian, with which the last vertex gave the direction
+    Receiver receiver;            ///< the last vertex; of no matter before the first
     float radiance_scale = 1.0F;  ///< what refraction has scaled the throughput by
-    Receiver receiver;            ///< the vertex it left from; of no matter to the camera's rays
     Rgb absorption_per_m{0.0F};   ///< of the solid that the path is in
     float width_m = 0.0F;         ///< of the ray at its origin
     float spread_rad;             ///< by which the ray widens

@@ -73,7 +73,7 @@ TriangleLights::TriangleLights(const Scene& scene)
   for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
     const Mesh& mesh = scene.mesh_of(object);
     const auto material = static_cast<std::size_t>(mesh.material);
-    if (is_invisible(scene, mesh) || !shines(scene.materials[material])) {
+    if (is_invisible(scene, mesh) || !shines(material_of(scene, mesh))) {
       continue;
     }
     if (radiance[material] > 0.0F && emitters_.size() + mesh.triangles.size() <= most_triangles) {
@@ -86,26 +86,25 @@ TriangleLights::TriangleLights(const Scene& scene)
 }
 
 void TriangleLights::add_object(std::uint32_t object) {
-  const std::size_t count = scene_.mesh_of(object).triangles.size();
   first_of_object_[object] = static_cast<std::uint32_t>(emitters_.size());
+  const auto count = static_cast<std::uint32_t>(scene_.mesh_of(object).triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     const Triangle triangle(scene_, object, t);
     emitters_.push_back({.triangle = triangle,
                          .front_normal = triangle.front_normal(),
-                         .rounding_error = triangle.rounding_error(),
                          .area = static_cast<float>(triangle.area()),
                          .object = object,
                          .index = t});
   }
 }
 
-const Material& TriangleLights::material_of(const Emitter& emitter) const {
-  return scene_.materials[static_cast<std::size_t>(scene_.mesh_of(emitter.object).material)];
+const Material& TriangleLights::material_of_object(std::uint32_t object) const {
+  return material_of(scene_, scene_.mesh_of(object));
 }
 
 double TriangleLights::power(std::size_t triangle) const {
   const Emitter& emitter = emitters_[triangle];
-  const int sides = material_of(emitter).double_sided ? 2 : 1;
+  const int sides = material_of_object(emitter.object).double_sided ? 2 : 1;
   const double power = sides * std::numbers::pi * static_cast<double>(emitter.area) *
                        radiance_of_object_[emitter.object];
   return power > 0.0 && std::isfinite(power) && is_finite(emitter.front_normal) ? power : 0.0;
@@ -122,7 +121,7 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
           .axis = DVec3(emitter.front_normal),
           .spread_rad = 0.0,
           .falloff_rad = 0.5 * std::numbers::pi,
-          .two_sided = material_of(emitter).double_sided,
+          .two_sided = material_of_object(emitter.object).double_sided,
           .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
 }
 
@@ -131,7 +130,7 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   const Emitter& emitter = emitters_[triangle];
   const float height_over_plane = glm::dot(emitter.front_normal, place - emitter.triangle.p0);
   if (height_over_plane == 0.0F ||
-      (height_over_plane < 0.0F && !material_of(emitter).double_sided)) {
+      (height_over_plane < 0.0F && !material_of_object(emitter.object).double_sided)) {
     return std::nullopt;
   }
   const SphericalTriangle seen(emitter.triangle, place);
@@ -151,7 +150,7 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   }
   // Off the triangle on the side of the place, but never past the place.
   const float off =
-      std::copysign(std::min(emitter.rounding_error, 0.5F * height), height_over_plane);
+      std::copysign(std::min(emitter.triangle.rounding_error(), 0.5F * height), height_over_plane);
   return LocalLightSample{
       .to_light = to_point + off * emitter.front_normal,
       .pdf = is_large ? static_cast<float>(1.0 / seen.solid_angle())

@@ -16,7 +16,7 @@ namespace foveola {
 
 /// A list of triangles in world space. Points are drawn uniformly in the solid angle of a triangle
 /// where that is large, and in its area elsewhere. A textured emitter counts with its texture's
-/// mean.
+/// mean, and what is not opaque as if it were.
 ///
 /// Not in the list, though they shine: unlit materials, textures whose mean is black, and objects
 /// that would make it longer than `most_triangles`. Rays find their light, without help.
@@ -57,14 +57,13 @@ class TriangleLights {
   struct Emitter {
     Triangle triangle;
     Vec3 front_normal;
-    float rounding_error;
     float area;
     std::uint32_t object;
     std::uint32_t index;  ///< of the triangle in its mesh
   };
 
   void add_object(std::uint32_t object);
-  const Material& material_of(const Emitter& emitter) const;
+  const Material& material_of_object(std::uint32_t object) const;
 
   const Scene& scene_;
   std::vector<Emitter> emitters_;
