@@ -53,7 +53,8 @@ Material emitter(const std::string& name, const Rgb& radiance) {
   return material;
 }
 
-Mesh rectangle(const RectangleLight& light) {
+/// center: seen from the scene's origin.
+Mesh rectangle(const RectangleLight& light, const Vec3& center) {
   const int axis = axis_of(light.normal);
   const int first_axis = axis == 0 ? 1 : 0;
   const int second_axis = axis == 2 ? 1 : 2;
@@ -65,14 +66,14 @@ Mesh rectangle(const RectangleLight& light) {
     right = -right;
   }
   Mesh mesh;
-  mesh.positions = {light.center - right - up, light.center + right - up, light.center + right + up,
-                    light.center - right + up};
+  mesh.positions = {center - right - up, center + right - up, center + right + up,
+                    center - right + up};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }
 
 void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
-  Mesh mesh = rectangle(light);
+  Mesh mesh = rectangle(light, Vec3(DVec3(light.center) - scene.origin));
   mesh.name = fmt::format("light {}", number);
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(emitter(mesh.name, light.radiance));
