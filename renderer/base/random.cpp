@@ -25,21 +25,27 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
+/// The same for numbers whose highest bit comes first.
 std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse_bits(laine_karras(reverse_bits(x), seed));
 }
 
-/// The second Sobol dimension; its direction numbers are Pascal's triangle modulo 2. (The first is
-/// the bit reversal.)
-std::uint32_t sobol_dimension_1(std::uint32_t index) {
-  std::uint32_t result = 0;
-  for (std::uint32_t direction = 1U << 31; index != 0; index >>= 1) {
-    if ((index & 1U) != 0) {
-      result ^= direction;
-    }
-    direction ^= direction >> 1;
-  }
-  return result;
+/// The second Sobol dimension with its bits reversed (the first, reversed, is the index itself).
+/// Its generator matrix is Pascal's triangle modulo 2, so bit j is the sum of the bits i whose
+/// binary digits contain those of j (Lucas 1878): a transform over the five digits of i.
+std::uint32_t reversed_sobol_dimension_1(std::uint32_t index) {
+  index ^= (index & 0xaaaaaaaaU) >> 1;
+  index ^= (index & 0xccccccccU) >> 2;
+  index ^= (index & 0xf0f0f0f0U) >> 4;
+  index ^= (index & 0xff00ff00U) >> 8;
+  index ^= index >> 16;
+  return index;
+}
+
+/// An Owen scramble of the number in [0, 1) whose first binary digit is the lowest bit of
+/// `reversed`.
+float scrambled(std::uint32_t reversed, std::uint32_t seed) {
+  return unit_float(reverse_bits(laine_karras(reversed, seed)));
 }
 
 constexpr std::uint64_t pcg_multiplier = 6364136223846793005ULL;
@@ -50,8 +56,19 @@ Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed) {
   const auto block = static_cast<std::uint32_t>(index >> 32);
   const auto i = static_cast<std::uint32_t>(index);
   const std::uint32_t key = mix(mix(seed), block);
-  return {unit_float(owen_scramble(reverse_bits(i), mix(key, 0))),
-          unit_float(owen_scramble(sobol_dimension_1(i), mix(key, 1)))};
+  return {scrambled(i, mix(key, 0)), scrambled(reversed_sobol_dimension_1(i), mix(key, 1))};
+}
+
+float SampleStream::next_1d() {
+  const std::uint32_t key = mix(key_, dimension_++);
+  return scrambled(owen_scramble(sample_number_, key), mix(key));
+}
+
+Vec2 SampleStream::next_2d() {
+  const std::uint32_t key = mix(key_, dimension_++);
+  const std::uint32_t index = owen_scramble(sample_number_, key);
+  const std::uint32_t key_x = mix(key);
+  return {scrambled(index, key_x), scrambled(reversed_sobol_dimension_1(index), mix(key_x))};
 }
 
 Pcg32::Pcg32(std::uint64_t seed, std::uint64_t stream) : increment_((stream << 1) | 1U) {

@@ -27,29 +27,30 @@ constexpr std::uint32_t mix(std::uint32_t state, std::uint32_t value) {
 /// The 24 high bits as a float in [0, 1); never 1.
 constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
-/// The random numbers of one path: number d is a function of (seed, pixel, sample number, d).
-class SampleStream {
- public:
-  SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample_number)
-      : key_(mix(mix(mix(seed), pixel), sample_number)) {}
-
-  float next_1d() { return unit_float(mix(key_, dimension_++)); }
-  Vec2 next_2d() {
-    const float x = next_1d();
-    const float y = next_1d();
-    return {x, y};
-  }
-
- private:
-  std::uint32_t key_;
-  std::uint32_t dimension_ = 0;
-};
-
 /// Point `index` of the two-dimensional Sobol sequence, Owen-scrambled by `seed` with the hash of
 /// Burley 2020, "Practical Hash-based Owen Scrambling". Any 2^(a+b) consecutive points that start
 /// at a multiple of 2^(a+b) put exactly one in each of the 2^a x 2^b equal boxes of the unit
 /// square. Beyond 2^32 points the scramble changes and the sequence starts anew.
 Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed);
+
+/// The random numbers of one path: number d is a function of (seed, pixel, sample number, d). Over
+/// a pixel's sample numbers each dimension, or pair of dimensions, runs through a Sobol sequence
+/// whose order and points are Owen-scrambled with a key of its own (Burley 2020, section 5).
+class SampleStream {
+ public:
+  SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample_number)
+      : key_(mix(mix(seed), pixel)), sample_number_(sample_number) {}
+
+  float next_1d();
+  Vec2 next_2d();
+  /// 32 bits without any order over the sample numbers.
+  std::uint32_t next_bits() { return mix(mix(key_, dimension_++), sample_number_); }
+
+ private:
+  std::uint32_t key_;
+  std::uint32_t sample_number_;
+  std::uint32_t dimension_ = 0;
+};
 
 /// A small generator with a stated algorithm (PCG-XSH-RR 64/32, O'Neill 2014), for everything that
 /// is drawn one after the other. The standard library's distributions differ between

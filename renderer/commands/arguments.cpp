@@ -60,13 +60,25 @@ IVec2 parse_size(const std::string& option, const std::string& text) {
   return {size[0], size[1]};
 }
 
-Vec3 parse_vec3(const std::string& option, const std::string& text) {
+DVec3 parse_vec3(const std::string& option, const std::string& text) {
   const std::vector<double> values = parse_finite(text, 3);
   if (values.empty()) {
     throw UsageError(option, fmt::format("'{}' is not three numbers", text),
                      "give x,y,z without spaces");
   }
   return {values[0], values[1], values[2]};
+}
+
+SampleAddress parse_sample(const std::string& option, const std::string& text, const IVec2& size) {
+  const std::vector<std::uint32_t> values = parse_numbers<std::uint32_t>(text, ',', 3);
+  if (values.empty() || values[0] >= static_cast<std::uint32_t>(size.x) ||
+      values[1] >= static_cast<std::uint32_t>(size.y)) {
+    throw UsageError(option,
+                     fmt::format("'{}' is no sample of a {}x{} image", text, size.x, size.y),
+                     "give x,y,sample as render lists them");
+  }
+  return {.pixel = values[1] * static_cast<std::uint32_t>(size.x) + values[0],
+          .sample_number = values[2]};
 }
 
 AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text) {

@@ -1,6 +1,7 @@
 // The small notations of the command line: "2048x1024", "1,2,3", "-30,10".
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "renderer/base/angles.h"
@@ -11,7 +12,16 @@ namespace foveola {
 IVec2 parse_size(const std::string& option, const std::string& text);
 
 /// "x,y,z", all finite.
-Vec3 parse_vec3(const std::string& option, const std::string& text);
+DVec3 parse_vec3(const std::string& option, const std::string& text);
+
+/// One sample of one pixel of an image.
+struct SampleAddress {
+  std::uint32_t pixel = 0;  ///< y * width + x
+  std::uint32_t sample_number = 0;
+};
+
+/// "x,y,sample" with a pixel of an image of `size`.
+SampleAddress parse_sample(const std::string& option, const std::string& text, const IVec2& size);
 
 /// "azimuth,elevation" in degrees: finite, elevation in [-90, 90].
 AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text);

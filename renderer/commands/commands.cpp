@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/render.h"
 #include "renderer/film/image_file.h"
 #include "renderer/measure/error_metrics.h"
@@ -35,6 +36,8 @@ struct RenderArguments {
   std::uint32_t seed = 0;
   int threads = 0;
   std::string environment;
+  double largest_radiance = std::numeric_limits<double>::infinity();
+  std::string replay;
   bool json = false;
 };
 
@@ -89,6 +92,8 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
   require(arguments.threads >= 0 && arguments.threads <= 1024, "--threads",
           "must lie between 0 (every core) and 1024");
   settings.threads = arguments.threads;
+  require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
+  settings.largest_radiance = static_cast<float>(arguments.largest_radiance);
   return settings;
 }
 
@@ -129,8 +134,12 @@ nlohmann::json json_non_finite(const std::vector<DroppedSample>& dropped, int wi
 
 nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
                            const RenderArguments& arguments) {
+  const nlohmann::json clamp = std::isfinite(settings.largest_radiance)
+                                   ? nlohmann::json(settings.largest_radiance)
+                                   : nlohmann::json(nullptr);
   return {{"scene", arguments.scene},
           {"output", arguments.output},
+          {"clamp", clamp},
           {"method", settings.method},
           {"width", settings.size.x},
           {"height", settings.size.y},
@@ -170,9 +179,75 @@ void print_report(const RenderReport& report, const RenderArguments& arguments) 
              report.stopped ? ", stopped early" : "");
 }
 
+nlohmann::json json_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::json json_path(const ReplayedPath& path) {
+  nlohmann::json vertices = nlohmann::json::array();
+  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
+    const PathVertex& vertex = path.record.vertices[i];
+    nlohmann::json json = {{"vertex", vertex.number},
+                           {"direction", json_vector(vertex.direction)},
+                           {"throughput", json_vector(vertex.throughput)},
+                           {"radiance", json_vector(vertex.radiance)},
+                           {"pdf", vertex.pdf}};
+    if (vertex.object) {
+      json["object"] = path.object_names[i];
+      json["distance_m"] = vertex.distance_m;
+      json["position"] = json_vector(vertex.position);
+      json["normal"] = json_vector(vertex.normal);
+    }
+    vertices.push_back(json);
+  }
+  return {{"direction", json_vector(path.job.direction)},
+          {"pixel", path.job.pixel},
+          {"sample", path.job.sample_number},
+          {"radiance", json_vector(path.record.radiance)},
+          {"vertices", vertices}};
+}
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
+}
+
+void print_path(const ReplayedPath& path) {
+  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
+    const PathVertex& vertex = path.record.vertices[i];
+    fmt::print("{:2}  along {}: ", vertex.number, text_of(vertex.direction));
+    if (vertex.object) {
+      fmt::print("'{}' after {:.6g} m at {}, normal {}", path.object_names[i], vertex.distance_m,
+                 text_of(vertex.position), text_of(vertex.normal));
+    } else {
+      fmt::print("out of the scene");
+    }
+    fmt::print("\n    throughput {}, radiance {}, pdf {:.6g}\n", text_of(vertex.throughput),
+               text_of(vertex.radiance), vertex.pdf);
+  }
+  fmt::print("radiance {}\n", text_of(path.record.radiance));
+}
+
+void run_replay(const RenderArguments& arguments, const RenderSettings& settings,
+                const SceneFinder& find_scene, const std::stop_token& stop) {
+  const SampleAddress address = parse_sample("--replay", arguments.replay, settings.size);
+  require(settings.budget.seconds == 0.0, "--seconds", "does not go with --replay; use --samples");
+  SceneSource source = find_scene(arguments.scene);
+  RenderSettings lit = settings;
+  apply_environment(arguments.environment, source, lit);
+  const ReplayedPath path = replay(source, lit, address, stop);
+  if (arguments.json) {
+    fmt::print("{}\n", json_path(path).dump(2));
+  } else {
+    print_path(path);
+  }
+}
+
 void run_render(const CLI::App& command, const RenderArguments& arguments,
                 const SceneFinder& find_scene, const std::stop_token& stop) {
   RenderSettings settings = settings_from(command, arguments);
+  if (!arguments.replay.empty()) {
+    run_replay(arguments, settings, find_scene, stop);
+    return;
+  }
+  require(!arguments.output.empty(), "--output", "is required");
   require_image_extension(arguments.output);
   require_writable(arguments.output);
   SceneSource source = find_scene(arguments.scene);
@@ -194,10 +269,8 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   CLI::App* command = app.add_subcommand("render", "Render a 360-degree image, without a window");
   command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb or .gltf file")
       ->required();
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "An .exr (R, G, B, samples) or .png file to write")
-      ->required();
+  command->add_option("-o,--output", arguments->output,
+                      "An .exr (R, G, B, samples) or .png file to write");
   command->add_option("--method", arguments->method, "Where the samples go: od, vp or fv")
       ->check(CLI::IsMember(view_sampler_names()))
       ->capture_default_str();
@@ -222,6 +295,10 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   command->add_option("--threads", arguments->threads, "0: every core")->capture_default_str();
   command->add_option("--environment", arguments->environment,
                       "A lat-long image file, or r,g,b for a constant radiance");
+  command->add_option("--clamp", arguments->largest_radiance,
+                      "Cut each sample's radiance to this: less noise, too dark a picture");
+  command->add_option("--replay", arguments->replay,
+                      "x,y,sample: trace that path of this render again and print its vertices");
   command->add_flag("--json", arguments->json, "Print the result as JSON");
   command->footer("Example: foveola render arcade -o arcade.exr --method fv --gaze 20,-5 --spp 4");
   command->callback([command, arguments, find_scene, stop] {
@@ -277,6 +354,7 @@ void add_compare(CLI::App& app) {
 void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
   add_render(app, find_scene, stop);
   add_compare(app);
+  add_bench_commands(app, find_scene, stop);
 }
 
 }  // namespace foveola

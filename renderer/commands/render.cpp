@@ -1,8 +1,10 @@
 #include "renderer/commands/render.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 #include "renderer/preview/preview.h"
 #include "renderer/scene/load_scene.h"
@@ -28,17 +30,71 @@ CameraView choose_camera(const SceneSource& source, const Scene& scene,
                          const RenderSettings& settings) {
   CameraView view;
   if (source.camera_position) {
-    view = {.name = "", .position = *source.camera_position, .heading = source.heading};
+    view = {.name = "",
+            .position = scene.from_file(*source.camera_position),
+            .heading = source.heading};
   } else if (!scene.cameras.empty()) {
     view = scene.cameras.front();
   } else {
     const Bounds bounds = scene.bounds();
     view.position = 0.5F * (bounds.lower + bounds.upper);
   }
-  view.position = settings.camera.value_or(view.position);
+  if (settings.camera) {
+    view.position = scene.from_file(*settings.camera);
+  }
   view.heading = settings.head.value_or(view.heading);
   return view;
 }
+
+/// How long one of `steps` takes.
+template <typename Step>
+auto timed(double& elapsed_s, const Step& step) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  auto result = step();
+  elapsed_s = seconds(clock.now() - start);
+  return result;
+}
+
+PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint) {
+  PreviewSettings preview;
+  preview.film_width = settings.size.x;
+  preview.film_height = settings.size.y;
+  preview.horizontal_fov_deg = settings.fov_deg;
+  preview.vertical_fov_deg = settings.fov_deg;
+  preview.viewpoint = viewpoint;
+  preview.trace.max_depth = settings.max_depth;
+  preview.trace.largest_radiance = settings.largest_radiance;
+  preview.trace.pixel_angle_rad =
+      static_cast<float>(2.0 * std::numbers::pi / static_cast<double>(settings.size.x));
+  return preview;
+}
+
+/// A scene on the stage: loaded, built, with a head and an eye that hold still.
+struct Stage {
+  double load_seconds = 0.0;
+  double build_seconds = 0.0;
+  Workers workers;
+  Scene scene;
+  PathTracer tracer;
+  CameraView camera;
+  AzimuthElevation gaze;
+  ScriptedHeadTracker head;
+  FixedEyeTracker eye;
+  Preview preview;
+
+  Stage(const SceneSource& source, const RenderSettings& settings)
+      : workers(settings.threads),
+        scene(timed(load_seconds, [&] { return load(source, settings); })),
+        tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
+        camera(choose_camera(source, scene, settings)),
+        gaze(settings.gaze.value_or(camera.heading)),
+        head({{.time = Nanoseconds(0), .heading = camera.heading}}),
+        eye(glm::conjugate(head_orientation(camera.heading)) * direction_from(gaze)),
+        preview(tracer, preview_settings(settings, camera.position), eye, head, workers) {
+    preview.restart(settings.method, settings.seed);
+  }
+};
 
 double fraction_done(const RenderBudget& budget, std::uint64_t samples, double elapsed_s) {
   double fraction = 0.0;
@@ -67,46 +123,24 @@ std::uint64_t next_batch(const RenderBudget& budget, std::uint64_t samples, doub
 }  // namespace
 
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
-  const SteadyClock clock;
-  const Workers workers(settings.threads);
+  Stage stage(source, settings);
   RenderReport report;
-  report.threads = workers.threads();
+  report.threads = stage.workers.threads();
+  report.load_seconds = stage.load_seconds;
+  report.build_seconds = stage.build_seconds;
+  report.triangles = stage.scene.triangle_count();
+  report.warnings = stage.scene.warnings;
+  report.camera = DVec3(stage.camera.position) + stage.scene.origin;
+  report.head = stage.camera.heading;
+  report.gaze = stage.gaze;
 
-  const Nanoseconds load_start = clock.now();
-  const Scene scene = load(source, settings);
-  report.load_seconds = seconds(clock.now() - load_start);
-  report.triangles = scene.triangle_count();
-  report.warnings = scene.warnings;
-
-  const Nanoseconds build_start = clock.now();
-  const PathTracer tracer(scene, workers);
-  report.build_seconds = seconds(clock.now() - build_start);
-
-  const CameraView camera = choose_camera(source, scene, settings);
-  report.camera = camera.position;
-  report.head = camera.heading;
-  report.gaze = settings.gaze.value_or(camera.heading);
-
-  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = camera.heading}});
-  const Quat world_to_head = glm::conjugate(head_orientation(camera.heading));
-  FixedEyeTracker eye(world_to_head * direction_from(report.gaze));
-
-  PreviewSettings preview_settings;
-  preview_settings.film_width = settings.size.x;
-  preview_settings.film_height = settings.size.y;
-  preview_settings.horizontal_fov_deg = settings.fov_deg;
-  preview_settings.vertical_fov_deg = settings.fov_deg;
-  preview_settings.viewpoint = camera.position;
-  preview_settings.trace.max_depth = settings.max_depth;
-  Preview preview(tracer, preview_settings, eye, head, workers);
-  preview.restart(settings.method, settings.seed);
-
+  const SteadyClock clock;
   Progress progress("rendering");
   const Nanoseconds start = clock.now();
   double fraction = 0.0;
   while (fraction < 1.0 && !stop.stop_requested()) {
     const std::uint64_t batch = next_batch(settings.budget, report.samples, report.seconds);
-    const FrameReport frame = preview.render_frame(clock.now(), batch);
+    const FrameReport frame = stage.preview.render_frame(clock.now(), batch);
     report.samples += frame.samples;
     report.rays += frame.rays;
     report.seconds = seconds(clock.now() - start);
@@ -114,8 +148,37 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
     progress.update(fraction);
   }
   report.stopped = fraction < 1.0;
-  report.non_finite = preview.dropped();
-  return {.image = preview.film().resolve(), .report = std::move(report)};
+  report.non_finite = stage.preview.dropped();
+  return {.image = stage.preview.film().resolve(), .report = std::move(report)};
+}
+
+ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
+                    const SampleAddress& address, std::stop_token stop) {
+  Stage stage(source, settings);
+  const SteadyClock clock;
+  std::optional<SampleJob> job;
+  Progress progress("searching");
+  for (std::uint64_t sought = 0; !job && sought < settings.budget.samples;) {
+    if (stop.stop_requested()) {
+      throw Error("--replay", "stopped before the sample was found");
+    }
+    const std::uint64_t batch = std::min(largest_batch, settings.budget.samples - sought);
+    job = stage.preview.find_job(clock.now(), batch, address.pixel, address.sample_number);
+    sought += batch;
+    progress.update(static_cast<double>(sought) / static_cast<double>(settings.budget.samples));
+  }
+  if (!job) {
+    throw Error("--replay", "this render does not take that sample of that pixel",
+                "repeat the options of the render that listed it, with at least as many --samples");
+  }
+  ReplayedPath path{
+      .job = *job,
+      .record = stage.tracer.replay(stage.camera.position, *job, stage.preview.settings().trace),
+      .object_names = {}};
+  for (const PathVertex& vertex : path.record.vertices) {
+    path.object_names.push_back(vertex.object ? stage.scene.object_name(*vertex.object) : "");
+  }
+  return path;
 }
 
 }  // namespace foveola

@@ -3,13 +3,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/commands/arguments.h"
 #include "renderer/film/equirect_film.h"
+#include "renderer/trace/path_tracer.h"
 
 namespace foveola {
 
@@ -22,7 +25,7 @@ struct RenderBudget {
 struct RenderSettings {
   std::string method = "od";  ///< a name of make_view_sampler
   IVec2 size{2048, 1024};
-  std::optional<Vec3> camera;            ///< default: the source's, the file's first, the middle
+  std::optional<DVec3> camera;           ///< default: the source's, the file's first, the middle
   std::optional<AzimuthElevation> head;  ///< world; default: with the camera
   std::optional<AzimuthElevation> gaze;  ///< world; default: where the head points
   double fov_deg = 100.0;                ///< of the viewport, horizontally and vertically
@@ -31,6 +34,7 @@ struct RenderSettings {
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: every core
   std::optional<std::filesystem::path> environment_file;
+  float largest_radiance = std::numeric_limits<float>::infinity();  ///< see TraceSettings
 };
 
 struct RenderReport {
@@ -41,7 +45,7 @@ struct RenderReport {
   double load_seconds = 0.0;
   double build_seconds = 0.0;
   std::size_t triangles = 0;
-  Vec3 camera{0.0F};
+  DVec3 camera{0.0};  ///< in the file's world
   AzimuthElevation head;
   AzimuthElevation gaze;
   int threads = 0;
@@ -56,5 +60,17 @@ struct Rendering {
 
 /// Renders `source`, showing progress. Throws Error for what is wrong with the scene or settings.
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop);
+
+/// One path of a render, again.
+struct ReplayedPath {
+  SampleJob job;
+  PathRecord record;
+  std::vector<std::string> object_names;  ///< one a vertex; empty where nothing was met
+};
+
+/// Finds sample `address` of the render with these settings, and traces it once more. Throws Error
+/// if that render does not take it, or if stopped.
+ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
+                    const SampleAddress& address, std::stop_token stop);
 
 }  // namespace foveola

@@ -1,5 +1,6 @@
 #include "renderer/preview/preview.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "renderer/base/random.h"
@@ -47,12 +48,32 @@ FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
     report.rays =
         tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_).total();
   };
+  add_samples(samples, trace);
+  return report;
+}
+
+std::optional<SampleJob> Preview::find_job(Nanoseconds now, std::uint64_t samples,
+                                           std::uint32_t pixel, std::uint32_t sample_number) {
+  std::optional<SampleJob> found;
+  aim(now);
+  add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+    const auto job = std::find_if(jobs.begin(), jobs.end(), [&](const SampleJob& candidate) {
+      return candidate.pixel == pixel && candidate.sample_number == sample_number;
+    });
+    if (job != jobs.end()) {
+      found = *job;
+    }
+  });
+  return found;
+}
+
+void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace) {
   const SobolRange points = {
       .first = next_point_, .count = samples, .seed = mix(settings_.trace.seed, view_stream)};
   const std::vector<DroppedSample> dropped = pass_.run(*sampler_, points, trace, film_, *workers_);
   dropped_.insert(dropped_.end(), dropped.begin(), dropped.end());
   next_point_ += samples;
-  return report;
 }
 
 FrameReport Preview::aim(Nanoseconds now) {

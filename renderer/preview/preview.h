@@ -59,6 +59,11 @@ class Preview {
   /// the caller to know (a budget, a model of a machine).
   FrameReport render_frame(Nanoseconds now, std::uint64_t samples);
 
+  /// As render_frame, but traces nothing, and adds black to the film: returns the job that numbers
+  /// `sample_number` of `pixel`, if it is among the frame's.
+  std::optional<SampleJob> find_job(Nanoseconds now, std::uint64_t samples, std::uint32_t pixel,
+                                    std::uint32_t sample_number);
+
   /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
   RgbImage present() const;
   /// The view of the last frame.
@@ -71,6 +76,8 @@ class Preview {
  private:
   /// Polls head and gaze, and aims the sampler with them.
   FrameReport aim(Nanoseconds now);
+  /// Sends the next points through the sampler and `trace` into the film.
+  void add_samples(std::uint64_t samples, const SamplePass::Trace& trace);
 
   const PathTracer* tracer_;
   PreviewSettings settings_;

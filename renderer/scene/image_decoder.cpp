@@ -32,21 +32,6 @@ std::string format_of(std::span<const unsigned char> encoded) {
   throw std::runtime_error("is neither a PNG nor a JPEG image");
 }
 
-/// Spreads the channels that a file has (grey; grey and alpha; colour; colour and alpha) over four,
-/// in place, from the last texel to the first.
-void expand_to_rgba(std::vector<std::uint8_t>& texels, int channels) {
-  const auto stored = static_cast<std::size_t>(channels);
-  const bool has_alpha = channels == 2 || channels == 4;
-  const std::size_t green = channels >= 3 ? 1 : 0;
-  const std::size_t blue = channels >= 3 ? 2 : 0;
-  for (std::size_t i = texels.size() / 4; i-- > 0;) {
-    const std::uint8_t* from = texels.data() + i * stored;
-    const std::array<std::uint8_t, 4> rgba = {from[0], from[green], from[blue],
-                                              has_alpha ? from[stored - 1] : std::uint8_t{255}};
-    std::copy(rgba.begin(), rgba.end(), texels.begin() + static_cast<std::ptrdiff_t>(4 * i));
-  }
-}
-
 /// Walks the chunks: length, type, content, checksum (PNG specification, section 5.3). libpng
 /// leaves a reader that finds the end of the file too early by a long jump, past all destructors.
 void require_whole_png(std::span<const unsigned char> encoded) {
@@ -125,13 +110,13 @@ std::size_t pixel_count(std::span<const unsigned char> encoded) {
 DecodedImage decode_image(std::span<const unsigned char> encoded) {
   const OpenImage open = open_image(encoded);
   const OIIO::ImageSpec& spec = open.spec;
-  DecodedImage image{.width = spec.width, .height = spec.height, .texels = {}};
-  image.texels.resize(std::size_t{4} * spec.width * spec.height);
+  DecodedImage image{
+      .width = spec.width, .height = spec.height, .channels = spec.nchannels, .texels = {}};
+  image.texels.resize(static_cast<std::size_t>(spec.nchannels) * spec.width * spec.height);
   if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8,
                               image.texels.data())) {
     throw std::runtime_error("is damaged: " + open.input->geterror());
   }
-  expand_to_rgba(image.texels, spec.nchannels);
   return image;
 }
 

@@ -8,10 +8,12 @@
 
 namespace foveola {
 
-/// Four 8-bit channels (red, green, blue, alpha not premultiplied), row-major, first row on top.
+/// 8-bit channels (1: grey; 2: grey, alpha; 3: red, green, blue; 4: those and alpha, which is not
+/// premultiplied), interleaved, row-major, first row on top.
 struct DecodedImage {
   int width = 0;
   int height = 0;
+  int channels = 0;
   std::vector<std::uint8_t> texels;
 };
 
@@ -19,9 +21,8 @@ struct DecodedImage {
 /// does.
 std::size_t pixel_count(std::span<const unsigned char> encoded);
 
-/// Decodes a PNG or JPEG image: 16 bits become 8, grey becomes red, green and blue, and a missing
-/// alpha 255. Throws std::runtime_error that says what is wrong if it is neither, damaged, or
-/// larger than 16384 pixels on a side.
+/// Decodes a PNG or JPEG image to its own channels; 16 bits become 8. Throws std::runtime_error
+/// that says what is wrong if it is neither, damaged, or larger than 16384 pixels on a side.
 DecodedImage decode_image(std::span<const unsigned char> encoded);
 
 }  // namespace foveola

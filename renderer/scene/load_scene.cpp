@@ -1,6 +1,9 @@
 #include "renderer/scene/load_scene.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -50,7 +53,8 @@ Material emitter(const std::string& name, const Rgb& radiance) {
   return material;
 }
 
-Mesh rectangle(const RectangleLight& light) {
+/// center: seen from the scene's origin.
+Mesh rectangle(const RectangleLight& light, const Vec3& center) {
   const int axis = axis_of(light.normal);
   const int first_axis = axis == 0 ? 1 : 0;
   const int second_axis = axis == 2 ? 1 : 2;
@@ -62,14 +66,14 @@ Mesh rectangle(const RectangleLight& light) {
     right = -right;
   }
   Mesh mesh;
-  mesh.positions = {light.center - right - up, light.center + right - up, light.center + right + up,
-                    light.center - right + up};
+  mesh.positions = {center - right - up, center + right - up, center + right + up,
+                    center - right + up};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }
 
 void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
-  Mesh mesh = rectangle(light);
+  Mesh mesh = rectangle(light, Vec3(DVec3(light.center) - scene.origin));
   mesh.name = fmt::format("light {}", number);
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(emitter(mesh.name, light.radiance));
@@ -78,6 +82,13 @@ void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
 
 }  // namespace
 
+Scene load_scene_file(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".obj" ? load_obj(path) : load_gltf(path);
+}
+
 Scene load_scene(const SceneSource& source) {
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     require_valid(source.lights[i], fmt::format("{}: lights[{}]", source.name, i));
@@ -85,7 +96,7 @@ Scene load_scene(const SceneSource& source) {
   if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
     throw Error(source.name, "the radiance of the environment is negative or not finite");
   }
-  Scene scene = load_gltf(source.file);
+  Scene scene = load_scene_file(source.file);
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     add_light(scene, source.lights[i], i + 1);
   }

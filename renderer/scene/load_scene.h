@@ -15,7 +15,15 @@ namespace foveola {
 /// supported, and geometry that had to be dropped, becomes a warning in the scene.
 Scene load_gltf(const std::filesystem::path& path);
 
-/// load_gltf, with the source's environment and rectangle lights added.
+/// Loads a Wavefront OBJ file and the material libraries and PNG and JPEG images in its folder that
+/// it names; mtl_materials.h says what the libraries' statements mean. One mesh for each object (or
+/// group, where there are no objects) and material. Throws Error naming the file and what is wrong.
+Scene load_obj(const std::filesystem::path& path);
+
+/// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.
+Scene load_scene_file(const std::filesystem::path& path);
+
+/// load_scene_file, with the source's environment and rectangle lights added.
 Scene load_scene(const SceneSource& source);
 
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Throws Error if it cannot be read.

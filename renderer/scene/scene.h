@@ -151,6 +151,9 @@ struct Scene {
   /// own origin, where floats would be too coarse.
   DVec3 origin{0.0};
 
+  /// Where a point of the file's world lies in this scene.
+  Vec3 from_file(const DVec3& position) const { return Vec3(position - origin); }
+
   std::size_t object_count() const { return meshes.size() + instances.size(); }
   /// The geometry of an object; an instance's is in its prototype's space.
   const Mesh& mesh_of(std::uint32_t object) const;

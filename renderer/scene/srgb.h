@@ -1,7 +1,9 @@
-// The sRGB transfer function, from stored value to linear light.
+// The sRGB transfer function, and 8-bit codes of it and of linear values.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace foveola {
 
@@ -9,5 +11,12 @@ namespace foveola {
 inline double linear_from_srgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
+
+/// The linear value of each 8-bit code, sRGB-encoded or linear itself; lives as long as the
+/// program.
+const std::array<float, 256>& linear_from_byte(bool is_srgb);
+
+/// The 8-bit sRGB code nearest to the encoding of `linear`, which is clamped to [0, 1].
+std::uint8_t srgb_byte_from_linear(float linear);
 
 }  // namespace foveola

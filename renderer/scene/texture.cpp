@@ -1,7 +1,6 @@
 #include "renderer/scene/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -10,22 +9,6 @@
 
 namespace foveola {
 namespace {
-
-using ByteTable = std::array<float, 256>;
-
-ByteTable make_table(double (*decode)(double)) {
-  ByteTable table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    table[i] = static_cast<float>(decode(static_cast<double>(i) / 255.0));
-  }
-  return table;
-}
-
-const float* linear_from_byte(bool is_srgb) {
-  static const ByteTable srgb = make_table(linear_from_srgb);
-  static const ByteTable identity = make_table([](double value) { return value; });
-  return (is_srgb ? srgb : identity).data();
-}
 
 /// The two texels along one axis that a coordinate lies between.
 struct Taps {
@@ -71,43 +54,130 @@ Taps taps(float coordinate, int size, Wrap wrap) {
   return repeated_taps(coordinate, size);
 }
 
+/// The texel that holds the coordinate is the nearer of the two.
+Taps nearest(const Taps& taps) {
+  const int texel = taps.weight_second < 0.5F ? taps.first : taps.second;
+  return {.first = texel, .second = texel, .weight_second = 0.0F};
+}
+
 /// Unlike a weighted sum, exact where both ends are equal.
-Vec4 interpolate(const Vec4& from, const Vec4& to, float weight) {
+template <typename T>
+T interpolate(const T& from, const T& to, float weight) {
   return from + weight * (to - from);
+}
+
+template <int channels>
+using Texel = glm::vec<channels, float>;
+
+/// Light, and alpha from 0 to 255: it is linear, so that it can be scaled once, after filtering.
+template <int channels>
+Texel<channels> decoded(const std::uint8_t* codes, const float* linear_from_byte) {
+  Texel<channels> texel;
+  for (int i = 0; i < channels; ++i) {
+    const bool is_alpha = channels % 2 == 0 && i == channels - 1;
+    texel[i] = is_alpha ? static_cast<float>(codes[i]) : linear_from_byte[codes[i]];
+  }
+  return texel;
+}
+
+template <int channels>
+Vec4 expanded(const Texel<channels>& texel) {
+  if constexpr (channels == 1) {
+    return {texel[0], texel[0], texel[0], 1.0F};
+  } else if constexpr (channels == 2) {
+    return {texel[0], texel[0], texel[0], texel[1] / 255.0F};
+  } else if constexpr (channels == 3) {
+    return {texel, 1.0F};
+  } else {
+    return {texel[0], texel[1], texel[2], texel[3] / 255.0F};
+  }
+}
+
+template <int channels>
+Vec4 filtered(const std::uint8_t* codes, int width, const float* linear_from_byte, const Taps& u,
+              const Taps& v) {
+  const std::uint8_t* upper_row = codes + static_cast<std::ptrdiff_t>(v.first) * width * channels;
+  const std::uint8_t* lower_row = codes + static_cast<std::ptrdiff_t>(v.second) * width * channels;
+  const auto texel = [&](const std::uint8_t* row, int x) {
+    return decoded<channels>(row + static_cast<std::ptrdiff_t>(x) * channels, linear_from_byte);
+  };
+  const Texel<channels> upper =
+      interpolate(texel(upper_row, u.first), texel(upper_row, u.second), u.weight_second);
+  const Texel<channels> lower =
+      interpolate(texel(lower_row, u.first), texel(lower_row, u.second), u.weight_second);
+  return expanded<channels>(interpolate(upper, lower, v.weight_second));
 }
 
 }  // namespace
 
+Texture::Texture(DecodedImage image, bool is_srgb, const Sampler& sampler, bool with_mips)
+    : texels_(std::move(image.texels)),
+      linear_from_byte_(linear_from_byte(is_srgb).data()),
+      channels_(image.channels),
+      sampler_(sampler) {
+  assert(image.width > 0 && image.height > 0 && channels_ >= 1 && channels_ <= 4);
+  assert(texels_.size() == static_cast<std::size_t>(channels_) * image.width * image.height);
+  if (with_mips && sampler.mip != MipFilter::none) {
+    levels_ = append_mip_chain(texels_, image.width, image.height, channels_, is_srgb);
+  } else {
+    levels_ = {{.width = image.width, .height = image.height, .offset = 0}};
+  }
+}
+
 Texture::Texture(int width, int height, std::vector<std::uint8_t> texels, bool is_srgb, Wrap wrap_u,
                  Wrap wrap_v)
-    : width_(width),
-      height_(height),
-      texels_(std::move(texels)),
-      linear_from_byte_(linear_from_byte(is_srgb)),
-      wrap_u_(wrap_u),
-      wrap_v_(wrap_v) {
-  assert(width > 0 && height > 0);
-  assert(texels_.size() == std::size_t{4} * width * height);
+    : Texture({.width = width, .height = height, .channels = 4, .texels = std::move(texels)},
+              is_srgb, {.wrap_u = wrap_u, .wrap_v = wrap_v}) {}
+
+std::size_t Texture::memory_bytes() const {
+  return sizeof *this + texels_.capacity() + levels_.capacity() * sizeof(MipLevel);
 }
 
 Vec4 Texture::sample(const Vec2& uv) const {
-  if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
-    return texel(0, 0);
-  }
-  const Taps u = taps(uv.x, width_, wrap_u_);
-  const Taps v = taps(uv.y, height_, wrap_v_);
-  const Vec4 upper =
-      interpolate(texel(u.first, v.first), texel(u.second, v.first), u.weight_second);
-  const Vec4 lower =
-      interpolate(texel(u.first, v.second), texel(u.second, v.second), u.weight_second);
-  return interpolate(upper, lower, v.weight_second);
+  return sample_level(levels_[0], sampler_.magnification, uv);
 }
 
-Vec4 Texture::texel(int x, int y) const {
-  const std::uint8_t* channels =
-      texels_.data() + 4 * (static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x));
-  return {linear_from_byte_[channels[0]], linear_from_byte_[channels[1]],
-          linear_from_byte_[channels[2]], static_cast<float>(channels[3]) / 255.0F};
+Vec4 Texture::sample(const Vec2& uv, float uv_width) const {
+  const float texels = uv_width * static_cast<float>(std::max(width(), height()));
+  if (!(texels > 1.0F) || !std::isfinite(uv_width)) {
+    return sample(uv);
+  }
+  const auto coarsest = static_cast<float>(levels_.size() - 1);
+  const float level = std::min(std::log2(texels), coarsest);
+  if (sampler_.mip != MipFilter::linear) {
+    return sample_level(levels_[static_cast<std::size_t>(level + 0.5F)], sampler_.minification, uv);
+  }
+  const auto finer = static_cast<std::size_t>(level);
+  const float weight = level - static_cast<float>(finer);
+  const Vec4 value = sample_level(levels_[finer], sampler_.minification, uv);
+  return weight > 0.0F
+             ? interpolate(value, sample_level(levels_[finer + 1], sampler_.minification, uv),
+                           weight)
+             : value;
+}
+
+Vec4 Texture::sample_level(const MipLevel& level, Filter filter, const Vec2& uv) const {
+  Taps u{.first = 0, .second = 0, .weight_second = 0.0F};
+  Taps v = u;
+  if (std::isfinite(uv.x) && std::isfinite(uv.y)) {
+    u = taps(uv.x, level.width, sampler_.wrap_u);
+    v = taps(uv.y, level.height, sampler_.wrap_v);
+  }
+  if (filter == Filter::nearest) {
+    u = nearest(u);
+    v = nearest(v);
+  }
+  const std::uint8_t* codes = texels_.data() + level.offset;
+  switch (channels_) {
+    case 1:
+      return filtered<1>(codes, level.width, linear_from_byte_, u, v);
+    case 2:
+      return filtered<2>(codes, level.width, linear_from_byte_, u, v);
+    case 3:
+      return filtered<3>(codes, level.width, linear_from_byte_, u, v);
+    default:
+      return filtered<4>(codes, level.width, linear_from_byte_, u, v);
+  }
 }
 
 }  // namespace foveola

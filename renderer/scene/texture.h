@@ -1,40 +1,68 @@
-// A two-dimensional image on a surface, kept in the 8 bits that it came with.
+// A two-dimensional image on a surface, kept in the 8 bits and the channels that it came with.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "renderer/base/vec.h"
+#include "renderer/scene/image_decoder.h"
+#include "renderer/scene/mip_chain.h"
 
 namespace foveola {
 
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+enum class Filter : std::uint8_t { nearest, linear };
+/// How levels are chosen where a footprint is wider than a texel; none: always the finest.
+enum class MipFilter : std::uint8_t { none, nearest, linear };
 
-/// Four 8-bit channels (red, green, blue, alpha), row-major, first row at v = 0 (glTF's top).
+/// glTF's sampler (specification, section 3.8.4.1): how a texture continues and is filtered.
+struct Sampler {
+  Wrap wrap_u = Wrap::repeat;
+  Wrap wrap_v = Wrap::repeat;
+  Filter magnification = Filter::linear;  ///< where a texel is wider than the footprint
+  Filter minification = Filter::linear;   ///< within a level, where it is not
+  MipFilter mip = MipFilter::linear;      ///< between levels
+
+  auto operator<=>(const Sampler&) const = default;
+};
+
+/// Row-major texels, first row at v = 0 (glTF's top). A grey is read as equal red, green and blue,
+/// a missing alpha as 1.
 class Texture {
  public:
-  /// texels: 4 * width * height bytes. is_srgb: whether red, green and blue are sRGB-encoded;
-  /// alpha never is.
+  /// is_srgb: whether grey or red, green and blue are sRGB-encoded; alpha never is. with_mips:
+  /// whether coarser levels are built, for a third more memory; if not, all footprints read the
+  /// finest.
+  Texture(DecodedImage image, bool is_srgb, const Sampler& sampler, bool with_mips = true);
+
+  /// texels: 4 * width * height bytes of red, green, blue, alpha.
   Texture(int width, int height, std::vector<std::uint8_t> texels, bool is_srgb, Wrap wrap_u,
           Wrap wrap_v);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  int width() const { return levels_[0].width; }
+  int height() const { return levels_[0].height; }
+  bool has_alpha() const { return channels_ % 2 == 0; }
+  std::size_t memory_bytes() const;
 
-  /// Bilinearly filtered linear value at `uv`, whatever its magnitude; texel centres lie at
-  /// half-integers. A non-finite uv reads texel (0, 0).
+  /// The linear value at `uv`, whatever its magnitude, in the finest level and with the filter for
+  /// magnification; texel centres lie at half-integers. A non-finite uv reads texel (0, 0).
   Vec4 sample(const Vec2& uv) const;
 
- private:
-  Vec4 texel(int x, int y) const;
+  /// The linear value of a footprint around `uv` that is `uv_width` wide, in the unit of uv. In the
+  /// level used a texel is as wide as the footprint along the image's longer side. A width that
+  /// is zero, negative or not finite reads as above.
+  Vec4 sample(const Vec2& uv, float uv_width) const;
 
-  int width_;
-  int height_;
+ private:
+  Vec4 sample_level(const MipLevel& level, Filter filter, const Vec2& uv) const;
+
+  std::vector<MipLevel> levels_;  ///< the image itself first
   std::vector<std::uint8_t> texels_;
   const float* linear_from_byte_;  ///< 256 values that live as long as the program
-  Wrap wrap_u_;
-  Wrap wrap_v_;
+  int channels_;
+  Sampler sampler_;
 };
 
 }  // namespace foveola

@@ -178,6 +178,10 @@ BsdfValue Bsdf::eval_transmission(const Vec3& incoming) const {
           .pdf = transmission_probability_ * value.pdf};
 }
 
+Rgb Bsdf::straight_transmission() const {
+  return wall_ && microfacets_.is_smooth() ? base_scale_ * transmitted_ : Rgb(0.0F);
+}
+
 std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
   if (!covers_) {
     return sample_base(u_lobe, u);

@@ -26,6 +26,10 @@ class Bsdf {
   /// incoming: unit length. Perfect mirrors and lenses have no value.
   BsdfValue eval(const Vec3& incoming) const;
 
+  /// The share of light that passes a smooth thin wall straight on, as a specular sample with
+  /// incoming = -outgoing.
+  Rgb straight_transmission() const;
+
   /// Empty if the sample is lost: it ended on the wrong side of the surface. u_lobe in [0, 1), u in
   /// the unit square, both below 1.
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;

@@ -12,8 +12,8 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float uniform_sphere_pdf = 0.25F * std::numbers::inv_pi_v<float>;
 
-/// A position on the map in texels, counted from the centre of texel (0, 0): x in [-1/2, W - 1/2],
-/// y in [-1/2, H - 1/2].
+/// Where the map shows a direction, which is in the map's own frame: in texels, counted from the
+/// centre of texel (0, 0); x in [-1/2, W - 1/2], y in [-1/2, H - 1/2].
 Vec2 map_position(const Environment& environment, const Vec3& direction) {
   const float horizontal = std::sqrt(direction.x * direction.x + direction.z * direction.z);
   const float azimuth = horizontal > 0.0F ? std::atan2(direction.x, -direction.z) : 0.0F;
@@ -83,6 +83,8 @@ Vec3 direction_at(double azimuth, double sine_elevation) {
 
 EnvironmentLight::EnvironmentLight(const Environment& environment)
     : environment_(environment),
+      rotation_cosine_(static_cast<float>(std::cos(environment.rotation_rad))),
+      rotation_sine_(static_cast<float>(std::sin(environment.rotation_rad))),
       total_luminance_(4.0 * std::numbers::pi * luminance(environment.radiance)) {
   if (environment.map.empty()) {
     return;
@@ -108,11 +110,16 @@ double EnvironmentLight::cell_solid_angle(std::size_t row) const {
          environment_.map_width;
 }
 
+Vec3 EnvironmentLight::map_from_world(const Vec3& direction) const {
+  return {rotation_cosine_ * direction.x + rotation_sine_ * direction.z, direction.y,
+          rotation_cosine_ * direction.z - rotation_sine_ * direction.x};
+}
+
 Rgb EnvironmentLight::radiance(const Vec3& direction) const {
   if (!cells_) {
     return environment_.radiance;
   }
-  const Cell cell = cell_at(environment_, map_position(environment_, direction));
+  const Cell cell = cell_at(environment_, map_position(environment_, map_from_world(direction)));
   const Corners c(environment_, cell.column, cell.row);
   return environment_.radiance * glm::mix(glm::mix(c.top_left, c.top_right, cell.within.x),
                                           glm::mix(c.bottom_left, c.bottom_right, cell.within.x),
@@ -126,7 +133,8 @@ EnvironmentLight::Sample EnvironmentLight::sample(const Vec2& u) const {
   }
   const PiecewiseConstant2D::Point point = cells_->sample(u);
   const double x = static_cast<double>(point.column) + 0.5 + point.within.x;
-  const double azimuth = (x / environment_.map_width - 0.5) * 2.0 * std::numbers::pi;
+  const double azimuth =
+      (x / environment_.map_width - 0.5) * 2.0 * std::numbers::pi + environment_.rotation_rad;
   const double upper = border_sines_[point.row];
   const double lower = border_sines_[point.row + 1];
   return {.direction = direction_at(azimuth, upper + point.within.y * (lower - upper)),
@@ -137,7 +145,7 @@ float EnvironmentLight::pdf(const Vec3& direction) const {
   if (!cells_) {
     return uniform_sphere_pdf;
   }
-  const Cell cell = cell_at(environment_, map_position(environment_, direction));
+  const Cell cell = cell_at(environment_, map_position(environment_, map_from_world(direction)));
   return static_cast<float>(cells_->probability(cell.column, cell.row) /
                             cell_solid_angle(cell.row));
 }

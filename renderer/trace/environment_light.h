@@ -10,10 +10,11 @@
 
 namespace foveola {
 
-/// The map is interpolated bilinearly between the centres of its texels, across the seam at +Z, and
-/// is constant within half a texel of the poles. Directions are drawn from cells whose corners are
-/// texel centres (so that a cell is as bright as its interpolated content), uniformly within a cell
-/// in solid angle; a constant environment gives uniform directions.
+/// The map stands turned about +Y by the environment's rotation. It is interpolated bilinearly
+/// between the centres of its texels, across the seam of its two sides, and is constant within half
+/// a texel of the poles. Directions are drawn from cells whose corners are texel centres (so that a
+/// cell is as bright as its interpolated content), uniformly within a cell in solid angle; a
+/// constant environment gives uniform directions.
 class EnvironmentLight {
  public:
   /// The environment must outlive this object.
@@ -36,7 +37,12 @@ class EnvironmentLight {
   /// Of each cell in a row.
   double cell_solid_angle(std::size_t row) const;
 
+  /// Undoes the rotation, without a trip through angles: at rotation 0 nothing is rounded.
+  Vec3 map_from_world(const Vec3& direction) const;
+
   const Environment& environment_;
+  float rotation_cosine_;
+  float rotation_sine_;
   std::optional<PiecewiseConstant2D> cells_;  ///< empty: constant
   std::vector<double> border_sines_;          ///< of the elevations between the rows of cells
   double total_luminance_;

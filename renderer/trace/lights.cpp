@@ -1,87 +1,149 @@
 #include "renderer/trace/lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace foveola {
 namespace {
 
-/// The power of the environment that falls on the scene's bounding sphere.
-double environment_power(const EnvironmentLight& environment, const Bounds& bounds) {
+/// The area of the disc that the scene's bounding sphere covers.
+double cross_section(const Scene& scene) {
+  const Bounds bounds = scene.bounds();
   const double radius = 0.5 * glm::length(DVec3(bounds.upper) - DVec3(bounds.lower));
-  return environment.total_luminance() * std::numbers::pi * radius * radius;
+  return std::numbers::pi * radius * radius;
 }
 
 }  // namespace
 
-Lights::Lights(const Scene& scene) : triangles_(scene) {
+Lights::Lights(const Scene& scene, std::size_t most_in_table)
+    : suns_(scene), local_(scene, most_in_table) {
   if (scene.environment) {
     environment_.emplace(*scene.environment);
     if (!(environment_->total_luminance() > 0.0)) {
       environment_.reset();
     }
   }
-  if (!environment_) {
-    return;
-  }
-  if (triangles_.empty()) {
-    environment_probability_ = 1.0F;
-    return;
-  }
-  const double power = environment_power(*environment_, scene.bounds());
-  environment_probability_ =
-      static_cast<float>(std::clamp(power / (power + triangles_.power()), 0.25, 0.75));
+  empty_ = !environment_ && suns_.empty() && local_.empty() && !local_.has_unlisted();
+  set_probabilities(scene);
 }
 
-std::optional<LightSample> Lights::sample(const Vec3& receiver, float u_kind, const Vec2& u_choice,
-                                          const Vec2& u) const {
-  return u_kind < environment_probability_ ? sample_environment(receiver, u)
-                                           : sample_triangle(receiver, u_choice, u);
+void Lights::set_probabilities(const Scene& scene) {
+  struct Kind {
+    bool exists;
+    double power;
+    float* probability;
+  };
+  const double area = cross_section(scene);
+  const std::array<Kind, 3> kinds{
+      {{environment_.has_value(), environment_ ? area * environment_->total_luminance() : 0.0,
+        &environment_probability_},
+       {!suns_.empty(), area * suns_.irradiance(), &suns_probability_},
+       {!local_.empty(), local_.power(), &local_probability_}}};
+  double count = 0.0;
+  double power = 0.0;
+  for (const Kind& kind : kinds) {
+    count += kind.exists ? 1.0 : 0.0;
+    power += kind.exists ? kind.power : 0.0;
+  }
+  for (const Kind& kind : kinds) {
+    if (kind.exists) {
+      const double share = power > 0.0 ? kind.power / power : 1.0 / count;
+      *kind.probability = static_cast<float>(0.5 / count + 0.5 * share);
+    }
+  }
 }
 
-std::optional<LightSample> Lights::sample_triangle(const Vec3& receiver, const Vec2& u_choice,
-                                                   const Vec2& u) const {
-  const auto sample = triangles_.sample(receiver, u_choice, u);
+std::optional<LightSample> Lights::sample(const Receiver& receiver, float u_kind,
+                                          const Vec2& u_choice, const Vec2& u) const {
+  // Rounding may leave a u_kind above the sum, which belongs to the last kind there is.
+  const bool only_distant = local_.empty();
+  if (environment_ && (u_kind < environment_probability_ || (only_distant && suns_.empty()))) {
+    const EnvironmentLight::Sample sky = environment_->sample(u);
+    return sample_distant(receiver, sky.direction, sky.pdf, {});
+  }
+  if (!suns_.empty() && (u_kind < environment_probability_ + suns_probability_ || only_distant)) {
+    return sample_suns(receiver, u_choice, u);
+  }
+  return only_distant ? std::nullopt : sample_local(receiver, u_choice, u);
+}
+
+std::optional<LightSample> Lights::sample_local(const Receiver& receiver, const Vec2& u_choice,
+                                                const Vec2& u) const {
+  const auto sample = local_.sample(receiver, u_choice, u);
   if (!sample) {
     return std::nullopt;
   }
-  const Vec3 to_light = sample->point - receiver;
-  LightSample light{.direction = glm::normalize(to_light),
-                    .pdf = (1.0F - environment_probability_) * sample->pdf,
+  const float distance = glm::length(sample->to_light);
+  if (!(distance > 0.0F)) {
+    return std::nullopt;
+  }
+  LightSample light{.direction = sample->to_light / distance,
+                    .pdf = local_probability_ * sample->pdf,
                     .radiance = sample->radiance,
+                    .is_delta = sample->is_delta,
                     .shadow_ray = {}};
-  light.shadow_ray.origin = receiver;
-  light.shadow_ray.direction = to_light;
+  light.shadow_ray.origin = receiver.position;
+  light.shadow_ray.direction = sample->to_light;
   light.shadow_ray.t_max = 1.0F;
   return light;
 }
 
-std::optional<LightSample> Lights::sample_environment(const Vec3& receiver, const Vec2& u) const {
-  const EnvironmentLight::Sample sample = environment_->sample(u);
-  if (!(sample.pdf > 0.0F)) {
-    return std::nullopt;
+std::optional<LightSample> Lights::sample_suns(const Receiver& receiver, const Vec2& u_choice,
+                                               const Vec2& u) const {
+  const Suns::Sample sample = suns_.sample(u_choice, u);
+  if (!sample.is_delta) {
+    const float sky_pdf = environment_ ? environment_->pdf(sample.direction) : 0.0F;
+    return sample_distant(receiver, sample.direction, sky_pdf, sample.sun);
   }
   LightSample light{.direction = sample.direction,
-                    .pdf = environment_probability_ * sample.pdf,
-                    .radiance = environment_->radiance(sample.direction),
+                    .pdf = suns_probability_ * sample.probability,
+                    .radiance = sample.irradiance,
+                    .is_delta = true,
                     .shadow_ray = {}};
-  light.shadow_ray.origin = receiver;
+  light.shadow_ray.origin = receiver.position;
   light.shadow_ray.direction = sample.direction;
   return light;
 }
 
-float Lights::triangle_pdf(const Hit& hit, float distance, float cosine) const {
-  return (1.0F - environment_probability_) * triangles_.area_pdf(hit.object) * distance * distance /
-         cosine;
+std::optional<LightSample> Lights::sample_distant(const Receiver& receiver, const Vec3& direction,
+                                                  float sky_pdf, Sun known) const {
+  LightSample light{.direction = direction,
+                    .pdf = distant_pdf(direction, sky_pdf, known),
+                    .radiance = distant_radiance(direction, known),
+                    .shadow_ray = {}};
+  if (!(light.pdf > 0.0F)) {
+    return std::nullopt;
+  }
+  light.shadow_ray.origin = receiver.position;
+  light.shadow_ray.direction = direction;
+  return light;
+}
+
+float Lights::triangle_pdf(const Receiver& receiver, const Hit& hit, float distance,
+                           float cosine) const {
+  return local_probability_ > 0.0F
+             ? local_probability_ * local_.triangle_pdf(receiver, hit, distance, cosine)
+             : 0.0F;
+}
+
+Rgb Lights::distant_radiance(const Vec3& direction, Sun known) const {
+  const Rgb sky = environment_ ? environment_->radiance(direction) : Rgb(0.0F);
+  return suns_.empty() ? sky : sky + suns_.radiance(direction, known);
+}
+
+float Lights::distant_pdf(const Vec3& direction, float sky_pdf, Sun known) const {
+  const float sky = environment_probability_ * sky_pdf;
+  return suns_.empty() ? sky : sky + suns_probability_ * suns_.pdf(direction, known);
 }
 
 Rgb Lights::environment_radiance(const Vec3& direction) const {
-  return environment_ ? environment_->radiance(direction) : Rgb(0.0F);
+  return distant_radiance(direction, {});
 }
 
 float Lights::environment_pdf(const Vec3& direction) const {
-  return environment_probability_ * environment_->pdf(direction);
+  return distant_pdf(direction, environment_ ? environment_->pdf(direction) : 0.0F, {});
 }
 
 }  // namespace foveola

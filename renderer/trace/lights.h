@@ -1,56 +1,80 @@
 // Next-event estimation's view of a scene: where light comes from, and how likely it is drawn.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "renderer/scene/scene.h"
 #include "renderer/trace/environment_light.h"
+#include "renderer/trace/local_lights.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/triangle_lights.h"
+#include "renderer/trace/receiver.h"
+#include "renderer/trace/suns.h"
 
 namespace foveola {
 
-/// Light that arrives at a point if nothing is in the way.
+/// Light that arrives at a point if nothing is in the way: f |cos| radiance / pdf estimates what is
+/// scattered. A ray may meet by chance what a sample was drawn from, so both are to be weighed by
+/// their densities; but no ray meets a delta light, and its samples count in full.
 struct LightSample {
   Vec3 direction{0.0F};  ///< unit length, towards the light
-  float pdf = 0.0F;      ///< per steradian
-  Rgb radiance{0.0F};
-  Ray shadow_ray;  ///< from the point to the light
+  float pdf = 0.0F;      ///< per steradian; without size: the probability that it was drawn
+  Rgb radiance{0.0F};    ///< without size: the irradiance that it gives head-on
+  /// A light without size, or a punctual light's sphere, which no ray sees.
+  bool is_delta = false;
+  Ray shadow_ray;  ///< from the receiver to the light
 };
 
-/// Emissive triangles and the environment. Which of the two is drawn follows their power (the
-/// environment's through the disc of the scene's bounding sphere), but each gets a quarter at
-/// least: power knows nothing of walls.
+/// Three kinds of light: the environment, the suns (directional lights), and those in the scene
+/// (emissive triangles, points, spots). Of the n kinds that a scene has, each is drawn with the
+/// probability 1 / (2 n) + its share of the power / 2, for power knows nothing of walls. The power
+/// of what is infinitely far is what falls through the disc of the scene's bounding sphere.
 class Lights {
  public:
-  /// The scene must outlive this object.
-  explicit Lights(const Scene& scene);
+  /// The scene must outlive this object. most_in_table: see LightChoice.
+  explicit Lights(const Scene& scene, std::size_t most_in_table = LightChoice::usual_most_in_table);
 
   /// Nothing shines: every radiance is zero.
-  bool empty() const { return triangles_.empty() && !environment_; }
+  bool empty() const { return empty_; }
 
-  /// Empty if the light drawn does not shine towards `receiver`. u_kind in [0, 1); u_choice, u in
-  /// the unit square. Not to be called when empty().
-  std::optional<LightSample> sample(const Vec3& receiver, float u_kind, const Vec2& u_choice,
+  /// Empty if the light drawn does not reach the receiver, or if what shines is found by rays only
+  /// (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
+  std::optional<LightSample> sample(const Receiver& receiver, float u_kind, const Vec2& u_choice,
                                     const Vec2& u) const;
 
-  /// With which density per steradian sample() would have drawn the point that a ray hit.
-  /// distance: in metres; cosine: of the angle between the ray and the surface's normal.
-  float triangle_pdf(const Hit& hit, float distance, float cosine) const;
+  /// With which density per steradian sample() would have drawn the point that a ray from the
+  /// receiver hit; 0 for surfaces that are not sampled. distance: in metres; cosine: of the angle
+  /// between the ray and the surface's normal.
+  float triangle_pdf(const Receiver& receiver, const Hit& hit, float distance, float cosine) const;
 
-  /// What arrives from infinity; black without an environment. direction: unit length.
+  /// What arrives from infinity: environment and discs of suns. direction: unit length.
   Rgb environment_radiance(const Vec3& direction) const;
   /// With which density per steradian sample() would have drawn this direction.
   float environment_pdf(const Vec3& direction) const;
 
  private:
-  std::optional<LightSample> sample_triangle(const Vec3& receiver, const Vec2& u_choice,
-                                             const Vec2& u) const;
-  std::optional<LightSample> sample_environment(const Vec3& receiver, const Vec2& u) const;
+  using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn
 
-  TriangleLights triangles_;
+  void set_probabilities(const Scene& scene);
+  Rgb distant_radiance(const Vec3& direction, Sun known) const;
+  float distant_pdf(const Vec3& direction, float sky_pdf, Sun known) const;
+
+  std::optional<LightSample> sample_local(const Receiver& receiver, const Vec2& u_choice,
+                                          const Vec2& u) const;
+  std::optional<LightSample> sample_suns(const Receiver& receiver, const Vec2& u_choice,
+                                         const Vec2& u) const;
+  /// sky_pdf: of the environment alone; it comes with a drawn direction, because asked anew, across
+  /// a cell's border, it may be off by any factor.
+  std::optional<LightSample> sample_distant(const Receiver& receiver, const Vec3& direction,
+                                            float sky_pdf, Sun known) const;
+
   std::optional<EnvironmentLight> environment_;  ///< empty where it gives no light
+  Suns suns_;
+  LocalLights local_;
+  bool empty_;
   float environment_probability_ = 0.0F;
+  float suns_probability_ = 0.0F;
+  float local_probability_ = 0.0F;
 };
 
 }  // namespace foveola

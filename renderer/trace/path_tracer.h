@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
@@ -15,6 +17,10 @@ namespace foveola {
 struct TraceSettings {
   int max_depth = 8;  ///< surface vertices with next-event estimation; 1 is direct light only
   std::uint32_t seed = 0;
+  /// Of a pixel of the film, over which textures are averaged; 0 reads them at their finest.
+  float pixel_angle_rad = 0.0F;
+  /// Each channel of a sample is cut to this. Anything but infinity makes pictures too dark.
+  float largest_radiance = std::numeric_limits<float>::infinity();
 };
 
 /// Rays traced, by kind.
@@ -25,10 +31,30 @@ struct RayCounts {
   std::uint64_t total() const { return primary + bounce + shadow; }
 };
 
+/// What a ray from the gaze meets first.
 struct Picked {
   std::uint32_t object = 0;  ///< see Scene's numbering
+  int material = 0;          ///< index into Scene::materials
   Vec3 position{0.0F};
-  float distance = 0.0F;  ///< metres
+  float distance_m = 0.0F;
+};
+
+/// One step of a path, as it arrived.
+struct PathVertex {
+  int number = 0;                       ///< counted from 1; windows passed on the way repeat it
+  std::optional<std::uint32_t> object;  ///< empty: the ray left the scene
+  Vec3 direction{0.0F};                 ///< of the ray that led here
+  float distance_m = 0.0F;
+  Vec3 position{0.0F};
+  Vec3 normal{0.0F};  ///< shading normal
+  Rgb throughput{0.0F};
+  Rgb radiance{0.0F};  ///< gathered up to here, without this vertex's shadow ray
+  float pdf = 0.0F;    ///< per steradian, of the direction; infinite for a camera's or mirror's
+};
+
+struct PathRecord {
+  std::vector<PathVertex> vertices;
+  Rgb radiance{0.0F};
 };
 
 /// A scene ready to be traced. It refers to the Scene it was built from, which must outlive it.
@@ -46,6 +72,10 @@ class PathTracer {
   /// Neighbouring jobs should have neighbouring directions.
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance,
                   const TraceSettings& settings, const Workers& workers) const;
+
+  /// One job again, with all its vertices; its radiance is that of trace(), to the bit.
+  PathRecord replay(const Vec3& viewpoint, const SampleJob& job,
+                    const TraceSettings& settings) const;
 
   /// The first surface along a ray; empty if there is none.
   std::optional<Picked> pick(const Vec3& origin, const Vec3& direction) const;

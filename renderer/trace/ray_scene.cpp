@@ -9,7 +9,9 @@
 #include <embree3/rtcore.h>
 
 #include "renderer/base/error.h"
-#include "renderer/trace/cut_out.h"
+#include "renderer/base/random.h"
+#include "renderer/trace/mesh_attributes.h"
+#include "renderer/trace/opacity.h"
 
 namespace foveola {
 namespace {
@@ -31,26 +33,50 @@ struct Release {
 template <typename Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
-/// What the filter is told of a mesh that has holes.
-struct CutOut {
+/// What the filters are told of a mesh that does not stop every ray.
+struct Sieve {
   const Scene* scene = nullptr;
   const Mesh* mesh = nullptr;
 };
 
-/// Takes back hits in holes. Embree may ask about the same hit more than once.
-void reject_holes(const RTCFilterFunctionNArguments* arguments) {
-  const auto* cut_out = static_cast<const CutOut*>(arguments->geometryUserPtr);
-  for (unsigned i = 0; i < arguments->N; ++i) {
+/// In an instance, geometries are numbered anew.
+std::uint32_t object_of(unsigned instance, unsigned geometry) {
+  return instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance;
+}
+
+/// Calls `passes(sieve, key, hit)` for each hit that Embree asks about, and takes back those that
+/// it is true for. Embree may ask about the same hit more than once, so the answer must not change.
+template <typename Passes>
+void take_back_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
+  const auto& sieve = *static_cast<const Sieve*>(arguments->geometryUserPtr);
+  const unsigned count = arguments->N;
+  for (unsigned i = 0; i < count; ++i) {
     if (arguments->valid[i] == 0) {
       continue;
     }
-    const Vec2 barycentric(RTCHitN_u(arguments->hit, arguments->N, i),
-                           RTCHitN_v(arguments->hit, arguments->N, i));
-    if (is_hole(*cut_out->scene, *cut_out->mesh, RTCHitN_primID(arguments->hit, arguments->N, i),
-                barycentric)) {
+    const Hit hit{
+        .barycentric = {RTCHitN_u(arguments->hit, count, i), RTCHitN_v(arguments->hit, count, i)},
+        .object = object_of(RTCHitN_instID(arguments->hit, count, i, 0),
+                            RTCHitN_geomID(arguments->hit, count, i)),
+        .triangle = RTCHitN_primID(arguments->hit, count, i)};
+    if (passes(sieve, RTCRayN_id(arguments->ray, count, i), hit)) {
       arguments->valid[i] = 0;
     }
   }
+}
+
+/// Every pair of a ray and a triangle has one random number that decides.
+bool passes_opacity(const Sieve& sieve, std::uint32_t key, const Hit& hit) {
+  const float opaque = opacity(*sieve.scene, *sieve.mesh, hit.triangle, hit.barycentric);
+  return opaque < 1.0F && unit_float(mix(mix(key, hit.object), hit.triangle)) >= opaque;
+}
+
+void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
+  take_back_hits(arguments, passes_opacity);
+}
+
+void filter_windows(const RTCFilterFunctionNArguments* arguments) {
+  take_back_hits(arguments, [](const Sieve&, std::uint32_t, const Hit&) { return true; });
 }
 
 void keep_first_error(void* text, RTCError, const char* message) {
@@ -64,8 +90,10 @@ void keep_first_error(void* text, RTCError, const char* message) {
 
 struct RayScene::Embree {
   std::string error;
-  std::vector<CutOut> cut_outs;
+  bool has_windows = false;
+  std::vector<std::unique_ptr<Sieve>> sieves;  ///< Embree keeps their addresses
   Owned<RTCDevice> device;
+  std::vector<Owned<RTCScene>> prototypes;  ///< null where invisible
   Owned<RTCScene> scene;
 
   void throw_if_failed() const {
@@ -75,7 +103,7 @@ struct RayScene::Embree {
     }
   }
 
-  Owned<RTCGeometry> geometry_of(const Mesh& mesh) const {
+  Owned<RTCGeometry> geometry_of(const Scene& source, const Mesh& mesh) {
     Owned<RTCGeometry> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     throw_if_failed();
     // A copy: Embree reads 16 bytes from every vertex, four beyond the end of the mesh's own array.
@@ -87,20 +115,66 @@ struct RayScene::Embree {
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                mesh.triangles.data(), 0, sizeof(mesh.triangles.front()),
                                mesh.triangles.size());
+    set_filters(geometry.get(), source, mesh);
+    rtcCommitGeometry(geometry.get());
+    throw_if_failed();
     return geometry;
   }
 
-  void add(const Scene& source, unsigned mesh_index) {
-    const Mesh& mesh = source.meshes[mesh_index];
-    const Owned<RTCGeometry> geometry = geometry_of(mesh);
-    if (has_varying_alpha(source, mesh)) {
-      cut_outs.push_back({&source, &mesh});
-      rtcSetGeometryUserData(geometry.get(), &cut_outs.back());
-      rtcSetGeometryIntersectFilterFunction(geometry.get(), reject_holes);
-      rtcSetGeometryOccludedFilterFunction(geometry.get(), reject_holes);
+  void set_filters(RTCGeometry geometry, const Scene& source, const Mesh& mesh) {
+    const bool is_sieve = has_opacity(source, mesh);
+    const bool window = is_window(material_of(source, mesh));
+    if (is_sieve || window) {
+      sieves.push_back(std::make_unique<Sieve>(Sieve{&source, &mesh}));
+      rtcSetGeometryUserData(geometry, sieves.back().get());
     }
+    if (is_sieve) {
+      rtcSetGeometryIntersectFilterFunction(geometry, filter_by_opacity);
+      rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);
+    }
+    if (window) {
+      rtcSetGeometryOccludedFilterFunction(geometry, filter_windows);
+      has_windows = true;
+    }
+  }
+
+  Owned<RTCScene> new_scene() const {
+    Owned<RTCScene> empty(rtcNewScene(device.get()));
+    throw_if_failed();
+    rtcSetSceneFlags(empty.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(empty.get(), RTC_BUILD_QUALITY_HIGH);
+    return empty;
+  }
+
+  void commit(RTCScene ready, const Workers& workers) const {
+    workers.for_each_block(1, 1, [&](std::size_t, std::size_t) { rtcCommitScene(ready); });
+    throw_if_failed();
+  }
+
+  /// One scene for each prototype that is not invisible.
+  void build_prototypes(const Scene& source, const Workers& workers) {
+    for (const Mesh& mesh : source.prototypes) {
+      prototypes.emplace_back();
+      if (!is_invisible(source, mesh)) {
+        prototypes.back() = new_scene();
+        rtcAttachGeometryByID(prototypes.back().get(), geometry_of(source, mesh).get(), 0);
+        commit(prototypes.back().get(), workers);
+      }
+    }
+  }
+
+  void attach_instance(const Instance& instance, unsigned object) const {
+    const RTCScene prototype = prototypes[instance.prototype].get();
+    if (prototype == nullptr) {
+      return;
+    }
+    const Owned<RTCGeometry> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    throw_if_failed();
+    rtcSetGeometryInstancedScene(geometry.get(), prototype);
+    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                            &instance.world_from_local);
     rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(scene.get(), geometry.get(), mesh_index);
+    rtcAttachGeometryByID(scene.get(), geometry.get(), object);
     throw_if_failed();
   }
 };
@@ -113,32 +187,30 @@ RayScene::RayScene(const Scene& scene, const Workers& workers)
     throw Error("ray tracing (Embree)", "cannot start on this machine");
   }
   rtcSetDeviceErrorFunction(embree.device.get(), keep_first_error, &embree.error);
-  embree.scene.reset(rtcNewScene(embree.device.get()));
-  embree.throw_if_failed();
-  rtcSetSceneFlags(embree.scene.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(embree.scene.get(), RTC_BUILD_QUALITY_HIGH);
-
-  embree.cut_outs.reserve(scene.meshes.size());
-  for (unsigned i = 0; i < scene.meshes.size(); ++i) {
-    if (!is_invisible(scene, scene.meshes[i])) {
-      embree.add(scene, i);
+  embree.build_prototypes(scene, workers);
+  embree.scene = embree.new_scene();
+  unsigned object = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    if (!is_invisible(scene, mesh)) {
+      rtcAttachGeometryByID(embree.scene.get(), embree.geometry_of(scene, mesh).get(), object);
     }
+    ++object;
   }
-  workers.for_each_block(1, 1,
-                         [&](std::size_t, std::size_t) { rtcCommitScene(embree.scene.get()); });
-  embree.throw_if_failed();
+  for (const Instance& instance : scene.instances) {
+    embree.attach_instance(instance, object++);
+  }
+  embree.commit(embree.scene.get(), workers);
 }
 
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-Hit RayScene::closest_hit(const Vec3& origin, const Vec3& direction) const {
+Hit RayScene::closest_hit(const Ray& ray) const {
   RTCRayHit query;
-  query.ray = {origin.x,    origin.y,    origin.z,
-               0.0F,        direction.x, direction.y,
-               direction.z, 0.0F,        std::numeric_limits<float>::infinity(),
-               ~0U,         0,           0};
+  query.ray = {ray.origin.x,    ray.origin.y,    ray.origin.z,    ray.t_min,
+               ray.direction.x, ray.direction.y, ray.direction.z, 0.0F,
+               ray.t_max,       ray.mask,        ray.key,         0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
@@ -149,9 +221,11 @@ Hit RayScene::closest_hit(const Vec3& origin, const Vec3& direction) const {
   }
   return {.t = query.ray.tfar,
           .barycentric = {query.hit.u, query.hit.v},
-          .object = query.hit.geomID,
+          .object = object_of(query.hit.instID[0], query.hit.geomID),
           .triangle = query.hit.primID};
 }
+
+bool RayScene::has_windows() const { return embree_->has_windows; }
 
 void RayScene::find_blocked(std::span<Ray> rays) const {
   RTCIntersectContext context;

@@ -21,7 +21,7 @@ struct alignas(16) Ray {
   float time = 0.0F;
   float t_max = std::numeric_limits<float>::infinity();
   std::uint32_t mask = ~0U;
-  std::uint32_t id = 0;
+  std::uint32_t key = 0;  ///< random; decides which blended surfaces the ray meets
   std::uint32_t flags = 0;
 
   bool is_blocked() const { return t_max < 0.0F; }
@@ -40,8 +40,8 @@ struct Hit {
 };
 
 /// Answers depend on the ray alone, to the bit: not on the rays that are traced with it, nor on the
-/// number of threads that built the scene. Surfaces whose alpha is below their cutoff let every ray
-/// pass. Non-finite triangles are never hit.
+/// number of threads that built the scene. A ray meets a surface with the probability of its
+/// opacity, as decided by the ray's key. Non-finite triangles are never hit.
 ///
 /// There are no coherent packets for closest hits on purpose. With Embree 3.13 they are twice as
 /// fast for neighbouring rays, but where two triangles are hit at the same distance (coplanar
@@ -55,11 +55,18 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// The first triangle on the ray from `origin`; Hit::t is in multiples of direction's length.
-  Hit closest_hit(const Vec3& origin, const Vec3& direction) const;
+  /// The first triangle on the ray; Hit::t is in multiples of direction's length.
+  Hit closest_hit(const Ray& ray) const;
+  Hit closest_hit(const Vec3& origin, const Vec3& direction) const {
+    return closest_hit(Ray{.origin = origin, .direction = direction});
+  }
 
-  /// Marks the rays that meet a triangle as blocked. Their order is of no importance.
+  /// Marks the rays that meet a triangle as blocked; windows (see opacity.h) do not block. Their
+  /// order is of no importance.
   void find_blocked(std::span<Ray> rays) const;
+
+  /// Whether there are windows, which tint the rays that find_blocked() lets pass.
+  bool has_windows() const;
 
  private:
   struct Embree;

@@ -1,81 +1,173 @@
 #include "renderer/trace/surface.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/triangle.h"
 
 namespace foveola {
 namespace {
 
-const Material& material_of(const Scene& scene, const Mesh& mesh) {
-  return scene.materials[static_cast<std::size_t>(mesh.material)];
-}
+/// Attenuation colours of zero would absorb infinitely.
+constexpr float darkest_attenuation = 1e-6F;
 
-/// The texture's value, or white where the material has none.
-Vec4 texture_value(const Scene& scene, const TextureUse& use, const Vec2& uv) {
-  return use.exists() ? scene.textures[static_cast<std::size_t>(use.texture)].sample(uv)
-                      : Vec4(1.0F);
-}
-
-Vec2 texture_coordinate(const Mesh& mesh, std::uint32_t triangle, const Vec2& barycentric) {
-  return mesh.uv_sets.empty() ? Vec2(0.0F)
-                              : interpolate(mesh.uv_sets[0], mesh.triangles[triangle], barycentric);
-}
-
-Reflectance reflectance_at(const Scene& scene, const Mesh& mesh, const Hit& hit) {
-  const Material& material = material_of(scene, mesh);
-  Reflectance reflectance{.base_color = material.base_color,
-                          .metallic = material.metallic,
-                          .roughness = material.roughness};
-  if (!material.base_color_texture.exists() && !material.metallic_roughness_texture.exists()) {
-    return reflectance;
-  }
-  const Vec2 uv = texture_coordinate(mesh, hit.triangle, hit.barycentric);
-  const Vec4 metallic_roughness = texture_value(scene, material.metallic_roughness_texture, uv);
-  reflectance.base_color *= Rgb(texture_value(scene, material.base_color_texture, uv));
+void apply_textures(const Scene& scene, const Material& material, const MeshPoint& point,
+                    Reflectance& reflectance) {
+  const auto value = [&](const TextureUse& use) { return texture_value(scene, use, point); };
+  reflectance.base_color *= Rgb(value(material.base_color_texture));
+  const Vec4 metallic_roughness = value(material.metallic_roughness_texture);
   reflectance.roughness *= metallic_roughness.g;
   reflectance.metallic *= metallic_roughness.b;
+  reflectance.specular *= value(material.specular_texture).a;
+  reflectance.specular_color *= Rgb(value(material.specular_color_texture));
+  reflectance.transmission *= value(material.transmission_texture).r;
+  reflectance.clearcoat *= value(material.clearcoat_texture).r;
+  reflectance.clearcoat_roughness *= value(material.clearcoat_roughness_texture).g;
+  reflectance.sheen_color *= Rgb(value(material.sheen_color_texture));
+  reflectance.sheen_roughness *= value(material.sheen_roughness_texture).a;
+}
+
+Reflectance reflectance_at(const Scene& scene, const Material& material, const MeshPoint& point,
+                           bool is_back) {
+  Reflectance reflectance{.base_color = material.base_color,
+                          .metallic = material.metallic,
+                          .roughness = material.roughness,
+                          .ior = material.ior,
+                          .specular = material.specular,
+                          .specular_color = material.specular_color,
+                          .transmission = material.transmission,
+                          .is_solid = material.is_solid,
+                          .from_inside = material.is_solid && is_back,
+                          .clearcoat = material.clearcoat,
+                          .clearcoat_roughness = material.clearcoat_roughness,
+                          .sheen_color = material.sheen_color,
+                          .sheen_roughness = material.sheen_roughness};
+  if (!point.mesh.uv_sets.empty()) {
+    apply_textures(scene, material, point, reflectance);
+  }
+  if (!point.mesh.colors.empty()) {
+    reflectance.base_color *= Rgb(vertex_color(point));
+  }
   return reflectance;
 }
 
-/// The interpolated normal on the side of `geometric_normal`, or that one itself where the
-/// interpolated one has no direction or is turned away from `outgoing`.
-Vec3 shading_normal_at(const Mesh& mesh, const Hit& hit, const Vec3& geometric_normal,
-                       const Vec3& outgoing) {
-  if (mesh.normals.empty()) {
-    return geometric_normal;
-  }
-  Vec3 normal = interpolate(mesh.normals, mesh.triangles[hit.triangle], hit.barycentric);
+/// `normal` at unit length, or `otherwise` if it has no direction.
+Vec3 normalized_or(const Vec3& normal, const Vec3& otherwise) {
   const float squared_length = glm::dot(normal, normal);
-  if (!(squared_length > 0.0F)) {
+  return squared_length > 0.0F ? normal / std::sqrt(squared_length) : otherwise;
+}
+
+/// How an instance turns normals: the transposed inverse, up to a positive factor.
+Mat3 world_normal_from_local(const Mat4& world_from_local) {
+  const Mat3 linear(world_from_local);
+  const float sign = std::copysign(1.0F, glm::determinant(linear));
+  return {sign * glm::cross(linear[1], linear[2]), sign * glm::cross(linear[2], linear[0]),
+          sign * glm::cross(linear[0], linear[1])};
+}
+
+/// The interpolated normal of the vertices in the world, on no particular side.
+Vec3 vertex_normal(const MeshPoint& point, const Instance* instance, const Vec3& geometric_normal) {
+  if (point.mesh.normals.empty()) {
     return geometric_normal;
   }
-  normal *= std::copysign(1.0F / std::sqrt(squared_length), glm::dot(normal, geometric_normal));
-  return glm::dot(normal, outgoing) > 0.0F ? normal : geometric_normal;
+  Vec3 normal =
+      interpolate(point.mesh.normals, point.mesh.triangles[point.triangle], point.barycentric);
+  if (instance != nullptr) {
+    normal = world_normal_from_local(instance->world_from_local) * normal;
+  }
+  return normalized_or(normal, geometric_normal);
+}
+
+/// What the normal texture makes of `normal`, the front's.
+Vec3 mapped_normal(const Scene& scene, const Material& material, const MeshPoint& point,
+                   const Instance* instance, const Vec3& normal) {
+  const Vec4 tangent_and_sign =
+      interpolate(point.mesh.tangents, point.mesh.triangles[point.triangle], point.barycentric);
+  Vec3 tangent(tangent_and_sign);
+  float sign = std::copysign(1.0F, tangent_and_sign.w);
+  if (instance != nullptr) {
+    const Mat3 linear(instance->world_from_local);
+    tangent = linear * tangent;
+    sign *= std::copysign(1.0F, glm::determinant(linear));
+  }
+  tangent -= glm::dot(tangent, normal) * normal;
+  const float length = glm::length(tangent);
+  if (!(length > 0.0F)) {
+    return normal;
+  }
+  tangent /= length;
+  const Vec3 texel = 2.0F * Vec3(texture_value(scene, material.normal_texture, point)) - 1.0F;
+  const Vec3 bitangent = sign * glm::cross(normal, tangent);
+  return normalized_or(
+      material.normal_scale * (texel.x * tangent + texel.y * bitangent) + texel.z * normal, normal);
+}
+
+/// The shading normal on the side of `geometric_normal`: the texture's, or the vertices' where that
+/// is turned away from `outgoing`, or the geometric one where that is so too.
+Vec3 shading_normal_at(const Scene& scene, const Material& material, const MeshPoint& point,
+                       const Instance* instance, const Vec3& geometric_normal,
+                       const Vec3& front_normal, const Vec3& outgoing) {
+  const Vec3 smooth = vertex_normal(point, instance, front_normal);
+  const auto on_our_side = [&](const Vec3& normal) {
+    return normal * std::copysign(1.0F, glm::dot(smooth, geometric_normal));
+  };
+  if (material.normal_texture.exists() && !point.mesh.tangents.empty()) {
+    const Vec3 mapped = on_our_side(mapped_normal(scene, material, point, instance, smooth));
+    if (glm::dot(mapped, outgoing) > 0.0F) {
+      return mapped;
+    }
+  }
+  const Vec3 shading = on_our_side(smooth);
+  return glm::dot(shading, outgoing) > 0.0F ? shading : geometric_normal;
+}
+
+/// A point off the surface by its rounding error, and back along the ray: where the ray came
+/// through there is no other surface in between, and so no light leaks in where walls meet. At
+/// grazing angles that way would be long; the rest of it goes along the normal.
+Vec3 origin_before(const Vec3& position, const Vec3& direction, const Vec3& normal, float distance,
+                   float rounding_error) {
+  constexpr float longest = 10.0F;  // in rounding errors
+  const float cosine = -glm::dot(normal, direction);
+  const float back = std::min(rounding_error * std::min(1.0F / cosine, longest), 0.5F * distance);
+  const float rest = std::max(0.0F, rounding_error - back * cosine);
+  return position - (back * direction - rest * normal);
 }
 
 }  // namespace
 
-SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction) {
+SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction,
+                           float ray_width_m) {
   const Mesh& mesh = scene.mesh_of(hit.object);
-  const Triangle triangle(mesh, hit.triangle);
+  const Material& material = material_of(scene, mesh);
+  const Triangle triangle(scene, hit.object, hit.triangle);
   const Vec3 front_normal = triangle.front_normal();
-  const Vec3 geometric_normal =
-      glm::dot(front_normal, direction) > 0.0F ? -front_normal : front_normal;
-  return {.origin = triangle.at(hit.barycentric) + triangle.rounding_error() * geometric_normal,
+  const float facing = -glm::dot(front_normal, direction);
+  const bool is_back = facing < 0.0F;
+  const Vec3 geometric_normal = is_back ? -front_normal : front_normal;
+  MeshPoint point{.mesh = mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
+  if (ray_width_m > 0.0F) {
+    // The ray's width along the surface, between its narrow and its long axis.
+    const float double_area =
+        glm::length(glm::cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0));
+    point.relative_width = ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), 0.05F));
+  }
+  const Vec3 position = triangle.at(hit.barycentric);
+  const float rounding_error = triangle.rounding_error();
+  return {.position = position,
+          .rounding_error = rounding_error,
           .geometric_normal = geometric_normal,
-          .shading_normal = shading_normal_at(mesh, hit, geometric_normal, -direction),
-          .reflectance = reflectance_at(scene, mesh, hit)};
+          .origin = origin_before(position, direction, geometric_normal, hit.t, rounding_error),
+          .shading_normal = shading_normal_at(scene, material, point, scene.instance_of(hit.object),
+                                              geometric_normal, front_normal, -direction),
+          .reflectance = reflectance_at(scene, material, point, is_back)};
 }
 
 Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,
                      const Vec2& barycentric) {
   const Material& material = material_of(scene, mesh);
-  if (!material.emissive_texture.exists()) {
-    return material.emission;
-  }
-  const Vec2 uv = texture_coordinate(mesh, triangle, barycentric);
-  return material.emission * Rgb(texture_value(scene, material.emissive_texture, uv));
+  return material.emission *
+         Rgb(texture_value(scene, material.emissive_texture, {mesh, triangle, barycentric}));
 }
 
 SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3& direction) {
@@ -84,13 +176,29 @@ SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3&
   if (!material.is_emissive()) {
     return {};
   }
-  const Vec3 front_normal = Triangle(mesh, hit.triangle).front_normal();
+  const Vec3 front_normal = Triangle(scene, hit.object, hit.triangle).front_normal();
   const float front_cosine = -glm::dot(front_normal, direction);
   if (front_cosine <= 0.0F && !material.double_sided) {
     return {};
   }
   return {.radiance = emitted_radiance(scene, mesh, hit.triangle, hit.barycentric),
           .cosine = std::abs(front_cosine)};
+}
+
+Rgb unlit_color(const Scene& scene, const Hit& hit) {
+  const Mesh& mesh = scene.mesh_of(hit.object);
+  const Material& material = material_of(scene, mesh);
+  const MeshPoint point{mesh, hit.triangle, hit.barycentric};
+  return material.base_color * Rgb(texture_value(scene, material.base_color_texture, point)) *
+         Rgb(vertex_color(point));
+}
+
+Rgb absorption_per_m(const Material& material) {
+  if (!material.is_solid || !std::isfinite(material.attenuation_distance_m)) {
+    return Rgb(0.0F);
+  }
+  return -glm::log(glm::max(material.attenuation_color, Rgb(darkest_attenuation))) /
+         material.attenuation_distance_m;
 }
 
 }  // namespace foveola

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include "renderer/trace/cut_out.h"
+#include "renderer/trace/mesh_attributes.h"
+#include "renderer/trace/opacity.h"
+#include "renderer/trace/spherical_triangle.h"
 #include "renderer/trace/surface.h"
-#include "renderer/trace/triangle.h"
 
 namespace foveola {
 namespace {
@@ -26,15 +28,28 @@ Rgb mean_colour(const Texture& texture) {
   return Rgb(sum / static_cast<double>(width * height));
 }
 
-/// The luminous exitance of a material's surface, both sides together.
-double exitance(const Scene& scene, const Material& material) {
-  Rgb radiance = material.emission;
-  if (material.emissive_texture.exists()) {
-    radiance *=
-        mean_colour(scene.textures[static_cast<std::size_t>(material.emissive_texture.texture)]);
+bool shines(const Material& material) { return material.is_emissive() || material.unlit; }
+
+/// The mean luminance that each material's surface shines with; 0 for those that are not sampled.
+std::vector<float> mean_radiance_of_materials(const Scene& scene) {
+  std::vector<std::optional<Rgb>> means(scene.textures.size());
+  std::vector<float> radiance;
+  for (const Material& material : scene.materials) {
+    if (!material.is_emissive() || material.unlit) {
+      radiance.push_back(0.0F);
+      continue;
+    }
+    Rgb mean(1.0F);
+    if (material.emissive_texture.exists()) {
+      const auto texture = static_cast<std::size_t>(material.emissive_texture.texture);
+      if (!means[texture]) {
+        means[texture] = mean_colour(scene.textures[texture]);
+      }
+      mean = *means[texture];
+    }
+    radiance.push_back(luminance(material.emission * mean));
   }
-  const int sides = material.double_sided ? 2 : 1;
-  return sides * std::numbers::pi * luminance(radiance);
+  return radiance;
 }
 
 /// Uniform barycentric coordinates (Heitz 2019, "A Low-Distortion Map Between Triangle and
@@ -43,66 +58,115 @@ Vec2 sample_barycentric(const Vec2& u) {
   return u.x < u.y ? Vec2(0.5F * u.x, u.y - 0.5F * u.x) : Vec2(u.x - 0.5F * u.y, 0.5F * u.y);
 }
 
+float density_in_area(float area, float distance, float cosine) {
+  const float pdf = distance * distance / (area * cosine);
+  return pdf < std::numeric_limits<float>::max() ? pdf : std::numeric_limits<float>::max();
+}
+
 }  // namespace
 
 TriangleLights::TriangleLights(const Scene& scene)
-    : scene_(scene), area_pdf_of_mesh_(scene.meshes.size(), 0.0F) {
-  std::vector<double> powers;
-  std::vector<double> exitance_of_mesh(scene.meshes.size(), 0.0);
-  for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
-    const Mesh& mesh = scene.meshes[m];
-    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-    if (!material.is_emissive() || is_invisible(scene, mesh)) {
+    : scene_(scene),
+      first_of_object_(scene.object_count(), nothing),
+      radiance_of_object_(scene.object_count(), 0.0F) {
+  const std::vector<float> radiance = mean_radiance_of_materials(scene);
+  for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
+    const Mesh& mesh = scene.mesh_of(object);
+    const auto material = static_cast<std::size_t>(mesh.material);
+    if (is_invisible(scene, mesh) || !shines(material_of(scene, mesh))) {
       continue;
     }
-    exitance_of_mesh[m] = exitance(scene, material);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle triangle(mesh, t);
-      const double power = triangle.area() * exitance_of_mesh[m];
-      if (power > 0.0 && std::isfinite(power)) {
-        emitters_.push_back({.triangle = triangle,
-                             .front_normal = triangle.front_normal(),
-                             .rounding_error = triangle.rounding_error(),
-                             .mesh = m,
-                             .index = t});
-        powers.push_back(power);
-        power_ += power;
-      }
+    if (radiance[material] > 0.0F && emitters_.size() + mesh.triangles.size() <= most_triangles) {
+      radiance_of_object_[object] = radiance[material];
+      add_object(object);
+    } else {
+      has_unlisted_ = true;
     }
-  }
-  if (powers.empty()) {
-    return;
-  }
-  choice_.emplace(powers);
-  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    area_pdf_of_mesh_[m] = static_cast<float>(exitance_of_mesh[m] / power_);
   }
 }
 
-std::optional<TriangleLights::Sample> TriangleLights::sample(const Vec3& receiver,
-                                                             const Vec2& u_choice,
-                                                             const Vec2& u) const {
-  const Emitter& emitter = emitters_[choice_->sample(u_choice)];
-  const Mesh& mesh = scene_.meshes[emitter.mesh];
-  const Material& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
-  const Vec2 barycentric = sample_barycentric(u);
-  if (is_hole(scene_, mesh, emitter.index, barycentric)) {
+void TriangleLights::add_object(std::uint32_t object) {
+  first_of_object_[object] = static_cast<std::uint32_t>(emitters_.size());
+  const auto count = static_cast<std::uint32_t>(scene_.mesh_of(object).triangles.size());
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const Triangle triangle(scene_, object, t);
+    emitters_.push_back({.triangle = triangle,
+                         .front_normal = triangle.front_normal(),
+                         .area = static_cast<float>(triangle.area()),
+                         .object = object,
+                         .index = t});
+  }
+}
+
+const Material& TriangleLights::material_of_object(std::uint32_t object) const {
+  return material_of(scene_, scene_.mesh_of(object));
+}
+
+double TriangleLights::power(std::size_t triangle) const {
+  const Emitter& emitter = emitters_[triangle];
+  const int sides = material_of_object(emitter.object).double_sided ? 2 : 1;
+  const double power = sides * std::numbers::pi * static_cast<double>(emitter.area) *
+                       radiance_of_object_[emitter.object];
+  return power > 0.0 && std::isfinite(power) && is_finite(emitter.front_normal) ? power : 0.0;
+}
+
+LightBounds TriangleLights::bounds(std::size_t triangle) const {
+  if (!(power(triangle) > 0.0)) {
+    return {};
+  }
+  const Emitter& emitter = emitters_[triangle];
+  const Triangle& corners = emitter.triangle;
+  return {.box = {.lower = glm::min(corners.p0, glm::min(corners.p1, corners.p2)),
+                  .upper = glm::max(corners.p0, glm::max(corners.p1, corners.p2))},
+          .axis = DVec3(emitter.front_normal),
+          .spread_rad = 0.0,
+          .falloff_rad = 0.5 * std::numbers::pi,
+          .two_sided = material_of_object(emitter.object).double_sided,
+          .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
+}
+
+std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, const Vec3& place,
+                                                       const Vec2& u) const {
+  const Emitter& emitter = emitters_[triangle];
+  const float height_over_plane = glm::dot(emitter.front_normal, place - emitter.triangle.p0);
+  if (height_over_plane == 0.0F ||
+      (height_over_plane < 0.0F && !material_of_object(emitter.object).double_sided)) {
+    return std::nullopt;
+  }
+  const SphericalTriangle seen(emitter.triangle, place);
+  const bool is_large = seen.is_large();
+  const Vec2 barycentric = is_large ? seen.sample(u) : sample_barycentric(u);
+  const Mesh& mesh = scene_.mesh_of(emitter.object);
+  const float opaque = opacity(scene_, mesh, emitter.index, barycentric);
+  if (!(opaque > 0.0F)) {
     return std::nullopt;
   }
   const Vec3 point = emitter.triangle.at(barycentric);
-
-  const Vec3 to_receiver = receiver - point;
-  const float squared_distance = glm::dot(to_receiver, to_receiver);
-  const float height = glm::dot(emitter.front_normal, to_receiver);
-  if (height == 0.0F || (height < 0.0F && !material.double_sided)) {
+  const Vec3 to_point = point - place;
+  const float distance = glm::length(to_point);
+  const float height = std::abs(glm::dot(emitter.front_normal, to_point));
+  if (!(height > 0.0F)) {
     return std::nullopt;
   }
-  const Vec3 towards_receiver =
-      std::copysign(emitter.rounding_error, height) * emitter.front_normal;
-  const float cosine = std::abs(height) / std::sqrt(squared_distance);
-  return Sample{.point = point + towards_receiver,
-                .pdf = area_pdf_of_mesh_[emitter.mesh] * squared_distance / cosine,
-                .radiance = emitted_radiance(scene_, mesh, emitter.index, barycentric)};
+  // Off the triangle on the side of the place, but never past the place.
+  const float off =
+      std::copysign(std::min(emitter.triangle.rounding_error(), 0.5F * height), height_over_plane);
+  return LocalLightSample{
+      .to_light = to_point + off * emitter.front_normal,
+      .pdf = is_large ? static_cast<float>(1.0 / seen.solid_angle())
+                      : density_in_area(emitter.area, distance, height / distance),
+      .radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric)};
+}
+
+float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distance,
+                          float cosine) const {
+  const Emitter& emitter = emitters_[triangle];
+  if (!(distance > 0.0F && cosine > 0.0F && emitter.area > 0.0F)) {
+    return 0.0F;
+  }
+  const SphericalTriangle seen(emitter.triangle, place);
+  return seen.is_large() ? static_cast<float>(1.0 / seen.solid_angle())
+                         : density_in_area(emitter.area, distance, cosine);
 }
 
 }  // namespace foveola

@@ -1,55 +1,75 @@
-// Emissive triangles as light sources, drawn by their power.
+// Emissive triangles as light sources: those of meshes and of every instance of a mesh.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "renderer/scene/scene.h"
-#include "renderer/trace/alias_table.h"
+#include "renderer/trace/light_bounds.h"
+#include "renderer/trace/local_light_sample.h"
+#include "renderer/trace/ray_scene.h"
 #include "renderer/trace/triangle.h"
 
 namespace foveola {
 
-/// Every triangle that shines is drawn with its share of the power and sampled uniformly over its
-/// area. A textured emitter counts with its texture's mean, so all triangles of one mesh have the
-/// same density per area. Triangles without area, or that are not finite, never shine.
+/// A list of triangles in world space. Points are drawn uniformly in the solid angle of a triangle
+/// where that is large, and in its area elsewhere. A textured emitter counts with its texture's
+/// mean, and what is not opaque as if it were.
+///
+/// Not in the list, though they shine: unlit materials, textures whose mean is black, and objects
+/// that would make it longer than `most_triangles`. Rays find their light, without help.
 class TriangleLights {
  public:
+  static constexpr std::size_t most_triangles = 4'000'000;
+  static constexpr std::uint32_t nothing = ~0U;
+
   /// The scene must outlive this object.
   explicit TriangleLights(const Scene& scene);
 
-  bool empty() const { return emitters_.empty(); }
+  std::size_t size() const { return emitters_.size(); }
 
-  /// The luminous power of all of them, in radiance times square metre times steradian.
-  double power() const { return power_; }
+  /// Whether something shines that is not in the list.
+  bool has_unlisted() const { return has_unlisted_; }
 
-  struct Sample {
-    Vec3 point{0.0F};  ///< just off the triangle, on the receiver's side
-    float pdf = 0.0F;  ///< per steradian at the receiver
-    Rgb radiance{0.0F};
-  };
-  /// Empty if the point drawn does not shine towards `receiver`. u_choice, u: in the unit square.
-  std::optional<Sample> sample(const Vec3& receiver, const Vec2& u_choice, const Vec2& u) const;
+  /// Luminous power in radiance times square metre times steradian; 0 for triangles without area
+  /// and for those that are not finite.
+  double power(std::size_t triangle) const;
+  LightBounds bounds(std::size_t triangle) const;
 
-  /// The density, per square metre, with which sample() draws points of a mesh's triangles.
-  float area_pdf(std::uint32_t mesh) const { return area_pdf_of_mesh_[mesh]; }
+  /// A point of the triangle; empty if it does not shine towards `place`. u: in the unit square.
+  std::optional<LocalLightSample> sample(std::size_t triangle, const Vec3& place,
+                                         const Vec2& u) const;
+
+  /// With which density per steradian at `place` sample() would have drawn a point at the given
+  /// distance in metres, seen at an angle to the triangle's normal of the given cosine.
+  float pdf(std::size_t triangle, const Vec3& place, float distance, float cosine) const;
+
+  /// The triangle that a ray hit, or `nothing` if it is not in the list.
+  std::uint32_t index_of(const Hit& hit) const {
+    const std::uint32_t first = first_of_object_[hit.object];
+    return first == nothing ? nothing : first + hit.triangle;
+  }
 
  private:
   /// What a sample needs of a triangle, in one place.
   struct Emitter {
     Triangle triangle;
     Vec3 front_normal;
-    float rounding_error;
-    std::uint32_t mesh;
+    float area;
+    std::uint32_t object;
     std::uint32_t index;  ///< of the triangle in its mesh
   };
 
+  void add_object(std::uint32_t object);
+  const Material& material_of_object(std::uint32_t object) const;
+
   const Scene& scene_;
   std::vector<Emitter> emitters_;
-  std::vector<float> area_pdf_of_mesh_;
-  std::optional<AliasTable> choice_;  ///< empty without emitters
-  double power_ = 0.0;
+  std::vector<std::uint32_t> first_of_object_;
+  std::vector<float> radiance_of_object_;  ///< mean luminance
+  bool has_unlisted_ = false;
 };
 
 }  // namespace foveola

@@ -34,7 +34,7 @@ class SceneStage {
   const SceneSource& source() const { return source_; }
   const Scene& scene() const { return scene_; }
   const PathTracer& tracer() const { return tracer_; }
-  const Vec3& viewpoint() const { return *source_.camera_position; }
+  Vec3 viewpoint() const { return scene_.from_file(*source_.camera_position); }
   const std::vector<OfferedObject>& objects() const { return objects_; }
   /// Linear radiance, as large as the film; empty before render_reference.
   const RgbImage& reference() const { return reference_; }

@@ -96,5 +96,58 @@ TEST(SampleStream, DependsOnEveryPartOfItsKey) {
   EXPECT_NE(first, SampleStream(1, 2, 4).next_1d());
 }
 
+// Whatever pixel and dimension: the scrambles keep the sequence's stratification.
+TEST(SampleStream, EveryAlignedRunOfSampleNumbersIsANet) {
+  for (const std::uint32_t start : {0U, 64U * 12345U}) {
+    std::vector<SampleStream> streams;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      streams.emplace_back(3, 4711, start + i);
+    }
+    for (int dimension = 0; dimension < 20; ++dimension) {
+      std::set<std::pair<int, int>> boxes;
+      std::set<int> intervals;
+      for (SampleStream& stream : streams) {
+        const Vec2 p = stream.next_2d();
+        boxes.insert({static_cast<int>(p.x * 8), static_cast<int>(p.y * 8)});
+        intervals.insert(static_cast<int>(stream.next_1d() * 64));
+      }
+      EXPECT_EQ(boxes.size(), 64U);
+      EXPECT_EQ(intervals.size(), 64U);
+    }
+  }
+}
+
+/// Of pairs (x, y) in an 8 x 8 grid; with 63 degrees of freedom the 99.9 % quantile is 103.4.
+double chi_squared_of_pairs(const std::vector<Vec2>& pairs) {
+  std::array<int, 64> counts{};
+  for (const Vec2& pair : pairs) {
+    ++counts[static_cast<std::size_t>(pair.x * 8) * 8 + static_cast<std::size_t>(pair.y * 8)];
+  }
+  const double expected = static_cast<double>(pairs.size()) / 64.0;
+  double sum = 0.0;
+  for (const int count : counts) {
+    sum += (count - expected) * (count - expected) / expected;
+  }
+  return sum;
+}
+
+// Dimensions are padded: what one of them draws must say nothing about another, or about the
+// neighbouring pixel.
+TEST(SampleStream, DimensionsAndPixelsAreIndependent) {
+  std::vector<Vec2> dimensions;
+  std::vector<Vec2> neighbours;
+  std::vector<Vec2> seeds;
+  for (std::uint32_t pixel = 0; pixel < 20000; ++pixel) {
+    SampleStream stream(1, pixel, 5);
+    const float first = stream.next_1d();
+    dimensions.emplace_back(first, stream.next_1d());
+    neighbours.emplace_back(first, SampleStream(1, pixel + 1, 5).next_1d());
+    seeds.emplace_back(first, SampleStream(2, pixel, 5).next_1d());
+  }
+  EXPECT_LT(chi_squared_of_pairs(dimensions), 110.0);
+  EXPECT_LT(chi_squared_of_pairs(neighbours), 110.0);
+  EXPECT_LT(chi_squared_of_pairs(seeds), 110.0);
+}
+
 }  // namespace
 }  // namespace foveola

@@ -82,6 +82,19 @@ TEST_F(LoadScene, LightsAreRectanglesThatFaceTheirNormal) {
   }
 }
 
+/// The lights of a source stand in the file's world, like its triangles.
+TEST_F(LoadScene, LightsOfFarScenesAreMovedWithThem) {
+  GlbBuilder far = one_triangle();
+  far.document["nodes"][0]["translation"] = {4096, 0, 0};
+  SceneSource lit = source();
+  lit.file = write("far.glb", far.bytes());
+  lit.lights = {{.center = {4096.5F, 2, 0.5F}, .size = {2, 6}, .normal = {0, -1, 0}}};
+  const Scene scene = load_scene(lit);
+  ASSERT_NE(scene.origin, DVec3(0.0));
+  const std::vector<Vec3>& corners = scene.meshes.at(1).positions;
+  EXPECT_EQ(scene.origin + DVec3(0.5F * (corners[0] + corners[2])), DVec3(4096.5, 2, 0.5));
+}
+
 TEST_F(LoadScene, RefusesLightsThatMakeNoSense) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(error_with({.normal = {0, 0.6F, 0.8F}}),

@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace foveola {
 namespace {
@@ -115,6 +116,122 @@ TEST(Texture, SurvivesAnyCoordinate) {
       EXPECT_LE(red, 200.001F);
     }
   }
+}
+
+Texture grey(int width, int height, const std::vector<std::uint8_t>& codes,
+             const Sampler& sampler = {}, bool with_mips = true) {
+  return {DecodedImage{.width = width, .height = height, .channels = 1, .texels = codes}, false,
+          sampler, with_mips};
+}
+
+TEST(Texture, FillsMissingChannels) {
+  const auto value = [](int channels) {
+    std::vector<std::uint8_t> texels{51, 102, 153, 204};
+    texels.resize(static_cast<std::size_t>(channels));
+    return Texture({.width = 1, .height = 1, .channels = channels, .texels = texels}, false, {})
+        .sample({0.5F, 0.5F});
+  };
+  const auto near = [](const Vec4& expected) {
+    return ::testing::Truly(
+        [expected](const Vec4& v) { return glm::length(v - expected) < 1e-6F; });
+  };
+  EXPECT_THAT(value(1), near(Vec4(0.2F, 0.2F, 0.2F, 1.0F)));
+  EXPECT_THAT(value(2), near(Vec4(0.2F, 0.2F, 0.2F, 0.4F)));
+  EXPECT_THAT(value(3), near(Vec4(0.2F, 0.4F, 0.6F, 1.0F)));
+  EXPECT_THAT(value(4), near(Vec4(0.2F, 0.4F, 0.6F, 0.8F)));
+}
+
+TEST(Texture, OnlyTheSecondOfTwoAndTheFourthOfFourAreAlpha) {
+  const auto of_channels = [](int channels) {
+    return Texture({.width = 1,
+                    .height = 1,
+                    .channels = channels,
+                    .texels = std::vector<std::uint8_t>(static_cast<std::size_t>(channels), 188)},
+                   true, {});
+  };
+  constexpr float decoded = 0.502886F;
+  constexpr float alpha = 188.0F / 255.0F;
+  for (const int channels : {1, 2, 3, 4}) {
+    const Texture texture = of_channels(channels);
+    const Vec4 value = texture.sample({0.5F, 0.5F});
+    EXPECT_NEAR(value.r, decoded, 1e-5F);
+    EXPECT_NEAR(value.b, decoded, 1e-5F);
+    EXPECT_EQ(texture.has_alpha(), channels == 2 || channels == 4);
+    EXPECT_NEAR(value.a, texture.has_alpha() ? alpha : 1.0F, 1e-6F);
+  }
+}
+
+/// A 256 x 256 image of 3 channels, and a third more of it for the levels.
+TEST(Texture, TakesTheMemoryOfItsBytes) {
+  const DecodedImage image{.width = 256,
+                           .height = 256,
+                           .channels = 3,
+                           .texels = std::vector<std::uint8_t>(3 * 256 * 256, 7)};
+  const std::size_t plain = Texture(image, true, {}, false).memory_bytes();
+  EXPECT_GE(plain, 3U * 256U * 256U);
+  EXPECT_LE(plain, 3U * 256U * 256U + 1000U);
+  const std::size_t with_levels = Texture(image, true, {}).memory_bytes();
+  EXPECT_GE(with_levels, 4U * 256U * 256U - 4U);
+  EXPECT_LE(with_levels, 4U * 256U * 256U + 1000U);
+}
+
+/// Levels of 0, 0, 120, 240: then 0, 180; then 90.
+TEST(Texture, WideFootprintsReadCoarserLevels) {
+  const Texture texture = grey(4, 1, {0, 0, 120, 240}, {.wrap_u = Wrap::clamp_to_edge});
+  const auto red = [&](float u, float width) {
+    return texture.sample({u, 0.5F}, width).r * 255.0F;
+  };
+  EXPECT_NEAR(red(0.625F, 0.25F), 120.0F, 1e-3F) << "a footprint of one texel";
+  EXPECT_NEAR(red(0.75F, 0.5F), 180.0F, 1e-3F) << "a footprint of two";
+  EXPECT_NEAR(red(0.5F, 0.5F), 90.0F, 1e-3F) << "linear within a level";
+  EXPECT_NEAR(red(0.3F, 1.0F), 90.0F, 1e-3F);
+  EXPECT_NEAR(red(0.3F, 1e30F), 90.0F, 1e-3F);
+  const float between = 0.25F * std::sqrt(2.0F);
+  EXPECT_NEAR(red(0.875F, between), 0.5F * (240.0F + 180.0F), 1e-2F) << "linear between levels";
+}
+
+TEST(Texture, WidthsThatAreNoneReadTheFinestLevel) {
+  const Texture texture = grey(4, 1, {0, 0, 120, 240});
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (const float width :
+       {0.0F, -1.0F, 1e-30F, infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_EQ(texture.sample({0.7F, 0.5F}, width), texture.sample({0.7F, 0.5F})) << width;
+  }
+}
+
+TEST(Texture, WithoutLevelsEveryFootprintReadsTheFinest) {
+  const std::vector<std::uint8_t> codes{0, 0, 120, 240};
+  for (const Texture& texture :
+       {grey(4, 1, codes, {}, false), grey(4, 1, codes, {.mip = MipFilter::none})}) {
+    EXPECT_EQ(texture.sample({0.7F, 0.5F}, 1.0F), texture.sample({0.7F, 0.5F}));
+  }
+}
+
+TEST(Texture, NearestTakesTheTexelThatHoldsThePoint) {
+  const Texture texture = grey(4, 1, {10, 50, 200, 100}, {.magnification = Filter::nearest});
+  for (const auto& [u, code] : std::vector<std::pair<float, float>>{{0.01F, 10.0F},
+                                                                    {0.24F, 10.0F},
+                                                                    {0.26F, 50.0F},
+                                                                    {0.74F, 200.0F},
+                                                                    {0.99F, 100.0F},
+                                                                    {-0.01F, 100.0F},
+                                                                    {1.01F, 10.0F}}) {
+    EXPECT_NEAR(red_at(texture, u), code, 1e-4F) << u;
+  }
+}
+
+TEST(Texture, MinificationHasFiltersOfItsOwn) {
+  const std::vector<std::uint8_t> codes{0, 0, 120, 240};
+  const auto red = [&](Filter minification, MipFilter mip, float u, float width) {
+    return grey(4, 1, codes, {.minification = minification, .mip = mip})
+               .sample({u, 0.5F}, width)
+               .r *
+           255.0F;
+  };
+  EXPECT_NEAR(red(Filter::nearest, MipFilter::nearest, 0.55F, 0.5F), 180.0F, 1e-3F);
+  EXPECT_NEAR(red(Filter::linear, MipFilter::nearest, 0.5F, 0.6F), 90.0F, 1e-3F);
+  EXPECT_NEAR(red(Filter::linear, MipFilter::nearest, 0.875F, 0.3F), 240.0F, 1e-3F);
+  EXPECT_NEAR(red(Filter::nearest, MipFilter::none, 0.55F, 0.5F), 120.0F, 1e-3F);
 }
 
 }  // namespace

@@ -178,6 +178,61 @@ TEST(EnvironmentLightTest, IrradianceOfAKnownMap) {
   EXPECT_NEAR(light.total_luminance(), pi, 1e-3);
 }
 
+TEST(EnvironmentLightTest, RotationMovesTheMapTowardsPlusX) {
+  Environment environment = uneven_map();
+  const EnvironmentLight straight(environment);
+  for (const double rotation : {0.5 * pi, 2.0, -3.0, 40.0}) {
+    Environment turned = environment;
+    turned.rotation_rad = rotation;
+    const EnvironmentLight light(turned);
+    for (const double azimuth : {-3.1, -1.0, 0.0, 0.7, 3.1}) {
+      const Vec3 here = direction_from({.azimuth_rad = azimuth, .elevation_rad = 0.4});
+      const Vec3 there = direction_from({.azimuth_rad = azimuth + rotation, .elevation_rad = 0.4});
+      EXPECT_NEAR(light.radiance(there).r, straight.radiance(here).r, 2e-4);
+    }
+  }
+  // A quarter turn brings the image's centre from -Z to +X.
+  environment = map_of(4, 2, Rgb(0.0F));
+  environment.map[1] = environment.map[2] = Rgb(1.0F);
+  environment.rotation_rad = 0.5 * pi;
+  EXPECT_GT(EnvironmentLight(environment).radiance(glm::normalize(Vec3(1, 1, 0))).r, 0.99F);
+}
+
+TEST(EnvironmentLightTest, RotatedMapIsSampledByItsDensity) {
+  constexpr int rotations = 3;
+  for (const double rotation : {0.3, pi, -2.2}) {
+    Environment environment = uneven_map();
+    environment.rotation_rad = rotation;
+    const EnvironmentLight light(environment);
+    const Histograms h = histograms_of(light, 100000);
+    EXPECT_NEAR(h.integral, 1.0, 3e-3);
+    EXPECT_GT(chi_squared_p_value(h.observed, h.expected), sidak_level(rotations));
+    Pcg32 random(7);
+    int differing = 0;
+    for (int i = 0; i < 10000; ++i) {
+      const auto sample = light.sample(unit_square(random));
+      const float pdf = light.pdf(sample.direction);
+      differing += std::abs(pdf - sample.pdf) > 1e-3F * sample.pdf ? 1 : 0;
+    }
+    EXPECT_LT(differing, 10);
+  }
+}
+
+TEST(EnvironmentLightTest, EveryNumberGivesAFiniteDirection) {
+  constexpr float largest = 1.0F - 0x1p-24F;
+  Environment environment = uneven_map();
+  environment.rotation_rad = 1.0;
+  for (const Environment& each : {environment, Environment()}) {
+    const EnvironmentLight light(each);
+    for (const Vec2& u : {Vec2(0.0F), Vec2(largest), Vec2(0.0F, largest), Vec2(largest, 0.0F)}) {
+      const auto sample = light.sample(u);
+      EXPECT_NEAR(glm::length(sample.direction), 1.0, 1e-5);
+      EXPECT_GT(sample.pdf, 0.0F);
+      EXPECT_TRUE(is_finite(light.radiance(sample.direction)));
+    }
+  }
+}
+
 TEST(EnvironmentLightTest, BrokenTexelsAreNotDrawn) {
   Environment environment = map_of(4, 4, Rgb(1.0F));
   environment.map[5] = Rgb(std::nanf(""));

@@ -189,10 +189,130 @@ TEST(PathTracerTest, PicksTheFirstSurface) {
   const auto picked = tracer.pick(Vec3(0.1F, 0.2F, 0.0F), Vec3(0, 0, -20));
   ASSERT_TRUE(picked);
   EXPECT_EQ(picked->object, 1U);
-  EXPECT_FLOAT_EQ(picked->distance, 3.0F);
+  EXPECT_FLOAT_EQ(picked->distance_m, 3.0F);
   EXPECT_NEAR(glm::length(picked->position - Vec3(0.1F, 0.2F, -3.0F)), 0.0, 1e-6);
   EXPECT_FALSE(tracer.pick(Vec3(0.0F), Vec3(0, 0, 1)));
   EXPECT_FALSE(tracer.pick(Vec3(0.0F), Vec3(0.0F)));
+}
+
+TEST(PathTracerTest, AReplayedPathIsTheOneThatWasTraced) {
+  const Scene scene = busy_scene();
+  const PathTracer tracer(scene, workers());
+  const Vec3 viewpoint(0.1F, 0.2F, 1.5F);
+  const std::vector<SampleJob> jobs = jobs_all_around(300);
+  const std::vector<Rgb> radiance = trace(tracer, viewpoint, jobs, 6);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const PathRecord record = tracer.replay(viewpoint, jobs[i], {.max_depth = 6, .seed = 1});
+    EXPECT_EQ(record.radiance, radiance[i]) << i;
+    ASSERT_FALSE(record.vertices.empty());
+    EXPECT_EQ(record.vertices.front().direction, jobs[i].direction);
+    EXPECT_LE(record.vertices.size(), 7U);
+    for (std::size_t v = 1; v < record.vertices.size(); ++v) {
+      const Vec3 step = record.vertices[v].distance_m * record.vertices[v].direction;
+      if (record.vertices[v].object) {
+        EXPECT_NEAR(
+            glm::length(record.vertices[v - 1].position + step - record.vertices[v].position), 0.0,
+            1e-4);
+      }
+    }
+  }
+}
+
+/// Spheres around the viewer, one of them mirrored, all lit by an emitting one.
+Scene scene_of_spheres(bool with_instances) {
+  Scene scene;
+  scene.materials = {dielectric(0.6F), emitter(50.0F)};
+  Mesh lamp = inward_sphere(0.3F, 2, 1);
+  for (auto& triangle : lamp.triangles) {
+    std::swap(triangle[1], triangle[2]);  // shines outwards
+  }
+  scene.prototypes = {inward_sphere(0.8F, 3, 0), lamp};
+  for (const float x : {-2.0F, 2.0F}) {
+    Mat4 world_from_local(1.0F);
+    world_from_local[0].x = x < 0.0F ? -1.0F : 1.0F;
+    world_from_local[1].y = 1.5F;
+    world_from_local[3] = Vec4(x, 0.2F, -1.0F, 1.0F);
+    scene.instances.push_back(
+        {.name = "ball", .prototype = 0, .world_from_local = world_from_local});
+    world_from_local[3] += Vec4(0.0F, 1.9F, 0.0F, 0.0F);
+    scene.instances.push_back(
+        {.name = "lamp", .prototype = 1, .world_from_local = world_from_local});
+  }
+  if (!with_instances) {
+    for (const Instance& instance : scene.instances) {
+      Mesh mesh = scene.prototypes[instance.prototype];
+      const Mat3 linear(instance.world_from_local);
+      for (Vec3& position : mesh.positions) {
+        position = Vec3(instance.world_from_local * Vec4(position, 1.0F));
+      }
+      for (Vec3& normal : mesh.normals) {
+        normal = glm::normalize(glm::inverse(glm::transpose(linear)) * normal);
+      }
+      if (glm::determinant(linear) < 0.0F) {
+        for (auto& triangle : mesh.triangles) {
+          std::swap(triangle[1], triangle[2]);
+        }
+      }
+      scene.meshes.push_back(mesh);
+    }
+    scene.prototypes.clear();
+    scene.instances.clear();
+  }
+  return scene;
+}
+
+TEST(PathTracerTest, InstancesLookLikeCopies) {
+  const std::vector<SampleJob> jobs = jobs_all_around(100000);
+  const MeanEstimate copies =
+      mean_of(trace(PathTracer(scene_of_spheres(false), workers()), Vec3(0.0F), jobs, 4));
+  const MeanEstimate instances =
+      mean_of(trace(PathTracer(scene_of_spheres(true), workers()), Vec3(0.0F), jobs, 4));
+  EXPECT_GT(copies.mean(), 0.2);
+  EXPECT_NEAR(instances.mean(), copies.mean(),
+              5.0 * std::hypot(instances.standard_error(), copies.standard_error()));
+}
+
+/// Looks at one quad before a sky of radiance 1.
+MeanEstimate seen_before_the_sky(const Material& material) {
+  Scene scene;
+  scene.materials = {material};
+  scene.meshes = {quad(Vec3(-1, -1, -3), Vec3(2, 0, 0), Vec3(0, 2, 0), 0)};
+  scene.environment = constant_environment(1.0F);
+  return mean_radiance(scene, Vec3(0.0F), Vec3(0.1F, 0.2F, -1), 4, 40000);
+}
+
+TEST(PathTracerTest, BlendedSurfacesLetTheRestOfTheLightPass) {
+  Material black = dielectric(0.0F);
+  black.specular = 0.0F;
+  black.alpha_mode = AlphaMode::blend;
+  black.alpha = 0.3F;
+  expect_mean(seen_before_the_sky(black), 0.7, 0.02);
+}
+
+TEST(PathTracerTest, UnlitSurfacesShowTheirColourWhateverShinesOnThem) {
+  Material sign = dielectric(0.25F);
+  sign.unlit = true;
+  expect_mean(seen_before_the_sky(sign), 0.25, 1e-6);
+}
+
+TEST(PathTracerTest, AnUnlitSceneWithoutLightsIsNotDark) {
+  Scene scene;
+  scene.materials = {dielectric(0.25F)};
+  scene.materials[0].unlit = true;
+  scene.meshes = {quad(Vec3(-1, -1, -3), Vec3(2, 0, 0), Vec3(0, 2, 0), 0)};
+  expect_mean(mean_radiance(scene, Vec3(0.0F), Vec3(0.1F, 0.2F, -1), 2, 100), 0.25, 1e-6);
+}
+
+TEST(PathTracerTest, ClampedSamplesAreCutChannelByChannel) {
+  Scene scene;
+  scene.environment = constant_environment(1.0F);
+  scene.environment->radiance = Rgb(1.0F, 5.0F, 3.0F);
+  scene.materials = {dielectric(0.5F)};
+  const std::vector<SampleJob> jobs = jobs_along(Vec3(1, 0, 0), 1);
+  std::vector<Rgb> radiance(1);
+  PathTracer(scene, workers())
+      .trace(Vec3(0.0F), jobs, radiance, {.largest_radiance = 3.5F}, workers());
+  EXPECT_EQ(radiance[0], Rgb(1.0F, 3.5F, 3.0F));
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #include "renderer/trace/ray_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
+#include "renderer/trace/triangle.h"
 #include "scenes.h"
 
 namespace foveola {
@@ -108,6 +111,74 @@ TEST(RaySceneTest, AlphaFactorMultipliesTheTexture) {
   scene.materials[1].alpha = 0.4F;
   const RayScene rays(scene, workers());
   EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).object, 0U);
+}
+
+TEST(RaySceneTest, BlendedSurfacesAreMetAsOftenAsTheyAreOpaque) {
+  Scene scene = one_quad();
+  scene.materials[0].alpha = 0.3F;
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  const RayScene rays(scene, workers());
+  constexpr int count = 40000;
+  int met = 0;
+  std::vector<Ray> stream;
+  for (std::uint32_t key = 0; key < count; ++key) {
+    Ray ray{.direction = Vec3(0.1F, 0.2F, -1.0F), .key = key};
+    met += rays.closest_hit(ray).missed() ? 0 : 1;
+    stream.push_back(ray);
+  }
+  rays.find_blocked(stream);
+  const auto blocked =
+      std::count_if(stream.begin(), stream.end(), [](const Ray& ray) { return ray.is_blocked(); });
+  const double five_errors = 5.0 * std::sqrt(count * 0.3 * 0.7);
+  EXPECT_NEAR(met, 0.3 * count, five_errors);
+  EXPECT_EQ(blocked, met) << "the same keys decide alike for both kinds of ray";
+}
+
+// Two sheets of 50 % must stop three quarters of the rays: their decisions are independent.
+TEST(RaySceneTest, BlendedSurfacesInLineDecideApart) {
+  Scene scene = one_quad();
+  scene.materials[0].alpha = 0.5F;
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 0));
+  const RayScene rays(scene, workers());
+  constexpr int count = 40000;
+  std::vector<Ray> stream;
+  for (std::uint32_t key = 0; key < count; ++key) {
+    stream.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = key});
+  }
+  rays.find_blocked(stream);
+  const auto blocked =
+      std::count_if(stream.begin(), stream.end(), [](const Ray& ray) { return ray.is_blocked(); });
+  EXPECT_NEAR(static_cast<double>(blocked), 0.75 * count, 5.0 * std::sqrt(count * 0.75 * 0.25));
+}
+
+TEST(RaySceneTest, WindowsAreMetButDoNotBlock) {
+  Scene scene = one_quad();
+  scene.materials[0].transmission = 1.0F;
+  scene.materials[0].roughness = 0.0F;
+  const RayScene rays(scene, workers());
+  EXPECT_TRUE(rays.has_windows());
+  EXPECT_FALSE(rays.closest_hit(Vec3(0.0F), Vec3(0.1F, 0.2F, -1.0F)).missed());
+  std::vector<Ray> stream{{.direction = Vec3(0.1F, 0.2F, -1.0F)}};
+  rays.find_blocked(stream);
+  EXPECT_FALSE(stream[0].is_blocked());
+}
+
+TEST(RaySceneTest, InstancesAreMetWhereTheyStand) {
+  Scene scene = one_quad();
+  scene.prototypes.push_back(quad(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), 0));
+  for (const float z : {-1.0F, -2.0F}) {
+    Mat4 world_from_local(0.5F);
+    world_from_local[3] = Vec4(0.0F, z, z, 1.0F);
+    scene.instances.push_back({.name = "pane", .world_from_local = world_from_local});
+  }
+  const RayScene rays(scene, workers());
+  const Hit hit = rays.closest_hit(Vec3(0.25F, -2.1F, 0.0F), Vec3(0, 0, -1));
+  EXPECT_EQ(hit.object, 2U) << "after one mesh, the second instance";
+  EXPECT_FLOAT_EQ(hit.t, 2.0F);
+  const Vec3 at = Triangle(scene, hit.object, hit.triangle).at(hit.barycentric);
+  EXPECT_NEAR(glm::length(at - Vec3(0.25F, -2.1F, -2.0F)), 0.0, 1e-6);
+  EXPECT_EQ(rays.closest_hit(Vec3(0.0F), Vec3(0, 0, -1)).object, 0U);
 }
 
 TEST(RaySceneTest, UntexturedMaterialBelowItsCutoffIsNotThere) {

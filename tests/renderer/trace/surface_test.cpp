@@ -82,5 +82,95 @@ TEST(SurfaceTest, DoubleSidedEmittersShineBothWays) {
   EXPECT_EQ(surface_emission(scene, centre, up).cosine, 1.0F);
 }
 
+TEST(SurfaceTest, VertexColoursMultiplyTheBaseColour) {
+  Scene scene = floor_scene(dielectric(0.5F));
+  scene.meshes[0].colors = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0.5F, 0, 1}, {1, 0.5F, 0, 1}};
+  const Rgb color = surface_point(scene, centre, down).reflectance.base_color;
+  EXPECT_NEAR(color.r, 0.5, 1e-6);
+  EXPECT_NEAR(color.g, 0.125, 1e-6);
+  EXPECT_EQ(color.b, 0.0F);
+}
+
+TEST(SurfaceTest, TextureTransformAndUvSetAreApplied) {
+  Material material = dielectric(1.0F);
+  material.base_color_texture = {
+      .texture = 0, .uv_set = 1, .texture_from_mesh = {0.0F, 1.0F, -1.0F, 0.0F, 1.0F, 0.0F}};
+  Scene scene = floor_scene(material);
+  // Four texels in a row; the second set of coordinates runs along them after a quarter turn.
+  const std::vector<std::uint8_t> row{0, 0, 0, 255, 85, 0, 0, 255, 170, 0, 0, 255, 255, 0, 0, 255};
+  scene.textures.emplace_back(4, 1, row, false, Wrap::clamp_to_edge, Wrap::clamp_to_edge);
+  scene.meshes[0].uv_sets.push_back({{0, 0.625F}, {0, 0.625F}, {0, 0.625F}, {0, 0.625F}});
+  // u' = 1 - v = 0.375, the middle of the second texel.
+  EXPECT_NEAR(surface_point(scene, centre, down).reflectance.base_color.r, 1.0 / 3.0, 1e-6);
+}
+
+TEST(SurfaceTest, WideRaysSeeTheMeanOfATexture) {
+  Material material = dielectric(1.0F);
+  material.base_color_texture.texture = 0;
+  Scene scene = floor_scene(material);
+  std::vector<std::uint8_t> checkers;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const auto value = static_cast<std::uint8_t>((i + i / 64) % 2 * 255);
+    checkers.insert(checkers.end(), {value, value, value, 255});
+  }
+  scene.textures.emplace_back(64, 64, checkers, false, Wrap::repeat, Wrap::repeat);
+  EXPECT_NEAR(surface_point(scene, centre, down, 2.0F).reflectance.base_color.r, 0.5, 0.01);
+}
+
+/// The floor's u runs along +x, its v along +z (towards the viewer), as its corners say.
+Scene floor_with_normal_map(const std::vector<std::uint8_t>& texel) {
+  Material material = dielectric(0.5F);
+  material.normal_texture.texture = 0;
+  Scene scene = floor_scene(material);
+  scene.textures.emplace_back(1, 1, texel, false, Wrap::repeat, Wrap::repeat);
+  scene.meshes[0].tangents.assign(4, Vec4(1, 0, 0, 1));
+  return scene;
+}
+
+// A texel of (x, y, z) = 2 c - 1 stands for x T + y B + z N with B = w (N x T) (glTF 2.0, 3.9.3).
+TEST(SurfaceTest, NormalTextureTiltsTheNormalInItsTangentFrame) {
+  const Vec3 texel = 2.0F * Vec3(204, 153, 230) / 255.0F - 1.0F;
+  const Scene scene = floor_with_normal_map({204, 153, 230, 255});
+  const Vec3 bitangent(0, 0, -1);
+  const Vec3 expected =
+      glm::normalize(texel.x * Vec3(1, 0, 0) + texel.y * bitangent + texel.z * up);
+  EXPECT_NEAR(glm::length(surface_point(scene, centre, down).shading_normal - expected), 0.0, 1e-6);
+  EXPECT_NEAR(glm::length(surface_point(scene, centre, up).shading_normal + expected), 0.0, 1e-6)
+      << "from behind, the same surface seen from the other side";
+}
+
+TEST(SurfaceTest, NormalScaleMultipliesTheTilt) {
+  Scene scene = floor_with_normal_map({204, 128, 230, 255});
+  scene.materials[0].normal_scale = 0.0F;
+  EXPECT_NEAR(glm::length(surface_point(scene, centre, down).shading_normal - up), 0.0, 1e-6);
+}
+
+TEST(SurfaceTest, AMirroredInstanceMirrorsItsNormalMap) {
+  Scene scene = floor_with_normal_map({204, 128, 230, 255});
+  const Vec3 tilted = surface_point(scene, centre, down).shading_normal;
+  scene.meshes[0].normals.assign(4, up);
+  scene.prototypes = {scene.meshes[0]};
+  scene.meshes.clear();
+  Mat4 world_from_local(1.0F);
+  world_from_local[0].x = -1.0F;
+  scene.instances = {{.name = "", .prototype = 0, .world_from_local = world_from_local}};
+  const Vec3 mirrored = surface_point(scene, centre, down).shading_normal;
+  EXPECT_NEAR(glm::length(mirrored - Vec3(-tilted.x, tilted.y, tilted.z)), 0.0, 1e-6);
+}
+
+// T = exp(-d * absorption) must be the attenuation colour at the attenuation distance.
+TEST(SurfaceTest, AbsorptionLeavesTheAttenuationColourAtItsDistance) {
+  Material material;
+  material.is_solid = true;
+  material.attenuation_color = Rgb(0.5F, 0.25F, 1.0F);
+  material.attenuation_distance_m = 2.0F;
+  const Rgb left = glm::exp(-2.0F * absorption_per_m(material));
+  EXPECT_NEAR(left.r, 0.5, 1e-6);
+  EXPECT_NEAR(left.g, 0.25, 1e-6);
+  EXPECT_NEAR(left.b, 1.0, 1e-6);
+  material.attenuation_distance_m = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(absorption_per_m(material), Rgb(0.0F));
+}
+
 }  // namespace
 }  // namespace foveola

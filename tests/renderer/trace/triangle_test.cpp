@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/trace/mesh_attributes.h"
 #include "scenes.h"
 
 namespace foveola {
@@ -23,6 +24,21 @@ TEST(TriangleTest, InterpolatesBetweenItsCorners) {
   const Mesh mesh = quad(Vec3(1, 2, 3), Vec3(4, 0, 0), Vec3(0, 0, 8), 0);
   EXPECT_EQ(Triangle(mesh, 0).at({0.5F, 0.25F}), Vec3(4, 2, 5));
   EXPECT_EQ(interpolate(mesh.uv_sets[0], mesh.triangles[0], {0.5F, 0.25F}), Vec2(0.75F, 0.25F));
+}
+
+// A mirror turns the corners' order around; the front must stay the front (glTF 2.0, 3.7.4).
+TEST(TriangleTest, FrontOfAMirroredInstanceFollowsItsSurface) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.prototypes = {quad(Vec3(0.0F), Vec3(1, 0, 0), Vec3(0, 0, -1), 0)};  // faces +y
+  Mat4 world_from_local(1.0F);
+  world_from_local[0].x = -2.0F;
+  scene.instances = {{.name = "", .prototype = 0, .world_from_local = world_from_local}};
+  EXPECT_EQ(Triangle(scene, 0, 0).front_normal(), Vec3(0, 1, 0));
+  EXPECT_NEAR(Triangle(scene, 0, 0).area(), 1.0, 1e-6);
+  scene.instances[0].world_from_local[0].x = 1.0F;
+  scene.instances[0].world_from_local[1].y = -1.0F;
+  EXPECT_EQ(Triangle(scene, 0, 0).front_normal(), Vec3(0, -1, 0));
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include "renderer/commands/bench_commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/error.h"
+#include "renderer/base/progress.h"
+#include "renderer/stability/stability.h"
+
+namespace foveola {
+namespace {
+
+struct StabilityArguments {
+  bool quick = false;
+  bool full = false;
+  bool json = false;
+  int threads = 0;
+};
+
+StabilityEffort effort_of(const StabilityArguments& arguments) {
+  if (arguments.quick) {
+    return quick_effort;
+  }
+  return arguments.full ? full_effort : thorough_effort;
+}
+
+/// The scenes that Foveola makes itself.
+std::vector<SceneSource> builtin_scenes(const SceneFinder& find_scene) {
+  std::vector<SceneSource> scenes;
+  for (const char* name : {"arcade", "meeting-room", "studio-car"}) {
+    scenes.push_back(find_scene(name));
+  }
+  return scenes;
+}
+
+nlohmann::json json_of(const StabilityFigure& figure) {
+  nlohmann::json measured = nullptr;  // JSON has no NaN
+  if (std::isfinite(figure.measured)) {
+    measured = figure.measured;
+  }
+  return {{"name", figure.name}, {"measured", measured},      {"bound", figure.bound},
+          {"unit", figure.unit}, {"passes", figure.passes()}, {"details", figure.details}};
+}
+
+void print_json(const std::vector<StabilityFigure>& figures, double duration_s, int threads) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const StabilityFigure& figure : figures) {
+    list.push_back(json_of(figure));
+  }
+  const nlohmann::json json = {{"version", build_info().version},
+                               {"threads", threads},
+                               {"seconds", duration_s},
+                               {"figures", list}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_table(const std::vector<StabilityFigure>& figures, double duration_s) {
+  std::size_t width = 0;
+  for (const StabilityFigure& figure : figures) {
+    width = std::max(width, figure.name.size());
+  }
+  fmt::print("{:<{}}  {:>12}  {:>12}  {}\n", "figure", width, "at most", "measured", "verdict");
+  for (const StabilityFigure& figure : figures) {
+    fmt::print("{:<{}}  {:>12.4g}  {:>12.4g}  {}  {}\n", figure.name, width, figure.bound,
+               figure.measured, figure.passes() ? "pass" : "FAIL", figure.unit);
+    if (!figure.passes()) {
+      fmt::print("    {}\n", figure.details);
+    }
+  }
+  fmt::print("{} figures in {}\n", figures.size(), human_duration(duration_s));
+}
+
+void run_stability(const StabilityArguments& arguments, const SceneFinder& find_scene,
+                   const std::stop_token& stop) {
+  const std::vector<SceneSource> scenes = builtin_scenes(find_scene);
+  const SteadyClock clock;
+  const Workers workers(arguments.threads);
+  const Nanoseconds start = clock.now();
+  std::vector<StabilityFigure> figures;
+  {
+    Progress progress("numerical stability");
+    figures = measure_stability(
+        effort_of(arguments), scenes, workers,
+        [&](double fraction, const std::string& test) { progress.update(fraction, test); }, stop);
+  }
+  const double duration_s = seconds(clock.now() - start);
+  if (arguments.json) {
+    print_json(figures, duration_s, workers.threads());
+  } else {
+    print_table(figures, duration_s);
+  }
+  const auto failures = std::count_if(figures.begin(), figures.end(),
+                                      [](const auto& figure) { return !figure.passes(); });
+  if (failures > 0) {
+    throw Error("bench stability",
+                fmt::format("{} of {} figures are not met", failures, figures.size()),
+                "see the table; --json has the details of all");
+  }
+}
+
+void add_stability(CLI::App& bench, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<StabilityArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "stability", "Stress tests of numerical stability: furnaces, known answers, leaks, bits");
+  CLI::Option* quick =
+      command->add_flag("--quick", arguments->quick, "Smaller, in a minute or two");
+  command->add_flag("--full", arguments->full, "Larger: 10^9 paths over the scenes, hours")
+      ->excludes(quick);
+  command->add_option("--threads", arguments->threads, "0: every core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  command->footer("Example: foveola bench stability --quick");
+  command->callback([arguments, find_scene, stop] { run_stability(*arguments, find_scene, stop); });
+}
+
+}  // namespace
+
+void add_bench_commands(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
+  CLI::App* bench = app.add_subcommand("bench", "What the renderer measures of itself");
+  bench->require_subcommand(1);
+  add_stability(*bench, find_scene, stop);
+}
+
+}  // namespace foveola

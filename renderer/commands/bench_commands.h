@@ -1,0 +1,18 @@
+// `foveola bench`: what the renderer measures of itself.
+#pragma once
+
+#include <stop_token>
+
+#include "renderer/base/scene_source.h"
+
+namespace CLI {
+class App;
+}
+
+namespace foveola {
+
+/// Adds `bench` with its commands to `app`. They print a table, or JSON, to standard output, and
+/// throw Error where a figure is not met. `stop` ends them with the figures there are.
+void add_bench_commands(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
+
+}  // namespace foveola

@@ -1,0 +1,187 @@
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/scene/confined_file.h"
+#include "renderer/scene/disarmed.h"
+#include "renderer/scene/load_scene.h"
+#include "renderer/scene/mtl_file.h"
+#include "renderer/scene/mtl_materials.h"
+#include "renderer/scene/obj_file.h"
+#include "renderer/scene/obj_meshes.h"
+#include "renderer/scene/obj_textures.h"
+#include "renderer/scene/tangents.h"
+#include "renderer/scene/text_lines.h"
+#include "renderer/scene/warnings.h"
+
+namespace foveola {
+namespace fs = std::filesystem;
+namespace {
+
+/// Names in OBJ files are plain text with either slash; confined_file takes URIs, where a percent
+/// sign begins an escape.
+std::string as_reference(std::string_view name) {
+  std::string reference;
+  for (const char c : trimmed(name)) {
+    reference += c == '\\' ? "/" : c == '%' ? "%25" : std::string(1, c);
+  }
+  return reference;
+}
+
+/// The file inside `folder` that `name` refers to. Throws Error, which begins with `where`.
+fs::path file_in(const fs::path& folder, const std::string& name, const std::string& where) {
+  try {
+    return confined_file(folder, as_reference(name));
+  } catch (const std::runtime_error& refusal) {
+    throw Error(where, refusal.what(), "put the file into the folder of the OBJ file");
+  }
+}
+
+/// What an mtllib statement names: one file, whose name may have blanks, or several files.
+std::vector<std::string> library_names(const fs::path& folder, const std::string& statement) {
+  std::vector<std::string> words;
+  for (Statement left = statement_in(statement); !left.keyword.empty();
+       left = statement_in(left.rest)) {
+    words.emplace_back(left.keyword);
+  }
+  if (words.size() > 1) {
+    try {
+      confined_file(folder, as_reference(statement));
+      return {statement};
+    } catch (const std::runtime_error&) {
+      return words;
+    }
+  }
+  return words;
+}
+
+/// A material of some library.
+struct LibraryMaterial {
+  MtlMaterial values;
+  std::string folder;  ///< of the library, as it is named from the OBJ file's: "" or "sub/folder/"
+  std::string place;   ///< for messages
+};
+using Library = std::map<std::string, LibraryMaterial, std::less<>>;
+
+Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFile& obj) {
+  Library library;
+  std::set<fs::path> done;
+  for (const std::string& statement : obj.material_libraries) {
+    for (const std::string& name : library_names(folder, statement)) {
+      const fs::path file = file_in(folder, name, path.string() + ": mtllib");
+      if (!done.insert(file).second) {
+        continue;
+      }
+      const std::string subfolder = name.substr(0, name.find_last_of("/\\") + 1);
+      for (MtlMaterial& material : read_mtl_file(file)) {
+        const std::string key = material.name;
+        library.try_emplace(
+            key, LibraryMaterial{std::move(material), subfolder,
+                                 fmt::format("{}: {}", file.filename().string(), disarmed(key))});
+      }
+    }
+  }
+  return library;
+}
+
+/// Collects the materials that are in use, each once.
+class UsedMaterials {
+ public:
+  UsedMaterials(const Library& library, const fs::path& folder, Warnings& warnings)
+      : library_(library), folder_(folder), warnings_(warnings) {}
+
+  /// The index of the material with this name.
+  std::size_t add(const std::string& name) {
+    const auto [known, is_new] = index_of_.try_emplace(name, materials_.size());
+    if (is_new) {
+      materials_.push_back(read(name));
+    }
+    return known->second;
+  }
+
+  const Material& operator[](std::size_t index) const { return materials_[index]; }
+  const ObjTextureSet& textures() const { return textures_; }
+  std::vector<Material> take_materials() && { return std::move(materials_); }
+
+ private:
+  Material read(const std::string& name) {
+    const auto found = library_.find(name);
+    if (found == library_.end()) {
+      if (!name.empty()) {
+        warnings_.add("a material that no library describes is white", disarmed(name));
+      }
+      return default_obj_material();
+    }
+    const LibraryMaterial& source = found->second;
+    const auto find_texture = [&](const std::string& texture) {
+      return file_in(folder_, source.folder + texture, source.place);
+    };
+    return material_of(source.values, find_texture, textures_, source.place, warnings_);
+  }
+
+  const Library& library_;
+  const fs::path& folder_;
+  Warnings& warnings_;
+  ObjTextureSet textures_;
+  std::map<std::string, std::size_t, std::less<>> index_of_;
+  std::vector<Material> materials_;
+};
+
+bool is_textured(const Material& material) {
+  return material.base_color_texture.exists() || material.metallic_roughness_texture.exists() ||
+         material.normal_texture.exists() || material.emissive_texture.exists() ||
+         material.specular_color_texture.exists() || material.sheen_color_texture.exists();
+}
+
+std::vector<Mesh> meshes_of(const ObjFile& obj, UsedMaterials& materials, Warnings& warnings) {
+  std::vector<Mesh> meshes;
+  for (const ObjPart& part : obj.parts) {
+    const std::size_t index = materials.add(part.material);
+    const Material& material = materials[index];
+    Mesh mesh = mesh_of(obj, part, is_textured(material), warnings);
+    if (mesh.triangles.empty()) {
+      continue;
+    }
+    mesh.material = static_cast<int>(index);
+    if (material.normal_texture.exists() && !mesh.uv_sets.empty()) {
+      add_tangents(mesh, 0, material.normal_texture.texture_from_mesh);
+    }
+    meshes.push_back(std::move(mesh));
+  }
+  return meshes;
+}
+
+}  // namespace
+
+Scene load_obj(const fs::path& path) {
+  try {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    Warnings warnings;
+    const ObjFile obj = read_obj_file(path, warnings);
+    const Library library = read_libraries(path, folder, obj);
+    UsedMaterials materials(library, folder, warnings);
+    Scene scene;
+    scene.meshes = meshes_of(obj, materials, warnings);
+    scene.textures = materials.textures().decode();
+    scene.materials = std::move(materials).take_materials();
+    if (scene.meshes.empty()) {
+      warnings.add("the scene has no triangles");
+    }
+    scene.warnings = warnings.lines();
+    scene.sha256 = obj.sha256;
+    return scene;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& exception) {
+    throw Error(path.string(), fmt::format("cannot be read as OBJ ({})", exception.what()),
+                "export it again");
+  }
+}
+
+}  // namespace foveola

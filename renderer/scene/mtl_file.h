@@ -1,0 +1,29 @@
+// Reads the material library of an OBJ file, as it is written, through tinyobjloader.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tiny_obj_loader.h>
+
+namespace foveola {
+
+struct MtlMaterial {
+  std::string name;
+  tinyobj::material_t values;
+  /// The statements that stand in the file, such as "Kd": what is left out has no value of its own
+  /// in `values`.
+  std::set<std::string, std::less<>> statements;
+
+  bool has(std::string_view statement) const { return statements.contains(statement); }
+};
+
+/// The materials of the file at `path`, in its order. Throws Error if it cannot be read or is no
+/// text.
+std::vector<MtlMaterial> read_mtl_file(const std::filesystem::path& path);
+
+}  // namespace foveola

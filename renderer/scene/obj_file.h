@@ -1,0 +1,47 @@
+// Reads a Wavefront OBJ file's geometry, as it is written, through tinyobjloader.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/base/vec.h"
+#include "renderer/scene/warnings.h"
+
+namespace foveola {
+
+/// Where a corner of a face finds its values, counted from 0; -1: it has none.
+struct ObjCorner {
+  int position = -1;
+  int uv = -1;
+  int normal = -1;
+
+  auto operator<=>(const ObjCorner&) const = default;
+};
+
+/// The faces of one object that have one material.
+struct ObjPart {
+  std::string object;               ///< the last "o", or, as long as there was none, "g"
+  std::string material;             ///< the last "usemtl"; may be empty
+  std::vector<ObjCorner> corners;   ///< of one face after the other
+  std::vector<std::size_t> begins;  ///< of each face, its first element in `corners`
+};
+
+struct ObjFile {
+  std::vector<Vec3> positions;
+  std::vector<Vec2> uvs;  ///< as in the file: v runs upwards
+  std::vector<Vec3> normals;
+  std::vector<ObjPart> parts;                   ///< in the order of their first face
+  std::vector<std::string> material_libraries;  ///< what follows each "mtllib"
+  std::string sha256;                           ///< of the file
+};
+
+/// Reads the file at `path`: faces with their indices resolved and in range. Lines, points, curves
+/// and smoothing groups are not read. Throws Error if the file cannot be read, is no text, or a
+/// face names what has not been given before it.
+ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings);
+
+}  // namespace foveola

@@ -1,0 +1,39 @@
+// Text files of one statement a line, as OBJ and MTL are.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace foveola {
+
+/// The content of a file. Throws Error if it cannot be read, is larger than `largest` bytes, or
+/// holds a zero byte, which no text does.
+std::string read_text_file(const std::filesystem::path& path, std::size_t largest);
+
+/// Blanks out the byte order mark that some editors put in front.
+void blank_byte_order_mark(std::string& text);
+
+/// Without blanks (spaces and tabs) on either side.
+std::string_view trimmed(std::string_view text);
+
+/// The first word of a line, and the rest.
+struct Statement {
+  std::string_view keyword;
+  std::string_view rest;  ///< trimmed
+};
+Statement statement_in(std::string_view line);
+
+/// Calls `use` with each line of `text`, whether it ends with \n, \r\n, \r or the text.
+template <typename Use>
+void for_each_line(std::string_view text, Use use) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    use(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+}  // namespace foveola

@@ -1,0 +1,233 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "renderer/base/random.h"
+#include "renderer/stability/checks.h"
+#include "renderer/stability/estimate.h"
+#include "renderer/stability/shapes.h"
+
+namespace foveola {
+namespace {
+
+/// So many vertices that what longer paths would bring is below 1e-5 (half is lost at each vertex
+/// of the closed furnace, 96 % or more leave a glass sphere at each vertex after the second).
+constexpr int furnace_depth = 40;
+
+/// What floats leave open in a product of a few vertices.
+constexpr double rounding = 2e-5;
+
+constexpr std::array<float, 6> roughnesses{0.001F, 0.1F, 0.3F, 0.5F, 0.8F, 1.0F};
+constexpr std::array<double, 4> cosines{1.0, 0.5, 0.1, 0.01};
+
+/// A kind of material at one roughness.
+struct Variety {
+  std::string name;
+  bool lossless = false;  ///< else it may reflect less than it gets, but never more
+  bool solid = false;     ///< makes sense on closed meshes only
+  Material (*at)(float roughness) = nullptr;
+};
+
+Material clearcoat_over(Material base, float roughness) {
+  base.clearcoat = 1.0F;
+  base.clearcoat_roughness = roughness;
+  return base;
+}
+
+const std::vector<Variety>& varieties() {
+  static const std::vector<Variety> all = {
+      {"diffuse", true, false, [](float) { return matte(Rgb(1.0F)); }},
+      {"dielectric", true, false, [](float r) { return dielectric(1.0F, r); }},
+      {"metal", true, false, [](float r) { return metal(1.0F, r); }},
+      {"half metal", false, false,
+       [](float r) {
+         Material material = dielectric(1.0F, r);
+         material.metallic = 0.5F;
+         return material;
+       }},
+      {"clearcoat on diffuse", false, false,
+       [](float r) { return clearcoat_over(matte(Rgb(1.0F)), r); }},
+      {"clearcoat on metal", false, false,
+       [](float r) { return clearcoat_over(metal(1.0F, 0.3F), r); }},
+      {"sheen on diffuse", false, false,
+       [](float r) {
+         Material material = matte(Rgb(1.0F));
+         material.sheen_color = Rgb(1.0F);
+         material.sheen_roughness = r;
+         return material;
+       }},
+      {"thin glass", true, false,
+       [](float r) {
+         Material material = glass(r);
+         material.is_solid = false;
+         return material;
+       }},
+      {"solid glass", true, true, [](float r) { return glass(r); }},
+  };
+  return all;
+}
+
+/// What a furnace of radiance 1 must show of a material.
+StabilityFigure judge(std::string name, const RadianceEstimate& estimate, bool lossless,
+                      const StabilityEffort& effort) {
+  return lossless ? deviation(std::move(name), estimate, DVec3(1.0), rounding, effort.tolerance)
+                  : excess(std::move(name), estimate, 1.0, rounding, effort.tolerance);
+}
+
+/// A plane through the origin under a sky of radiance 1.
+Scene plane_under_sky(const Material& material) {
+  Scene scene;
+  scene.materials = {material};
+  scene.meshes = {quad(Vec3(-10, 0, 10), Vec3(20, 0, 0), Vec3(0, 0, -20), 0)};
+  scene.environment = constant_environment(1.0F);
+  return scene;
+}
+
+Measurement plane_at(double cosine) {
+  const Vec3 from(static_cast<float>(-std::sqrt(1.0 - cosine * cosine)), static_cast<float>(cosine),
+                  0.0F);
+  return along(from, -from, furnace_depth, 1.0);
+}
+
+/// A ball of radius 1 around the origin, flat triangles: a smooth shading normal bends what a
+/// furnace shows near the silhouette.
+Mesh ball() { return flat_shaded(inside_out(inward_sphere(1.0F, 4, 0))); }
+
+Scene ball_under_sky(const Material& material) {
+  Scene scene;
+  scene.materials = {material};
+  scene.meshes = {ball()};
+  scene.environment = constant_environment(1.0F);
+  return scene;
+}
+
+/// The ball in a closed sphere that emits one half and reflects one half.
+Scene ball_in_enclosure(const Material& material) {
+  Scene scene;
+  scene.materials = {material, matte(Rgb(0.5F))};
+  scene.materials[1].emission = Rgb(0.5F);
+  scene.meshes = {ball(), flat_shaded(inward_sphere(4.0F, 3, 1))};
+  return scene;
+}
+
+/// Rays from (0, 0, 3) that all but fill the disc of the ball, grazing included.
+Measurement across_ball() {
+  return {.viewpoint = Vec3(0, 0, 3),
+          .direction =
+              [](const Vec2& u) {
+                const float sine = 0.33F * std::sqrt(u.x);
+                const float turn = 2.0F * std::numbers::pi_v<float> * u.y;
+                return Vec3(sine * std::cos(turn), sine * std::sin(turn),
+                            -std::sqrt(1.0F - sine * sine));
+              },
+          .max_depth = furnace_depth,
+          .expected = 1.0};
+}
+
+/// The furnace of one variety, open or closed, at all roughnesses.
+class Furnace {
+ public:
+  Furnace(const Variety& variety, const StabilityRun& run) : variety_(variety), run_(run) {}
+
+  StabilityFigure open() const {
+    std::vector<StabilityFigure> figures;
+    for (const float roughness : roughnesses) {
+      const Material material = variety_.at(roughness);
+      if (!variety_.solid) {
+        for (const double cosine : cosines) {
+          figures.push_back(
+              show(fmt::format("plane of roughness {} seen at cosine {}", roughness, cosine),
+                   plane_under_sky(material), plane_at(cosine)));
+        }
+      }
+      figures.push_back(show(fmt::format("ball of roughness {}", roughness),
+                             ball_under_sky(material), across_ball()));
+    }
+    return worst_of(title("open"), figures);
+  }
+
+  StabilityFigure closed() const {
+    std::vector<StabilityFigure> figures;
+    for (const float roughness : roughnesses) {
+      figures.push_back(show(fmt::format("ball of roughness {}", roughness),
+                             ball_in_enclosure(variety_.at(roughness)), across_ball()));
+    }
+    return worst_of(title("closed"), figures);
+  }
+
+ private:
+  std::string title(const char* kind) const {
+    return fmt::format("white furnace, {}, {}: {}", kind, variety_.name,
+                       variety_.lossless ? "off 1" : "above 1");
+  }
+
+  StabilityFigure show(std::string name, const Scene& scene, const Measurement& measurement) const {
+    const PathTracer tracer(scene, run_.workers);
+    return judge(std::move(name), measure(tracer, measurement, run_), variety_.lossless,
+                 run_.effort);
+  }
+
+  const Variety& variety_;
+  const StabilityRun& run_;
+};
+
+/// Any values that a material may have, its colours white so that nothing is lost to them.
+Material random_material(Pcg32& random) {
+  const auto uniform = [&] { return static_cast<float>(random.uniform()); };
+  // Half of the layers are absent, as they are in most scenes.
+  const auto layer = [&] { return std::max(0.0F, 2.0F * uniform() - 1.0F); };
+  Material material;
+  material.metallic = layer();
+  material.roughness = uniform();
+  material.ior = 1.0F + uniform();
+  material.specular = uniform();
+  material.transmission = layer();
+  material.is_solid = random.below(2) == 0;
+  material.clearcoat = layer();
+  material.clearcoat_roughness = uniform();
+  material.sheen_color = Rgb(layer());
+  material.sheen_roughness = uniform();
+  return material;
+}
+
+StabilityFigure any_material_above_one(const StabilityRun& run) {
+  constexpr int materials = 50;
+  Pcg32 random(3);
+  std::vector<StabilityFigure> figures;
+  for (int i = 0; i < materials && !run.stop.stop_requested(); ++i) {
+    const Material material = random_material(random);
+    const Scene scene = ball_under_sky(material);
+    const PathTracer tracer(scene, run.workers);
+    const std::string name = fmt::format(
+        "metallic {:.2f}, roughness {:.2f}, ior {:.2f}, specular {:.2f}, transmission {:.2f}{}, "
+        "clearcoat {:.2f} of roughness {:.2f}, sheen {:.2f} of roughness {:.2f}",
+        material.metallic, material.roughness, material.ior, material.specular,
+        material.transmission, material.is_solid ? " solid" : "", material.clearcoat,
+        material.clearcoat_roughness, material.sheen_color.r, material.sheen_roughness);
+    figures.push_back(
+        excess(name, measure(tracer, across_ball(), run), 1.0, rounding, run.effort.tolerance));
+  }
+  return worst_of("white furnace, open, any material: above 1", figures);
+}
+
+}  // namespace
+
+std::vector<StabilityFigure> check_white_furnaces(const StabilityRun& run) {
+  std::vector<StabilityFigure> figures;
+  const double steps = 2.0 * static_cast<double>(varieties().size()) + 1.0;
+  const auto add = [&](StabilityFigure figure) {
+    figures.push_back(std::move(figure));
+    run.progress(static_cast<double>(figures.size()) / steps);
+  };
+  for (const Variety& variety : varieties()) {
+    const Furnace furnace(variety, run);
+    add(furnace.open());
+    add(furnace.closed());
+  }
+  add(any_material_above_one(run));
+  return figures;
+}
+
+}  // namespace foveola

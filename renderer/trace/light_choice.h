@@ -1,0 +1,42 @@
+// Which of several lights a sample is drawn from.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "renderer/trace/alias_table.h"
+#include "renderer/trace/light_tree.h"
+
+namespace foveola {
+
+/// Few lights are drawn by their power, from a table; many by what they may give to the receiver,
+/// from a tree.
+class LightChoice {
+ public:
+  /// Up to so many lights are few. Measured: from here on the tree's draws, which take longer, are
+  /// worth their time.
+  static constexpr std::size_t usual_most_in_table = 32;
+
+  /// One power and one element of bounds a light; without power there is no intensity. Not all
+  /// powers are zero.
+  LightChoice(std::span<const double> powers, std::span<const LightBounds> bounds,
+              std::size_t most_in_table);
+
+  /// u: in the unit square. Empty if no light can reach the receiver.
+  std::optional<ChosenLight> sample(const Receiver& receiver, const Vec2& u) const;
+
+  /// With which probability sample() draws this light.
+  float probability(const Receiver& receiver, std::size_t light) const;
+
+ private:
+  struct Table {
+    AliasTable alias;
+    std::vector<float> probabilities;
+  };
+  std::variant<std::monostate, Table, LightTree> method_;  ///< one of the last two
+};
+
+}  // namespace foveola

@@ -1,0 +1,55 @@
+#include "renderer/trace/local_lights.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace foveola {
+
+LocalLights::LocalLights(const Scene& scene, std::size_t most_in_table)
+    : triangles_(scene), punctual_(scene) {
+  std::vector<double> powers;
+  std::vector<LightBounds> bounds;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    powers.push_back(triangles_.power(i));
+    bounds.push_back(triangles_.bounds(i));
+  }
+  for (std::size_t i = 0; i < punctual_.size(); ++i) {
+    powers.push_back(punctual_.power(i));
+    bounds.push_back(punctual_.bounds(i));
+  }
+  power_ = std::accumulate(powers.begin(), powers.end(), 0.0);
+  if (power_ > 0.0 && std::isfinite(power_)) {
+    choice_.emplace(powers, bounds, most_in_table);
+  }
+}
+
+std::optional<LocalLightSample> LocalLights::sample(const Receiver& receiver, const Vec2& u_choice,
+                                                    const Vec2& u) const {
+  const auto chosen = choice_->sample(receiver, u_choice);
+  if (!chosen) {
+    return std::nullopt;
+  }
+  auto sample = chosen->light < triangles_.size()
+                    ? triangles_.sample(chosen->light, receiver.position, u)
+                    : punctual_.sample(chosen->light - triangles_.size(), receiver.position, u);
+  if (sample) {
+    sample->pdf *= chosen->probability;
+  }
+  return sample;
+}
+
+float LocalLights::triangle_pdf(const Receiver& receiver, const Hit& hit, float distance,
+                                float cosine) const {
+  const std::uint32_t triangle = triangles_.index_of(hit);
+  if (!choice_ || triangle == TriangleLights::nothing) {
+    return 0.0F;
+  }
+  const float probability = choice_->probability(receiver, triangle);
+  return probability > 0.0F
+             ? probability * triangles_.pdf(triangle, receiver.position, distance, cosine)
+             : 0.0F;
+}
+
+}  // namespace foveola

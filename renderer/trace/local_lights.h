@@ -1,0 +1,46 @@
+// The lights that stand in the scene: emissive triangles, points and spots.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "renderer/scene/scene.h"
+#include "renderer/trace/light_choice.h"
+#include "renderer/trace/local_light_sample.h"
+#include "renderer/trace/punctual_lights.h"
+#include "renderer/trace/receiver.h"
+#include "renderer/trace/triangle_lights.h"
+
+namespace foveola {
+
+class LocalLights {
+ public:
+  /// The scene must outlive this object. most_in_table: see LightChoice.
+  LocalLights(const Scene& scene, std::size_t most_in_table);
+
+  /// There is nothing to draw.
+  bool empty() const { return !choice_; }
+
+  /// Whether something shines that is not drawn (see TriangleLights).
+  bool has_unlisted() const { return triangles_.has_unlisted(); }
+
+  /// Luminous, in radiance times square metre times steradian.
+  double power() const { return power_; }
+
+  /// Empty if the light drawn does not reach the receiver. u_choice, u: in the unit square. Not to
+  /// be called when empty().
+  std::optional<LocalLightSample> sample(const Receiver& receiver, const Vec2& u_choice,
+                                         const Vec2& u) const;
+
+  /// With which density per steradian sample() would have drawn the point that a ray from the
+  /// receiver hit; 0 for what is not sampled.
+  float triangle_pdf(const Receiver& receiver, const Hit& hit, float distance, float cosine) const;
+
+ private:
+  TriangleLights triangles_;
+  PunctualLights punctual_;  ///< numbered after the triangles
+  std::optional<LightChoice> choice_;
+  double power_ = 0.0;
+};
+
+}  // namespace foveola

@@ -1,0 +1,61 @@
+// What a mesh's vertices and its material's textures say about one of its points.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/base/vec.h"
+#include "renderer/scene/scene.h"
+
+namespace foveola {
+
+inline const Material& material_of(const Scene& scene, const Mesh& mesh) {
+  return scene.materials[static_cast<std::size_t>(mesh.material)];
+}
+
+/// The value at `barycentric` of an attribute that is given at the vertices.
+template <typename Value>
+Value interpolate(const std::vector<Value>& attribute, const std::array<std::uint32_t, 3>& triangle,
+                  const Vec2& barycentric) {
+  return (1.0F - barycentric.x - barycentric.y) * attribute[triangle[0]] +
+         barycentric.x * attribute[triangle[1]] + barycentric.y * attribute[triangle[2]];
+}
+
+struct MeshPoint {
+  const Mesh& mesh;
+  std::uint32_t triangle = 0;
+  Vec2 barycentric{0.0F};
+  /// How wide the ray is here, as a share of the triangle's size: the square root of the ratio of
+  /// the areas. 0 reads textures at their finest.
+  float relative_width = 0.0F;
+};
+
+/// White where the mesh has none.
+inline Vec4 vertex_color(const MeshPoint& point) {
+  return point.mesh.colors.empty()
+             ? Vec4(1.0F)
+             : interpolate(point.mesh.colors, point.mesh.triangles[point.triangle],
+                           point.barycentric);
+}
+
+/// White where the value has no texture or the mesh no coordinates for it.
+inline Vec4 texture_value(const Scene& scene, const TextureUse& use, const MeshPoint& point) {
+  if (!use.exists() || point.mesh.uv_sets.empty()) {
+    return Vec4(1.0F);
+  }
+  const std::vector<Vec2>& uvs = point.mesh.uv_sets[static_cast<std::size_t>(use.uv_set)];
+  const auto& triangle = point.mesh.triangles[point.triangle];
+  const Vec2 uv = use.texture_from_mesh * Vec3(interpolate(uvs, triangle, point.barycentric), 1.0F);
+  const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
+  if (!(point.relative_width > 0.0F)) {
+    return texture.sample(uv);
+  }
+  const Vec2 side1 = use.texture_from_mesh * Vec3(uvs[triangle[1]] - uvs[triangle[0]], 0.0F);
+  const Vec2 side2 = use.texture_from_mesh * Vec3(uvs[triangle[2]] - uvs[triangle[0]], 0.0F);
+  const float uv_area = std::abs(side1.x * side2.y - side1.y * side2.x);
+  return texture.sample(uv, point.relative_width * std::sqrt(uv_area));
+}
+
+}  // namespace foveola

@@ -1,0 +1,123 @@
+#include "renderer/trace/punctual_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "renderer/trace/direction_cone.h"
+
+namespace foveola {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+/// Spheres whose sine of half the angle that they fill, squared, is less count as points.
+constexpr float smallest_squared_sine = 1e-10F;
+
+/// The narrowest rim of a spot, in cosines: KHR_lights_punctual's.
+constexpr float narrowest_rim = 1e-3F;
+
+bool shines(const PunctualLight& light) {
+  const float direction = glm::dot(light.direction, light.direction);
+  return light.kind != PunctualLight::Kind::directional && is_finite(light.position) &&
+         is_finite(light.intensity) && luminance(light.intensity) > 0.0F &&
+         (light.kind == PunctualLight::Kind::point || std::abs(direction - 1.0F) < 1e-3F);
+}
+
+float rim_of(const PunctualLight& light) {
+  return std::max(narrowest_rim, std::cos(light.inner_cone_rad) - std::cos(light.outer_cone_rad));
+}
+
+/// What a spot lets through towards `direction`, of unit length; 1 for points.
+float cone_factor(const PunctualLight& light, const Vec3& direction) {
+  if (light.kind == PunctualLight::Kind::point) {
+    return 1.0F;
+  }
+  const float cosine = glm::dot(light.direction, direction);
+  const float share = (cosine - std::cos(light.outer_cone_rad)) / rim_of(light);
+  const float clamped = std::clamp(share, 0.0F, 1.0F);
+  return clamped * clamped;
+}
+
+/// Towards a light's sphere, whose centre is at distance * to_centre. intensity: towards the place.
+LocalLightSample sample_sphere(float radius, const Vec3& to_centre, float distance,
+                               const Rgb& intensity, const Vec2& u) {
+  const Rgb radiance = intensity / (pi * radius * radius);
+  const float ratio = radius / distance;
+  if (ratio < 1.0F) {
+    const DirectionCone cone = DirectionCone::with_sine_squared(to_centre, ratio * ratio);
+    const auto drawn = cone.sample(u);
+    const float half_chord = std::sqrt(std::max(0.0F, ratio * ratio - drawn.sine_squared));
+    return {.to_light = distance * (drawn.cosine - half_chord) * drawn.direction,
+            .pdf = 1.0F / cone.solid_angle(),
+            .radiance = radiance,
+            .is_delta = true};
+  }
+  const DirectionCone all_around{to_centre, 2.0F};
+  const auto drawn = all_around.sample(u);
+  const float off = distance / radius;
+  const float half_chord = std::sqrt(std::max(0.0F, 1.0F - off * off * drawn.sine_squared));
+  return {.to_light = radius * (off * drawn.cosine + half_chord) * drawn.direction,
+          .pdf = 1.0F / all_around.solid_angle(),
+          .radiance = radiance,
+          .is_delta = true};
+}
+
+}  // namespace
+
+PunctualLights::PunctualLights(const Scene& scene) {
+  std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights_), shines);
+}
+
+double PunctualLights::power(std::size_t light) const {
+  const PunctualLight& source = lights_[light];
+  const double intensity = luminance(source.intensity);
+  if (source.kind == PunctualLight::Kind::point) {
+    return 4.0 * std::numbers::pi * intensity;
+  }
+  // The square of what rises from 0 to 1 over the rim is a third of it on average.
+  const double rim = rim_of(source);
+  const double inside = 1.0 - std::cos(static_cast<double>(source.outer_cone_rad)) - rim;
+  return 2.0 * std::numbers::pi * intensity * (std::max(0.0, inside) + rim / 3.0);
+}
+
+LightBounds PunctualLights::bounds(std::size_t light) const {
+  const PunctualLight& source = lights_[light];
+  const bool is_point = source.kind == PunctualLight::Kind::point;
+  const double inner = std::min(source.inner_cone_rad, source.outer_cone_rad);
+  const Vec3 radius(source.radius_m);
+  return {.box = {.lower = source.position - radius, .upper = source.position + radius},
+          .axis = DVec3(source.direction),
+          .spread_rad = is_point ? std::numbers::pi : inner,
+          .falloff_rad = is_point ? 0.5 * std::numbers::pi : source.outer_cone_rad - inner,
+          .two_sided = false,
+          .intensity = luminance(source.intensity)};
+}
+
+std::optional<LocalLightSample> PunctualLights::sample(std::size_t light, const Vec3& place,
+                                                       const Vec2& u) const {
+  const PunctualLight& source = lights_[light];
+  const Vec3 to_centre = source.position - place;
+  const float distance = glm::length(to_centre);
+  const float radius = source.radius_m;
+  if (!(distance > 0.0F) && !(radius > 0.0F)) {
+    return std::nullopt;
+  }
+  const Vec3 direction = distance > 0.0F ? to_centre / distance : -source.direction;
+  const float factor = cone_factor(source, -direction);
+  if (!(factor > 0.0F)) {
+    return std::nullopt;
+  }
+  const Rgb intensity = factor * source.intensity;
+  const bool is_sphere = radius * radius > smallest_squared_sine * distance * distance;
+  const LocalLightSample sample =
+      is_sphere ? sample_sphere(radius, direction, distance, intensity, u)
+                : LocalLightSample{.to_light = to_centre,
+                                   .pdf = 1.0F,
+                                   .radiance = intensity / (distance * distance),
+                                   .is_delta = true};
+  return is_finite(sample.radiance) ? std::optional(sample) : std::nullopt;
+}
+
+}  // namespace foveola

@@ -1,0 +1,41 @@
+// Points and spots as light sources: without size, or as spheres that no ray sees.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+#include "renderer/trace/light_bounds.h"
+#include "renderer/trace/local_light_sample.h"
+
+namespace foveola {
+
+/// The points and spots among a scene's lights (KHR_lights_punctual). Intensity falls off with the
+/// squared distance; a spot's also by
+///   clamp((cos(angle to its direction) - cos(outer)) / max(0.001, cos(inner) - cos(outer)), 0,
+///   1)^2
+/// which is that extension's recommendation.
+///
+/// One with a radius is a sphere that shines evenly with I / (pi r^2), so that its intensity is I
+/// from afar; the factor of a spot is that of its centre. A place inside the sphere sees that
+/// radiance all around. Lights that are not finite or do not shine are left out.
+class PunctualLights {
+ public:
+  explicit PunctualLights(const Scene& scene);
+
+  std::size_t size() const { return lights_.size(); }
+
+  /// In the unit of TriangleLights::power.
+  double power(std::size_t light) const;
+  LightBounds bounds(std::size_t light) const;
+
+  /// Empty if the light does not reach `place`. A sphere's points are uniform in its solid angle.
+  /// u: in the unit square.
+  std::optional<LocalLightSample> sample(std::size_t light, const Vec3& place, const Vec2& u) const;
+
+ private:
+  std::vector<PunctualLight> lights_;
+};
+
+}  // namespace foveola

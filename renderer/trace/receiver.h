@@ -1,0 +1,14 @@
+// The place that light is gathered at, as far as drawing lights needs to know it.
+#pragma once
+
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+struct Receiver {
+  Vec3 position{0.0F};
+  Vec3 normal{0.0F, 1.0F, 0.0F};  ///< unit length; of the geometry, not of its shading
+  bool transmits = true;          ///< light may arrive from both sides, not from the normal's alone
+};
+
+}  // namespace foveola

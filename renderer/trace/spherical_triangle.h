@@ -1,0 +1,37 @@
+// A triangle as a point sees it: its solid angle, and points that are uniform in it.
+#pragma once
+
+#include "renderer/base/vec.h"
+#include "renderer/trace/triangle.h"
+
+namespace foveola {
+
+/// In double: a needle's angles are differences of nearly equal vectors.
+class SphericalTriangle {
+ public:
+  /// Seen from `viewpoint`. All that follows is finite for every finite triangle and viewpoint.
+  SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint);
+
+  /// Whether the solid angle is above 1e-3 sr. Below it points that are uniform in area are as good
+  /// and cheaper.
+  bool is_large() const;
+
+  /// In steradians, in [0, 2 pi]; 0 on the triangle's plane (Van Oosterom and Strackee 1983, "The
+  /// Solid Angle of a Plane Triangle").
+  double solid_angle() const;
+
+  /// The barycentric coordinates of a point whose direction is uniform in the solid angle (Arvo
+  /// 1995, "Stratified Sampling of Spherical Triangles"). u: in the unit square. For large ones
+  /// only.
+  Vec2 sample(const Vec2& u) const;
+
+ private:
+  Vec2 barycentric_of(const DVec3& direction) const;
+
+  DVec3 a_, b_, c_;  ///< the corners, from the viewpoint
+  DVec3 normal_;     ///< twice the area long
+  double length_a_, length_b_, length_c_;
+  double numerator_, denominator_;  ///< of the tangent of half the solid angle
+};
+
+}  // namespace foveola

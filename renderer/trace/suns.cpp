@@ -1,0 +1,94 @@
+#include "renderer/trace/suns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace foveola {
+namespace {
+
+constexpr float smallest_disc_rad = 5e-4F;
+
+bool shines(const PunctualLight& light) {
+  return light.kind == PunctualLight::Kind::directional && is_finite(light.intensity) &&
+         luminance(light.intensity) > 0.0F &&
+         std::abs(glm::dot(light.direction, light.direction) - 1.0F) < 1e-3F;
+}
+
+/// By way of half the angle, which is exact where the angle is small.
+float one_minus_cosine(float angle_rad) {
+  const float sine = std::sin(0.5F * angle_rad);
+  return 2.0F * sine * sine;
+}
+
+}  // namespace
+
+Suns::Sun::Sun(const PunctualLight& light)
+    : irradiance(light.intensity),
+      disc{-glm::normalize(light.direction),
+           one_minus_cosine(std::min(light.angular_radius_rad, 0.5F * std::numbers::pi_v<float>))},
+      is_delta(!(light.angular_radius_rad >= smallest_disc_rad)),
+      radiance(0.0F),
+      probability(0.0F) {
+  if (!is_delta) {
+    const float squared_sine = disc.one_minus_cosine * (2.0F - disc.one_minus_cosine);
+    radiance = irradiance / (std::numbers::pi_v<float> * squared_sine);
+  }
+}
+
+bool Suns::Sun::covers(const Vec3& direction) const {
+  // The squared chord between two unit vectors is twice one minus the cosine between them.
+  const Vec3 chord = direction - disc.axis;
+  return !is_delta && glm::dot(chord, chord) <= 2.0F * disc.one_minus_cosine;
+}
+
+Suns::Suns(const Scene& scene) {
+  std::vector<double> weights;
+  for (const PunctualLight& light : scene.lights) {
+    if (shines(light)) {
+      suns_.emplace_back(light);
+      weights.push_back(luminance(light.intensity));
+      irradiance_ += weights.back();
+    }
+  }
+  if (suns_.empty()) {
+    return;
+  }
+  choice_.emplace(weights);
+  for (std::size_t i = 0; i < suns_.size(); ++i) {
+    suns_[i].probability = static_cast<float>(weights[i] / irradiance_);
+  }
+}
+
+Suns::Sample Suns::sample(const Vec2& u_choice, const Vec2& u) const {
+  const std::size_t index = choice_->sample(u_choice);
+  const Sun& sun = suns_[index];
+  return {.sun = index,
+          .direction = sun.is_delta ? sun.disc.axis : sun.disc.sample(u).direction,
+          .is_delta = sun.is_delta,
+          .probability = sun.probability,
+          .irradiance = sun.irradiance};
+}
+
+Rgb Suns::radiance(const Vec3& direction, std::optional<std::size_t> known) const {
+  Rgb sum(0.0F);
+  for (std::size_t i = 0; i < suns_.size(); ++i) {
+    if (known == i || suns_[i].covers(direction)) {
+      sum += suns_[i].radiance;
+    }
+  }
+  return sum;
+}
+
+float Suns::pdf(const Vec3& direction, std::optional<std::size_t> known) const {
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < suns_.size(); ++i) {
+    const Sun& sun = suns_[i];
+    if (!sun.is_delta && (known == i || sun.covers(direction))) {
+      sum += sun.probability / sun.disc.solid_angle();
+    }
+  }
+  return sum;
+}
+
+}  // namespace foveola

@@ -1,0 +1,61 @@
+// Directional lights: from one direction exactly, or from a disc in the sky that rays see.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+#include "renderer/trace/alias_table.h"
+#include "renderer/trace/direction_cone.h"
+
+namespace foveola {
+
+/// The directional ones among a scene's lights, drawn by their irradiance E. A disc of angular
+/// radius a shines with E / (pi sin^2 a), so that a surface that faces its centre gets E. Radii
+/// above a right angle count as one, and below 5e-4 rad (a tenth of the Sun's) as none: a direction
+/// of floats cannot tell whether it is in the disc. Lights that are not finite or do not shine are
+/// left out.
+class Suns {
+ public:
+  explicit Suns(const Scene& scene);
+
+  bool empty() const { return suns_.empty(); }
+
+  /// Luminous, of a surface that faces them all.
+  double irradiance() const { return irradiance_; }
+
+  struct Sample {
+    std::size_t sun;
+    Vec3 direction;  ///< unit length, towards the light
+    bool is_delta;
+    float probability;  ///< of a delta sun: that it was drawn
+    Rgb irradiance;     ///< of a delta sun
+  };
+  /// u_choice, u: in the unit square. Not to be called when empty().
+  Sample sample(const Vec2& u_choice, const Vec2& u) const;
+
+  /// Of the discs in `direction`. known: a sun from which the direction was drawn, if any. Rounding
+  /// at its disc's rim is then of no matter.
+  Rgb radiance(const Vec3& direction, std::optional<std::size_t> known = {}) const;
+  /// With which density per steradian sample() draws a direction in these discs.
+  float pdf(const Vec3& direction, std::optional<std::size_t> known = {}) const;
+
+ private:
+  struct Sun {
+    Rgb irradiance;
+    DirectionCone disc;
+    bool is_delta;
+    Rgb radiance;       ///< black for a delta sun
+    float probability;  ///< of being drawn
+
+    explicit Sun(const PunctualLight& light);
+    bool covers(const Vec3& direction) const;
+  };
+
+  std::vector<Sun> suns_;
+  std::optional<AliasTable> choice_;
+  double irradiance_ = 0.0;
+};
+
+}  // namespace foveola

@@ -1,0 +1,301 @@
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/random.h"
+#include "renderer/scene/load_scene.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+class LoadObj : public InTemporaryFolder {
+ protected:
+  Scene load(const std::string& obj) const { return load_obj(write("scene.obj", obj)); }
+
+  std::string error_of(const std::string& obj) const {
+    try {
+      load(obj);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(LoadObj, ReadsATriangle) {
+  const std::string text = corners + "f 1 2 3\n";
+  const Scene scene = load(text);
+  ASSERT_EQ(scene.meshes.size(), 1U);
+  EXPECT_THAT(scene.meshes[0].positions, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+  EXPECT_THAT(scene.meshes[0].triangles, ElementsAre(std::array{0U, 1U, 2U}));
+  EXPECT_THAT(scene.meshes[0].normals, IsEmpty());
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  EXPECT_EQ(scene.sha256, sha256(text));
+  ASSERT_EQ(scene.materials.size(), 1U);
+  EXPECT_EQ(scene.materials[0].base_color, Rgb(1.0F));
+  EXPECT_EQ(scene.materials[0].specular, 0.0F);
+  EXPECT_TRUE(scene.materials[0].double_sided);
+}
+
+TEST_F(LoadObj, NegativeIndicesCountBackwards) {
+  const Scene scene = load(corners + "f -3 -2 -1\nv 5 5 5\nf -2 -3 -1\n");
+  ASSERT_EQ(scene.meshes.size(), 1U);
+  EXPECT_THAT(scene.meshes[0].positions,
+              ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(5, 5, 5)));
+  EXPECT_THAT(scene.meshes[0].triangles,
+              ElementsAre(std::array{0U, 1U, 2U}, std::array{2U, 1U, 3U}));
+}
+
+TEST_F(LoadObj, PolygonsAreCutIntoTriangles) {
+  const Scene scene = load("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 4 5\n");
+  ASSERT_EQ(scene.triangle_count(), 3U);
+  double area = 0.0;
+  const Mesh& mesh = scene.meshes[0];
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]];
+    area += 0.5 * glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a).z;
+  }
+  EXPECT_NEAR(area, 4.0 - 0.5 * 2.0 * 1.5, 1e-6);
+}
+
+/// Of a cube with smooth normals: one vertex for each position and normal that go together.
+TEST_F(LoadObj, VerticesAreSharedWhereAllTheirValuesAre) {
+  const Scene scene = load(square + "v 2 0 0\nv 2 1 0\nvn 0 0 1\nvn 0 0.6 0.8\n" +
+                           "f 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//2\n");
+  ASSERT_EQ(scene.meshes.size(), 1U);
+  const Mesh& mesh = scene.meshes[0];
+  EXPECT_EQ(mesh.positions.size(), 7U) << "six, and one more for the second normal at the third";
+  ASSERT_EQ(mesh.normals.size(), 7U);
+  EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
+  EXPECT_EQ(mesh.normals.back(), Vec3(0, 0.6F, 0.8F));
+}
+
+TEST_F(LoadObj, FacesWithoutNormalsAmongOthersAreFlat) {
+  const Scene scene = load(corners + "v 0 0 -1\nvn 0 0.6 0.8\nf 1//1 2//1 3//1\nf 1 4 2\n");
+  const Mesh& mesh = scene.meshes.at(0);
+  EXPECT_THAT(mesh.normals,
+              ElementsAre(Vec3(0, 0.6F, 0.8F), Vec3(0, 0.6F, 0.8F), Vec3(0, 0.6F, 0.8F),
+                          Vec3(0, -1, 0), Vec3(0, -1, 0), Vec3(0, -1, 0)));
+}
+
+TEST_F(LoadObj, UselessNormalsAreReplaced) {
+  const Scene scene = load(corners + "vn 0 0 0\nf 1//1 2//1 3//1\n");
+  EXPECT_THAT(scene.meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
+}
+
+TEST_F(LoadObj, AMeshIsAnObjectInAMaterial) {
+  const Scene scene =
+      load(square + "o chair\ng seat\nf 1 2 3\nusemtl a\nf 1 3 4\no table\nf 1 2 4\nusemtl b\n" +
+           "f 2 3 4\no chair\nusemtl a\nf 2 3 4\n");
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const Mesh& mesh : scene.meshes) {
+    names.emplace_back(mesh.name, scene.materials[static_cast<std::size_t>(mesh.material)].name);
+  }
+  ASSERT_EQ(scene.meshes.size(), 4U);
+  EXPECT_EQ(scene.meshes[0].name, "chair");
+  EXPECT_EQ(scene.meshes[1].name, "chair");
+  EXPECT_EQ(scene.meshes[1].triangles.size(), 2U) << "the same object, taken up again";
+  EXPECT_EQ(scene.meshes[2].name, "table");
+  EXPECT_EQ(scene.meshes[1].material, scene.meshes[2].material);
+  EXPECT_NE(scene.meshes[2].material, scene.meshes[3].material);
+}
+
+TEST_F(LoadObj, GroupsNameWhatNoObjectDoes) {
+  const Scene scene = load(square + "g left wall\nf 1 2 3\ng right\nf 1 3 4\n");
+  ASSERT_EQ(scene.meshes.size(), 2U);
+  EXPECT_EQ(scene.meshes[0].name, "left");
+  EXPECT_EQ(scene.meshes[1].name, "right");
+}
+
+TEST_F(LoadObj, DropsWhatCannotBeSeen) {
+  const Scene scene = load(corners + "v nan 0 0\nv 1e39 0 0\nv 2 0 0\nf 1 2 3\nf 1 2 2\nf 1 2 6\n" +
+                           "f 1 2 5\nf 1 2\n");
+  EXPECT_EQ(scene.triangle_count(), 1U);
+  EXPECT_EQ(scene.meshes.at(0).positions.size(), 3U);
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("faces of less than three corners are not shown (face 5)"),
+                          HasSubstr("not finite are dropped (3 times")));
+}
+
+TEST_F(LoadObj, EndsOfLinesAndContinuedLines) {
+  for (const std::string& text :
+       {std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3"),
+        std::string("\xEF\xBB\xBFv 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"),
+        std::string("# text\n\nv 0 \\\n0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\r\n 2 \\\n 3 \\\n")}) {
+    EXPECT_EQ(load(text).triangle_count(), 1U) << text;
+  }
+}
+
+TEST_F(LoadObj, AnEmptySceneLoadsAndSaysSo) {
+  EXPECT_THAT(load("").warnings, ElementsAre("the scene has no triangles"));
+  EXPECT_THAT(load("v 1 2 3\nl 1 1\np 1\n").warnings, ElementsAre("the scene has no triangles"));
+}
+
+TEST_F(LoadObj, RefusesIndicesOutOfRange) {
+  const std::string where = (folder() / "scene.obj").string() + ": face 2: ";
+  EXPECT_EQ(error_of(corners + "f 1 2 3\nf 1 2 4\n"),
+            where + "names vertex 4, but 3 come before it; export it again");
+  EXPECT_THAT(error_of(corners + "f 1 2 3\nf 1 2 -4\n"), HasSubstr("names vertex -4"));
+  EXPECT_THAT(error_of(corners + "f 1 2 3\nf 0 1 2\n"), HasSubstr("names vertex 0"));
+  EXPECT_THAT(error_of(corners + "f 1 2 3\nf x y z\n"), HasSubstr("names vertex 0"));
+  EXPECT_THAT(error_of(corners + "vt 0 0\nf 1/2 2/1 3/1\n"),
+              HasSubstr("names texture coordinate 2, but 1"));
+  EXPECT_THAT(error_of(corners + "f 1//1 2//1 3//1\n"), HasSubstr("names normal 1, but 0"));
+}
+
+TEST_F(LoadObj, RefusesWhatIsNoText) {
+  EXPECT_THAT(error_of(std::string("v 0 0\0 0", 8)), HasSubstr("is not a text file"));
+  EXPECT_THROW(load_obj(folder() / "gone.obj"), Error);
+  EXPECT_THROW(load_obj(folder()), Error);
+}
+
+const std::string textured = "vt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n";
+
+TEST_F(LoadObj, FindsLibrariesAndTextures) {
+  write("my library.mtl", "newmtl m\nmap_Kd textures\\100% red.png\n");
+  write("textures/100% red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  const Scene scene = load("mtllib my library.mtl\n" + corners + textured);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  ASSERT_EQ(scene.textures.size(), 1U);
+  EXPECT_EQ(scene.textures[0].sample({0.5F, 0.5F}), Vec4(1, 0, 0, 1));
+  EXPECT_EQ(scene.materials.at(0).base_color, Rgb(1.0F));
+}
+
+TEST_F(LoadObj, TexturesAreNamedFromTheirLibrarysFolder) {
+  write("materials/m.mtl", "newmtl m\nKd 1 1 1\nmap_Kd red.png\n");
+  write("other.mtl", "newmtl o\nKd 1 0 0\n");
+  write("materials/red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  const Scene scene = load("mtllib other.mtl materials\\m.mtl\n" + corners + textured);
+  EXPECT_EQ(scene.textures.size(), 1U);
+  EXPECT_EQ(scene.materials.size(), 1U) << "only what is used";
+}
+
+/// OBJ's v runs upwards: v = 1 is the image's first row.
+TEST_F(LoadObj, TextureCoordinatesRunUpwards) {
+  write("m.mtl", "newmtl m\nmap_Kd -s 2 4 1 -o 0.5 0.125 0 two.png\n");
+  write("two.png", png(1, 2, 1, std::vector<std::uint8_t>{255, 0}));
+  const Scene scene = load("mtllib m.mtl\n" + corners + textured);
+  EXPECT_THAT(scene.meshes.at(0).uv_sets,
+              ElementsAre(ElementsAre(Vec2(0, 1), Vec2(1, 1), Vec2(0, 0))));
+  const TextureUse& use = scene.materials.at(0).base_color_texture;
+  // The corner (u, v) = (1, 1) of OBJ lies at (2 + 0.5, 4 + 0.125) of the texture, v upwards.
+  EXPECT_EQ(use.texture_from_mesh * Vec3(1, 0, 1), Vec2(2.5F, 1.0F - 4.125F));
+  EXPECT_EQ(use.texture_from_mesh * Vec3(0, 1, 1), Vec2(0.5F, 1.0F - 0.125F));
+}
+
+TEST_F(LoadObj, UntexturedSurfacesKeepNoCoordinates) {
+  EXPECT_THAT(load(corners + textured).meshes.at(0).uv_sets, IsEmpty());
+}
+
+TEST_F(LoadObj, NormalTexturesBringTangents) {
+  write("m.mtl", "newmtl m\nKd 1 1 1\nnorm n.png\n");
+  write("n.png", png(1, 1, 3, std::vector<std::uint8_t>{128, 128, 255}));
+  const Scene scene = load("mtllib m.mtl\n" + corners + textured);
+  const Mesh& mesh = scene.meshes.at(0);
+  ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
+  EXPECT_NEAR(mesh.tangents[0].x, 1.0F, 1e-6F) << "u grows along +X";
+}
+
+TEST_F(LoadObj, WarnsOfUnknownMaterials) {
+  EXPECT_THAT(load(corners + "usemtl gone\nf 1 2 3\n").warnings,
+              ElementsAre("a material that no library describes is white (gone)"));
+}
+
+TEST_F(LoadObj, RefusesFilesOutsideItsFolder) {
+  const TemporaryFolder outside;
+  outside.write("secret.mtl", "newmtl m\nKd 1 0 0\n");
+  std::filesystem::create_symlink(outside / "secret.mtl", folder() / "link.mtl");
+  const auto error = [&](const std::string& library) {
+    return error_of("mtllib " + library + "\n" + corners + "usemtl m\nf 1 2 3\n");
+  };
+  EXPECT_THAT(error((outside / "secret.mtl").string()), HasSubstr("absolute path"));
+  EXPECT_THAT(error("../secret.mtl"), HasSubstr("leads out of the scene's folder"));
+  EXPECT_THAT(error("..\\secret.mtl"), HasSubstr("leads out of the scene's folder"));
+  EXPECT_THAT(error("C:\\secret.mtl"), HasSubstr("not a relative path"));
+  EXPECT_THAT(error("http://example.org/secret.mtl"), HasSubstr("not a relative path"));
+  EXPECT_THAT(error("link.mtl"), HasSubstr("symbolic link"));
+  EXPECT_THAT(error("gone.mtl"), HasSubstr("scene.obj: mtllib: refers to \"gone.mtl\""));
+}
+
+TEST_F(LoadObj, RefusesTexturesOutsideItsFolder) {
+  const TemporaryFolder outside;
+  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0});
+  outside.write("secret.png", image);
+  write("secret.png", image);
+  std::filesystem::create_symlink(outside / "secret.png", folder() / "link.png");
+  for (const std::string& library : {std::string("m.mtl"), std::string("sub/m.mtl")}) {
+    for (const std::string& name :
+         {(outside / "secret.png").string(), std::string("../secret.png"),
+          std::string("..\\secret.png"), std::string("link.png"), std::string("file:secret.png")}) {
+      write(library, "newmtl m\nmap_Kd " + name + "\n");
+      EXPECT_THAT(error_of("mtllib " + library + "\n" + corners + textured),
+                  HasSubstr("m.mtl: m: refers to"))
+          << library << " " << name;
+    }
+  }
+}
+
+TEST_F(LoadObj, RefusesImagesThatAreNone) {
+  write("m.mtl", "newmtl m\nmap_Kd red.tga\n");
+  write("red.tga", "this is no image");
+  EXPECT_THAT(error_of("mtllib m.mtl\n" + corners + textured),
+              HasSubstr("red.tga: is neither a PNG nor a JPEG image; convert it to PNG or JPEG"));
+}
+
+/// Either a scene whose every index is in range, or an Error.
+void expect_scene_or_error(const std::filesystem::path& path, const std::string& text) {
+  try {
+    const Scene scene = load_obj(path);
+    for (const Mesh& mesh : scene.meshes) {
+      ASSERT_LT(static_cast<std::size_t>(mesh.material), scene.materials.size()) << text;
+      ASSERT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size()) << text;
+      for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+          ASSERT_LT(vertex, mesh.positions.size()) << text;
+          ASSERT_TRUE(is_finite(mesh.positions[vertex])) << text;
+        }
+      }
+    }
+  } catch (const Error&) {
+  } catch (const std::exception& other) {
+    ADD_FAILURE() << text << ": " << other.what();
+  }
+}
+
+TEST_F(LoadObj, SurvivesOtherBytes) {
+  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  const std::string mtl =
+      "newmtl m\nKd 1 .5 0\nKs 1 1 1\nNs 9e1\nillum 2\nmap_Kd -clamp on red.png\n"
+      "map_d red.png\nnewmtl n\nPr 0.5\nmap_Pr red.png\nnorm -bm 2 red.png\n";
+  const std::string obj = "mtllib m.mtl\no a\n" + square + "vn 0 0 1\n" + textured +
+                          "g b\nusemtl n\nf -4/1/1 -3/2/1 -2/3/1 -1/-1/-1\nf 1 2 3 4 1 2 3 4\n";
+  const std::string alphabet = "0123456789-+.e/\\ \n\t\r\"#vfnotmKu\xFF";
+  Pcg32 random(3);
+  for (int i = 0; i < 2000; ++i) {
+    std::string spoilt_mtl = mtl;
+    std::string spoilt_obj = obj;
+    for (int k = 0; k < 3; ++k) {
+      std::string& text = random.below(3) == 0 ? spoilt_mtl : spoilt_obj;
+      text[random.below(static_cast<std::uint32_t>(text.size()))] =
+          alphabet[random.below(static_cast<std::uint32_t>(alphabet.size()))];
+    }
+    write("m.mtl", spoilt_mtl);
+    expect_scene_or_error(write("spoilt.obj", spoilt_obj), spoilt_obj + spoilt_mtl);
+  }
+}
+
+}  // namespace
+}  // namespace foveola::test

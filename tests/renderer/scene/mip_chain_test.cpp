@@ -1,0 +1,124 @@
+#include "renderer/scene/mip_chain.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/random.h"
+
+namespace foveola {
+namespace {
+
+using ::testing::ElementsAre;
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes level_bytes(const Bytes& texels, const MipLevel& level, int channels) {
+  const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(level.offset);
+  return {begin, begin + static_cast<std::ptrdiff_t>(channels) * level.width * level.height};
+}
+
+Bytes random_bytes(std::size_t count, std::uint32_t first, std::uint32_t range) {
+  Pcg32 random(7);
+  Bytes bytes(count);
+  for (std::uint8_t& byte : bytes) {
+    byte = static_cast<std::uint8_t>(first + random.below(range));
+  }
+  return bytes;
+}
+
+TEST(MipChain, HalvesDownToOneTexel) {
+  Bytes texels(static_cast<std::size_t>(5 * 12), 9);
+  const std::vector<MipLevel> levels = append_mip_chain(texels, 12, 5, 1, false);
+  std::vector<std::pair<int, int>> sizes;
+  for (const MipLevel& level : levels) {
+    sizes.emplace_back(level.width, level.height);
+  }
+  EXPECT_THAT(sizes,
+              ElementsAre(std::pair(12, 5), std::pair(6, 2), std::pair(3, 1), std::pair(1, 1)));
+  EXPECT_EQ(texels, Bytes(60 + 12 + 3 + 1, 9));
+}
+
+TEST(MipChain, OneTexelStaysAlone) {
+  Bytes texels{1, 2, 3};
+  EXPECT_EQ(append_mip_chain(texels, 1, 1, 3, true).size(), 1U);
+  EXPECT_EQ(texels, (Bytes{1, 2, 3}));
+}
+
+TEST(MipChain, AveragesTwoByTwo) {
+  Bytes texels{10, 20, 1, 3,  //
+               30, 40, 5, 7};
+  const std::vector<MipLevel> levels = append_mip_chain(texels, 4, 2, 1, false);
+  EXPECT_EQ(level_bytes(texels, levels[1], 1), (Bytes{25, 4}));
+  EXPECT_EQ(level_bytes(texels, levels[2], 1), (Bytes{15})) << "14.5, rounded";
+}
+
+/// Of five texels each of two averages covers two and a half.
+TEST(MipChain, OddSidesCutATexel) {
+  Bytes row{100, 50, 200, 0, 250};
+  const std::vector<MipLevel> levels = append_mip_chain(row, 5, 1, 1, false);
+  EXPECT_EQ(level_bytes(row, levels[1], 1), (Bytes{100, 140}));
+  Bytes column{100, 50, 200, 0, 250};
+  append_mip_chain(column, 1, 5, 1, false);
+  EXPECT_EQ(column, row);
+}
+
+/// Half the light of white is code 188 (IEC 61966-2-1: 0.5 encodes to 187.516).
+TEST(MipChain, AveragesLightNotCode) {
+  Bytes texels{0, 255};
+  append_mip_chain(texels, 2, 1, 1, true);
+  EXPECT_EQ(texels.back(), 188);
+  Bytes with_alpha{0, 0, 0, 0, 255, 255, 255, 255};
+  append_mip_chain(with_alpha, 2, 1, 4, true);
+  EXPECT_EQ(level_bytes(with_alpha, {1, 1, 8}, 4), (Bytes{188, 188, 188, 128}));
+  Bytes grey_alpha{0, 0, 255, 255};
+  append_mip_chain(grey_alpha, 2, 1, 2, true);
+  EXPECT_EQ(level_bytes(grey_alpha, {1, 1, 4}, 2), (Bytes{188, 128}));
+}
+
+double decoded(std::uint8_t code, bool is_srgb) {
+  const double value = code / 255.0;
+  if (!is_srgb) {
+    return value;
+  }
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+/// In codes: where sRGB is encoded, of the mean light's encoding.
+double mean_code(const Bytes& bytes, int channel, int channels, bool is_srgb) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = static_cast<std::size_t>(channel); i < bytes.size();
+       i += static_cast<std::size_t>(channels)) {
+    sum += decoded(bytes[i], is_srgb);
+    ++count;
+  }
+  const double mean = sum / static_cast<double>(count);
+  if (!is_srgb) {
+    return 255.0 * mean;
+  }
+  return 255.0 * (mean <= 0.0031308 ? 12.92 * mean : 1.055 * std::pow(mean, 1.0 / 2.4) - 0.055);
+}
+
+/// Levels of sizes of all kinds keep the mean light of the one before within half a code.
+TEST(MipChain, KeepsTheMean) {
+  const std::vector<std::pair<int, int>> sizes{{64, 64}, {1, 37},  {37, 1},   {17, 31},
+                                               {3, 3},   {100, 7}, {127, 33}, {2, 255}};
+  for (const auto& [width, height] : sizes) {
+    for (const bool is_srgb : {false, true}) {
+      Bytes texels = random_bytes(static_cast<std::size_t>(3 * width * height), 20, 200);
+      const std::vector<MipLevel> levels = append_mip_chain(texels, width, height, 3, is_srgb);
+      for (std::size_t i = 1; i < levels.size(); ++i) {
+        for (int channel = 0; channel < 3; ++channel) {
+          const double before =
+              mean_code(level_bytes(texels, levels[i - 1], 3), channel, 3, is_srgb);
+          const double after = mean_code(level_bytes(texels, levels[i], 3), channel, 3, is_srgb);
+          EXPECT_NEAR(after, before, 0.5001) << width << " x " << height << " level " << i;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foveola

@@ -1,0 +1,106 @@
+#include "renderer/trace/light_bounds.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/random.h"
+#include "renderer/trace/direction_cone.h"
+
+namespace foveola {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Vec3 in_cube(Pcg32& random) {
+  const double x = random.uniform();
+  const double y = random.uniform();
+  const double z = random.uniform();
+  return 2.0F * Vec3(x, y, z) - 1.0F;
+}
+
+LightBounds random_bounds(Pcg32& random) {
+  const Vec3 lower = in_cube(random);
+  const Vec3 size = 0.5F * (in_cube(random) + 1.0F);
+  const double spread = pi * random.uniform() * random.uniform() * random.uniform();
+  return {.box = {.lower = lower, .upper = lower + size},
+          .axis = glm::normalize(DVec3(in_cube(random))),
+          .spread_rad = spread,
+          .falloff_rad = 0.5 * pi * random.uniform(),
+          .two_sided = random.uniform() < 0.3,
+          .intensity = random.uniform() + 0.1};
+}
+
+/// A direction in the bounds' cone, on its rim as often as not.
+Vec3 direction_in(const LightBounds& bounds, Pcg32& random) {
+  const double half = std::sin(0.5 * bounds.spread_rad);
+  const DirectionCone cone{Vec3(bounds.axis), static_cast<float>(2.0 * half * half)};
+  const float y = unit_float(random.next());
+  return cone.sample({random.uniform() < 0.5 ? 1.0F : unit_float(random.next()), y}).direction;
+}
+
+double angle_beyond(const LightBounds& bounds, const Vec3& direction) {
+  const double angle = angle_between(Vec3(bounds.axis), direction);
+  return (bounds.two_sided ? std::min(angle, pi - angle) : angle) - bounds.spread_rad;
+}
+
+TEST(LightBoundsTest, MergedBoundsHoldBoth) {
+  Pcg32 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const LightBounds a = random_bounds(random);
+    const LightBounds b = random_bounds(random);
+    const LightBounds both = merge(a, b);
+    EXPECT_DOUBLE_EQ(both.intensity, a.intensity + b.intensity);
+    for (const LightBounds& one : {a, b}) {
+      EXPECT_EQ(glm::min(both.box.lower, one.box.lower), both.box.lower);
+      EXPECT_EQ(glm::max(both.box.upper, one.box.upper), both.box.upper);
+      EXPECT_GE(both.falloff_rad, one.falloff_rad);
+      EXPECT_TRUE(both.two_sided || !one.two_sided);
+      for (int k = 0; k < 20; ++k) {
+        EXPECT_LT(angle_beyond(both, direction_in(one, random)), 1e-5);
+      }
+    }
+  }
+}
+
+TEST(LightBoundsTest, MergedConesAreNoWiderThanNeeded) {
+  LightBounds a{.axis = {1, 0, 0}, .spread_rad = 0.1, .intensity = 1.0};
+  LightBounds b{.axis = {0, 1, 0}, .spread_rad = 0.2, .intensity = 1.0};
+  EXPECT_NEAR(merge(a, b).spread_rad, 0.5 * (0.5 * pi + 0.3), 1e-12);
+  b.axis = {std::cos(0.05), std::sin(0.05), 0.0};
+  EXPECT_DOUBLE_EQ(merge(a, b).spread_rad, 0.2);
+  EXPECT_DOUBLE_EQ(merge(b, a).spread_rad, 0.2);
+  // The two ends of one line.
+  a.two_sided = b.two_sided = true;
+  b.axis = {-1, 0, 0};
+  EXPECT_DOUBLE_EQ(merge(a, b).spread_rad, 0.2);
+}
+
+TEST(LightBoundsTest, NothingAddsNothing) {
+  Pcg32 random(2);
+  const LightBounds a = random_bounds(random);
+  EXPECT_DOUBLE_EQ(merge(a, {}).spread_rad, a.spread_rad);
+  EXPECT_EQ(merge({}, a).box.lower, a.box.lower);
+}
+
+TEST(LightBoundsTest, OrientationMeasureIsItsIntegral) {
+  for (const double spread : {0.0, 0.3, 1.5, 3.0}) {
+    for (const double falloff : {0.1, 0.5 * pi}) {
+      constexpr int steps = 20000;
+      double sum = 0.0;
+      for (int i = 0; i < steps; ++i) {
+        const double angle = pi * (i + 0.5) / steps;
+        const double beyond = std::max(0.0, angle - spread);
+        sum += beyond < falloff ? std::cos(beyond) * std::sin(angle) : 0.0;
+      }
+      const LightBounds bounds{.spread_rad = spread, .falloff_rad = falloff, .intensity = 1.0};
+      EXPECT_NEAR(orientation_measure(bounds), 2.0 * pi * sum * pi / steps, 2e-3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foveola

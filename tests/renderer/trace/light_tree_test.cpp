@@ -1,0 +1,210 @@
+#include "renderer/trace/light_tree.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/random.h"
+#include "statistics.h"
+
+namespace foveola {
+namespace {
+
+constexpr double right_angle = 0.5 * std::numbers::pi;
+
+Vec3 in_cube(Pcg32& random, float half = 1.0F) {
+  const double x = random.uniform();
+  const double y = random.uniform();
+  const double z = random.uniform();
+  return half * (2.0F * Vec3(x, y, z) - 1.0F);
+}
+
+/// A flat light of the given half size at `centre`, with two of its points.
+struct FlatLight {
+  Vec3 centre;
+  Vec3 reach;
+  Vec3 normal;
+  bool two_sided;
+
+  FlatLight(Pcg32& random, float size)
+      : centre(in_cube(random)), normal(glm::normalize(in_cube(random))) {
+    reach = size * glm::normalize(glm::cross(normal, in_cube(random)));
+    two_sided = random.uniform() < 0.2;
+  }
+
+  LightBounds bounds(double intensity) const {
+    return {.box = {.lower = centre - glm::abs(reach), .upper = centre + glm::abs(reach)},
+            .axis = DVec3(normal),
+            .spread_rad = 0.0,
+            .falloff_rad = right_angle,
+            .two_sided = two_sided,
+            .intensity = intensity};
+  }
+
+  /// Whether a point of it is in front of the receiver and shines towards it.
+  bool reaches(const Receiver& receiver) const {
+    for (const float t : {-1.0F, 0.0F, 1.0F}) {
+      const Vec3 to_light = centre + t * reach - receiver.position;
+      const float emission = -glm::dot(normal, to_light);
+      const float incidence = glm::dot(receiver.normal, to_light);
+      if ((two_sided || emission > 0.0F) && (receiver.transmits || incidence > 0.0F)) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+struct FlatLights {
+  std::vector<FlatLight> lights;
+  std::vector<LightBounds> bounds;
+
+  FlatLights(int count, float size, std::uint64_t seed) {
+    Pcg32 random(seed);
+    for (int i = 0; i < count; ++i) {
+      lights.emplace_back(random, size);
+      bounds.push_back(lights.back().bounds(std::exp(2.0 * random.normal())));
+    }
+  }
+};
+
+Receiver random_receiver(Pcg32& random, float half) {
+  const Vec3 position = in_cube(random, half);
+  const Vec3 normal = glm::normalize(in_cube(random));
+  return {.position = position, .normal = normal, .transmits = random.uniform() < 0.3};
+}
+
+TEST(LightTreeTest, LightsAreDrawnWithTheirProbability) {
+  constexpr int count = 200;
+  constexpr int draws = 50000;
+  constexpr int receivers = 8;
+  const LightTree tree(FlatLights(count, 0.05F, 1).bounds);
+  Pcg32 random(2);
+  for (int r = 0; r < receivers; ++r) {
+    const Receiver receiver = random_receiver(random, 3.0F);
+    std::vector<double> observed(count + 1, 0.0);
+    std::vector<double> expected(count + 1, 0.0);
+    for (int i = 0; i < draws; ++i) {
+      const auto chosen = tree.sample(receiver, random.uniform());
+      observed[chosen ? chosen->light : count] += 1.0;
+      if (chosen) {
+        ASSERT_FLOAT_EQ(chosen->probability, tree.probability(receiver, chosen->light));
+      }
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double probability = tree.probability(receiver, i);
+      expected[i] = probability * draws;
+      sum += probability;
+    }
+    EXPECT_LE(sum, 1.0 + 1e-5);
+    expected[count] = std::max(0.0, 1.0 - sum) * draws;
+    EXPECT_GT(chi_squared_p_value(observed, expected), sidak_level(receivers));
+  }
+}
+
+TEST(LightTreeTest, NoLightThatReachesTheReceiverIsForgotten) {
+  int reached = 0;
+  int drawable = 0;
+  for (const float size : {0.0F, 0.02F, 0.7F}) {
+    const FlatLights flat(300, size, 3);
+    const LightTree tree(flat.bounds);
+    Pcg32 random(4);
+    for (int r = 0; r < 100; ++r) {
+      const Receiver receiver = random_receiver(random, r % 2 == 0 ? 1.0F : 4.0F);
+      for (std::size_t i = 0; i < flat.lights.size(); ++i) {
+        const float probability = tree.probability(receiver, i);
+        drawable += probability > 0.0F ? 1 : 0;
+        if (flat.lights[i].reaches(receiver)) {
+          ++reached;
+          ASSERT_GT(probability, 0.0F) << i;
+        }
+      }
+    }
+  }
+  // And of those that do not, most are.
+  EXPECT_LT(drawable, 1.5 * reached);
+}
+
+TEST(LightTreeTest, PrefersTheNearOfEqualLights) {
+  std::vector<LightBounds> bounds;
+  for (int i = 0; i < 64; ++i) {
+    const Vec3 position(static_cast<float>(i), 0, 0);
+    bounds.push_back({.box = {.lower = position, .upper = position},
+                      .axis = {0, -1, 0},
+                      .falloff_rad = right_angle,
+                      .intensity = 1.0});
+  }
+  const LightTree tree(bounds);
+  const Receiver below{.position = Vec3(20, -1, 0)};
+  for (std::size_t i = 0; i < 64; ++i) {
+    EXPECT_LE(tree.probability(below, i), tree.probability(below, 20));
+  }
+  EXPECT_GT(tree.probability(below, 20), 0.2F);
+}
+
+TEST(LightTreeTest, LightsBehindTheReceiverOrTurnedAwayAreNotDrawn) {
+  const LightBounds down{.box = {.lower = Vec3(-1, 2, -1), .upper = Vec3(1, 2, 1)},
+                         .axis = {0, -1, 0},
+                         .falloff_rad = right_angle,
+                         .intensity = 1.0};
+  const LightTree tree(std::vector<LightBounds>(3, down));
+  EXPECT_TRUE(
+      tree.sample({.position = Vec3(0, -5, 0), .normal = {0, 1, 0}, .transmits = false}, 0.5));
+  EXPECT_FALSE(
+      tree.sample({.position = Vec3(0, -5, 0), .normal = {0, -1, 0}, .transmits = false}, 0.5));
+  EXPECT_TRUE(
+      tree.sample({.position = Vec3(0, -5, 0), .normal = {0, -1, 0}, .transmits = true}, 0.5));
+  EXPECT_FALSE(tree.sample({.position = Vec3(0, 9, 0)}, 0.5));
+}
+
+TEST(LightTreeTest, LightsWithoutIntensityAreNeverDrawn) {
+  FlatLights flat(40, 0.1F, 5);
+  for (std::size_t i = 0; i < 40; i += 2) {
+    flat.bounds[i].intensity = 0.0;
+  }
+  const LightTree tree(flat.bounds);
+  Pcg32 random(6);
+  for (int i = 0; i < 2000; ++i) {
+    const Receiver receiver = random_receiver(random, 2.0F);
+    const auto chosen = tree.sample(receiver, random.uniform());
+    EXPECT_TRUE(!chosen || chosen->light % 2 == 1);
+    EXPECT_EQ(tree.probability(receiver, 8), 0.0F);
+  }
+}
+
+/// Arrangements that a split by cost alone would turn into a list, or not split at all.
+TEST(LightTreeTest, ChainsAndHeapsOfLightsAreFiniteAndDrawn) {
+  std::vector<LightBounds> chain;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 position(static_cast<float>(std::pow(0.99, i)), 0, 0);
+    chain.push_back({.box = {.lower = position, .upper = position},
+                     .spread_rad = std::numbers::pi,
+                     .falloff_rad = right_angle,
+                     .intensity = std::pow(0.98, i)});
+  }
+  const std::vector<LightBounds> heap(1000, chain[0]);
+  constexpr double largest = 1.0 - 0x1p-53;
+  for (const auto& lights : {chain, heap}) {
+    const LightTree tree(lights);
+    for (const float x : {0.0F, 1e-20F, 1e-6F, 1.0F, 1e6F}) {
+      const Receiver receiver{.position = Vec3(x, 0, 0)};
+      for (const double u : {0.0, 0.3, largest}) {
+        const auto chosen = tree.sample(receiver, u);
+        ASSERT_TRUE(chosen);
+        EXPECT_GT(chosen->probability, 0.0F);
+        EXPECT_LE(chosen->probability, 1.0F);
+      }
+      double sum = 0.0;
+      for (std::size_t i = 0; i < lights.size(); ++i) {
+        sum += tree.probability(receiver, i);
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-5);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foveola
