@@ -102,8 +102,7 @@ bool is_radiance(const std::string& environment) {
   return std::count(environment.begin(), environment.end(), ',') == 2;
 }
 
-void apply_environment(const std::string& environment, SceneSource& source,
-                       RenderSettings& settings) {
+void apply_environment(const std::string& environment, SceneSource& source) {
   if (environment.empty()) {
     return;
   }
@@ -113,7 +112,7 @@ void apply_environment(const std::string& environment, SceneSource& source,
             "radiance must not be negative");
     source.environment_radiance = radiance;
   } else {
-    settings.environment_file = environment;
+    source.environment_file = environment;
   }
 }
 
@@ -230,9 +229,8 @@ void run_replay(const RenderArguments& arguments, const RenderSettings& settings
   const SampleAddress address = parse_sample("--replay", arguments.replay, settings.size);
   require(settings.budget.seconds == 0.0, "--seconds", "does not go with --replay; use --samples");
   SceneSource source = find_scene(arguments.scene);
-  RenderSettings lit = settings;
-  apply_environment(arguments.environment, source, lit);
-  const ReplayedPath path = replay(source, lit, address, stop);
+  apply_environment(arguments.environment, source);
+  const ReplayedPath path = replay(source, settings, address, stop);
   if (arguments.json) {
     fmt::print("{}\n", json_path(path).dump(2));
   } else {
@@ -251,7 +249,7 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   require_image_extension(arguments.output);
   require_writable(arguments.output);
   SceneSource source = find_scene(arguments.scene);
-  apply_environment(arguments.environment, source, settings);
+  apply_environment(arguments.environment, source);
   const Rendering rendering = render(source, settings, stop);
   if (rendering.report.samples == 0) {
     return;
@@ -267,7 +265,7 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
 void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = app.add_subcommand("render", "Render a 360-degree image, without a window");
-  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb or .gltf file")
+  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
   command->add_option("-o,--output", arguments->output,
                       "An .exr (R, G, B, samples) or .png file to write");

@@ -18,14 +18,6 @@ constexpr std::uint64_t smallest_batch = 1 << 14;
 constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr double batch_target_s = 0.1;
 
-Scene load(const SceneSource& source, const RenderSettings& settings) {
-  Scene scene = load_scene(source);
-  if (settings.environment_file) {
-    scene.environment = load_environment(*settings.environment_file);
-  }
-  return scene;
-}
-
 CameraView choose_camera(const SceneSource& source, const Scene& scene,
                          const RenderSettings& settings) {
   CameraView view;
@@ -85,7 +77,7 @@ struct Stage {
 
   Stage(const SceneSource& source, const RenderSettings& settings)
       : workers(settings.threads),
-        scene(timed(load_seconds, [&] { return load(source, settings); })),
+        scene(timed(load_seconds, [&] { return load_scene(source); })),
         tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
         camera(choose_camera(source, scene, settings)),
         gaze(settings.gaze.value_or(camera.heading)),

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,29 +15,37 @@ class Model;
 
 namespace foveola {
 
-/// A run of elements [begin, end) of an accessor.
-struct ElementRange {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
+/// Which elements of an accessor to read, in ascending order.
+using ElementList = std::span<const std::uint32_t>;
 
-// `place` is the JSON path of the reference to the accessor, for the GltfFault that each of these
-// throws if the accessor is sparse, has no buffer view, is of the wrong type, reaches beyond its
-// buffer view, or has no such range.
+/// Throws GltfFault unless the indices of every sparse accessor lie inside it, in strictly
+/// ascending order. To be called once, before anything is read.
+void check_sparse_accessors(const tinygltf::Model& model);
 
 /// The number of elements of accessor `index`.
 std::size_t element_count(const tinygltf::Model& model, int index);
 
-/// SCALAR of unsigned 8, 16 or 32 bits.
+// `place` is the JSON path of the reference to the accessor, for the GltfFault that each of these
+// throws if the accessor has no data, is of the wrong type, reaches beyond a buffer view, or lacks
+// an element of the list. A sparse accessor without a buffer view is zero where it is not replaced;
+// those of more than 2^22 elements are refused, since they cost a file nothing.
+
+/// All elements of a SCALAR of unsigned 8, 16 or 32 bits.
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int index,
                                         const std::string& place);
 
-/// VEC3 of float.
-std::vector<Vec3> read_vectors(const tinygltf::Model& model, int index, ElementRange range,
-                               const std::string& place);
+// Vertex attributes of float, or of integers of 8 or 16 bits as KHR_mesh_quantization allows them:
+// as they are, or normalised by the equations of the specification, section 3.11.
 
-/// VEC2 of float, or of unsigned 8 or 16 bits normalised to [0, 1].
-std::vector<Vec2> read_texture_coordinates(const tinygltf::Model& model, int index,
-                                           ElementRange range, const std::string& place);
+std::vector<Vec2> read_vec2s(const tinygltf::Model& model, int index, ElementList elements,
+                             const std::string& place);
+std::vector<Vec3> read_vec3s(const tinygltf::Model& model, int index, ElementList elements,
+                             const std::string& place);
+std::vector<Vec4> read_vec4s(const tinygltf::Model& model, int index, ElementList elements,
+                             const std::string& place);
+
+/// VEC3, to which an alpha of 1 is added, or VEC4; of float or of normalised unsigned integers.
+std::vector<Vec4> read_colors(const tinygltf::Model& model, int index, ElementList elements,
+                              const std::string& place);
 
 }  // namespace foveola

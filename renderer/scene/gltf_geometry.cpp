@@ -1,17 +1,18 @@
 #include "renderer/scene/gltf_geometry.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/mesh_edit.h"
+#include "renderer/scene/tangents.h"
 
 namespace foveola {
 namespace {
@@ -45,6 +46,7 @@ std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, int 
     }
     return triangles;
   }
+  triangles.reserve(order.size());
   for (std::size_t i = 0; i + 2 < order.size(); ++i) {
     if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
       triangles.push_back({order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]});
@@ -55,134 +57,196 @@ std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& order, int 
   return triangles;
 }
 
-template <typename T>
-void keep_only(std::vector<T>& values, const std::vector<bool>& kept) {
-  if (values.empty()) {
-    return;
+std::uint32_t highest_vertex(const std::vector<Triangle>& triangles) {
+  std::uint32_t highest = 0;
+  for (const auto& [a, b, c] : triangles) {
+    highest = std::max({highest, a, b, c});
   }
-  std::size_t end = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i]) {
-      values[end++] = values[i];
-    }
-  }
-  values.resize(end);
-  values.shrink_to_fit();
+  return highest;
 }
 
-void drop_unused_vertices(Mesh& mesh) {
-  std::vector<bool> used(mesh.positions.size(), false);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t vertex : triangle) {
-      used[vertex] = true;
-    }
-  }
-  if (std::find(used.begin(), used.end(), false) == used.end()) {
-    return;
-  }
-  std::vector<std::uint32_t> renumbered(used.size(), 0);
-  std::uint32_t next = 0;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) {
-      renumbered[i] = next++;
-    }
-  }
-  for (Triangle& triangle : mesh.triangles) {
-    for (std::uint32_t& vertex : triangle) {
-      vertex = renumbered[vertex];
-    }
-  }
-  keep_only(mesh.positions, used);
-  keep_only(mesh.normals, used);
-  for (std::vector<Vec2>& uvs : mesh.uv_sets) {
-    keep_only(uvs, used);
-  }
-}
-
-/// Many primitives may share one large accessor: only the run of vertices that these triangles use
-/// is read, and they count from its beginning afterwards.
-ElementRange rebase_on_used_range(std::vector<Triangle>& triangles, std::size_t vertex_count,
-                                  const std::string& place) {
-  std::uint32_t lowest = triangles.front()[0];
-  std::uint32_t highest = lowest;
+/// The vertices that `triangles` name, ascending and each once, found by marking them all.
+std::vector<std::uint32_t> vertices_used_of_few(const std::vector<Triangle>& triangles,
+                                                std::uint32_t highest) {
+  std::vector<bool> is_used(std::size_t{highest} + 1, false);
   for (const Triangle& triangle : triangles) {
     for (const std::uint32_t vertex : triangle) {
-      lowest = std::min(lowest, vertex);
-      highest = std::max(highest, vertex);
+      is_used[vertex] = true;
     }
   }
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t vertex = 0; vertex < is_used.size(); ++vertex) {
+    if (is_used[vertex]) {
+      used.push_back(vertex);
+    }
+  }
+  return used;
+}
+
+/// The same, in time and memory that do not depend on how many vertices there are.
+std::vector<std::uint32_t> vertices_used_of_many(const std::vector<Triangle>& triangles) {
+  std::vector<std::uint32_t> used;
+  used.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles) {
+    used.insert(used.end(), triangle.begin(), triangle.end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+/// Lets `triangles` count only the vertices that they use, and returns those, ascending. Many
+/// primitives may share one large accessor, of which each reads no more. Throws if the triangles
+/// name a vertex beyond `vertex_count`.
+std::vector<std::uint32_t> renumber(std::vector<Triangle>& triangles, std::size_t vertex_count,
+                                    const std::string& place) {
+  const std::uint32_t highest = highest_vertex(triangles);
   if (highest >= vertex_count) {
     throw GltfFault(place + ".indices",
                     fmt::format("names vertex {}, but POSITION has {}", highest, vertex_count));
   }
+  const bool are_few = highest < 16 * triangles.size();
+  std::vector<std::uint32_t> used =
+      are_few ? vertices_used_of_few(triangles, highest) : vertices_used_of_many(triangles);
+  if (used.size() == std::size_t{highest} + 1) {
+    return used;  // all of them: the numbers stay
+  }
   for (Triangle& triangle : triangles) {
     for (std::uint32_t& vertex : triangle) {
-      vertex -= lowest;
+      vertex = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), vertex) -
+                                          used.begin());
     }
   }
-  return {.begin = lowest, .end = std::size_t{highest} + 1};
+  return used;
 }
 
-void require_count(const tinygltf::Model& model, int accessor, std::size_t vertex_count,
-                   const std::string& place) {
-  if (const std::size_t count = element_count(model, accessor); count != vertex_count) {
-    throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but POSITION has {}",
-                                       accessor, count, vertex_count));
-  }
-}
+/// The vertex attributes of one primitive.
+class Attributes {
+ public:
+  Attributes(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+             const std::string& place, std::size_t vertex_count, ElementList used)
+      : model_(model),
+        primitive_(primitive),
+        place_(place),
+        vertex_count_(vertex_count),
+        used_(used) {}
 
-/// The transform of normals: the transposed inverse, up to a positive factor. As a matrix of
-/// cofactors it also exists where the transform flattens space.
-DMat3 normal_transform(const DMat3& linear) {
-  const DMat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                        glm::cross(linear[0], linear[1]));
-  return glm::determinant(linear) < 0.0 ? -cofactors : cofactors;
-}
+  bool has(const std::string& name) const { return attribute(primitive_, name) >= 0; }
 
-/// Twice the area, along the normal of the front face.
-DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
-  const DVec3 a(mesh.positions[triangle[0]]);
-  return glm::cross(DVec3(mesh.positions[triangle[1]]) - a, DVec3(mesh.positions[triangle[2]]) - a);
-}
-
-/// False as well for a triangle that is not finite: every comparison with NaN fails, and an
-/// infinite corner makes the length infinite or NaN.
-bool has_area(const Mesh& mesh, const Triangle& triangle) {
-  const double length = glm::length(area_vector(mesh, triangle));
-  return length > 0.0 && std::isfinite(length);
-}
-
-bool is_usable(const Vec3& normal) { return std::abs(glm::dot(normal, normal) - 1.0F) < 1e-3F; }
-
-/// Returns how many normals it repaired.
-std::size_t repair_normals(Mesh& mesh) {
-  const auto broken = static_cast<std::size_t>(
-      std::count_if(mesh.normals.begin(), mesh.normals.end(),
-                    [](const Vec3& normal) { return !is_usable(normal); }));
-  if (broken == 0) {
-    return 0;
-  }
-  std::vector<DVec3> around(mesh.positions.size(), DVec3(0.0));
-  for (const Triangle& triangle : mesh.triangles) {
-    const DVec3 area = area_vector(mesh, triangle);
-    for (const std::uint32_t vertex : triangle) {
-      around[vertex] += area;
+  /// The values of attribute `name` by one of the functions that read an accessor; none if the
+  /// primitive lacks it.
+  template <typename Value>
+  std::vector<Value> read(const std::string& name,
+                          std::vector<Value> (*read_accessor)(const tinygltf::Model&, int,
+                                                              ElementList,
+                                                              const std::string&)) const {
+    const int accessor = attribute(primitive_, name);
+    if (accessor < 0) {
+      return {};
     }
-  }
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    if (!is_usable(mesh.normals[i])) {
-      const double length = glm::length(around[i]);
-      mesh.normals[i] = length > 0.0 ? Vec3(around[i] / length) : Vec3(0.0F, 1.0F, 0.0F);
+    const std::string place = fmt::format("{}.attributes.{}", place_, name);
+    if (const std::size_t count = element_count(model_, accessor); count != vertex_count_) {
+      throw GltfFault(place, fmt::format("accessors[{}] has {} elements, but POSITION has {}",
+                                         accessor, count, vertex_count_));
     }
+    return read_accessor(model_, accessor, used_, place);
   }
-  return broken;
+
+ private:
+  const tinygltf::Model& model_;
+  const tinygltf::Primitive& primitive_;
+  const std::string& place_;
+  std::size_t vertex_count_;
+  ElementList used_;
+};
+
+void read_uv_sets(Mesh& mesh, const Attributes& attributes, const std::vector<int>& uv_sets,
+                  const std::string& place, Warnings& warnings) {
+  for (const int set : uv_sets) {
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    if (!attributes.has(name)) {
+      warnings.add("texture coordinates are missing: a textured material shows no texture", place);
+      mesh.uv_sets.clear();
+      return;
+    }
+    mesh.uv_sets.push_back(attributes.read(name, read_vec2s));
+  }
+}
+
+Mesh read_vertices(const Attributes& attributes, const VertexNeeds& needs, const std::string& place,
+                   Warnings& warnings) {
+  Mesh mesh;
+  mesh.positions = attributes.read("POSITION", read_vec3s);
+  mesh.normals = attributes.read("NORMAL", read_vec3s);
+  mesh.colors = attributes.read("COLOR_0", read_colors);
+  read_uv_sets(mesh, attributes, needs.uv_sets, place, warnings);
+  const bool uses_tangents = needs.normal_texture && !mesh.uv_sets.empty();
+  if (uses_tangents && !mesh.normals.empty()) {  // specification: without normals, ignore tangents
+    mesh.tangents = attributes.read("TANGENT", read_vec4s);
+  }
+  return mesh;
+}
+
+void warn_of_what_is_ignored(const tinygltf::Primitive& primitive, const std::string& place,
+                             Warnings& warnings) {
+  if (attribute(primitive, "COLOR_1") >= 0) {
+    warnings.add("vertex colours but the first are ignored", place);
+  }
+  if (!primitive.targets.empty()) {
+    warnings.add("morph targets are ignored", place);
+  }
+}
+
+void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnings& warnings) {
+  warnings.add("triangles without area or with coordinates that are not finite are dropped", place,
+               drop_degenerate_triangles(mesh));
+  warnings.add("normals of no use are replaced by those of the surface", place,
+               repair_normals(mesh));
+  warnings.add("texture coordinates that are not finite become 0", place, repair_uvs(mesh));
+  warnings.add("vertex colours are limited to the range they may have", place, repair_colors(mesh));
+  const auto is_white = [](const Vec4& color) { return color == Vec4(1.0F); };
+  if (std::all_of(mesh.colors.begin(), mesh.colors.end(), is_white)) {
+    mesh.colors = {};
+  }
+  if (!needs.normal_texture || mesh.uv_sets.empty()) {
+    return;
+  }
+  const std::size_t unusable = straighten_tangents(mesh);
+  warnings.add("tangents of no use: all those of their mesh are computed", place, unusable);
+  if (unusable > 0 || mesh.tangents.empty()) {
+    add_tangents(mesh, needs.normal_texture->uv_set, needs.normal_texture->texture_from_mesh);
+  }
 }
 
 }  // namespace
 
+MemoryBudget::MemoryBudget(const tinygltf::Model& model) : left_(std::size_t{1} << 29) {
+  for (const tinygltf::Buffer& buffer : model.buffers) {
+    left_ += 32 * buffer.data.size();
+  }
+}
+
+void MemoryBudget::take(std::size_t bytes, const std::string& place) {
+  if (bytes > left_) {
+    throw GltfFault(place, "brings the scene to more memory than a file of its size may ask for");
+  }
+  left_ -= bytes;
+}
+
+std::size_t bytes_of(const Mesh& mesh) {
+  std::size_t bytes = sizeof(Mesh) + sizeof(Triangle) * mesh.triangles.size() +
+                      sizeof(Vec3) * (mesh.positions.size() + mesh.normals.size()) +
+                      sizeof(Vec4) * (mesh.tangents.size() + mesh.colors.size());
+  for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
+    bytes += sizeof(Vec2) * uvs.size();
+  }
+  return bytes;
+}
+
 std::optional<Mesh> read_primitive(const tinygltf::Model& model,
-                                   const tinygltf::Primitive& primitive, std::optional<int> uv_set,
-                                   const std::string& place, Warnings& warnings) {
+                                   const tinygltf::Primitive& primitive, const VertexNeeds& needs,
+                                   const std::string& place, MemoryBudget& budget,
+                                   Warnings& warnings) {
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
     warnings.add("points and lines are not shown", place);
     return std::nullopt;
@@ -193,69 +257,27 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
     return std::nullopt;
   }
   const std::size_t vertex_count = element_count(model, position);
-  const std::string position_place = place + ".attributes.POSITION";
   if (primitive.indices < 0) {
     // Before the vertices are numbered, so that a stated count without data costs no memory.
-    read_vectors(model, position, {}, position_place);
+    read_vec3s(model, position, {}, place + ".attributes.POSITION");
   }
-  Mesh mesh;
-  mesh.triangles =
+  std::vector<Triangle> triangles =
       triangles_of(vertex_order(model, primitive, vertex_count, place), primitive.mode);
-  if (mesh.triangles.empty()) {
+  if (triangles.empty()) {
     warnings.add("primitives without a whole triangle are not shown", place);
     return std::nullopt;
   }
-  const ElementRange used = rebase_on_used_range(mesh.triangles, vertex_count, place);
-  mesh.positions = read_vectors(model, position, used, position_place);
-  if (const int normal = attribute(primitive, "NORMAL"); normal >= 0) {
-    const std::string normal_place = place + ".attributes.NORMAL";
-    require_count(model, normal, vertex_count, normal_place);
-    mesh.normals = read_vectors(model, normal, used, normal_place);
+  const std::vector<std::uint32_t> used = renumber(triangles, vertex_count, place);
+  const Attributes attributes(model, primitive, place, vertex_count, used);
+  Mesh mesh = read_vertices(attributes, needs, place, warnings);
+  mesh.triangles = std::move(triangles);
+  warn_of_what_is_ignored(primitive, place, warnings);
+  budget.take(bytes_of(mesh), place);
+  mend(mesh, needs, place, warnings);
+  if (mesh.triangles.empty()) {
+    return std::nullopt;
   }
-  if (uv_set) {
-    const std::string name = fmt::format("TEXCOORD_{}", *uv_set);
-    if (const int uv = attribute(primitive, name); uv >= 0) {
-      const std::string uv_place = fmt::format("{}.attributes.{}", place, name);
-      require_count(model, uv, vertex_count, uv_place);
-      mesh.uv_sets = {read_texture_coordinates(model, uv, used, uv_place)};
-    } else {
-      warnings.add("texture coordinates are missing: a textured material shows no texture", place);
-    }
-  }
-  if (attribute(primitive, "COLOR_0") >= 0) {
-    warnings.add("vertex colours are ignored", place);
-  }
-  if (!primitive.targets.empty()) {
-    warnings.add("morph targets are ignored", place);
-  }
-  drop_unused_vertices(mesh);
   return mesh;
-}
-
-void bake(Mesh& mesh, const DMat4& world_from_local, const std::string& place, Warnings& warnings) {
-  const DMat3 linear(world_from_local);
-  const DVec3 translation(world_from_local[3]);
-  for (Vec3& position : mesh.positions) {
-    position = Vec3(linear * DVec3(position) + translation);
-  }
-  const DMat3 turn = normal_transform(linear);
-  for (Vec3& normal : mesh.normals) {
-    normal = Vec3(glm::normalize(turn * DVec3(normal)));
-  }
-  if (glm::determinant(linear) < 0.0) {
-    for (Triangle& triangle : mesh.triangles) {
-      std::swap(triangle[1], triangle[2]);
-    }
-  }
-  const std::size_t dropped = std::erase_if(
-      mesh.triangles, [&](const Triangle& triangle) { return !has_area(mesh, triangle); });
-  if (dropped > 0) {
-    warnings.add("triangles without area or with coordinates that are not finite are dropped",
-                 place, dropped);
-    drop_unused_vertices(mesh);
-  }
-  warnings.add("normals of no use are replaced by those of the surface", place,
-               repair_normals(mesh));
 }
 
 }  // namespace foveola

@@ -1,11 +1,10 @@
-// Triangles out of glTF primitives, and their baking into world space.
+// Triangles out of glTF primitives.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 
@@ -16,18 +15,35 @@ struct Primitive;
 
 namespace foveola {
 
-/// The triangles of `primitive` in its own space, with the vertices that they use and no others;
-/// material and name are left alone. uv_set: which TEXCOORD to read; none for an untextured
-/// material. Empty, with a warning, for points and lines. Throws GltfFault, with places below
-/// `place`, the primitive's JSON path.
-std::optional<Mesh> read_primitive(const tinygltf::Model& model,
-                                   const tinygltf::Primitive& primitive, std::optional<int> uv_set,
-                                   const std::string& place, Warnings& warnings);
+/// Bounds the memory that a file may ask for by the file's own size: 512 MiB, and 32 bytes for each
+/// of its buffers'. Vertices may be shared by primitives and meshes by nodes, so that a small file
+/// can name any number of triangles.
+class MemoryBudget {
+ public:
+  explicit MemoryBudget(const tinygltf::Model& model);
 
-/// Moves `mesh` to the world. A transform that mirrors swaps two corners of each triangle, so that
-/// front faces stay in front (specification, section 3.7.4). Drops triangles that have no area or
-/// are not finite there, and the vertices that only they used; gives normals that are not usable
-/// the direction of the triangles around them.
-void bake(Mesh& mesh, const DMat4& world_from_local, const std::string& place, Warnings& warnings);
+  /// Throws GltfFault, naming `place`, when more than everything has been taken.
+  void take(std::size_t bytes, const std::string& place);
+
+ private:
+  std::size_t left_;
+};
+
+/// What `mesh` costs, vertices and triangles.
+std::size_t bytes_of(const Mesh& mesh);
+
+/// What a primitive's material needs of its vertices.
+struct VertexNeeds {
+  std::vector<int> uv_sets;  ///< which TEXCOORDs, in the order of the future Mesh::uv_sets
+  std::optional<TextureUse> normal_texture;
+};
+
+/// The triangles of `primitive` in its own space, with the vertices that they use and no others,
+/// and none that could not be rendered; material and name are left alone. Empty, with a warning,
+/// where there are none. Throws GltfFault, with places below `place`, the primitive's JSON path.
+std::optional<Mesh> read_primitive(const tinygltf::Model& model,
+                                   const tinygltf::Primitive& primitive, const VertexNeeds& needs,
+                                   const std::string& place, MemoryBudget& budget,
+                                   Warnings& warnings);
 
 }  // namespace foveola

@@ -1,9 +1,9 @@
-// glTF's metallic-roughness materials and the textures that they use.
+// glTF's materials and the textures that they use.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "renderer/scene/gltf_geometry.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 
@@ -17,11 +17,18 @@ struct GltfMaterials {
   /// As in the file, then the default material if there is a primitive without one.
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  /// For each material, which TEXCOORD its textures read; none where it has no texture.
-  std::vector<std::optional<int>> uv_sets;
+  std::vector<VertexNeeds> needs;  ///< of the meshes with each material
+
+  /// The index into both of what a primitive calls `material`.
+  std::size_t index_of(int material) const {
+    return material >= 0 ? static_cast<std::size_t>(material) : materials.size() - 1;
+  }
 };
 
-/// Reads all materials and decodes, in parallel, the images that they use. Throws GltfFault.
-GltfMaterials read_materials(const tinygltf::Model& model, Warnings& warnings);
+/// Reads all materials, and decodes, in parallel, the images that those in use need. is_shown: for
+/// each material of the file, whether anything in the scene has it; the others come without
+/// textures. Throws GltfFault.
+GltfMaterials read_materials(const tinygltf::Model& model, const std::vector<bool>& is_shown,
+                             Warnings& warnings);
 
 }  // namespace foveola

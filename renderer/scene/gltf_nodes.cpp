@@ -1,7 +1,8 @@
 #include "renderer/scene/gltf_nodes.h"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <string>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -9,7 +10,9 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <tiny_gltf.h>
 
+#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/gltf_values.h"
 
 namespace foveola {
 namespace {
@@ -118,18 +121,9 @@ void require_finite(const DMat4& matrix, const std::string& place) {
   }
 }
 
-void place_camera(const tinygltf::Model& model, const tinygltf::Node& node,
-                  const DMat4& world_from_local, const std::string& place,
-                  std::vector<CameraView>& cameras, Warnings& warnings) {
-  const tinygltf::Camera& camera = model.cameras[static_cast<std::size_t>(node.camera)];
-  if (camera.type != "perspective") {
-    warnings.add("orthographic cameras are ignored", place);
-    return;
-  }
-  const Vec3 forward(-DVec3(world_from_local[2]));
-  cameras.push_back({.name = camera.name.empty() ? node.name : camera.name,
-                     .position = Vec3(DVec3(world_from_local[3])),
-                     .heading = azimuth_elevation(forward)});
+/// KHR_lights_punctual's light at `node`, or -1.
+int light_of(const tinygltf::Node& node) {
+  return GltfValues(node.extensions, "KHR_lights_punctual").integer("light", -1);
 }
 
 }  // namespace
@@ -139,7 +133,7 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
   reject_cycles(parents);
 
   PlacedNodes placed;
-  placed.instances.resize(model.meshes.size());
+  placed.meshes.resize(model.meshes.size());
   std::vector<DMat4> world_from_local(model.nodes.size(), DMat4(1.0));
   const std::vector<int> roots = root_nodes(model, parents);
   std::vector<int> pending(roots.rbegin(), roots.rend());
@@ -155,14 +149,16 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
       transform = world_from_local[static_cast<std::size_t>(parent)] * transform;
     }
     require_finite(transform, place);
+    const Placement placement{.node = index, .world_from_local = transform};
     if (node.mesh >= 0) {
-      const auto mesh = static_cast<std::size_t>(node.mesh);
-      placed.instances[mesh].push_back(
-          {.world_from_local = transform,
-           .name = node.name.empty() ? model.meshes[mesh].name : node.name});
+      placed.meshes[static_cast<std::size_t>(node.mesh)].push_back(placement);
     }
     if (node.camera >= 0) {
-      place_camera(model, node, transform, place, placed.cameras, warnings);
+      placed.cameras.push_back(
+          {.index = static_cast<std::size_t>(node.camera), .placement = placement});
+    }
+    if (const int light = light_of(node); light >= 0) {
+      placed.lights.push_back({.index = static_cast<std::size_t>(light), .placement = placement});
     }
     if (node.skin >= 0) {
       warnings.add("skinning is ignored: the object keeps its rest pose", place);
@@ -170,6 +166,26 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
     pending.insert(pending.end(), node.children.rbegin(), node.children.rend());
   }
   return placed;
+}
+
+std::vector<CameraView> read_cameras(const tinygltf::Model& model,
+                                     const std::vector<PlacedItem>& cameras, const DVec3& origin,
+                                     Warnings& warnings) {
+  std::vector<CameraView> views;
+  for (const PlacedItem& item : cameras) {
+    const tinygltf::Camera& camera = model.cameras[item.index];
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
+    if (camera.type != "perspective") {
+      warnings.add("orthographic cameras are ignored",
+                   fmt::format("nodes[{}]", item.placement.node));
+      continue;
+    }
+    const DMat4& world_from_local = item.placement.world_from_local;
+    views.push_back({.name = disarmed(camera.name.empty() ? node.name : camera.name),
+                     .position = Vec3(DVec3(world_from_local[3]) - origin),
+                     .heading = azimuth_elevation(Vec3(-DVec3(world_from_local[2])))});
+  }
+  return views;
 }
 
 }  // namespace foveola

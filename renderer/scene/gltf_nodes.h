@@ -1,7 +1,7 @@
-// Flattens glTF's hierarchy of nodes: where each mesh and camera stands in the world.
+// Flattens glTF's hierarchy of nodes: where each mesh, camera and light stands in the world.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "renderer/base/vec.h"
@@ -14,20 +14,32 @@ class Model;
 
 namespace foveola {
 
-/// One appearance of a mesh.
-struct MeshInstance {
+/// A node that shows something, in double precision.
+struct Placement {
+  int node = 0;
   DMat4 world_from_local{1.0};
-  std::string name;  ///< the node's, else the mesh's
+};
+
+/// One appearance of what `index` counts.
+struct PlacedItem {
+  std::size_t index = 0;
+  Placement placement;
 };
 
 struct PlacedNodes {
-  std::vector<std::vector<MeshInstance>> instances;  ///< by index of the glTF mesh
-  std::vector<CameraView> cameras;                   ///< the perspective ones
+  std::vector<std::vector<Placement>> meshes;  ///< by index of the glTF mesh
+  std::vector<PlacedItem> cameras;             ///< in the order of the nodes
+  std::vector<PlacedItem> lights;              ///< likewise
 };
 
 /// Visits the nodes of the default scene (else the first; else, where a file has no scenes, all
 /// root nodes). Throws GltfFault, naming the place, if the nodes are not a strict tree or a
 /// transform is not finite.
 PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings);
+
+/// The perspective cameras, their positions seen from `origin`.
+std::vector<CameraView> read_cameras(const tinygltf::Model& model,
+                                     const std::vector<PlacedItem>& cameras, const DVec3& origin,
+                                     Warnings& warnings);
 
 }  // namespace foveola

@@ -27,6 +27,40 @@ Wrap wrap_of(int mode) {
   }
 }
 
+/// A filter that is not stated, -1, is the best there is (specification, section 3.8.4.1).
+void read_minification(int filter, Sampler& sampler) {
+  switch (filter) {
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+      sampler.minification = Filter::nearest;
+      break;
+    default:
+      sampler.minification = Filter::linear;
+  }
+  switch (filter) {
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR:
+      sampler.mip = MipFilter::none;
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+      sampler.mip = MipFilter::nearest;
+      break;
+    default:
+      sampler.mip = MipFilter::linear;
+  }
+}
+
+Sampler sampler_of(const tinygltf::Sampler& source) {
+  Sampler sampler{.wrap_u = wrap_of(source.wrapS), .wrap_v = wrap_of(source.wrapT)};
+  if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) {
+    sampler.magnification = Filter::nearest;
+  }
+  read_minification(source.minFilter, sampler);
+  return sampler;
+}
+
 std::span<const unsigned char> encoded_bytes(const tinygltf::Model& model, int image) {
   const tinygltf::Image& source = model.images[static_cast<std::size_t>(image)];
   if (source.bufferView < 0) {
@@ -59,9 +93,7 @@ int TextureSet::add(int texture, Encoding encoding) {
   }
   Use use{.image = source.source, .encoding = encoding};
   if (source.sampler >= 0) {
-    const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(source.sampler)];
-    use.wrap_u = wrap_of(sampler.wrapS);
-    use.wrap_v = wrap_of(sampler.wrapT);
+    use.sampler = sampler_of(model_.samplers[static_cast<std::size_t>(source.sampler)]);
   }
   const auto [known, is_new] = index_of_.try_emplace(use, static_cast<int>(uses_.size()));
   if (is_new) {
@@ -99,8 +131,7 @@ void TextureSet::require_modest_size() const {
 Texture TextureSet::decode(const Use& use) const {
   DecodedImage image =
       with_place(use.image, [&] { return decode_image(encoded_bytes(model_, use.image)); });
-  return {std::move(image), use.encoding == Encoding::srgb,
-          Sampler{.wrap_u = use.wrap_u, .wrap_v = use.wrap_v}};
+  return {std::move(image), use.encoding == Encoding::srgb, use.sampler};
 }
 
 }  // namespace foveola

@@ -33,8 +33,7 @@ class TextureSet {
   struct Use {
     int image = -1;
     Encoding encoding = Encoding::linear;
-    Wrap wrap_u = Wrap::repeat;
-    Wrap wrap_v = Wrap::repeat;
+    Sampler sampler;
 
     auto operator<=>(const Use&) const = default;
   };

@@ -1,18 +1,22 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include "renderer/base/error.h"
 #include "renderer/scene/disarmed.h"
+#include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_geometry.h"
+#include "renderer/scene/gltf_lights.h"
 #include "renderer/scene/gltf_materials.h"
 #include "renderer/scene/gltf_nodes.h"
+#include "renderer/scene/gltf_placing.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/warnings.h"
 
@@ -20,9 +24,6 @@ namespace foveola {
 namespace {
 
 constexpr const char* remedy = "export it again, or look at it with a glTF validator";
-
-/// Instances are copies, so a small file can ask for any number of triangles.
-constexpr std::size_t most_triangles = std::size_t{1} << 26;
 
 void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
   for (const std::string& name : model.extensionsUsed) {
@@ -35,80 +36,58 @@ void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
   }
 }
 
-/// Reads each primitive once, and adds a baked copy of it for each instance of its mesh.
-class MeshBaker {
- public:
-  MeshBaker(const tinygltf::Model& model, const GltfMaterials& materials, Warnings& warnings)
-      : model_(model), materials_(materials), warnings_(warnings) {}
-
-  void add(std::size_t mesh_index, const std::vector<MeshInstance>& instances) {
-    const tinygltf::Mesh& source = model_.meshes[mesh_index];
-    for (std::size_t i = 0; i < source.primitives.size() && !instances.empty(); ++i) {
-      add(source.primitives[i], instances, fmt::format("meshes[{}].primitives[{}]", mesh_index, i));
+/// For each material, whether a placed mesh has it.
+std::vector<bool> shown_materials(const tinygltf::Model& model, const PlacedNodes& nodes) {
+  std::vector<bool> is_shown(model.materials.size(), false);
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
+      if (primitive.material >= 0 && !nodes.meshes[i].empty()) {
+        is_shown[static_cast<std::size_t>(primitive.material)] = true;
+      }
     }
   }
+  return is_shown;
+}
 
-  std::vector<Mesh> take() && { return std::move(meshes_); }
-
- private:
-  void add(const tinygltf::Primitive& primitive, const std::vector<MeshInstance>& instances,
-           const std::string& place) {
-    const std::size_t material = primitive.material >= 0
-                                     ? static_cast<std::size_t>(primitive.material)
-                                     : materials_.materials.size() - 1;
-    std::optional<Mesh> local =
-        read_primitive(model_, primitive, materials_.uv_sets[material], place, warnings_);
-    if (!local) {
-      return;
-    }
-    local->material = static_cast<int>(material);
-    count_triangles(local->triangles.size() * instances.size(), place);
-    for (std::size_t i = 0; i + 1 < instances.size(); ++i) {
-      add_baked(*local, instances[i], place);
-    }
-    add_baked(std::move(*local), instances.back(), place);
-  }
-
-  void count_triangles(std::size_t count, const std::string& place) {
-    triangles_ += count;
-    if (triangles_ > most_triangles) {
-      throw GltfFault(place, fmt::format("brings the scene, with every instance copied, to more "
-                                         "than {} triangles",
-                                         most_triangles));
+/// Each mesh that a node shows.
+std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNodes& nodes,
+                                   const GltfMaterials& materials, MemoryBudget& budget,
+                                   Warnings& warnings) {
+  std::vector<LocalMesh> meshes(model.meshes.size());
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::vector<tinygltf::Primitive>& primitives = model.meshes[i].primitives;
+    for (std::size_t k = 0; k < primitives.size() && !nodes.meshes[i].empty(); ++k) {
+      const std::size_t material = materials.index_of(primitives[k].material);
+      std::optional<Mesh> mesh =
+          read_primitive(model, primitives[k], materials.needs[material],
+                         fmt::format("meshes[{}].primitives[{}]", i, k), budget, warnings);
+      if (mesh) {
+        mesh->material = static_cast<int>(material);
+        meshes[i].push_back(std::move(*mesh));
+      }
     }
   }
-
-  void add_baked(Mesh mesh, const MeshInstance& instance, const std::string& place) {
-    mesh.name = instance.name;
-    bake(mesh, instance.world_from_local, place, warnings_);
-    if (!mesh.triangles.empty()) {
-      meshes_.push_back(std::move(mesh));
-    }
-  }
-
-  const tinygltf::Model& model_;
-  const GltfMaterials& materials_;
-  Warnings& warnings_;
-  std::vector<Mesh> meshes_;
-  std::size_t triangles_ = 0;
-};
+  return meshes;
+}
 
 Scene scene_of(const GltfFile& file) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
   warn_of_what_is_ignored(model, warnings);
-  PlacedNodes placed = place_nodes(model, warnings);
-  GltfMaterials materials = read_materials(model, warnings);
-  MeshBaker baker(model, materials, warnings);
-  for (std::size_t i = 0; i < placed.instances.size(); ++i) {
-    baker.add(i, placed.instances[i]);
-  }
+  check_sparse_accessors(model);
+  const PlacedNodes nodes = place_nodes(model, warnings);
+  GltfMaterials materials = read_materials(model, shown_materials(model, nodes), warnings);
+  MemoryBudget budget(model);
+  std::vector<LocalMesh> meshes = read_meshes(model, nodes, materials, budget, warnings);
+
   Scene scene;
-  scene.meshes = std::move(baker).take();
+  scene.origin = choose_origin(meshes, nodes.meshes);
+  add_meshes(scene, std::move(meshes), nodes, model, budget, warnings);
   scene.materials = std::move(materials.materials);
   scene.textures = std::move(materials.textures);
-  scene.cameras = std::move(placed.cameras);
-  if (scene.meshes.empty()) {
+  scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
+  scene.lights = read_lights(model, nodes.lights, scene.origin, warnings);
+  if (scene.object_count() == 0) {
     warnings.add("the scene has no triangles");
   }
   scene.warnings = warnings.lines();

@@ -40,7 +40,7 @@ float scattered_spread_rad(float pdf) {
 }
 
 Receiver receiver_at(const SurfacePoint& point) {
-  return {.position = point.origin(),
+  return {.position = point.position,
           .normal = point.geometric_normal,
           .transmits = point.reflectance.transmission > 0.0F};
 }
@@ -203,7 +203,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame
     return false;
   }
   path.receiver = receiver_at(point);
-  path.ray.origin = side > 0.0F ? point.origin() : point.origin_beyond();
+  path.ray.origin = side > 0.0F ? point.origin : point.origin_beyond();
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
   path.throughput *= sample.weight;
@@ -241,9 +241,7 @@ void BlockTracer::queue_light(std::size_t index, const SurfacePoint& point, cons
     pending_.push_back({.path = index, .radiance = gain});
     shadow_rays_.push_back(light->shadow_ray);
     shadow_rays_.back().key = numbers.shadow_key;
-    if (side < 0.0F) {
-      start_at(point.origin_beyond(), shadow_rays_.back());
-    }
+    start_at(side < 0.0F ? point.origin_beyond() : point.origin, shadow_rays_.back());
   }
 }
 

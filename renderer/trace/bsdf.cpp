@@ -12,6 +12,11 @@ namespace {
 constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 constexpr float smallest_cosine = 1e-4F;
 
+/// A coat that lets less of a uniform sky through hides the layer below but at grazing angles.
+/// There it is Lambertian: the table is too coarse for quotients of what so bright a coat does not
+/// reflect.
+constexpr float darkest_below_coat = 0.02F;
+
 Vec3 sample_cosine_hemisphere(const Vec2& u) {
   const float r = std::sqrt(u.y);
   const float azimuth = 2.0F * std::numbers::pi_v<float> * u.x;
@@ -51,29 +56,42 @@ Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const Scatterin
   const float dielectric = 1.0F - reflectance.metallic;
   const float opaque = dielectric * (1.0F - reflectance.transmission);
 
-  const Rgb coat_f0 =
-      reflectance.specular *
-      glm::min(reflectance_at_normal(reflectance.ior) * reflectance.specular_color, Rgb(1.0F));
-  coat_f0_ = max_component(coat_f0);
-  coat_f90_ = reflectance.ior > 1.0F ? reflectance.specular : 0.0F;
-  const float coat_albedo = std::min(lobe.with(coat_f0_, coat_f90_), 1.0F);
-  const float below_coat = 1.0F - albedo_.mean().with(coat_f0_, coat_f90_);
-  const float layer = below_coat > 0.0F ? inverse_pi * (1.0F - coat_albedo) / below_coat : 0.0F;
-  diffuse_ = (opaque * layer) * reflectance.base_color;
-
-  // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
-  const float lost = (1.0F - lobe.white) / lobe.white;
-  const Rgb metal = reflectance.metallic * (1.0F + reflectance.base_color * lost);
-  const float coat_share = reflectance.is_solid ? opaque : dielectric;
-  specular_normal_ = metal * reflectance.base_color + coat_share * coat_f0;
-  specular_grazing_ = metal + coat_share * coat_f90_;
-
+  const float base_luminance = luminance(reflectance.base_color);
+  float coat_albedo = 0.0F;
+  float specular_albedo = 0.0F;
+  if (dielectric > 0.0F) {
+    const Rgb f0 =
+        reflectance.specular *
+        glm::min(reflectance_at_normal(reflectance.ior) * reflectance.specular_color, Rgb(1.0F));
+    const float coat_f0 = max_component(f0);
+    const float coat_f90 = reflectance.ior > 1.0F ? reflectance.specular : 0.0F;
+    coat_albedo = std::min(lobe.with(coat_f0, coat_f90), 1.0F);
+    float layer = inverse_pi * (1.0F - coat_albedo);
+    const float below_coat = 1.0F - albedo_.mean().with(coat_f0, coat_f90);
+    if (below_coat > darkest_below_coat) {
+      layer /= below_coat;
+      layer_f0_ = coat_f0;
+      layer_f90_ = coat_f90;
+    }
+    diffuse_ = (opaque * layer) * reflectance.base_color;
+    const float share = reflectance.is_solid ? opaque : dielectric;
+    specular_albedo = share * coat_albedo;
+    specular_normal_ = share * f0;
+    specular_grazing_ = Rgb(share * coat_f90);
+  }
+  if (reflectance.metallic > 0.0F) {
+    // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
+    const float lost = (1.0F - lobe.white) / lobe.white;
+    const Rgb metal = reflectance.metallic * (1.0F + reflectance.base_color * lost);
+    specular_normal_ += metal * reflectance.base_color;
+    specular_grazing_ += metal;
+    specular_albedo += reflectance.metallic * glm::mix(base_luminance, 1.0F, lobe.grazing);
+  }
   if (dielectric * reflectance.transmission > 0.0F) {
     add_transmission(reflectance, coat_albedo, lobe.white, tables);
   }
   const float base_albedo =
-      choose_probabilities(lobe.with(luminance(specular_normal_), luminance(specular_grazing_)),
-                           opaque * (1.0F - coat_albedo) * luminance(reflectance.base_color));
+      choose_probabilities(specular_albedo, opaque * (1.0F - coat_albedo) * base_luminance);
   if (has_covers(reflectance)) {
     covers_.emplace(reflectance, outgoing_, base_albedo, tables);
     base_scale_ = covers_->base_scale();
@@ -102,15 +120,18 @@ void Bsdf::add_transmission(const Reflectance& reflectance, float coat_albedo, f
 
 /// By the light that each lobe sends back; returns that of all.
 float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
-  float transmission_albedo = luminance(transmitted_);
+  float transmission_albedo = 0.0F;
   if (glass_) {
     const float reflectance = glass_->reflectance(outgoing_.z);
-    transmission_albedo = glm::mix(transmission_albedo, glass_share_, reflectance);
+    transmission_albedo = glm::mix(luminance(transmitted_), glass_share_, reflectance);
+  } else if (wall_) {
+    transmission_albedo = luminance(transmitted_);
   }
   const float total = specular_albedo + diffuse_albedo + transmission_albedo;
-  specular_probability_ = total > 0.0F ? specular_albedo / total : 1.0F;
-  transmission_probability_ = total > 0.0F ? transmission_albedo / total : 0.0F;
-  diffuse_probability_ = total > 0.0F ? diffuse_albedo / total : 0.0F;
+  const float scale = total > 0.0F ? 1.0F / total : 0.0F;
+  specular_probability_ = specular_albedo * scale;
+  diffuse_probability_ = diffuse_albedo * scale;
+  transmission_probability_ = transmission_albedo * scale;
   return total;
 }
 
@@ -141,7 +162,7 @@ BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
     }
   }
   if (diffuse_probability_ > 0.0F) {
-    const float coat_albedo = albedo_.at(incoming.z).with(coat_f0_, coat_f90_);
+    const float coat_albedo = albedo_.at(incoming.z).with(layer_f0_, layer_f90_);
     value.times_cosine += diffuse_ * (std::max(0.0F, 1.0F - coat_albedo) * incoming.z);
     value.pdf += diffuse_probability_ * incoming.z * inverse_pi;
   }

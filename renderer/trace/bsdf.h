@@ -50,12 +50,12 @@ class Bsdf {
   MicrofacetLobe microfacets_;
   GgxAlbedo::Row albedo_;
   // Of metal and the dielectric's coat together, Schlick's reflectance.
-  Rgb specular_normal_;
-  Rgb specular_grazing_;
-  // Of the coat alone, the strongest channel.
-  float coat_f0_;
-  float coat_f90_;
-  Rgb diffuse_;  ///< the Lambertian layer's BSDF but for (1 - E(incoming))
+  Rgb specular_normal_{0.0F};
+  Rgb specular_grazing_{0.0F};
+  // Of the coat over the diffuse layer, the strongest channel.
+  float layer_f0_ = 0.0F;
+  float layer_f90_ = 0.0F;
+  Rgb diffuse_{0.0F};  ///< the Lambertian layer's BSDF but for (1 - E(incoming))
   std::optional<ThinWall> wall_;
   std::optional<GlassInterface> glass_;
   bool is_glass_smooth_ = false;

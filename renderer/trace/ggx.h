@@ -11,6 +11,9 @@ namespace foveola {
 /// Below it a surface is perfectly smooth: reflections of rougher ones blur over 0.006 degrees.
 constexpr float smallest_roughness = 0.01F;
 
+/// normalize(a + b) in double. Not inline: few surfaces are so smooth that they need it.
+Vec3 fine_half_vector(const Vec3& a, const Vec3& b);
+
 /// All directions are in a local frame whose +z is the surface's normal, unit length.
 struct Ggx {
   float alpha = 1.0F;  ///< > 0; glTF's roughness squared
@@ -33,10 +36,7 @@ struct Ggx {
   /// that normal, which the density hangs on, is finer than floats near 1.
   Vec3 half_vector(const Vec3& a, const Vec3& b) const {
     constexpr float fine_alpha = 0.01F;
-    if (alpha < fine_alpha) {
-      return Vec3(glm::normalize(glm::normalize(DVec3(a)) + glm::normalize(DVec3(b))));
-    }
-    return glm::normalize(a + b);
+    return alpha < fine_alpha ? fine_half_vector(a, b) : glm::normalize(a + b);
   }
 
   /// A microfacet normal as seen from `w`, with density G1(w) max(0, w.n) density(n) / w.z (Dupuy

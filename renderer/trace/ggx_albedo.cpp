@@ -1,21 +1,12 @@
 #include "renderer/trace/ggx_albedo.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
-#include "renderer/trace/albedo_axis.h"
-#include "renderer/trace/fresnel.h"
-#include "renderer/trace/ggx.h"
 #include "renderer/trace/visible_normals.h"
 
 namespace foveola {
 namespace {
-
-constexpr int roughness_steps = 64;
-constexpr int cosine_steps = 96;
-constexpr std::size_t rows = roughness_steps + 1;
-constexpr std::size_t nodes_in_row = cosine_steps + 1;
 
 /// The expected weights of a sampled reflection.
 SchlickAlbedo integrate_albedo(float cosine, const Ggx& ggx) {
@@ -32,10 +23,6 @@ SchlickAlbedo integrate_albedo(float cosine, const Ggx& ggx) {
     grazing += masked * schlick_weight(std::min(cosine_normal, 1.0F));
   });
   return {.white = static_cast<float>(white), .grazing = static_cast<float>(grazing)};
-}
-
-Vec2 node_of(const SchlickAlbedo& albedo, float cosine, float alpha) {
-  return {albedo.white, (albedo.grazing / albedo.white - schlick_weight(cosine)) / alpha};
 }
 
 /// With c = s^2, which puts more points where the albedo changes most: at grazing angles.
@@ -70,31 +57,6 @@ GgxAlbedo::GgxAlbedo(const Workers& workers) : nodes_(rows * nodes_in_row), mean
   for (std::size_t i = 0; i < rows; ++i) {
     means_[i] = mean_of(row(static_cast<float>(i) / roughness_steps));
   }
-}
-
-GgxAlbedo::Row GgxAlbedo::row(float roughness) const {
-  assert(roughness >= 0.0F && roughness <= 1.0F);
-  const NodePosition position(roughness < smallest_roughness ? 0.0F : roughness, roughness_steps);
-  const auto below = static_cast<std::size_t>(position.below);
-  Row row;
-  row.smoother_ = &nodes_[below * nodes_in_row];
-  row.alpha_ = roughness < smallest_roughness ? 0.0F : roughness * roughness;
-  row.rougher_weight_ = position.fraction;
-  const SchlickAlbedo& smoother = means_[below];
-  const SchlickAlbedo& rougher = means_[below + 1];
-  row.mean_ = {
-      .white = smoother.white + position.fraction * (rougher.white - smoother.white),
-      .grazing = smoother.grazing + position.fraction * (rougher.grazing - smoother.grazing)};
-  return row;
-}
-
-SchlickAlbedo GgxAlbedo::Row::at(float cosine) const {
-  const NodePosition place(albedo_position(cosine, alpha_), cosine_steps);
-  const Vec2* smoother = smoother_ + place.below;
-  const Vec2* rougher = smoother + nodes_in_row;
-  const Vec2 node = glm::mix(glm::mix(smoother[0], smoother[1], place.fraction),
-                             glm::mix(rougher[0], rougher[1], place.fraction), rougher_weight_);
-  return {.white = node.x, .grazing = node.x * (schlick_weight(cosine) + alpha_ * node.y)};
 }
 
 }  // namespace foveola

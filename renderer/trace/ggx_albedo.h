@@ -2,11 +2,15 @@
 // metals, and what a coat does not reflect goes to the layer below.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
 #include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
+#include "renderer/trace/albedo_axis.h"
+#include "renderer/trace/fresnel.h"
+#include "renderer/trace/ggx.h"
 
 namespace foveola {
 
@@ -30,14 +34,14 @@ class GgxAlbedo {
     /// cosine: between the normal and the direction, in [0, 1].
     SchlickAlbedo at(float cosine) const;
     /// 2 * integral of albedo(c) c dc over [0, 1]: the albedo under a uniform sky.
-    const SchlickAlbedo& mean() const { return mean_; }
+    SchlickAlbedo mean() const;
 
    private:
     friend class GgxAlbedo;
     const Vec2* smoother_ = nullptr;
     float alpha_ = 0.0F;
     float rougher_weight_ = 0.0F;
-    SchlickAlbedo mean_;
+    const SchlickAlbedo* smoother_mean_ = nullptr;
   };
 
   /// roughness: perceptual, in [0, 1]; below smallest_roughness it is that of a perfect mirror. The
@@ -45,11 +49,52 @@ class GgxAlbedo {
   Row row(float roughness) const;
 
  private:
-  /// Row-major: roughness, position(). x: the white albedo. y: the cosine c' at which Schlick's
-  /// weight is the lobe's mean weight, over c + alpha. Against the position both are nearly
-  /// straight lines, also for alpha towards 0.
-  std::vector<Vec2> nodes_;
+  static constexpr int roughness_steps = 64;
+  static constexpr int cosine_steps = 96;
+  static constexpr std::size_t rows = roughness_steps + 1;
+  static constexpr std::size_t nodes_in_row = cosine_steps + 1;
+
+  /// What is tabulated of an albedo: x: the white one; y: by how much the lobe's mean Schlick
+  /// weight exceeds that of the cosine, over alpha. Against the position both are nearly straight
+  /// lines, also for alpha towards 0.
+  static Vec2 node_of(const SchlickAlbedo& albedo, float cosine, float alpha) {
+    return {albedo.white, (albedo.grazing / albedo.white - schlick_weight(cosine)) / alpha};
+  }
+  static SchlickAlbedo albedo_of(const Vec2& node, float cosine, float alpha) {
+    return {.white = node.x, .grazing = node.x * (schlick_weight(cosine) + alpha * node.y)};
+  }
+
+  std::vector<Vec2> nodes_;           ///< row-major: roughness, position of the cosine
   std::vector<SchlickAlbedo> means_;  ///< one a roughness
 };
+
+inline SchlickAlbedo GgxAlbedo::Row::at(float cosine) const {
+  const NodePosition place(albedo_position(cosine, alpha_), cosine_steps);
+  const Vec2* smoother = smoother_ + place.below;
+  const Vec2* rougher = smoother + nodes_in_row;
+  const Vec2 lower = smoother[0] + rougher_weight_ * (rougher[0] - smoother[0]);
+  const Vec2 upper = smoother[1] + rougher_weight_ * (rougher[1] - smoother[1]);
+  return albedo_of(lower + place.fraction * (upper - lower), cosine, alpha_);
+}
+
+inline SchlickAlbedo GgxAlbedo::Row::mean() const {
+  const SchlickAlbedo& smoother = smoother_mean_[0];
+  const SchlickAlbedo& rougher = smoother_mean_[1];
+  return {.white = smoother.white + rougher_weight_ * (rougher.white - smoother.white),
+          .grazing = smoother.grazing + rougher_weight_ * (rougher.grazing - smoother.grazing)};
+}
+
+inline GgxAlbedo::Row GgxAlbedo::row(float roughness) const {
+  assert(roughness >= 0.0F && roughness <= 1.0F);
+  const bool is_smooth = roughness < smallest_roughness;
+  const NodePosition place(is_smooth ? 0.0F : roughness, roughness_steps);
+  const auto below = static_cast<std::size_t>(place.below);
+  Row row;
+  row.smoother_ = &nodes_[below * nodes_in_row];
+  row.alpha_ = is_smooth ? 0.0F : roughness * roughness;
+  row.rougher_weight_ = place.fraction;
+  row.smoother_mean_ = &means_[below];
+  return row;
+}
 
 }  // namespace foveola

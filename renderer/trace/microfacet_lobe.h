@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 
 #include "renderer/base/vec.h"
 #include "renderer/trace/ggx.h"
@@ -15,7 +16,10 @@ class MicrofacetLobe {
       : is_smooth_(roughness < smallest_roughness),
         ggx_{.alpha = is_smooth_ ? 1.0F : roughness * roughness},
         outgoing_(outgoing),
-        lambda_outgoing_(ggx_.lambda(outgoing)) {}
+        lambda_outgoing_(ggx_.lambda(outgoing)),
+        masking_outgoing_(1.0F / (1.0F + lambda_outgoing_)),
+        inverse_alpha_squared_(1.0F / (ggx_.alpha * ggx_.alpha)),
+        density_scale_(4.0F * std::numbers::pi_v<float> * ggx_.alpha * ggx_.alpha * outgoing.z) {}
 
   /// A perfect mirror: only mirrored() tells what it does.
   bool is_smooth() const { return is_smooth_; }
@@ -30,11 +34,13 @@ class MicrofacetLobe {
   /// incoming: unit length, z > 0.
   Facets facets(const Vec3& incoming) const {
     const Vec3 half = ggx_.half_vector(outgoing_, incoming);
-    // Both share D / (4 cos(outgoing)); the masking is G2 in the BSDF and G1 in the density of
-    // visible normals (Heitz 2018, eq. 17).
-    const float density = ggx_.density(half) / (4.0F * outgoing_.z);
-    return {.times_cosine = density / (1.0F + lambda_outgoing_ + ggx_.lambda(incoming)),
-            .pdf = density / (1.0F + lambda_outgoing_),
+    // Both share D / (4 cos(outgoing)), with D as in Ggx::density(); the masking is G2 in the BSDF
+    // and G1 in the density of visible normals (Heitz 2018, eq. 17). One division for both.
+    const float s = (half.x * half.x + half.y * half.y) * inverse_alpha_squared_ + half.z * half.z;
+    const float inverse_masking = 1.0F + lambda_outgoing_ + ggx_.lambda(incoming);
+    const float times_cosine = 1.0F / (density_scale_ * s * s * inverse_masking);
+    return {.times_cosine = times_cosine,
+            .pdf = times_cosine * inverse_masking * masking_outgoing_,
             .cosine = std::min(glm::dot(outgoing_, half), 1.0F)};
   }
 
@@ -50,6 +56,9 @@ class MicrofacetLobe {
   Ggx ggx_;
   Vec3 outgoing_;
   float lambda_outgoing_;
+  float masking_outgoing_;
+  float inverse_alpha_squared_;
+  float density_scale_;
 };
 
 }  // namespace foveola

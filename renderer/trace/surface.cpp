@@ -122,6 +122,18 @@ Vec3 shading_normal_at(const Scene& scene, const Material& material, const MeshP
   return glm::dot(shading, outgoing) > 0.0F ? shading : geometric_normal;
 }
 
+/// A point off the surface by its rounding error, and back along the ray: where the ray came
+/// through there is no other surface in between, and so no light leaks in where walls meet. At
+/// grazing angles that way would be long; the rest of it goes along the normal.
+Vec3 origin_before(const Vec3& position, const Vec3& direction, const Vec3& normal, float distance,
+                   float rounding_error) {
+  constexpr float longest = 10.0F;  // in rounding errors
+  const float cosine = -glm::dot(normal, direction);
+  const float back = std::min(rounding_error * std::min(1.0F / cosine, longest), 0.5F * distance);
+  const float rest = std::max(0.0F, rounding_error - back * cosine);
+  return position - (back * direction - rest * normal);
+}
+
 }  // namespace
 
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction,
@@ -140,9 +152,12 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
         glm::length(glm::cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0));
     point.relative_width = ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), 0.05F));
   }
-  return {.position = triangle.at(hit.barycentric),
-          .rounding_error = triangle.rounding_error(),
+  const Vec3 position = triangle.at(hit.barycentric);
+  const float rounding_error = triangle.rounding_error();
+  return {.position = position,
+          .rounding_error = rounding_error,
           .geometric_normal = geometric_normal,
+          .origin = origin_before(position, direction, geometric_normal, hit.t, rounding_error),
           .shading_normal = shading_normal_at(scene, material, point, scene.instance_of(hit.object),
                                               geometric_normal, front_normal, -direction),
           .reflectance = reflectance_at(scene, material, point, is_back)};

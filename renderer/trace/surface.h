@@ -17,11 +17,11 @@ struct SurfacePoint {
   Vec3 position;
   float rounding_error;   ///< metres; see Triangle
   Vec3 geometric_normal;  ///< unit, on the side the ray came from
+  Vec3 origin;            ///< where rays leave the surface on the side the ray came from
   Vec3 shading_normal;    ///< unit, on the same side; the ray always comes from its front
   Reflectance reflectance;
 
-  /// Where rays leave the surface on the side the ray came from, or on the other one.
-  Vec3 origin() const { return position + rounding_error * geometric_normal; }
+  /// Where they leave it on the other side.
   Vec3 origin_beyond() const { return position - rounding_error * geometric_normal; }
 };
 

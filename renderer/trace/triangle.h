@@ -17,7 +17,8 @@ struct Triangle {
   Vec3 p2;
   /// The largest magnitude among the terms whose sums the corners' coordinates are.
   float largest_term;
-  float winding = 1.0F;  ///< -1 where a mirroring instance has turned the corners' order around
+  float roundings = 2.5F;  ///< of terms, that a point on the triangle may be off
+  float winding = 1.0F;    ///< -1 where a mirroring instance has turned the corners' order around
 
   /// Of a mesh that stands in the world as it is.
   Triangle(const Mesh& mesh, std::uint32_t index)
@@ -51,15 +52,19 @@ struct Triangle {
   }
 
   Vec3 at(const Vec2& barycentric) const {
-    return (1.0F - barycentric.x - barycentric.y) * p0 + barycentric.x * p1 + barycentric.y * p2;
+    return p0 + (barycentric.x * (p1 - p0) + barycentric.y * (p2 - p0));
   }
 
-  /// A bound, in metres, on how far a point computed on the triangle may be off its plane, and a
-  /// ray's intersection with it off the true one. Both are sums of a few products of coordinates,
-  /// so the bound is a multiple of the largest of them (Pharr et al., Physically Based Rendering,
-  /// 4th ed., section 6.8); 32 units in the last place leave a margin for the intersection test.
+  /// A bound, in metres, on how far a point computed on the triangle and moved off it may be from
+  /// where it should be, and a ray that starts near the triangle from meeting it where it should
+  /// (after Pharr et al., Physically Based Rendering, 4th ed., section 6.8). Coordinates are
+  /// rounded once for the point and once for the move: half a unit in the last place each, along
+  /// three axes. What the triangle's sides and the intersection test add is relative to the
+  /// triangle's size, for both work with differences. An instance's transform adds a few roundings
+  /// of its terms.
   float rounding_error() const {
-    return 32.0F * std::numeric_limits<float>::epsilon() * largest_term;
+    const float sides = max_component(glm::abs(p1 - p0) + glm::abs(p2 - p0));
+    return std::numeric_limits<float>::epsilon() * (roundings * largest_term + 8.0F * sides);
   }
 
  private:
@@ -68,6 +73,7 @@ struct Triangle {
     const Mat3 linear(world_from_local);
     const Vec3 translation(world_from_local[3]);
     const Mat3 magnitude(glm::abs(linear[0]), glm::abs(linear[1]), glm::abs(linear[2]));
+    roundings = 10.0F;
     largest_term = max_component(magnitude * local + glm::abs(translation));
     p0 = linear * p0 + translation;
     p1 = linear * p1 + translation;

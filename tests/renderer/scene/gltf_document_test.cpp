@@ -31,12 +31,17 @@ Json complete() {
     "scene": 0,
     "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0, "camera": 0, "children": [1], "translation": [1, 2, 3],
-               "rotation": [0, 0, 0, 1], "scale": [1, 1, 1]},
+               "rotation": [0, 0, 0, 1], "scale": [1, 1, 1],
+               "extensions": {"KHR_lights_punctual": {"light": 0}}},
               {"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}],
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 0, "material": 0,
                                 "mode": 4}]}],
     "accessors": [{"bufferView": 0, "byteOffset": 0, "componentType": 5126, "count": 3,
-                   "type": "VEC3", "normalized": false}],
+                   "type": "VEC3", "normalized": false},
+                  {"componentType": 5126, "count": 3, "type": "VEC3",
+                   "sparse": {"count": 1,
+                              "indices": {"bufferView": 0, "byteOffset": 0, "componentType": 5123},
+                              "values": {"bufferView": 0, "byteOffset": 4}}}],
     "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 36, "byteStride": 12}],
     "buffers": [{"byteLength": 40}],
     "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1],
@@ -44,13 +49,36 @@ Json complete() {
                                             "metallicFactor": 0.5, "roughnessFactor": 1,
                                             "metallicRoughnessTexture": {"index": 0}},
                    "emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0},
-                   "normalTexture": {"index": 0}, "alphaMode": "MASK", "alphaCutoff": 0.5,
-                   "doubleSided": true,
-                   "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 5}}}],
+                   "normalTexture": {"index": 0, "scale": 0.5}, "alphaMode": "MASK",
+                   "alphaCutoff": 0.5, "doubleSided": true,
+                   "extensions": {
+                     "KHR_materials_emissive_strength": {"emissiveStrength": 5},
+                     "KHR_materials_ior": {"ior": 1.33},
+                     "KHR_materials_specular": {"specularFactor": 1, "specularTexture": {"index": 0},
+                                                "specularColorFactor": [1, 1, 1],
+                                                "specularColorTexture": {"index": 0}},
+                     "KHR_materials_transmission": {"transmissionFactor": 1,
+                                                    "transmissionTexture": {"index": 0}},
+                     "KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 0.5,
+                                              "attenuationColor": [1, 1, 1]},
+                     "KHR_materials_clearcoat": {"clearcoatFactor": 1,
+                                                 "clearcoatTexture": {"index": 0},
+                                                 "clearcoatRoughnessFactor": 1,
+                                                 "clearcoatRoughnessTexture": {"index": 0}},
+                     "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1],
+                                             "sheenColorTexture": {"index": 0, "extensions": {
+                                               "KHR_texture_transform": {"offset": [0, 0.5],
+                                                 "rotation": 1, "scale": [1, 1], "texCoord": 1}}},
+                                             "sheenRoughnessFactor": 1,
+                                             "sheenRoughnessTexture": {"index": 0}},
+                     "KHR_materials_unlit": {}}}],
     "textures": [{"source": 0, "sampler": 0}],
-    "samplers": [{"wrapS": 33071, "wrapT": 33648}],
+    "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728, "minFilter": 9987}],
     "images": [{"bufferView": 0}],
     "cameras": [{"type": "perspective"}],
+    "extensions": {"KHR_lights_punctual": {"lights": [
+      {"name": "lamp", "type": "spot", "color": [1, 1, 1], "intensity": 5, "range": 3,
+       "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.2}}]}},
     "extensionsUsed": ["KHR_materials_emissive_strength", "KHR_materials_ior"],
     "extensionsRequired": ["KHR_materials_emissive_strength"]
   })");
@@ -83,8 +111,8 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/nodes/1/matrix", Json::array(), "nodes[1].matrix: must be 16 numbers"},
       {"/meshes/0/primitives", Json::array(), "meshes[0].primitives: must have 1 or more"},
       {"/meshes/0/primitives/0/attributes", {0}, "meshes[0].primitives[0].attributes: must be an"},
-      {"/meshes/0/primitives/0/attributes/POSITION", 1,
-       "meshes[0].primitives[0].attributes.POSITION: is 1, but accessors has 1 elements"},
+      {"/meshes/0/primitives/0/attributes/POSITION", 2,
+       "meshes[0].primitives[0].attributes.POSITION: is 2, but accessors has 2 elements"},
       {"/meshes/0/primitives/0/indices", 4294967296,
        "meshes[0].primitives[0].indices: is 4294967296"},
       {"/meshes/0/primitives/0/material", 9, "meshes[0].primitives[0].material: is 9"},
@@ -117,9 +145,48 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/materials/0/alphaMode", "mask", "materials[0].alphaMode: must be one of OPAQUE"},
       {"/materials/0/alphaCutoff", -0.5, "materials[0].alphaCutoff: must be a number from 0"},
       {"/materials/0/doubleSided", "yes", "materials[0].doubleSided: must be true or false"},
-      {"/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength", -1,
+      {"/materials/0/normalTexture/scale", "steep", "materials[0].normalTexture.scale: must be a"},
+      {"/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength",
+       {1},
        "materials[0].extensions.KHR_materials_emissive_strength.emissiveStrength: must be a "
        "number"},
+      {"/materials/0/extensions/KHR_materials_ior/ior", 4294967296,
+       "materials[0].extensions.KHR_materials_ior.ior: must be an integer from"},
+      {"/materials/0/extensions/KHR_materials_unlit", 1,
+       "materials[0].extensions.KHR_materials_unlit: must be an object"},
+      {"/materials/0/extensions/KHR_materials_volume/attenuationColor",
+       {1, 1, "blue"},
+       "materials[0].extensions.KHR_materials_volume.attenuationColor: must be 3 numbers"},
+      {"/materials/0/extensions/KHR_materials_sheen/sheenColorTexture/index", 1,
+       "materials[0].extensions.KHR_materials_sheen.sheenColorTexture.index: is 1, but textures"},
+      {"/materials/0/extensions/KHR_materials_sheen/sheenColorTexture/extensions/"
+       "KHR_texture_transform/scale",
+       2,
+       "materials[0].extensions.KHR_materials_sheen.sheenColorTexture.extensions."
+       "KHR_texture_transform.scale: must be 2 numbers"},
+      {"/materials/0/extensions/KHR_materials_sheen/sheenColorTexture/extensions/"
+       "KHR_texture_transform/texCoord",
+       -1,
+       "materials[0].extensions.KHR_materials_sheen.sheenColorTexture.extensions."
+       "KHR_texture_transform.texCoord: must be an integer"},
+      {"/accessors/1/sparse/count", 4, "accessors[1].sparse.count: is larger than the accessor's"},
+      {"/accessors/1/sparse/count", 0, "accessors[1].sparse.count: must be an integer from 1"},
+      {"/accessors/1/sparse/indices/bufferView", 1,
+       "accessors[1].sparse.indices.bufferView: is 1, but bufferViews has 1"},
+      {"/accessors/1/sparse/indices/componentType", 5126,
+       "accessors[1].sparse.indices.componentType: must be one of 5121"},
+      {"/accessors/1/sparse/values/byteOffset", 2147483648,
+       "accessors[1].sparse.values.byteOffset: must be an integer from 0"},
+      {"/nodes/0/extensions/KHR_lights_punctual/light", 1,
+       "nodes[0].extensions.KHR_lights_punctual.light: is 1, but lights has 1 elements"},
+      {"/extensions/KHR_lights_punctual/lights/0/type", "area",
+       "extensions.KHR_lights_punctual.lights[0].type: must be one of directional"},
+      {"/extensions/KHR_lights_punctual/lights/0/color",
+       {1, 1},
+       "extensions.KHR_lights_punctual.lights[0].color: must be 3 numbers"},
+      {"/extensions/KHR_lights_punctual/lights", 7,
+       "nodes[0].extensions.KHR_lights_punctual.light: is 0, but lights has 0 elements"},
+      {"/samplers/0/minFilter", 9990, "samplers[0].minFilter: must be one of 9728"},
       {"/textures/0/source", 1, "textures[0].source: is 1, but images has 1 elements"},
       {"/textures/0/sampler", 1, "textures[0].sampler: is 1, but samplers has 1 elements"},
       {"/samplers/0/wrapS", 1, "samplers[0].wrapS: must be one of 33071"},
@@ -140,13 +207,29 @@ TEST(GltfDocument, NamesWhatIsMissing) {
   for (const char* pointer :
        {"/asset/version", "/meshes/0/primitives", "/buffers/0/byteLength", "/bufferViews/0/buffer",
         "/accessors/0/componentType", "/accessors/0/count", "/accessors/0/type", "/cameras/0/type",
-        "/materials/0/emissiveTexture/index"}) {
+        "/materials/0/emissiveTexture/index", "/accessors/1/sparse/indices",
+        "/accessors/1/sparse/values/bufferView",
+        "/materials/0/extensions/KHR_materials_clearcoat/clearcoatTexture/index",
+        "/nodes/0/extensions/KHR_lights_punctual/light",
+        "/extensions/KHR_lights_punctual/lights/0/type",
+        "/extensions/KHR_lights_punctual/lights/0/spot"}) {
     const Json::json_pointer missing(pointer);
     Json document = complete();
     document[missing.parent_pointer()].erase(missing.back());
     EXPECT_THAT(fault_in(document), HasSubstr(missing.back() + ": is missing")) << pointer;
   }
   EXPECT_EQ(fault_in(Json::object()), "asset: is missing");
+}
+
+/// Compressed geometry and textures have no fallback where the extension is required.
+TEST(GltfDocument, NamesEveryRequiredExtensionThatIsNotSupported) {
+  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                           "KHR_texture_basisu", "EXT_mesh_gpu_instancing"}) {
+    Json document = complete();
+    document["extensionsRequired"] = {name};
+    EXPECT_EQ(fault_in(document),
+              "extensionsRequired[0]: the extension " + std::string(name) + " is not supported");
+  }
 }
 
 TEST(GltfDocument, RefusesWhatIsNoJson) {

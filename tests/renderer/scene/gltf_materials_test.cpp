@@ -53,7 +53,7 @@ TEST_F(GltfMaterials, AbsentFactorsAreTheSpecifications) {
   EXPECT_EQ(material.roughness, 1.0F);
   EXPECT_EQ(material.emission, Rgb(0.0F));
   EXPECT_FALSE(material.double_sided);
-  EXPECT_FALSE(material.is_cut_out());
+  EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
   EXPECT_THAT(warnings, IsEmpty());
 }
 
@@ -89,9 +89,9 @@ TEST_F(GltfMaterials, LimitsFactorsWithAWarning) {
   EXPECT_EQ(material.metallic, 1.0F);
   EXPECT_EQ(material.roughness, 0.0F);
   EXPECT_THAT(warnings,
-              ElementsAre("a base colour is limited to the range it may have "
+              ElementsAre("baseColorFactor is limited to the range it may have "
                           "(materials[0].pbrMetallicRoughness.baseColorFactor)",
-                          HasSubstr("a metallic factor"), HasSubstr("a roughness factor")));
+                          HasSubstr("metallicFactor is"), HasSubstr("roughnessFactor is")));
 }
 
 TEST_F(GltfMaterials, EmissiveStrengthMultiplies) {
@@ -112,24 +112,18 @@ TEST_F(GltfMaterials, MaskCutsOutBelowItsCutoff) {
   EXPECT_EQ(load(glb).materials.at(0).alpha_cutoff, 0.25F);
 }
 
-TEST_F(GltfMaterials, AUniformSurfaceIsOpaqueOrCutOutWhole) {
-  const auto mask = [&](double alpha) {
-    return read({{"alphaMode", "MASK"},
-                 {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, alpha}}}}})
-        .first;
-  };
-  EXPECT_FALSE(mask(0.5).is_cut_out()) << "0.5 is not below the cutoff";
-  EXPECT_TRUE(mask(0.25).is_cut_out());
+TEST_F(GltfMaterials, AlphaModesAreReadAsTheyAre) {
+  const auto mode = [&](const char* name) { return read({{"alphaMode", name}}).first.alpha_mode; };
+  EXPECT_EQ(mode("OPAQUE"), AlphaMode::opaque);
+  EXPECT_EQ(mode("MASK"), AlphaMode::mask);
+  EXPECT_EQ(mode("BLEND"), AlphaMode::blend);
 }
 
-TEST_F(GltfMaterials, BlendIsACutOutWithAWarning) {
-  const auto [material, warnings] =
-      read({{"alphaMode", "BLEND"},
-            {"alphaCutoff", 0.1},
-            {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
-  EXPECT_EQ(material.alpha_cutoff, 0.5F);
-  EXPECT_THAT(warnings,
-              ElementsAre("alpha blending is shown as a cut-out at alpha 0.5 (materials[0])"));
+TEST_F(GltfMaterials, BlendKeepsItsAlpha) {
+  const auto [material, warnings] = read(
+      {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}});
+  EXPECT_EQ(material.alpha, 0.25F);
+  EXPECT_THAT(warnings, IsEmpty());
 }
 
 TEST_F(GltfMaterials, ColoursAreSrgbAndFactorsLinear) {
@@ -142,10 +136,11 @@ TEST_F(GltfMaterials, ColoursAreSrgbAndFactorsLinear) {
                                     {"metallicRoughnessTexture", {{"index", texture}}}}}};
   const Scene scene = load(glb);
   const Material& material = scene.materials.at(0);
-  EXPECT_EQ(material.base_color_texture, material.emissive_texture) << "the same use, decoded once";
+  EXPECT_EQ(material.base_color_texture.texture, material.emissive_texture.texture)
+      << "the same use, decoded once";
   ASSERT_EQ(scene.textures.size(), 2U);
-  const auto red = [&](int index) {
-    return scene.textures.at(static_cast<std::size_t>(index)).sample({0, 0}).r;
+  const auto red = [&](const TextureUse& use) {
+    return scene.textures.at(static_cast<std::size_t>(use.texture)).sample({0, 0}).r;
   };
   EXPECT_NEAR(red(material.base_color_texture), 0.502886F, 1e-5F);
   EXPECT_NEAR(red(material.metallic_roughness_texture), 188.0F / 255.0F, 1e-6F);
@@ -157,44 +152,138 @@ TEST_F(GltfMaterials, UnusedImagesAreNotDecoded) {
   EXPECT_TRUE(load(glb).textures.empty());
 }
 
+TEST_F(GltfMaterials, ImagesOfMaterialsThatNothingHasAreNotDecoded) {
+  GlbBuilder glb = with_material(plain);
+  glb.add("materials", textured(glb.add_texture("this is no image")));
+  glb.add("materials", textured(glb.add_texture("this is no image")));
+  Json elsewhere = glb.document["meshes"][0];
+  elsewhere["primitives"][0]["material"] = 2;
+  glb.add("meshes", elsewhere);  // which no node shows
+  const Scene scene = load(glb);
+  EXPECT_TRUE(scene.textures.empty());
+  EXPECT_FALSE(scene.materials.at(1).base_color_texture.exists());
+}
+
 TEST_F(GltfMaterials, SamplersSayHowToWrap) {
   constexpr int clamp = 33071;
   constexpr int mirror = 33648;
   GlbBuilder glb = with_material(plain);
   const int texture = glb.add_texture(png(2, 2, 1, std::vector<std::uint8_t>{0, 255, 0, 255}));
-  glb.document["textures"][texture]["sampler"] =
+  const int clamped = glb.add("textures", {{"source", 0}});
+  glb.document["textures"][clamped]["sampler"] =
       glb.add("samplers", {{"wrapS", clamp}, {"wrapT", mirror}});
-  const int repeated = glb.add("textures", {{"source", 0}});
+  glb.document["materials"][0] = textured(clamped);
+  EXPECT_EQ(load(glb).textures.at(0).sample({1.25F, 0.25F}).r, 1.0F);
   glb.document["materials"][0] = textured(texture);
-  glb.add("materials", textured(repeated));
-  const Scene scene = load(glb);
-  ASSERT_EQ(scene.textures.size(), 2U);
-  EXPECT_EQ(scene.textures[0].sample({1.25F, 0.25F}).r, 1.0F);
-  EXPECT_EQ(scene.textures[1].sample({1.25F, 0.25F}).r, 0.0F);
+  EXPECT_EQ(load(glb).textures.at(0).sample({1.25F, 0.25F}).r, 0.0F);
 }
 
-TEST_F(GltfMaterials, TextureCoordinatesAreThoseThatTheBaseColourNames) {
-  GlbBuilder glb = with_material(plain);
-  const int texture = glb.add_texture(one_pixel(1, 2, 3));
-  glb.document["materials"][0] = textured(texture, 1);
-  EXPECT_THAT(load(glb).meshes.at(0).uvs, ElementsAre(Vec2(5, 5), Vec2(6, 5), Vec2(5, 6)));
-  glb.document["materials"][0] = textured(texture, 0);
-  EXPECT_THAT(load(glb).meshes.at(0).uvs, ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)));
+/// A black and a white column of texels, whose centres are at u = 0.25 and 0.75: at 0.4 linear
+/// filtering gives (0.4 - 0.25) / 0.5 and the nearest texel is black; over both, at the centre of
+/// the only coarser level, the mean is a half.
+TEST_F(GltfMaterials, SamplersSayHowToFilter) {
+  const auto texture = [&](const Json& sampler) {
+    GlbBuilder glb = with_material(plain);
+    const int index = glb.add_texture(png(2, 1, 1, std::vector<std::uint8_t>{0, 255}));
+    glb.document["textures"][index]["sampler"] = glb.add("samplers", sampler);
+    // Of its linear channels, so that the mean of the codes is that of the values.
+    glb.document["materials"][0] = {
+        {"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", index}}}}}};
+    return load(glb).textures.at(0);
+  };
+  constexpr int nearest = 9728;
+  constexpr int linear = 9729;
+  constexpr int nearest_mipmap_nearest = 9984;
+  constexpr int linear_mipmap_linear = 9987;
+  const Vec2 uv(0.4F, 0.5F);
+  EXPECT_NEAR(texture(plain).sample(uv).g, 0.3F, 1e-6F);
+  EXPECT_NEAR(texture({{"magFilter", linear}}).sample(uv).g, 0.3F, 1e-6F);
+  EXPECT_EQ(texture({{"magFilter", nearest}}).sample(uv).g, 0.0F);
+  EXPECT_NEAR(texture(plain).sample(uv, 1.0F).g, 0.5F, 0.01F);
+  EXPECT_NEAR(texture({{"minFilter", linear_mipmap_linear}}).sample(uv, 1.0F).g, 0.5F, 0.01F);
+  EXPECT_NEAR(texture({{"minFilter", nearest_mipmap_nearest}}).sample(uv, 1.0F).g, 0.5F, 0.01F);
+  EXPECT_NEAR(texture({{"minFilter", linear}}).sample(uv, 1.0F).g, 0.3F, 1e-6F);
+  EXPECT_EQ(texture({{"minFilter", nearest}}).sample(uv, 1.0F).g, 0.0F);
 }
 
-TEST_F(GltfMaterials, WarnsOfTexturesThatDisagreeOnTheirCoordinates) {
+TEST_F(GltfMaterials, AMeshKeepsTheCoordinatesThatItsTexturesUse) {
   GlbBuilder glb = with_material(plain);
   const int texture = glb.add_texture(one_pixel(1, 2, 3));
+  const auto first = ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 1));
+  const auto second = ElementsAre(Vec2(5, 5), Vec2(6, 5), Vec2(5, 6));
   glb.document["materials"][0] = textured(texture, 1);
+  EXPECT_THAT(load(glb).meshes.at(0).uv_sets, ElementsAre(second));
+  EXPECT_EQ(load(glb).materials.at(0).base_color_texture.uv_set, 0);
   glb.document["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {
       {"index", texture}};
+  const Scene both = load(glb);
+  EXPECT_THAT(both.meshes.at(0).uv_sets, ElementsAre(second, first));
+  EXPECT_EQ(both.materials.at(0).base_color_texture.uv_set, 0);
+  EXPECT_EQ(both.materials.at(0).metallic_roughness_texture.uv_set, 1);
+  EXPECT_THAT(both.warnings, IsEmpty());
+}
+
+TEST_F(GltfMaterials, WithoutOneOfItsCoordinatesAMeshShowsNoTexture) {
+  GlbBuilder glb = with_material(plain);
+  const int texture = glb.add_texture(one_pixel(1, 2, 3));
+  glb.document["materials"][0] = textured(texture, 0);
+  glb.document["materials"][0]["normalTexture"] = {{"index", texture}, {"texCoord", 2}};
   const Scene scene = load(glb);
-  EXPECT_EQ(scene.meshes.at(0).uvs.at(0), Vec2(5, 5));
-  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates of the first")));
+  EXPECT_THAT(scene.meshes.at(0).uv_sets, IsEmpty());
+  EXPECT_THAT(scene.meshes.at(0).tangents, IsEmpty());
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates are missing")));
+}
+
+/// Where the corners of the unit square of coordinates go under KHR_texture_transform.
+class TextureTransform : public LoadGltf {
+ protected:
+  Vec2 transformed(const Json& transform, const Vec2& uv) const {
+    GlbBuilder glb = with_material(plain);
+    Json material = textured(glb.add_texture(one_pixel(1, 2, 3)));
+    material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+        {"KHR_texture_transform", transform}};
+    glb.document["materials"][0] = material;
+    const TextureUse use = load(glb).materials.at(0).base_color_texture;
+    return use.texture_from_mesh * Vec3(uv, 1.0F);
+  }
+};
+
+TEST_F(TextureTransform, WithoutOneCoordinatesStay) {
+  EXPECT_EQ(transformed(plain, {0.25F, 0.75F}), Vec2(0.25F, 0.75F));
+}
+
+TEST_F(TextureTransform, ScalesThenMoves) {
+  const Json transform = {{"offset", {0.5, 0.25}}, {"scale", {2, -1}}};
+  EXPECT_EQ(transformed(transform, {0.25F, 0.75F}), Vec2(1.0F, -0.5F));
+}
+
+/// The extension's own example: "utilizes only the lower left quadrant of the source image, rotated
+/// clockwise 90 degrees". The image's upper left corner is (0, 0), so that quadrant is u in
+/// [0, 0.5], v in [0.5, 1]. With the quadrant turned clockwise, its lower left corner (0, 1) is
+/// seen at the upper left of the mesh (0, 0), its upper left (0, 0.5) at the upper right (1, 0),
+/// its lower right (0.5, 1) at the lower left (0, 1).
+TEST_F(TextureTransform, RotatesAsInTheExtensionsExample) {
+  const Json transform = {{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}};
+  const auto expect_near = [](const Vec2& actual, const Vec2& expected) {
+    EXPECT_NEAR(actual.x, expected.x, 1e-6F);
+    EXPECT_NEAR(actual.y, expected.y, 1e-6F);
+  };
+  expect_near(transformed(transform, {0, 0}), {0, 1});
+  expect_near(transformed(transform, {1, 0}), {0, 0.5F});
+  expect_near(transformed(transform, {0, 1}), {0.5F, 1});
+}
+
+TEST_F(TextureTransform, OverridesTheSetOfCoordinates) {
+  GlbBuilder glb = with_material(plain);
+  Json material = textured(glb.add_texture(one_pixel(1, 2, 3)), 0);
+  material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+      {"KHR_texture_transform", {{"texCoord", 1}}}};
+  glb.document["materials"][0] = material;
+  EXPECT_EQ(load(glb).meshes.at(0).uv_sets.at(0).at(0), Vec2(5, 5));
 }
 
 TEST_F(GltfMaterials, UntexturedSurfacesKeepNoCoordinates) {
-  EXPECT_THAT(load(with_material(plain)).meshes.at(0).uvs, IsEmpty());
+  EXPECT_THAT(load(with_material(plain)).meshes.at(0).uv_sets, IsEmpty());
 }
 
 TEST_F(GltfMaterials, WarnsOfMissingCoordinates) {
@@ -202,22 +291,23 @@ TEST_F(GltfMaterials, WarnsOfMissingCoordinates) {
   glb.document["meshes"][0]["primitives"][0]["material"] =
       glb.add("materials", textured(glb.add_texture(one_pixel(1, 2, 3))));
   const Scene scene = load(glb);
-  EXPECT_THAT(scene.meshes.at(0).uvs, IsEmpty());
+  EXPECT_THAT(scene.meshes.at(0).uv_sets, IsEmpty());
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("texture coordinates are missing")));
 }
 
 TEST_F(GltfMaterials, EachThingIgnoredIsOneWarning) {
   GlbBuilder glb = with_material(plain);
-  const int texture = glb.add_texture(one_pixel(1, 2, 3));
+  const Json coat = {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", {{"index", 0}}}};
   for (int i = 0; i < 3; ++i) {
-    glb.add("materials", {{"normalTexture", {{"index", texture}}}});
+    glb.add("materials", {{"extensions", {{"KHR_materials_clearcoat", coat}}}});
   }
-  glb.document["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_transmission",
+  glb.document["extensionsUsed"] = {"KHR_materials_iridescence", "KHR_materials_clearcoat",
                                     "KHR_materials_emissive_strength"};
-  EXPECT_THAT(load(glb).warnings, ElementsAre("the extension KHR_materials_clearcoat is ignored",
-                                              "the extension KHR_materials_transmission is ignored",
-                                              "normal textures are ignored (3 times, first at "
-                                              "materials[1].normalTexture)"));
+  EXPECT_THAT(load(glb).warnings,
+              ElementsAre("the extension KHR_materials_iridescence is ignored",
+                          "normal textures of clear coats are ignored (3 times, first at "
+                          "materials[1].extensions.KHR_materials_clearcoat."
+                          "clearcoatNormalTexture)"));
 }
 
 TEST_F(GltfMaterials, ReadsImagesByUri) {
@@ -242,15 +332,20 @@ TEST_F(GltfMaterials, RefusesADamagedImage) {
   EXPECT_THAT(error_of(glb), HasSubstr("images[1]: is neither a PNG nor a JPEG image"));
 }
 
-/// Two kilobytes that ask for 16384 x 16384 pixels three times.
+/// Files that ask for 16384 x 16384 pixels three times.
 TEST_F(GltfMaterials, RefusesMoreTexelsThanMemoryHolds) {
   std::string large = one_pixel(1, 2, 3);
   large.replace(16, 8, std::string("\0\0\x40\0\0\0\x40\0", 8));
   large.replace(29, 4, "\x26\xAA\x87\xD3");
+  large.append(50000, '\0');
   GlbBuilder glb = with_material(plain);
-  for (int i = 0; i < 3; ++i) {
-    glb.add("materials", textured(glb.add_texture(large)));
-  }
+  const Json texture = {{"index", glb.add_texture(large)}};
+  const Json normal = {{"index", glb.add_texture(large)}};
+  const Json emissive = {{"index", glb.add_texture(large)}};
+  glb.document["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", texture}}},
+                                  {"normalTexture", normal},
+                                  {"emissiveTexture", emissive},
+                                  {"emissiveFactor", {1, 1, 1}}};
   EXPECT_THAT(error_of(glb), HasSubstr("images: have 805306368 pixels together"));
 }
 

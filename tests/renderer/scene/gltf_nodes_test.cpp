@@ -37,40 +37,42 @@ GlbBuilder nested(std::initializer_list<Json> transforms) {
   return glb;
 }
 
+/// Where vertex `i` of mesh `mesh` stands in the file's world.
+Vec3 world_position(const Scene& scene, std::size_t mesh, std::size_t i) {
+  return Vec3(scene.origin + DVec3(scene.meshes.at(mesh).positions.at(i)));
+}
+
 using Nodes = LoadGltf;
 
 TEST_F(Nodes, ScaleThenRotationThenTranslation) {
   const Scene scene = load(nested(
       {{{"translation", {10, 20, 30}}, {"rotation", quarter_turn()}, {"scale", {2, 3, 4}}}}));
-  const Mesh& mesh = scene.meshes.at(0);
-  expect_near(mesh.positions[0], {10, 20, 30});
-  expect_near(mesh.positions[1], {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
-  expect_near(mesh.positions[2], {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
+  expect_near(world_position(scene, 0, 0), {10, 20, 30});
+  expect_near(world_position(scene, 0, 1), {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
+  expect_near(world_position(scene, 0, 2), {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
 }
 
 TEST_F(Nodes, ParentsApplyAfterTheirChildren) {
   const Scene scene = load(nested(
       {{{"translation", {1, 0, 0}}}, {{"rotation", quarter_turn()}}, {{"scale", {2, 2, 2}}}}));
-  const Mesh& mesh = scene.meshes.at(0);
-  expect_near(mesh.positions[0], {0, 2, 0});
-  expect_near(mesh.positions[1], {0, 4, 0});
-  expect_near(mesh.positions[2], {-2, 2, 0});
+  expect_near(world_position(scene, 0, 0), {0, 2, 0});
+  expect_near(world_position(scene, 0, 1), {0, 4, 0});
+  expect_near(world_position(scene, 0, 2), {-2, 2, 0});
 }
 
 TEST_F(Nodes, MatrixIsColumnMajor) {
   const Scene scene =
       load(nested({{{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}}));
-  const Mesh& mesh = scene.meshes.at(0);
-  expect_near(mesh.positions[0], {5, 6, 7});
-  expect_near(mesh.positions[1], {5, 7, 7});
-  expect_near(mesh.positions[2], {4, 6, 7});
+  expect_near(world_position(scene, 0, 0), {5, 6, 7});
+  expect_near(world_position(scene, 0, 1), {5, 7, 7});
+  expect_near(world_position(scene, 0, 2), {4, 6, 7});
 }
 
 /// In float, 1e8 + 0.5 is 1e8.
 TEST_F(Nodes, ComposesInDoublePrecision) {
   const Scene scene =
       load(nested({{{"translation", {1e8 + 0.5, 0, 0}}}, {{"translation", {-1e8, 0, 0}}}}));
-  expect_near(scene.meshes.at(0).positions[0], {0.5F, 0, 0});
+  expect_near(world_position(scene, 0, 0), {0.5F, 0, 0});
 }
 
 TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
@@ -81,19 +83,19 @@ TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
   ASSERT_EQ(scene.meshes.size(), 2U);
   EXPECT_EQ(scene.meshes[0].name, "chair");
   EXPECT_EQ(scene.meshes[1].name, "left chair");
-  expect_near(scene.meshes[0].positions[1], {1, 0, 0});
-  expect_near(scene.meshes[1].positions[1], {-4, 0, 0});
+  expect_near(world_position(scene, 0, 1), {1, 0, 0});
+  expect_near(world_position(scene, 1, 1), {-4, 0, 0});
 }
 
 TEST_F(Nodes, OnlyTheDefaultSceneIsShown) {
   GlbBuilder glb = one_triangle();
   glb.add("nodes", {{"mesh", 0}, {"translation", {7, 0, 0}}});
   glb.add("scenes", {{"nodes", {1}}});
-  EXPECT_EQ(load(glb).meshes.at(0).positions[0].x, 0.0F) << "without a default, the first";
+  EXPECT_EQ(world_position(load(glb), 0, 0).x, 0.0F) << "without a default, the first";
   glb.document["scene"] = 1;
   const Scene scene = load(glb);
   ASSERT_EQ(scene.meshes.size(), 1U);
-  EXPECT_EQ(scene.meshes[0].positions[0].x, 7.0F);
+  EXPECT_EQ(world_position(scene, 0, 0).x, 7.0F);
 }
 
 TEST_F(Nodes, WithoutScenesAllRootsAreShown) {
@@ -103,7 +105,7 @@ TEST_F(Nodes, WithoutScenesAllRootsAreShown) {
   glb.add("nodes", {{"mesh", 0}, {"translation", {7, 0, 0}}});
   const Scene scene = load(glb);
   ASSERT_EQ(scene.meshes.size(), 2U);
-  EXPECT_EQ(scene.meshes[1].positions[0].x, 7.0F);
+  EXPECT_EQ(world_position(scene, 1, 0).x, 7.0F);
 }
 
 TEST_F(Nodes, PerspectiveCamerasLookAlongMinusZ) {
@@ -179,7 +181,7 @@ TEST_F(Nodes, ADeepChainIsNoProblem) {
   }
   glb.document["nodes"][depth / 2]["translation"] = {0, 0, 5};
   glb.document["scenes"][0]["nodes"] = {depth - 1};
-  EXPECT_EQ(load(glb).meshes.at(0).positions[0].z, 5.0F);
+  EXPECT_EQ(world_position(load(glb), 0, 0).z, 5.0F);
 }
 
 }  // namespace

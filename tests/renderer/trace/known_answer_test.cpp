@@ -192,7 +192,7 @@ MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
   const auto from_light = [&](SampleStream& random) -> double {
     const Vec2 choice = random.next_2d();
     const Receiver receiver{
-        .position = point.origin(), .normal = point.geometric_normal, .transmits = false};
+        .position = point.origin, .normal = point.geometric_normal, .transmits = false};
     const auto light = lights.sample(receiver, 0.0F, choice, random.next_2d());
     if (!light) {
       return 0.0;
@@ -209,7 +209,7 @@ MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
       return 0.0;
     }
     const Vec3 world = frame.to_world(sample->incoming);
-    const Hit next = rays.closest_hit(point.origin(), world);
+    const Hit next = rays.closest_hit(point.origin, world);
     return next.missed() ? 0.0 : sample->weight.g * surface_emission(scene, next, world).radiance.g;
   };
   MeanEstimate estimate;

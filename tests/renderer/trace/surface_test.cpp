@@ -23,12 +23,12 @@ TEST(SurfaceTest, RaysLeaveOnTheSideTheyCameFrom) {
   const Scene scene = floor_scene(dielectric(0.5F));
   const SurfacePoint above = surface_point(scene, centre, down);
   EXPECT_EQ(above.geometric_normal, up);
-  EXPECT_GT(above.origin().y, 0.0F);
-  EXPECT_LT(above.origin().y, 1e-4F);
-  EXPECT_NEAR(above.origin().x, 0.5, 1e-6);
+  EXPECT_GT(above.origin.y, 0.0F);
+  EXPECT_LT(above.origin.y, 1e-4F);
+  EXPECT_NEAR(above.origin.x, 0.5, 1e-6);
   const SurfacePoint below = surface_point(scene, centre, up);
   EXPECT_EQ(below.geometric_normal, down);
-  EXPECT_LT(below.origin().y, 0.0F);
+  EXPECT_LT(below.origin.y, 0.0F);
 }
 
 TEST(SurfaceTest, ShadingNormalIsInterpolatedOnTheRaysSide) {

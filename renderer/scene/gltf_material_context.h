@@ -1,0 +1,50 @@
+// What reading one glTF material takes: limits with warnings, and the textures it uses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/scene/gltf_textures.h"
+#include "renderer/scene/scene.h"
+#include "renderer/scene/warnings.h"
+
+namespace tinygltf {
+class Value;
+}
+
+namespace foveola {
+
+/// A glTF textureInfo.
+struct TextureReference {
+  int index = -1;  ///< -1: none
+  int tex_coord = 0;
+  const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform's, or null
+};
+
+class MaterialContext {
+ public:
+  /// textures: null if nothing shows the material, whose textures are then not loaded. Both
+  /// references must outlive this.
+  MaterialContext(std::string place, TextureSet* textures, Warnings& warnings)
+      : place_(std::move(place)), textures_(textures), warnings_(warnings) {}
+
+  /// `value` in [lowest, highest], with a warning that names `property`, the value's JSON path
+  /// below the material, if it was not. Both ends are within a float's range.
+  float limited(double value, double lowest, double highest, const std::string& property);
+  Rgb limited(const DVec3& value, double lowest, double highest, const std::string& property);
+
+  TextureUse use(const TextureReference& reference, Encoding encoding);
+
+  void warn(const std::string& what, const std::string& property);
+
+  /// The TEXCOORDs of the textures used so far; TextureUse::uv_set counts them.
+  const std::vector<int>& uv_sets() const { return uv_sets_; }
+
+ private:
+  std::string place_;
+  TextureSet* textures_;
+  Warnings& warnings_;
+  std::vector<int> uv_sets_;
+};
+
+}  // namespace foveola

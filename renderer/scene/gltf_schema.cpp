@@ -1,0 +1,282 @@
+#include "renderer/scene/gltf_schema.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/json_rules.h"
+
+namespace foveola {
+namespace {
+
+using Json = nlohmann::json;
+using namespace json_rules;
+
+constexpr Presence optional = Presence::optional;
+constexpr Presence required = Presence::required;
+
+class Schema {
+ public:
+  explicit Schema(const Json& document) : document_(document) {}
+
+  Rule document() const {
+    return object({{"asset", required, object({{"version", required, text()}})},
+                   {"extensionsUsed", optional, array_of(text())},
+                   {"extensionsRequired", optional, array_of(text())},
+                   {"scene", optional, index("scenes")},
+                   {"scenes", optional, array_of(object({{"nodes", optional, indices("nodes")}}))},
+                   {"nodes", optional, array_of(node())},
+                   {"meshes", optional, array_of(mesh())},
+                   {"accessors", optional, array_of(accessor())},
+                   {"buffers", optional, array_of(buffer())},  // before the views of them
+                   {"bufferViews", optional, array_of(buffer_view())},
+                   {"materials", optional, array_of(material())},
+                   {"textures", optional, array_of(texture())},
+                   {"samplers", optional, array_of(sampler())},
+                   {"images", optional, array_of(image())},
+                   {"cameras", optional, array_of(camera())},
+                   {"extensions", optional,
+                    object({{"KHR_lights_punctual", optional,
+                             object({{"lights", required, array_of(light())}})}})}});
+  }
+
+ private:
+  Rule index(const std::string& array) const {
+    const auto found = document_.find(array);
+    const bool has_elements = found != document_.end() && found->is_array();
+    return index_into(array, has_elements ? found->size() : 0);
+  }
+  Rule indices(const std::string& array) const { return array_of(index(array)); }
+
+  Rule light_index() const {
+    static const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+    const bool has_lights = document_.contains(lights) && document_[lights].is_array();
+    return index_into("lights", has_lights ? document_[lights].size() : 0);
+  }
+
+  static Rule byte_count(std::int64_t fewest) {
+    return integer(fewest, std::numeric_limits<std::uint32_t>::max());
+  }
+
+  Rule node() const {
+    return object({{"name", optional, text()},
+                   {"children", optional, indices("nodes")},
+                   {"mesh", optional, index("meshes")},
+                   {"camera", optional, index("cameras")},
+                   {"matrix", optional, numbers(16)},
+                   {"translation", optional, numbers(3)},
+                   {"rotation", optional, numbers(4)},
+                   {"scale", optional, numbers(3)},
+                   {"extensions", optional,
+                    object({{"KHR_lights_punctual", optional,
+                             object({{"light", required, light_index()}})}})}});
+  }
+
+  Rule mesh() const {
+    const Rule primitive = object({{"attributes", required, map_of(index("accessors"))},
+                                   {"indices", optional, index("accessors")},
+                                   {"material", optional, index("materials")},
+                                   {"mode", optional, integer(0, 6)}});
+    return object({{"name", optional, text()}, {"primitives", required, array_of(primitive, 1)}});
+  }
+
+  Rule accessor() const {
+    const Rule shape = object(
+        {{"bufferView", optional, index("bufferViews")},
+         {"byteOffset", optional, byte_count(0)},
+         {"componentType", required, one_of_integers({5120, 5121, 5122, 5123, 5125, 5126})},
+         {"normalized", optional, boolean()},
+         {"count", required, byte_count(1)},
+         {"type", required, one_of({"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"})},
+         {"sparse", optional, sparse()}});
+    return [shape](const Json& value, const Place& place) {
+      shape(value, place);
+      if (value.contains("sparse") && value["sparse"]["count"] > value["count"]) {
+        throw GltfFault(place.path() + ".sparse.count", "is larger than the accessor's count");
+      }
+    };
+  }
+
+  Rule sparse() const {
+    const Rule int_count = integer(1, std::numeric_limits<int>::max());  // as tinygltf keeps it
+    const Rule int_offset = integer(0, std::numeric_limits<int>::max());
+    const Rule index_type = one_of_integers({5121, 5123, 5125});
+    return object({{"count", required, int_count},
+                   {"indices", required,
+                    object({{"bufferView", required, index("bufferViews")},
+                            {"byteOffset", optional, int_offset},
+                            {"componentType", required, index_type}})},
+                   {"values", required,
+                    object({{"bufferView", required, index("bufferViews")},
+                            {"byteOffset", optional, int_offset}})}});
+  }
+
+  Rule buffer_view() const {
+    const Rule shape = object({{"buffer", required, index("buffers")},
+                               {"byteOffset", optional, byte_count(0)},
+                               {"byteLength", required, byte_count(1)},
+                               {"byteStride", optional, integer(4, 252)}});
+    return [shape, this](const Json& value, const Place& place) {
+      shape(value, place);
+      const Json& buffer = document_["buffers"][value["buffer"].get<std::size_t>()];
+      const std::uint64_t end =
+          value.value("byteOffset", std::uint64_t{0}) + value["byteLength"].get<std::uint64_t>();
+      if (const auto length = buffer["byteLength"].get<std::uint64_t>(); end > length) {
+        throw GltfFault(place.path(), fmt::format("ends at byte {}, but buffers[{}] has {} bytes",
+                                                  end, value["buffer"].dump(), length));
+      }
+    };
+  }
+
+  static Rule buffer() {
+    return object({{"byteLength", required, byte_count(1)}, {"uri", optional, text()}});
+  }
+
+  std::vector<Property> texture_info_properties() const {
+    const Rule tex_coord = integer(0, 15);
+    const Rule transform = object({{"offset", optional, extension_numbers(2)},
+                                   {"rotation", optional, extension_number()},
+                                   {"scale", optional, extension_numbers(2)},
+                                   {"texCoord", optional, tex_coord}});
+    return {{"index", required, index("textures")},
+            {"texCoord", optional, tex_coord},
+            {"extensions", optional, object({{"KHR_texture_transform", optional, transform}})}};
+  }
+  Rule texture_info() const { return object(texture_info_properties()); }
+  Rule normal_texture_info() const {
+    std::vector<Property> properties = texture_info_properties();
+    properties.push_back({"scale", optional, any_number()});
+    return object(std::move(properties));
+  }
+
+  Rule material() const {
+    const Rule metallic_roughness =
+        object({{"baseColorFactor", optional, numbers(4)},
+                {"baseColorTexture", optional, texture_info()},
+                {"metallicFactor", optional, any_number()},
+                {"roughnessFactor", optional, any_number()},
+                {"metallicRoughnessTexture", optional, texture_info()}});
+    return object({{"name", optional, text()},
+                   {"pbrMetallicRoughness", optional, metallic_roughness},
+                   {"normalTexture", optional, normal_texture_info()},
+                   {"emissiveTexture", optional, texture_info()},
+                   {"emissiveFactor", optional, numbers(3)},
+                   {"alphaMode", optional, one_of({"OPAQUE", "MASK", "BLEND"})},
+                   {"alphaCutoff", optional, number(0.0, 1e9)},
+                   {"doubleSided", optional, boolean()},
+                   {"extensions", optional, material_extensions()}});
+  }
+
+  Rule material_extensions() const {
+    const Rule factor = extension_number();
+    const Rule color = extension_numbers(3);
+    const Rule texture = texture_info();
+    return object({{"KHR_materials_clearcoat", optional,
+                    object({{"clearcoatFactor", optional, factor},
+                            {"clearcoatTexture", optional, texture},
+                            {"clearcoatRoughnessFactor", optional, factor},
+                            {"clearcoatRoughnessTexture", optional, texture}})},
+                   {"KHR_materials_emissive_strength", optional,
+                    object({{"emissiveStrength", optional, factor}})},
+                   {"KHR_materials_ior", optional, object({{"ior", optional, factor}})},
+                   {"KHR_materials_sheen", optional,
+                    object({{"sheenColorFactor", optional, color},
+                            {"sheenColorTexture", optional, texture},
+                            {"sheenRoughnessFactor", optional, factor},
+                            {"sheenRoughnessTexture", optional, texture}})},
+                   {"KHR_materials_specular", optional,
+                    object({{"specularFactor", optional, factor},
+                            {"specularTexture", optional, texture},
+                            {"specularColorFactor", optional, color},
+                            {"specularColorTexture", optional, texture}})},
+                   {"KHR_materials_transmission", optional,
+                    object({{"transmissionFactor", optional, factor},
+                            {"transmissionTexture", optional, texture}})},
+                   {"KHR_materials_unlit", optional, object({})},
+                   {"KHR_materials_volume", optional,
+                    object({{"thicknessFactor", optional, factor},
+                            {"attenuationDistance", optional, factor},
+                            {"attenuationColor", optional, color}})}});
+  }
+
+  static Rule any_number() {
+    return number(std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+  }
+
+  /// tinygltf keeps the whole numbers of extensions in an int.
+  static Rule extension_number() {
+    const Rule whole = integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    return [any = any_number(), whole](const Json& value, const Place& place) {
+      (value.is_number_integer() ? whole : any)(value, place);
+    };
+  }
+  static Rule extension_numbers(std::size_t count) {
+    return [shape = numbers(count), each = array_of(extension_number())](const Json& value,
+                                                                         const Place& place) {
+      shape(value, place);
+      each(value, place);
+    };
+  }
+
+  Rule texture() const {
+    return object(
+        {{"sampler", optional, index("samplers")}, {"source", optional, index("images")}});
+  }
+
+  static Rule sampler() {
+    const Rule wrap = one_of_integers({33071, 33648, 10497});
+    return object({{"wrapS", optional, wrap},
+                   {"wrapT", optional, wrap},
+                   {"magFilter", optional, one_of_integers({9728, 9729})},
+                   {"minFilter", optional, one_of_integers({9728, 9729, 9984, 9985, 9986, 9987})}});
+  }
+
+  Rule image() const {
+    const Rule shape =
+        object({{"uri", optional, text()}, {"bufferView", optional, index("bufferViews")}});
+    return [shape](const Json& value, const Place& place) {
+      shape(value, place);
+      if (value.contains("uri") == value.contains("bufferView")) {
+        throw GltfFault(place.path(), "must have either a uri or a bufferView");
+      }
+    };
+  }
+
+  static Rule camera() {
+    return object(
+        {{"name", optional, text()}, {"type", required, one_of({"perspective", "orthographic"})}});
+  }
+
+  static Rule light() {
+    const Rule spot = object(
+        {{"innerConeAngle", optional, any_number()}, {"outerConeAngle", optional, any_number()}});
+    const Rule shape = object({{"name", optional, text()},
+                               {"type", required, one_of({"directional", "point", "spot"})},
+                               {"color", optional, numbers(3)},
+                               {"intensity", optional, any_number()},
+                               {"range", optional, any_number()},
+                               {"spot", optional, spot}});
+    return [shape](const Json& value, const Place& place) {
+      shape(value, place);
+      if (value["type"] == "spot" && !value.contains("spot")) {
+        throw GltfFault(place.path() + ".spot", "is missing");
+      }
+    };
+  }
+
+  const Json& document_;
+};
+
+}  // namespace
+
+void require_schema(const nlohmann::json& document) {
+  Schema(document).document()(document, Place{});
+}
+
+}  // namespace foveola
