@@ -66,7 +66,7 @@ double sphere_radiance(const ReferenceMaterial& material, int max_depth) {
 }
 
 TEST(KnownAnswerTest, GreyFurnaceIsItsQuadrature) {
-  for (const ReferenceMaterial material :
+  for (const ReferenceMaterial& material :
        {ReferenceMaterial{0.5, 0.0, 1.0}, ReferenceMaterial{0.7, 1.0, 0.6}}) {
     Scene scene;
     scene.materials = {
@@ -129,7 +129,7 @@ double floor_radiance(const ReferenceMaterial& material) {
 }
 
 TEST(KnownAnswerTest, DirectLightOfARectangleIsItsQuadrature) {
-  for (const ReferenceMaterial material :
+  for (const ReferenceMaterial& material :
        {ReferenceMaterial{0.8, 0.0, 1.0}, ReferenceMaterial{0.8, 0.5, 0.5},
         ReferenceMaterial{0.9, 1.0, 0.2}}) {
     Material floor =
@@ -183,12 +183,12 @@ TEST(KnownAnswerTest, DirectLightOfAnImageIsItsQuadrature) {
 MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
   const RayScene rays(scene, workers());
   const Lights lights(scene);
-  const CoatAlbedo coat(workers());
+  const ScatteringTables tables(scene.materials, workers());
   const Vec3 direction = glm::normalize(Vec3(1, -1, 0));
   const Hit hit = rays.closest_hit(Vec3(-1, 1, 0), direction);
   const SurfacePoint point = surface_point(scene, hit, direction);
   const Frame frame(point.shading_normal);
-  const Bsdf bsdf(point.reflectance, frame.to_local(-direction), coat);
+  const Bsdf bsdf(point.reflectance, frame.to_local(-direction), tables);
   const auto from_light = [&](SampleStream& random) -> double {
     const Vec2 choice = random.next_2d();
     const Receiver receiver{
