@@ -18,6 +18,24 @@ constexpr std::uint64_t smallest_batch = 1 << 14;
 constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr double batch_target_s = 0.1;
 
+/// What any renderer can show: for comparing with others.
+void make_diffuse(Material& material) {
+  material.metallic = 0.0F;
+  material.specular = 0.0F;
+  material.transmission = 0.0F;
+  material.clearcoat = 0.0F;
+  material.sheen_color = Rgb(0.0F);
+  material.normal_texture = {};
+}
+
+Scene load(const SceneSource& source, const RenderSettings& settings) {
+  Scene scene = load_scene(source);
+  if (settings.diffuse) {
+    std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
+  }
+  return scene;
+}
+
 CameraView choose_camera(const SceneSource& source, const Scene& scene,
                          const RenderSettings& settings) {
   CameraView view;
@@ -77,7 +95,7 @@ struct Stage {
 
   Stage(const SceneSource& source, const RenderSettings& settings)
       : workers(settings.threads),
-        scene(timed(load_seconds, [&] { return load_scene(source); })),
+        scene(timed(load_seconds, [&] { return load(source, settings); })),
         tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
         camera(choose_camera(source, scene, settings)),
         gaze(settings.gaze.value_or(camera.heading)),

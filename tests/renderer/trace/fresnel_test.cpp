@@ -18,8 +18,8 @@ TEST(FresnelTest, SplitIsThatOfTheAngles) {
   for (const double eta : {1.0 / 2.4, 1.0 / 1.5, 1.0 / 1.1, 1.1, 1.5, 2.4}) {
     for (const double incident : {0.1, 0.3, 0.41, 0.8, 1.1, 1.4, 1.56}) {
       const double sine = std::sin(incident) / eta;
-      const FresnelSplit split = fresnel_split(static_cast<float>(std::cos(incident)),
-                                               static_cast<float>(eta));
+      const FresnelSplit split =
+          fresnel_split(static_cast<float>(std::cos(incident)), static_cast<float>(eta));
       if (sine > 1.0) {
         EXPECT_EQ(split.reflected, 1.0F);
         EXPECT_EQ(split.transmitted_cosine, 0.0F);

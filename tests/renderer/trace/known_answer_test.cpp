@@ -183,12 +183,12 @@ TEST(KnownAnswerTest, DirectLightOfAnImageIsItsQuadrature) {
 MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
   const RayScene rays(scene, workers());
   const Lights lights(scene);
-  const CoatAlbedo coat(workers());
+  const ScatteringTables tables(scene.materials, workers());
   const Vec3 direction = glm::normalize(Vec3(1, -1, 0));
   const Hit hit = rays.closest_hit(Vec3(-1, 1, 0), direction);
   const SurfacePoint point = surface_point(scene, hit, direction);
   const Frame frame(point.shading_normal);
-  const Bsdf bsdf(point.reflectance, frame.to_local(-direction), coat);
+  const Bsdf bsdf(point.reflectance, frame.to_local(-direction), tables);
   const auto from_light = [&](SampleStream& random) -> double {
     const Vec2 choice = random.next_2d();
     const Receiver receiver{

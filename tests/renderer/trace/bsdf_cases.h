@@ -1,0 +1,100 @@
+// Materials, directions and random numbers that the tests of the BSDF share.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "reference_bsdf.h"
+#include "renderer/base/random.h"
+#include "renderer/trace/bsdf.h"
+
+namespace foveola {
+
+inline Reflectance reflectance_of(const ReferenceMaterial& m) {
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  return {.base_color = Rgb(narrow(m.base)),
+          .metallic = narrow(m.metallic),
+          .roughness = narrow(m.roughness),
+          .ior = narrow(m.ior),
+          .specular = narrow(m.specular),
+          .transmission = narrow(m.transmission),
+          .is_solid = m.is_solid,
+          .from_inside = m.from_inside,
+          .clearcoat = narrow(m.clearcoat),
+          .clearcoat_roughness = narrow(m.clearcoat_roughness),
+          .sheen_color = Rgb(narrow(m.sheen)),
+          .sheen_roughness = narrow(m.sheen_roughness)};
+}
+
+/// With sheen, and rough solid glass of indices 1.001, 1.3 and 1.5.
+inline const ScatteringTables& scattering_tables() {
+  static const ScatteringTables made_once = [] {
+    std::vector<Material> materials;
+    for (const float ior : {1.001F, 1.3F, 1.5F}) {
+      Material material;
+      material.ior = ior;
+      material.transmission = 1.0F;
+      material.is_solid = true;
+      material.sheen_color = Rgb(1.0F);
+      materials.push_back(material);
+    }
+    return ScatteringTables(materials, Workers(2));
+  }();
+  return made_once;
+}
+
+inline Vec3 direction_of(double cosine) { return Vec3(direction_in_plane(cosine)); }
+
+inline Vec3 uniform_hemisphere(Pcg32& random) {
+  const double z = random.uniform();
+  const double azimuth = 2.0 * std::numbers::pi * random.uniform();
+  const double r = std::sqrt(1.0 - z * z);
+  return {r * std::cos(azimuth), r * std::sin(azimuth), z};
+}
+
+inline Vec2 unit_square(Pcg32& random) {
+  const float x = unit_float(random.next());
+  const float y = unit_float(random.next());
+  return {x, y};
+}
+
+struct NamedMaterial {
+  std::string name;
+  ReferenceMaterial material;
+};
+
+/// One of each lobe and of each way to combine them, all of base colour `base`.
+inline std::vector<NamedMaterial> every_kind(double base, double roughness) {
+  std::vector<NamedMaterial> kinds{
+      {"metal", {.metallic = 1.0}},
+      {"dielectric", {}},
+      {"mixture", {.metallic = 0.4}},
+      {"dense dielectric", {.ior = 1.3, .specular = 0.7}},
+      {"no interface", {.ior = 1.0}},
+      {"wall", {.transmission = 1.0}},
+      {"half wall", {.metallic = 0.2, .transmission = 0.5}},
+      {"glass", {.transmission = 1.0, .is_solid = true}},
+      {"glass from inside", {.transmission = 1.0, .is_solid = true, .from_inside = true}},
+      {"half glass", {.ior = 1.3, .transmission = 0.5, .is_solid = true, .from_inside = true}},
+      {"clearcoat over metal", {.metallic = 1.0, .clearcoat = 1.0}},
+      {"rough clearcoat over glass",
+       {.transmission = 1.0, .is_solid = true, .clearcoat = 0.7, .clearcoat_roughness = 0.3}},
+      {"sheen", {.sheen = 1.0, .sheen_roughness = 0.5}},
+      {"all",
+       {.metallic = 0.2,
+        .transmission = 0.4,
+        .clearcoat = 0.5,
+        .clearcoat_roughness = 0.2,
+        .sheen = 0.5,
+        .sheen_roughness = 0.15}},
+  };
+  for (NamedMaterial& kind : kinds) {
+    kind.material.base = base;
+    kind.material.roughness = roughness;
+  }
+  return kinds;
+}
+
+}  // namespace foveola
