@@ -37,7 +37,7 @@ TEST_P(Corpus, LoadsOrIsRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllFiles, Corpus, ::testing::ValuesIn(corpus()), [](const auto& file) {
-  std::string name = file.param.stem().string();
+  std::string name = file.param.filename().string();
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
