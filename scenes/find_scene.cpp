@@ -65,7 +65,7 @@ SceneSource find_scene(const std::string& name_or_path) {
     return source_of(*descriptor);
   }
   if (fs::is_directory(name_or_path)) {
-    throw Error(name_or_path, "is a folder, not a scene", "name a .glb or .gltf file in it");
+    throw Error(name_or_path, "is a folder, not a scene", "name a .glb, .gltf or .obj file in it");
   }
   if (!fs::exists(name_or_path)) {
     throw Error(name_or_path, "no such scene or file",

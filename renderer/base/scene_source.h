@@ -20,6 +20,13 @@ struct RectangleLight {
   Rgb radiance{1.0F};
 };
 
+/// Daylight. The sun's azimuth and elevation are those of its place in the sky.
+struct SunAndSky {
+  AzimuthElevation sun;
+  double turbidity = 3.0;      ///< haze: 2 (very clear) to 10
+  float ground_albedo = 0.2F;  ///< of what lies below the horizon, in [0, 1]
+};
+
 /// Something in the scene that a participant may choose to look at.
 struct ObjectOfInterest {
   std::string name;
@@ -30,11 +37,19 @@ struct ObjectOfInterest {
 struct SceneSource {
   std::string name;  ///< what the user called it
   std::string title;
-  std::filesystem::path file;  ///< .glb or .gltf
+  std::filesystem::path file;  ///< .glb, .gltf or .obj
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   double exposure_stops = 0.0;
-  std::optional<Rgb> environment_radiance;  ///< constant; replaces the file's
+  /// At most one of these three, which replace the file's environment: a constant, an image, or
+  /// daylight, whose sun becomes one of the scene's lights.
+  std::optional<Rgb> environment_radiance;
+  std::optional<std::filesystem::path> environment_file;
+  std::optional<SunAndSky> sky;
+  double environment_rotation_rad = 0.0;        ///< as Environment's; turns the sky's sun as well
+  double environment_strength = 1.0;            ///< multiplies the environment, and the sky's sun
+  std::optional<float> light_radius_m;          ///< of all points and spots, instead of the file's
+  std::optional<float> sun_angular_radius_rad;  ///< of all directional lights, likewise
   std::vector<RectangleLight> lights;
   std::vector<ObjectOfInterest> objects;
 };

@@ -1,5 +1,6 @@
 #include "renderer/commands/arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -67,6 +68,23 @@ DVec3 parse_vec3(const std::string& option, const std::string& text) {
                      "give x,y,z without spaces");
   }
   return {values[0], values[1], values[2]};
+}
+
+SunAndSky parse_sky(const std::string& option, const std::string& text) {
+  SunAndSky sky;
+  std::string sun = text;
+  if (std::count(text.begin(), text.end(), ',') == 2) {
+    const std::size_t comma = text.rfind(',');
+    const std::vector<double> turbidity = parse_finite(std::string_view(text).substr(comma + 1), 1);
+    if (turbidity.empty()) {
+      throw UsageError(option, fmt::format("'{}' is no sky", text),
+                       "give sky:azimuth,elevation,turbidity");
+    }
+    sky.turbidity = turbidity[0];
+    sun.resize(comma);
+  }
+  sky.sun = parse_azimuth_elevation(option, sun);
+  return sky;
 }
 
 SampleAddress parse_sample(const std::string& option, const std::string& text, const IVec2& size) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/scene_source.h"
 
 namespace foveola {
 
@@ -13,6 +14,9 @@ IVec2 parse_size(const std::string& option, const std::string& text);
 
 /// "x,y,z", all finite.
 DVec3 parse_vec3(const std::string& option, const std::string& text);
+
+/// "azimuth,elevation[,turbidity]" of a sun, angles in degrees.
+SunAndSky parse_sky(const std::string& option, const std::string& text);
 
 /// One sample of one pixel of an image.
 struct SampleAddress {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,13 @@ StabilityEffort effort_of(const StabilityArguments& arguments) {
     return quick_effort;
   }
   return arguments.full ? full_effort : thorough_effort;
+}
+
+/// Four at least unless asked otherwise, also on fewer cores: bits must be equal on four threads,
+/// and TBB starts no more than the first of its users allows.
+int thread_count(const StabilityArguments& arguments) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return arguments.threads > 0 ? arguments.threads : std::max(4, cores);
 }
 
 /// The scenes that Foveola makes itself.
@@ -83,13 +91,13 @@ void run_stability(const StabilityArguments& arguments, const SceneFinder& find_
                    const std::stop_token& stop) {
   const std::vector<SceneSource> scenes = builtin_scenes(find_scene);
   const SteadyClock clock;
-  const Workers workers(arguments.threads);
+  const Workers workers(thread_count(arguments));
   const Nanoseconds start = clock.now();
   std::vector<StabilityFigure> figures;
   {
     Progress progress("numerical stability");
     figures = measure_stability(
-        effort_of(arguments), scenes, workers,
+        stability_checks(scenes), effort_of(arguments), workers,
         [&](double fraction, const std::string& test) { progress.update(fraction, test); }, stop);
   }
   const double duration_s = seconds(clock.now() - start);

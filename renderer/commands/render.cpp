@@ -18,10 +18,20 @@ constexpr std::uint64_t smallest_batch = 1 << 14;
 constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr double batch_target_s = 0.1;
 
+/// What any renderer can show: for comparing with others.
+void make_diffuse(Material& material) {
+  material.metallic = 0.0F;
+  material.specular = 0.0F;
+  material.transmission = 0.0F;
+  material.clearcoat = 0.0F;
+  material.sheen_color = Rgb(0.0F);
+  material.normal_texture = {};
+}
+
 Scene load(const SceneSource& source, const RenderSettings& settings) {
   Scene scene = load_scene(source);
-  if (settings.environment_file) {
-    scene.environment = load_environment(*settings.environment_file);
+  if (settings.diffuse) {
+    std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
   }
   return scene;
 }

@@ -32,8 +32,8 @@ struct RenderSettings {
   RenderBudget budget;
   int max_depth = 8;
   std::uint32_t seed = 0;
-  int threads = 0;  ///< 0: every core
-  std::optional<std::filesystem::path> environment_file;
+  int threads = 0;       ///< 0: every core
+  bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
   float largest_radiance = std::numeric_limits<float>::infinity();  ///< see TraceSettings
 };
 

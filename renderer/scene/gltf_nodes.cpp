@@ -104,7 +104,11 @@ DMat4 rotation_of(const tinygltf::Node& node, const std::string& place) {
 
 DMat4 parent_from_local(const tinygltf::Node& node, const std::string& place) {
   if (!node.matrix.empty()) {
-    return glm::make_mat4(node.matrix.data());
+    DMat4 matrix = glm::make_mat4(node.matrix.data());
+    for (int column = 0; column < 4; ++column) {
+      matrix[column][3] = column < 3 ? 0.0 : 1.0;  // what an affine transform has there
+    }
+    return matrix;
   }
   const DMat4 translation = glm::translate(DMat4(1.0), vector_or(node.translation, DVec3(0.0)));
   const DMat4 rotation = rotation_of(node, place);

@@ -66,6 +66,20 @@ void require_whole_jpeg(std::span<const unsigned char> encoded) {
   throw std::runtime_error("is damaged: the JPEG image is cut off");
 }
 
+/// A small file must not ask for much memory. Neither format can say so much in so few bytes:
+/// deflate
+/// shrinks to no less than 1/1032 (zlib, "Technical Details"), and a PNG has eight pixels to the
+/// byte at most; a block of 64 pixels takes a JPEG at least a bit.
+void require_plausible_size(const OIIO::ImageSpec& spec, const std::string& format,
+                            std::size_t encoded_size) {
+  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  const std::size_t most = format == "png" ? 8 * 1032 * encoded_size : 8 * 64 * encoded_size;
+  if (pixels > most) {
+    throw std::runtime_error(fmt::format("is damaged: {} bytes cannot hold {} x {} pixels",
+                                         encoded_size, spec.width, spec.height));
+  }
+}
+
 /// An image whose header has been read and found sensible.
 struct OpenImage {
   std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;  ///< read by `input`, so it dies after it
@@ -97,6 +111,7 @@ OpenImage open_image(std::span<const unsigned char> encoded) {
   if (spec.nchannels < 1 || spec.nchannels > 4) {
     throw std::runtime_error(fmt::format("has {} channels, not 1 to 4", spec.nchannels));
   }
+  require_plausible_size(spec, format, encoded.size());
   return image;
 }
 
@@ -112,9 +127,13 @@ DecodedImage decode_image(std::span<const unsigned char> encoded) {
   const OIIO::ImageSpec& spec = open.spec;
   DecodedImage image{
       .width = spec.width, .height = spec.height, .channels = spec.nchannels, .texels = {}};
-  image.texels.resize(static_cast<std::size_t>(spec.nchannels) * spec.width * spec.height);
-  if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8,
-                              image.texels.data())) {
+  const std::size_t bytes = static_cast<std::size_t>(spec.nchannels) * spec.width * spec.height;
+  image.texels.reserve(bytes + bytes / 3 + 64);  // leaves room for a texture's coarser levels
+  image.texels.resize(bytes);
+  // As they are: OpenImageIO converts even bytes to bytes by way of a buffer of 64 MiB.
+  const OIIO::TypeDesc as_bytes =
+      spec.format == OIIO::TypeDesc::UINT8 ? OIIO::TypeDesc::UNKNOWN : OIIO::TypeDesc::UINT8;
+  if (!open.input->read_image(0, 0, 0, spec.nchannels, as_bytes, image.texels.data())) {
     throw std::runtime_error("is damaged: " + open.input->geterror());
   }
   return image;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/scene/sky.h"
 
 namespace foveola {
 namespace {
@@ -72,12 +73,68 @@ Mesh rectangle(const RectangleLight& light, const Vec3& center) {
   return mesh;
 }
 
+void require_valid(const SceneSource& source) {
+  for (std::size_t i = 0; i < source.lights.size(); ++i) {
+    require_valid(source.lights[i], fmt::format("{}: lights[{}]", source.name, i));
+  }
+  if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
+    throw Error(source.name, "the radiance of the environment is negative or not finite");
+  }
+  const auto is_size = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!is_size(source.environment_strength)) {
+    throw Error(source.name, "the strength of the environment is negative or not finite");
+  }
+  if (!std::isfinite(source.environment_rotation_rad)) {
+    throw Error(source.name, "the rotation of the environment is not finite");
+  }
+  if (!is_size(source.light_radius_m.value_or(0.0F)) ||
+      !is_size(source.sun_angular_radius_rad.value_or(0.0F))) {
+    throw Error(source.name, "the radius of the lights is negative or not finite");
+  }
+}
+
 void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
   Mesh mesh = rectangle(light, Vec3(DVec3(light.center) - scene.origin));
   mesh.name = fmt::format("light {}", number);
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(emitter(mesh.name, light.radiance));
   scene.meshes.push_back(std::move(mesh));
+}
+
+/// The environment's rotation carries the sun along, which is not in its map.
+void add_sun(Scene& scene, SunAndSky sky, const SceneSource& source) {
+  sky.sun.azimuth_rad += source.environment_rotation_rad;
+  if (std::optional<PunctualLight> sun = sun_light(sky)) {
+    sun->intensity *= static_cast<float>(source.environment_strength);
+    scene.lights.push_back(*sun);
+  }
+}
+
+void replace_environment(Scene& scene, const SceneSource& source) {
+  if (source.environment_radiance) {
+    scene.environment.emplace().radiance = *source.environment_radiance;
+  }
+  if (source.environment_file) {
+    scene.environment = load_environment(*source.environment_file);
+  }
+  if (source.sky) {
+    scene.environment = sky_environment(*source.sky);
+    add_sun(scene, *source.sky, source);
+  }
+  if (scene.environment) {
+    scene.environment->radiance *= static_cast<float>(source.environment_strength);
+    scene.environment->rotation_rad += source.environment_rotation_rad;
+  }
+}
+
+void resize_lights(Scene& scene, const SceneSource& source) {
+  for (PunctualLight& light : scene.lights) {
+    if (light.kind == PunctualLight::Kind::directional) {
+      light.angular_radius_rad = source.sun_angular_radius_rad.value_or(light.angular_radius_rad);
+    } else {
+      light.radius_m = source.light_radius_m.value_or(light.radius_m);
+    }
+  }
 }
 
 }  // namespace
@@ -90,19 +147,13 @@ Scene load_scene_file(const std::filesystem::path& path) {
 }
 
 Scene load_scene(const SceneSource& source) {
-  for (std::size_t i = 0; i < source.lights.size(); ++i) {
-    require_valid(source.lights[i], fmt::format("{}: lights[{}]", source.name, i));
-  }
-  if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
-    throw Error(source.name, "the radiance of the environment is negative or not finite");
-  }
+  require_valid(source);
   Scene scene = load_scene_file(source.file);
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     add_light(scene, source.lights[i], i + 1);
   }
-  if (source.environment_radiance) {
-    scene.environment.emplace().radiance = *source.environment_radiance;
-  }
+  replace_environment(scene, source);
+  resize_lights(scene, source);
   return scene;
 }
 

@@ -23,7 +23,8 @@ Scene load_obj(const std::filesystem::path& path);
 /// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.
 Scene load_scene_file(const std::filesystem::path& path);
 
-/// load_scene_file, with the source's environment and rectangle lights added.
+/// load_scene_file, with the source's environment, sun and rectangle lights added and its sizes of
+/// lights. Throws Error as well for what of these makes no sense.
 Scene load_scene(const SceneSource& source);
 
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Throws Error if it cannot be read.

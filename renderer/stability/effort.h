@@ -14,7 +14,8 @@ struct StabilityEffort {
   /// Relative, of radiance with a known answer: it is sampled until five of its standard errors
   /// are below this.
   double tolerance = 0.01;
-  std::uint64_t most_samples = 1 << 22;      ///< of one such radiance
+  std::uint64_t most_samples = 1 << 22;  ///< of one such radiance
+  int picture_width = 64;  ///< of the pictures that are compared; half as high; multiple of 32
   int picture_samples_per_pixel = 64;        ///< of the pictures that are compared with each other
   std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
   std::uint64_t scene_paths = 1'000'000;     ///< over all given scenes

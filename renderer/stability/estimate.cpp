@@ -16,7 +16,7 @@ namespace foveola {
 namespace {
 
 constexpr std::uint32_t batches = 64;
-constexpr std::uint32_t smallest_round = 64;   ///< samples of each batch
+constexpr std::uint32_t smallest_round = 16;   ///< samples of each batch
 constexpr std::uint32_t largest_round = 8192;  ///< so many that a round's jobs stay in memory
 
 constexpr double percent = 100.0;

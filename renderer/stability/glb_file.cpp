@@ -149,7 +149,7 @@ class GlbWriter {
 
 }  // namespace
 
-Scene through_gltf(const Scene& scene, const Vec3& viewpoint, const DVec3& translation_m) {
+std::string glb_of(const Scene& scene, const Vec3& viewpoint, const DVec3& translation_m) {
   GlbWriter writer;
   for (const Material& material : scene.materials) {
     writer.add_material(material);
@@ -158,9 +158,13 @@ Scene through_gltf(const Scene& scene, const Vec3& viewpoint, const DVec3& trans
     writer.add_mesh(mesh, translation_m);
   }
   writer.add_camera(DVec3(viewpoint) + translation_m);
+  return std::move(writer).bytes();
+}
+
+Scene through_gltf(const Scene& scene, const Vec3& viewpoint, const DVec3& translation_m) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.file("scene.glb");
-  write_file(file, std::move(writer).bytes());
+  write_file(file, glb_of(scene, viewpoint, translation_m));
   return load_gltf(file);
 }
 

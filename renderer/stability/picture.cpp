@@ -15,27 +15,29 @@ namespace {
 
 constexpr int batches = 32;
 
-int blocks_across(const PictureSettings& settings) { return settings.width / settings.block; }
+/// Pixels and blocks are numbered row by row from the top left.
+struct Grid {
+  std::uint32_t width;  ///< in pixels, of the picture
+  std::uint32_t block;  ///< in pixels, along a side
 
-std::size_t block_of(const PictureSettings& settings, std::uint32_t pixel) {
-  const int x = static_cast<int>(pixel) % settings.width / settings.block;
-  const int y = static_cast<int>(pixel) / settings.width / settings.block;
-  return static_cast<std::size_t>(y * blocks_across(settings) + x);
-}
+  std::uint32_t pixels() const { return width * (width / 2); }
+  std::uint32_t blocks() const { return pixels() / (block * block); }
+  std::uint32_t block_of(std::uint32_t pixel) const {
+    return pixel / width / block * (width / block) + pixel % width / block;
+  }
+};
 
-std::vector<SampleJob> jobs_of(const PictureSettings& settings, std::uint32_t seed, int count) {
+std::vector<SampleJob> jobs_of(const Grid& grid, std::uint32_t seed, std::uint32_t samples_each) {
   std::vector<SampleJob> jobs;
-  const auto width = static_cast<std::uint32_t>(settings.width);
-  const auto pixels = width * static_cast<std::uint32_t>(settings.height);
-  jobs.reserve(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(count));
-  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
-    const Vec2 corner(pixel % width, pixel / width);
-    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
+  jobs.reserve(static_cast<std::size_t>(grid.pixels()) * samples_each);
+  const auto width = static_cast<float>(grid.width);
+  for (std::uint32_t pixel = 0; pixel < grid.pixels(); ++pixel) {
+    const Vec2 corner(pixel % grid.width, pixel / grid.width);
+    for (std::uint32_t i = 0; i < samples_each; ++i) {
       const Vec2 place = corner + sobol_2d(i, mix(mix(seed), pixel));
-      jobs.push_back(
-          {.direction = direction_from_equirect(place / Vec2(settings.width, settings.height)),
-           .pixel = pixel,
-           .sample_number = i});
+      jobs.push_back({.direction = direction_from_equirect(place / Vec2(width, 0.5F * width)),
+                      .pixel = pixel,
+                      .sample_number = i});
     }
   }
   return jobs;
@@ -46,21 +48,22 @@ std::vector<SampleJob> jobs_of(const PictureSettings& settings, std::uint32_t se
 std::vector<RadianceEstimate> render_blocks(const PathTracer& tracer, const Vec3& viewpoint,
                                             const PictureSettings& settings,
                                             const StabilityRun& run) {
-  const int blocks = blocks_across(settings) * (settings.height / settings.block);
-  const int samples_each = std::max(1, run.effort.picture_samples_per_pixel / batches);
-  const double block_samples = static_cast<double>(samples_each) * settings.block * settings.block;
+  const Grid grid{.width = static_cast<std::uint32_t>(run.effort.picture_width),
+                  .block = static_cast<std::uint32_t>(settings.block)};
+  const auto samples_each =
+      static_cast<std::uint32_t>(std::max(1, run.effort.picture_samples_per_pixel / batches));
+  const double block_samples = static_cast<double>(samples_each) * grid.block * grid.block;
   // By block, then by batch.
-  std::vector<std::vector<DVec3>> means(static_cast<std::size_t>(blocks),
-                                        std::vector<DVec3>(batches, DVec3(0.0)));
+  std::vector<std::vector<DVec3>> means(grid.blocks(), std::vector<DVec3>(batches, DVec3(0.0)));
   std::vector<Rgb> radiance;
   for (std::uint32_t batch = 0; batch < batches && !run.stop.stop_requested(); ++batch) {
     const std::uint32_t seed = settings.seed * batches + batch;
-    const std::vector<SampleJob> jobs = jobs_of(settings, seed, samples_each);
+    const std::vector<SampleJob> jobs = jobs_of(grid, seed, samples_each);
     radiance.resize(jobs.size());
     tracer.trace(viewpoint, jobs, radiance, {.max_depth = settings.max_depth, .seed = seed},
                  run.workers);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      means[block_of(settings, jobs[i].pixel)][batch] += DVec3(radiance[i]) / block_samples;
+      means[grid.block_of(jobs[i].pixel)][batch] += DVec3(radiance[i]) / block_samples;
     }
   }
   std::vector<RadianceEstimate> estimates;

@@ -9,9 +9,7 @@
 namespace foveola {
 
 struct PictureSettings {
-  int width = 64;
-  int height = 32;
-  int block = 8;  ///< pixels along a side; divides width and height
+  int block = 8;  ///< pixels along a side; divides the effort's width and height
   int max_depth = 6;
   std::uint32_t seed = 0;
 };

@@ -3,15 +3,8 @@
 #include "renderer/stability/checks.h"
 
 namespace foveola {
-namespace {
 
-struct Check {
-  std::string name;
-  double weight;  ///< its share of the time, roughly
-  std::function<std::vector<StabilityFigure>(const StabilityRun&)> run;
-};
-
-std::vector<Check> all_checks(const std::vector<SceneSource>& scenes) {
+std::vector<StabilityCheck> stability_checks(const std::vector<SceneSource>& scenes) {
   return {{"white furnaces", 40.0, check_white_furnaces},
           {"known answers", 5.0, check_known_answers},
           {"scale and place", 15.0, check_scale_and_place},
@@ -23,19 +16,17 @@ std::vector<Check> all_checks(const std::vector<SceneSource>& scenes) {
            [scenes](const StabilityRun& run) { return check_finite_radiance(run, scenes); }}};
 }
 
-}  // namespace
-
 std::vector<StabilityFigure> measure_stability(
-    const StabilityEffort& effort, const std::vector<SceneSource>& scenes, const Workers& workers,
-    const std::function<void(double, const std::string&)>& progress, const std::stop_token& stop) {
-  const std::vector<Check> checks = all_checks(scenes);
+    const std::vector<StabilityCheck>& checks, const StabilityEffort& effort,
+    const Workers& workers, const std::function<void(double, const std::string&)>& progress,
+    const std::stop_token& stop) {
   double total = 0.0;
-  for (const Check& check : checks) {
+  for (const StabilityCheck& check : checks) {
     total += check.weight;
   }
   std::vector<StabilityFigure> figures;
   double done = 0.0;
-  for (const Check& check : checks) {
+  for (const StabilityCheck& check : checks) {
     const StabilityRun run{
         .workers = workers, .effort = effort, .stop = stop, .progress = [&](double fraction) {
           progress((done + fraction * check.weight) / total, check.name);

@@ -96,7 +96,7 @@ class LightTree::Builder {
     const double radius = bounds.radius() * (1.0 + 1e-5) + rounding;
     Node& node = tree_.nodes_[index];
     node.centre = centre;
-    node.squared_radius = static_cast<float>(radius * radius);
+    node.radius = static_cast<float>(radius);
     node.axis = Vec3(bounds.axis);
     node.spread_cosine = static_cast<float>(std::cos(bounds.spread_rad));
     node.spread_sine = static_cast<float>(std::sin(bounds.spread_rad));
@@ -203,14 +203,14 @@ LightTree::LightTree(std::span<const LightBounds> lights) { Builder(*this, light
 double LightTree::importance(const Node& node, const Receiver& receiver) {
   const Vec3 to_light = node.centre - receiver.position;
   const float squared_distance = glm::dot(to_light, to_light);
-  const float nearest = std::max(node.squared_radius, smallest_squared_distance);
-  if (!(squared_distance > nearest)) {
-    return static_cast<double>(node.intensity) /
-           nearest;  // among the lights: they may be in any direction
+  const float squared_radius = std::max(node.radius * node.radius, smallest_squared_distance);
+  if (!(squared_distance > squared_radius)) {
+    return node.intensity / squared_radius;  // among the lights: they may be in any direction
   }
-  const Vec3 direction = to_light / std::sqrt(squared_distance);
-  const float squared_sine = node.squared_radius / squared_distance;
-  const Angle half_size{std::sqrt(std::max(0.0F, 1.0F - squared_sine)), std::sqrt(squared_sine)};
+  const float inverse_distance = 1.0F / std::sqrt(squared_distance);
+  const Vec3 direction = to_light * inverse_distance;
+  const float sine = node.radius * inverse_distance;
+  const Angle half_size{std::sqrt(std::max(0.0F, 1.0F - sine * sine)), sine};
 
   // The smallest angles, over all points of the sphere around the lights, between a direction they
   // shine to and the one to the receiver, and between the receiver's normal and the light.
@@ -224,8 +224,9 @@ double LightTree::importance(const Node& node, const Receiver& receiver) {
   if (emission.cosine < node.falloff_cosine - slack || incidence.cosine < -slack) {
     return 0.0;
   }
-  return static_cast<double>(node.intensity) * std::max(slack, emission.cosine) *
-         std::max(slack, incidence.cosine) / squared_distance;
+  const double falloff = inverse_distance;
+  return node.intensity * falloff * falloff * std::max(slack, emission.cosine) *
+         std::max(slack, incidence.cosine);
 }
 
 std::optional<ChosenLight> LightTree::sample(const Receiver& receiver, double u) const {

@@ -39,7 +39,7 @@ class LightTree {
   /// What the importance needs of a subtree, in 48 bytes.
   struct Node {
     Vec3 centre{0.0F};
-    float squared_radius = 0.0F;
+    float radius = 0.0F;
     Vec3 axis{0.0F};
     float spread_cosine = 0.0F;
     float spread_sine = 0.0F;

@@ -6,9 +6,6 @@
 namespace foveola {
 namespace {
 
-/// tan(x / 2) for x = 1e-3, to the precision of a double.
-constexpr double tangent_of_half_the_limit = 5.0000004166667e-4;
-
 /// The unit vector of the part of `v` that is perpendicular to the unit vector `axis`; zero if
 /// there is none.
 DVec3 perpendicular_part(const DVec3& v, const DVec3& axis) {
@@ -28,16 +25,12 @@ SphericalTriangle::SphericalTriangle(const Triangle& triangle, const Vec3& viewp
       normal_(glm::cross(b_ - a_, c_ - a_)),
       length_a_(glm::length(a_)),
       length_b_(glm::length(b_)),
-      length_c_(glm::length(c_)),
-      numerator_(std::abs(glm::dot(normal_, a_))),
-      denominator_(length_a_ * length_b_ * length_c_ + glm::dot(a_, b_) * length_c_ +
-                   glm::dot(b_, c_) * length_a_ + glm::dot(c_, a_) * length_b_) {}
-
-bool SphericalTriangle::is_large() const {
-  return numerator_ > 0.0 && numerator_ > tangent_of_half_the_limit * denominator_;
+      length_c_(glm::length(c_)) {
+  const double numerator = std::abs(glm::dot(normal_, a_));
+  const double denominator = length_a_ * length_b_ * length_c_ + glm::dot(a_, b_) * length_c_ +
+                             glm::dot(b_, c_) * length_a_ + glm::dot(c_, a_) * length_b_;
+  solid_angle_ = 2.0 * std::atan2(numerator, denominator);
 }
-
-double SphericalTriangle::solid_angle() const { return 2.0 * std::atan2(numerator_, denominator_); }
 
 Vec2 SphericalTriangle::sample(const Vec2& u) const {
   const DVec3 a = a_ / length_a_;
@@ -51,9 +44,11 @@ Vec2 SphericalTriangle::sample(const Vec2& u) const {
   const double sin_alpha = std::abs(glm::dot(plane_ab, c)) * scale;
 
   // The corner d on the side from a to c that leaves the share u.x of the area in (a, b, d).
-  const double area = u.x * solid_angle();
-  const double s = std::sin(area) * cos_alpha - std::cos(area) * sin_alpha;
-  const double t = std::cos(area) * cos_alpha + std::sin(area) * sin_alpha;
+  const double area = u.x * solid_angle_;
+  const double sin_area = std::sin(area);
+  const double cos_area = std::cos(area);
+  const double s = sin_area * cos_alpha - cos_area * sin_alpha;
+  const double t = cos_area * cos_alpha + sin_area * sin_alpha;
   const double p = t - cos_alpha;
   const double q = s + sin_alpha * glm::dot(a, b);
   const double divisor = (q * s + p * t) * sin_alpha;

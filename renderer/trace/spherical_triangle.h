@@ -12,17 +12,13 @@ class SphericalTriangle {
   /// Seen from `viewpoint`. All that follows is finite for every finite triangle and viewpoint.
   SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint);
 
-  /// Whether the solid angle is above 1e-3 sr. Below it points that are uniform in area are as good
-  /// and cheaper.
-  bool is_large() const;
-
   /// In steradians, in [0, 2 pi]; 0 on the triangle's plane (Van Oosterom and Strackee 1983, "The
   /// Solid Angle of a Plane Triangle").
-  double solid_angle() const;
+  double solid_angle() const { return solid_angle_; }
 
   /// The barycentric coordinates of a point whose direction is uniform in the solid angle (Arvo
-  /// 1995, "Stratified Sampling of Spherical Triangles"). u: in the unit square. For large ones
-  /// only.
+  /// 1995, "Stratified Sampling of Spherical Triangles"). u: in the unit square. The solid
+  /// angle must not be 0.
   Vec2 sample(const Vec2& u) const;
 
  private:
@@ -31,7 +27,7 @@ class SphericalTriangle {
   DVec3 a_, b_, c_;  ///< the corners, from the viewpoint
   DVec3 normal_;     ///< twice the area long
   double length_a_, length_b_, length_c_;
-  double numerator_, denominator_;  ///< of the tangent of half the solid angle
+  double solid_angle_;
 };
 
 }  // namespace foveola

@@ -7,11 +7,18 @@
 
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
-#include "renderer/trace/spherical_triangle.h"
 #include "renderer/trace/surface.h"
 
 namespace foveola {
 namespace {
+
+/// A triangle is near if its longest side, squared, is more than this share of the squared distance
+/// to its nearest corner. From farther away its area varies by less than half in brightness, and
+/// points that are uniform in it are as good and cheaper.
+constexpr float near_share = 0.1F;
+
+/// Steradians; what is less is seen edge-on, and gives next to nothing.
+constexpr double smallest_solid_angle = 1e-3;
 
 /// The mean over the texels, or over a grid of 1024 of them a side, so that small bright spots are
 /// not missed.
@@ -58,6 +65,8 @@ Vec2 sample_barycentric(const Vec2& u) {
   return u.x < u.y ? Vec2(0.5F * u.x, u.y - 0.5F * u.x) : Vec2(u.x - 0.5F * u.y, 0.5F * u.y);
 }
 
+float squared_distance(const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b); }
+
 float density_in_area(float area, float distance, float cosine) {
   const float pdf = distance * distance / (area * cosine);
   return pdf < std::numeric_limits<float>::max() ? pdf : std::numeric_limits<float>::max();
@@ -90,11 +99,15 @@ void TriangleLights::add_object(std::uint32_t object) {
   const auto count = static_cast<std::uint32_t>(scene_.mesh_of(object).triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     const Triangle triangle(scene_, object, t);
-    emitters_.push_back({.triangle = triangle,
-                         .front_normal = triangle.front_normal(),
-                         .area = static_cast<float>(triangle.area()),
-                         .object = object,
-                         .index = t});
+    emitters_.push_back(
+        {.triangle = triangle,
+         .front_normal = triangle.front_normal(),
+         .area = static_cast<float>(triangle.area()),
+         .squared_longest_side = std::max({squared_distance(triangle.p0, triangle.p1),
+                                           squared_distance(triangle.p1, triangle.p2),
+                                           squared_distance(triangle.p2, triangle.p0)}),
+         .object = object,
+         .index = t});
   }
 }
 
@@ -125,6 +138,19 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
           .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
 }
 
+std::optional<SphericalTriangle> TriangleLights::seen_from_near(const Emitter& emitter,
+                                                                const Vec3& place) {
+  const Triangle& triangle = emitter.triangle;
+  const float nearest =
+      std::min({squared_distance(triangle.p0, place), squared_distance(triangle.p1, place),
+                squared_distance(triangle.p2, place)});
+  if (!(emitter.squared_longest_side > near_share * nearest)) {
+    return std::nullopt;
+  }
+  const SphericalTriangle seen(triangle, place);
+  return seen.solid_angle() > smallest_solid_angle ? std::optional(seen) : std::nullopt;
+}
+
 std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, const Vec3& place,
                                                        const Vec2& u) const {
   const Emitter& emitter = emitters_[triangle];
@@ -133,9 +159,8 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
       (height_over_plane < 0.0F && !material_of_object(emitter.object).double_sided)) {
     return std::nullopt;
   }
-  const SphericalTriangle seen(emitter.triangle, place);
-  const bool is_large = seen.is_large();
-  const Vec2 barycentric = is_large ? seen.sample(u) : sample_barycentric(u);
+  const auto seen = seen_from_near(emitter, place);
+  const Vec2 barycentric = seen ? seen->sample(u) : sample_barycentric(u);
   const Mesh& mesh = scene_.mesh_of(emitter.object);
   const float opaque = opacity(scene_, mesh, emitter.index, barycentric);
   if (!(opaque > 0.0F)) {
@@ -153,8 +178,8 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
       std::copysign(std::min(emitter.triangle.rounding_error(), 0.5F * height), height_over_plane);
   return LocalLightSample{
       .to_light = to_point + off * emitter.front_normal,
-      .pdf = is_large ? static_cast<float>(1.0 / seen.solid_angle())
-                      : density_in_area(emitter.area, distance, height / distance),
+      .pdf = seen ? static_cast<float>(1.0 / seen->solid_angle())
+                  : density_in_area(emitter.area, distance, height / distance),
       .radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric)};
 }
 
@@ -164,9 +189,9 @@ float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distanc
   if (!(distance > 0.0F && cosine > 0.0F && emitter.area > 0.0F)) {
     return 0.0F;
   }
-  const SphericalTriangle seen(emitter.triangle, place);
-  return seen.is_large() ? static_cast<float>(1.0 / seen.solid_angle())
-                         : density_in_area(emitter.area, distance, cosine);
+  const auto seen = seen_from_near(emitter, place);
+  return seen ? static_cast<float>(1.0 / seen->solid_angle())
+              : density_in_area(emitter.area, distance, cosine);
 }
 
 }  // namespace foveola

@@ -10,13 +10,14 @@
 #include "renderer/trace/light_bounds.h"
 #include "renderer/trace/local_light_sample.h"
 #include "renderer/trace/ray_scene.h"
+#include "renderer/trace/spherical_triangle.h"
 #include "renderer/trace/triangle.h"
 
 namespace foveola {
 
-/// A list of triangles in world space. Points are drawn uniformly in the solid angle of a triangle
-/// where that is large, and in its area elsewhere. A textured emitter counts with its texture's
-/// mean, and what is not opaque as if it were.
+/// A list of triangles in world space. Points are drawn uniformly in the solid angle of triangles
+/// that are near for their size, and in the area of the others. A textured emitter counts with its
+/// texture's mean, and what is not opaque as if it were.
 ///
 /// Not in the list, though they shine: unlit materials, textures whose mean is black, and objects
 /// that would make it longer than `most_triangles`. Rays find their light, without help.
@@ -58,9 +59,13 @@ class TriangleLights {
     Triangle triangle;
     Vec3 front_normal;
     float area;
+    float squared_longest_side;
     std::uint32_t object;
     std::uint32_t index;  ///< of the triangle in its mesh
   };
+
+  /// The triangle seen from `place`, if it is to be sampled by its solid angle.
+  static std::optional<SphericalTriangle> seen_from_near(const Emitter& emitter, const Vec3& place);
 
   void add_object(std::uint32_t object);
   const Material& material_of_object(std::uint32_t object) const;

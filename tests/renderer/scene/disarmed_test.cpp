@@ -13,5 +13,10 @@ TEST(Disarmed, DisarmsControlCharacters) {
 
 TEST(Disarmed, IsNeverLong) { EXPECT_EQ(disarmed(std::string(1000, 'x')), std::string(120, 'x')); }
 
+TEST(Disarmed, IsNotCutInsideACharacter) {
+  EXPECT_EQ(disarmed(std::string(119, 'x') + "ö!"), std::string(119, 'x'));
+  EXPECT_EQ(disarmed(std::string(118, 'x') + "ö!"), std::string(118, 'x') + "ö");
+}
+
 }  // namespace
 }  // namespace foveola

@@ -93,6 +93,25 @@ TEST(ImageDecoder, RefusesACutJpeg) {
   EXPECT_NO_THROW(decode(whole + std::string(3, '\0'))) << "padding is no damage";
 }
 
+/// Of 16384 x 16384 pixels; with as many bytes as they would take at least, the data is what lacks.
+TEST(ImageDecoder, RefusesMorePixelsThanItsBytesCanHold) {
+  std::string large = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  large.replace(16, 8, std::string("\0\0\x40\0\0\0\x40\0", 8));
+  large.replace(29, 4, "\x26\xAA\x87\xD3");
+  EXPECT_THAT(fault_in(large), HasSubstr("bytes cannot hold 16384 x 16384 pixels"));
+  EXPECT_THROW(pixel_count(bytes_of(large)), std::runtime_error);
+  large.append(16384 * 16384 / 8 / 1032, '\0');
+  EXPECT_EQ(pixel_count(bytes_of(large)), 16384U * 16384U);
+}
+
+/// A real one that is all the same, which deflate shrinks to a thousandth.
+TEST(ImageDecoder, ReadsWhatIsCompressedAsFarAsCanBe) {
+  const int side = 4096;
+  const DecodedImage image =
+      decode(png(side, side, 1, std::vector<std::uint8_t>(std::size_t{side} * side, 0)));
+  EXPECT_EQ(image.width, side);
+}
+
 TEST(ImageDecoder, RefusesSidesBeyond16384) {
   std::string wide = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
   wide.replace(16, 4, std::string("\0\0\x40\x01", 4));

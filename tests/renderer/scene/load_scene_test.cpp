@@ -49,6 +49,65 @@ TEST_F(LoadScene, AddsTheEnvironment) {
   EXPECT_TRUE(scene.environment->map.empty());
 }
 
+TEST_F(LoadScene, ChoosesTheLoaderByTheExtension) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(load_scene_file(write("room.obj", text)).triangle_count(), 1U);
+  EXPECT_EQ(load_scene_file(write("ROOM.OBJ", text)).triangle_count(), 1U);
+  EXPECT_EQ(load_scene_file(source().file).triangle_count(), 1U);
+  EXPECT_THROW(load_scene_file(write("room.txt", text)), Error);
+}
+
+TEST_F(LoadScene, TurnsAndDimsTheEnvironment) {
+  SceneSource lit = source();
+  lit.environment_radiance = Rgb(1, 2, 3);
+  lit.environment_strength = 0.5;
+  lit.environment_rotation_rad = 1.25;
+  const Scene scene = load_scene(lit);
+  EXPECT_EQ(scene.environment->radiance, Rgb(0.5F, 1, 1.5F));
+  EXPECT_EQ(scene.environment->rotation_rad, 1.25);
+}
+
+TEST_F(LoadScene, LoadsTheEnvironmentsImage) {
+  SceneSource lit = source();
+  lit.environment_file = write("sky.png", png(2, 1, 3, std::vector<std::uint8_t>(6, 255)));
+  EXPECT_EQ(load_scene(lit).environment->map_width, 2);
+}
+
+/// The sky's rotation and strength are its sun's too.
+TEST_F(LoadScene, AddsDaylightWithItsSun) {
+  SceneSource lit = source();
+  lit.sky = SunAndSky{.sun = {.azimuth_rad = 0.5, .elevation_rad = 0.5}};
+  const Scene plain = load_scene(lit);
+  ASSERT_EQ(plain.lights.size(), 1U);
+  lit.environment_strength = 2.0;
+  lit.environment_rotation_rad = 0.25;
+  lit.sun_angular_radius_rad = 0.1F;
+  const Scene turned = load_scene(lit);
+  ASSERT_EQ(turned.lights.size(), 1U);
+  EXPECT_NEAR(azimuth_elevation(-turned.lights[0].direction).azimuth_rad, 0.75, 1e-6);
+  EXPECT_NEAR(azimuth_elevation(-turned.lights[0].direction).elevation_rad, 0.5, 1e-6);
+  EXPECT_EQ(turned.lights[0].intensity, 2.0F * plain.lights[0].intensity);
+  EXPECT_EQ(turned.lights[0].angular_radius_rad, 0.1F);
+  EXPECT_EQ(turned.environment->radiance, Rgb(2.0F));
+  lit.sky->sun.elevation_rad = -0.1;
+  EXPECT_TRUE(load_scene(lit).lights.empty());
+}
+
+TEST_F(LoadScene, RefusesEnvironmentsThatMakeNoSense) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refuses = [&](auto spoil) {
+    SceneSource spoilt = source();
+    spoil(spoilt);
+    EXPECT_THROW(load_scene(spoilt), Error);
+  };
+  refuses([](SceneSource& s) { s.environment_strength = -1.0; });
+  refuses([](SceneSource& s) { s.environment_strength = nan; });
+  refuses([](SceneSource& s) { s.environment_rotation_rad = nan; });
+  refuses([](SceneSource& s) { s.light_radius_m = -1.0F; });
+  refuses([](SceneSource& s) { s.sun_angular_radius_rad = -1.0F; });
+  refuses([](SceneSource& s) { s.sky = SunAndSky{.turbidity = 1.0}; });
+}
+
 /// Area, place, extent and front of a light towards each of the six axes.
 TEST_F(LoadScene, LightsAreRectanglesThatFaceTheirNormal) {
   struct Case {

@@ -1,23 +1,29 @@
 // The stress tests of `foveola bench stability`, at sizes for every day.
 #include "renderer/stability/checks.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "renderer/stability/figure.h"
+#include "renderer/stability/furnished_room.h"
+#include "renderer/stability/glb_file.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
 
+using ::testing::HasSubstr;
+
 constexpr StabilityEffort test_effort{.tolerance = 0.05,
                                       .most_samples = 1 << 20,
+                                      .picture_width = 32,
                                       .picture_samples_per_pixel = 32,
-                                      .leak_paths = 100'000,
+                                      .leak_paths = 30'000,
                                       .scene_paths = 10'000,
                                       .film_samples = 10'000'000};
 
 const Workers& workers() {
-  static const Workers two(2);
-  return two;
+  static const Workers four(4);
+  return four;
 }
 
 StabilityRun small_run() { return {.workers = workers(), .effort = test_effort}; }
@@ -43,6 +49,34 @@ TEST(StabilityCheckTest, DegenerateInput) { expect_all(check_degenerate_input(sm
 TEST(StabilityCheckTest, Accumulation) { expect_all(check_accumulation(small_run())); }
 
 TEST(StabilityCheckTest, BitEquality) { expect_all(check_bit_equality(small_run())); }
+
+class FiniteRadianceTest : public ::testing::Test {
+ protected:
+  FiniteRadianceTest() {
+    source_.name = "room";
+    source_.file = folder_.write("room.glb", glb_of(furnished_room(), room_viewpoint, DVec3(0.0)));
+    source_.camera_position = room_viewpoint;
+  }
+
+  test::TemporaryFolder folder_;
+  SceneSource source_;
+};
+
+TEST_F(FiniteRadianceTest, PassesInARoom) {
+  const auto figures = check_finite_radiance(small_run(), {source_});
+  expect_all(figures);
+  EXPECT_EQ(figures.front().unit, "of 9999 paths");
+}
+
+/// A sky so bright that light reflected from the roof overflows.
+TEST_F(FiniteRadianceTest, NamesTheFirstPathThatOverflows) {
+  source_.camera_position = Vec3(0, 2, 0);
+  source_.environment_radiance = Rgb(3e38F);
+  const auto figures = check_finite_radiance(small_run(), {source_});
+  EXPECT_GT(figures.front().measured, 10.0);
+  EXPECT_FALSE(figures.front().passes());
+  EXPECT_THAT(figures.front().details, HasSubstr("room with od, pixel "));
+}
 
 }  // namespace
 }  // namespace foveola

@@ -149,26 +149,23 @@ DVec3 radiance(const World& world, DVec3 origin, DVec3 direction, int max_depth,
   }
 }
 
-std::vector<RadianceEstimate> render(const World& world, const DVec3& viewpoint,
-                                     const PictureSettings& settings, int samples_per_pixel,
-                                     const Workers& workers) {
+std::vector<RadianceEstimate> render(const World& world, const DVec3& viewpoint, int columns,
+                                     int batch_samples, int max_depth, const Workers& workers) {
   constexpr std::size_t batches = 32;
-  const int columns = settings.width / settings.block;
-  const int rows = settings.height / settings.block;
-  const int samples = settings.block * settings.block * std::max(1, samples_per_pixel / 32);
+  const int rows = columns / 2;
   std::vector<std::vector<DVec3>> means(static_cast<std::size_t>(columns * rows),
                                         std::vector<DVec3>(batches, DVec3(0.0)));
   workers.for_each_block(means.size() * batches, 1, [&](std::size_t index, std::size_t) {
     const std::size_t block = index / batches;
     const int left = static_cast<int>(block) % columns;
     const int top = static_cast<int>(block) / columns;
-    Pcg32 random(settings.seed, index);
+    Pcg32 random(1, index);
     DVec3& mean = means[block][index % batches];
-    for (int i = 0; i < samples; ++i) {
+    for (int i = 0; i < batch_samples; ++i) {
       const double u = (left + random.uniform()) / columns;
       const double v = (top + random.uniform()) / rows;
-      mean += radiance(world, viewpoint, equirect_direction(u, v), settings.max_depth, random) /
-              static_cast<double>(samples);
+      mean += radiance(world, viewpoint, equirect_direction(u, v), max_depth, random) /
+              static_cast<double>(batch_samples);
     }
   });
   std::vector<RadianceEstimate> blocks;

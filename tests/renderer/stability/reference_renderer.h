@@ -8,7 +8,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/base/vec.h"
-#include "renderer/stability/picture.h"
+#include "renderer/stability/estimate.h"
 
 namespace foveola::reference {
 
@@ -54,10 +54,9 @@ struct World {
 /// refraction, which cancels once the path is out again.
 DVec3 radiance(const World& world, DVec3 origin, DVec3 direction, int max_depth, Pcg32& random);
 
-/// The picture that render_blocks() makes of the same world, from `samples_per_pixel` samples (32
-/// at least).
-std::vector<RadianceEstimate> render(const World& world, const DVec3& viewpoint,
-                                     const PictureSettings& settings, int samples_per_pixel,
-                                     const Workers& workers);
+/// The picture that render_blocks() makes of the same world: blocks row by row, `columns` of them
+/// over half as many rows, each of 32 batches of `batch_samples` samples.
+std::vector<RadianceEstimate> render(const World& world, const DVec3& viewpoint, int columns,
+                                     int batch_samples, int max_depth, const Workers& workers);
 
 }  // namespace foveola::reference

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/stability/closed_forms.h"
+#include "renderer/stability/picture.h"
 #include "worlds.h"
 
 namespace foveola::reference {
@@ -34,18 +35,17 @@ class ReferenceRendererTest : public ::testing::TestWithParam<Case> {};
 TEST_P(ReferenceRendererTest, BlocksOfBothPicturesAgree) {
   const Workers workers;
   const World world = GetParam().world();
-  const PictureSettings settings{.block = 16, .max_depth = GetParam().max_depth, .seed = 2};
-  const auto expected = render(world, GetParam().viewpoint, settings, 512, workers);
+  const auto expected = render(world, GetParam().viewpoint, 4, 2048, GetParam().max_depth, workers);
   const Scene scene = scene_of(world);
-  const StabilityRun run{.workers = workers, .effort = {.picture_samples_per_pixel = 256}};
-  const auto picture =
-      render_blocks(PathTracer(scene, workers), Vec3(GetParam().viewpoint), settings, run);
+  const StabilityRun run{.workers = workers, .effort = {.picture_samples_per_pixel = 128}};
+  const auto picture = render_blocks(PathTracer(scene, workers), Vec3(GetParam().viewpoint),
+                                     {.block = 16, .max_depth = GetParam().max_depth}, run);
   const StabilityFigure figure =
       picture_difference(GetParam().name, picture, expected, tessellation);
   EXPECT_TRUE(figure.passes()) << figure.measured << " standard errors; " << figure.details;
   // So that a difference of a few percent would show.
-  EXPECT_LT(largest_relative_error(expected), 0.01);
-  EXPECT_LT(largest_relative_error(picture), 0.01);
+  EXPECT_LT(largest_relative_error(expected), 0.02);
+  EXPECT_LT(largest_relative_error(picture), 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,44 +1,59 @@
 #include "renderer/stability/stability.h"
 
-#include <gtest/gtest.h>
+#include <cmath>
+#include <utility>
 
-#include "renderer/stability/checks.h"
-#include "tests/temporary_folder.h"
+#include <gtest/gtest.h>
 
 namespace foveola {
 namespace {
 
-/// So little that only the order of events matters.
-constexpr StabilityEffort least{.tolerance = 1.0,
-                                .most_samples = 1,
-                                .picture_samples_per_pixel = 1,
-                                .leak_paths = 1,
-                                .scene_paths = 1,
-                                .film_samples = 1};
-
-TEST(StabilityTest, StoppedBeforeTheFirstTestEndsThereAreNoFigures) {
-  std::stop_source stop;
-  std::vector<std::string> tests;
-  const auto progress = [&](double, const std::string& test) {
-    tests.push_back(test);
-    stop.request_stop();
-  };
-  const Workers workers(1);
-  EXPECT_TRUE(measure_stability(least, {}, workers, progress, stop.get_token()).empty());
-  EXPECT_EQ(tests.back(), tests.front());
+/// Reports half of its work, and then one figure of its own name.
+StabilityCheck check_named(const std::string& name, double weight) {
+  return {.name = name, .weight = weight, .run = [name](const StabilityRun& run) {
+            run.progress(0.5);
+            return std::vector<StabilityFigure>{{.name = name}};
+          }};
 }
 
-TEST(StabilityTest, ProgressRunsFromZeroToOne) {
-  double last = 0.0;
-  const auto progress = [&](double fraction, const std::string&) {
-    EXPECT_GE(fraction, last - 1e-9);
-    EXPECT_LE(fraction, 1.0 + 1e-9);
-    last = fraction;
+TEST(StabilityTest, ProgressFollowsTheWeightsOfTheChecks) {
+  std::vector<std::pair<double, std::string>> seen;
+  const auto progress = [&](double fraction, const std::string& check) {
+    seen.emplace_back(fraction, check);
   };
-  const Workers workers(2);
-  const auto figures = measure_stability(least, {}, workers, progress, {});
-  EXPECT_GT(figures.size(), 20U);
-  EXPECT_GT(last, 0.8);  // without scenes there is no last test
+  const Workers workers(1);
+  const auto figures = measure_stability({check_named("short", 1.0), check_named("long", 3.0)}, {},
+                                         workers, progress, {});
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].name, "short");
+  EXPECT_EQ(figures[1].name, "long");
+  const std::vector<std::pair<double, std::string>> expected{
+      {0.0, "short"}, {0.125, "short"}, {0.25, "long"}, {0.625, "long"}};
+  EXPECT_EQ(seen, expected);
+}
+
+TEST(StabilityTest, TheCheckThatIsStoppedHasNoFigures) {
+  std::stop_source stop;
+  const auto progress = [&](double fraction, const std::string&) {
+    if (fraction > 0.4) {
+      stop.request_stop();
+    }
+  };
+  const Workers workers(1);
+  const auto figures = measure_stability(
+      {check_named("first", 1.0), check_named("second", 1.0), check_named("third", 1.0)}, {},
+      workers, progress, stop.get_token());
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures[0].name, "first");
+}
+
+TEST(StabilityTest, EveryCheckIsInTheList) {
+  const auto checks = stability_checks({});
+  EXPECT_EQ(checks.size(), 8U);
+  for (const StabilityCheck& check : checks) {
+    EXPECT_TRUE(check.run);
+    EXPECT_GT(check.weight, 0.0);
+  }
 }
 
 TEST(StabilityTest, NotANumberDoesNotPass) {

@@ -1,0 +1,340 @@
+#include "renderer/commands/render_command.h"
+
+#include <charconv>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/bench_commands.h"
+#include "renderer/commands/render.h"
+#include "renderer/film/image_file.h"
+
+namespace foveola {
+namespace {
+
+/// The command line of `render`, as typed.
+struct RenderArguments {
+  std::string scene;
+  std::string output;
+  std::string method = "od";
+  std::string size = "2048x1024";
+  std::string camera;
+  std::string head;
+  std::string gaze;
+  double fov_deg = 100.0;
+  double samples_per_pixel = 0.0;
+  std::int64_t samples = 0;
+  double seconds = 0.0;
+  int max_depth = 8;
+  std::uint32_t seed = 0;
+  int threads = 0;
+  std::string environment;
+  double environment_rotation_deg = 0.0;
+  double environment_strength = 1.0;
+  double light_radius_m = 0.0;
+  double sun_radius_deg = 0.0;
+  bool diffuse = false;
+  double largest_radiance = std::numeric_limits<double>::infinity();
+  std::string replay;
+  bool json = false;
+};
+
+void require(bool valid, const std::string& option, const std::string& what) {
+  if (!valid) {
+    throw UsageError(option, what, "see foveola render --help");
+  }
+}
+
+RenderBudget budget_from(const CLI::App& command, const RenderArguments& arguments,
+                         const IVec2& size) {
+  RenderBudget budget;
+  if (command.count("--spp") > 0) {
+    const double pixels = static_cast<double>(size.x) * size.y;
+    const double samples = std::round(arguments.samples_per_pixel * pixels);
+    require(samples >= 1.0 && samples <= 1e15, "--spp", "must give at least one sample");
+    budget.samples = static_cast<std::uint64_t>(samples);
+  } else if (command.count("--samples") > 0) {
+    require(arguments.samples >= 1, "--samples", "must be at least 1");
+    budget.samples = static_cast<std::uint64_t>(arguments.samples);
+  } else if (command.count("--seconds") > 0) {
+    require(arguments.seconds > 0.0 && std::isfinite(arguments.seconds), "--seconds",
+            "must be a positive number");
+    budget.seconds = arguments.seconds;
+  } else {
+    constexpr std::uint64_t default_samples_per_pixel = 16;
+    budget.samples = default_samples_per_pixel * size.x * size.y;
+  }
+  return budget;
+}
+
+RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
+  RenderSettings settings;
+  settings.method = arguments.method;
+  settings.size = parse_size("--size", arguments.size);
+  if (!arguments.camera.empty()) {
+    settings.camera = parse_vec3("--camera", arguments.camera);
+  }
+  if (!arguments.head.empty()) {
+    settings.head = parse_azimuth_elevation("--head", arguments.head);
+  }
+  if (!arguments.gaze.empty()) {
+    settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
+  }
+  require(arguments.fov_deg > 0.0 && arguments.fov_deg < 180.0, "--fov",
+          "must lie between 0 and 180 degrees");
+  settings.fov_deg = arguments.fov_deg;
+  settings.budget = budget_from(command, arguments, settings.size);
+  require(arguments.max_depth >= 1, "--max-depth", "must be at least 1");
+  settings.max_depth = arguments.max_depth;
+  settings.seed = arguments.seed;
+  require(arguments.threads >= 0 && arguments.threads <= 1024, "--threads",
+          "must lie between 0 (every core) and 1024");
+  settings.threads = arguments.threads;
+  require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
+  settings.diffuse = arguments.diffuse;
+  settings.largest_radiance = static_cast<float>(arguments.largest_radiance);
+  return settings;
+}
+
+/// "r,g,b" is a constant radiance, "sky:..." daylight, anything else a file.
+void apply_environment(const std::string& environment, SceneSource& source) {
+  constexpr std::string_view sky = "sky:";
+  source.environment_radiance.reset();
+  source.sky.reset();
+  if (environment.starts_with(sky)) {
+    source.sky = parse_sky("--environment", environment.substr(sky.size()));
+  } else if (std::count(environment.begin(), environment.end(), ',') == 2) {
+    const Rgb radiance = parse_vec3("--environment", environment);
+    require(glm::all(glm::greaterThanEqual(radiance, Rgb(0.0F))), "--environment",
+            "radiance must not be negative");
+    source.environment_radiance = radiance;
+  } else {
+    source.environment_file = environment;
+  }
+}
+
+/// The scene's light as the arguments change it.
+void apply_lighting(const CLI::App& command, const RenderArguments& arguments,
+                    SceneSource& source) {
+  if (!arguments.environment.empty()) {
+    apply_environment(arguments.environment, source);
+  }
+  source.environment_rotation_rad += radians(arguments.environment_rotation_deg);
+  source.environment_strength *= arguments.environment_strength;
+  if (command.count("--light-radius") > 0) {
+    source.light_radius_m = static_cast<float>(arguments.light_radius_m);
+  }
+  if (command.count("--sun-radius") > 0) {
+    source.sun_angular_radius_rad = static_cast<float>(radians(arguments.sun_radius_deg));
+  }
+}
+
+nlohmann::json json_angles(const AzimuthElevation& angles) {
+  return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};
+}
+
+nlohmann::json json_non_finite(const std::vector<DroppedSample>& dropped, int width) {
+  constexpr std::size_t listed = 100;
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < std::min(dropped.size(), listed); ++i) {
+    list.push_back({{"x", dropped[i].pixel % static_cast<unsigned>(width)},
+                    {"y", dropped[i].pixel / static_cast<unsigned>(width)},
+                    {"sample", dropped[i].sample_number}});
+  }
+  return list;
+}
+
+nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
+                           const RenderArguments& arguments) {
+  const nlohmann::json clamp = std::isfinite(settings.largest_radiance)
+                                   ? nlohmann::json(settings.largest_radiance)
+                                   : nlohmann::json(nullptr);
+  return {{"scene", arguments.scene},
+          {"output", arguments.output},
+          {"clamp", clamp},
+          {"method", settings.method},
+          {"width", settings.size.x},
+          {"height", settings.size.y},
+          {"seed", settings.seed},
+          {"max_depth", settings.max_depth},
+          {"threads", report.threads},
+          {"triangles", report.triangles},
+          {"camera", {report.camera.x, report.camera.y, report.camera.z}},
+          {"head_deg", json_angles(report.head)},
+          {"gaze_deg", json_angles(report.gaze)},
+          {"fov_deg", settings.fov_deg},
+          {"samples", report.samples},
+          {"seconds", report.seconds},
+          {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
+          {"rays", report.rays},
+          {"non_finite", report.non_finite.size()},
+          {"non_finite_samples", json_non_finite(report.non_finite, settings.size.x)},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"load_seconds", report.load_seconds},
+          {"build_seconds", report.build_seconds},
+          {"stopped", report.stopped},
+          {"warnings", report.warnings}};
+}
+
+void print_report(const RenderReport& report, const RenderArguments& arguments) {
+  for (const std::string& warning : report.warnings) {
+    fmt::print(stderr, "foveola: warning: {}\n", warning);
+  }
+  if (!report.non_finite.empty()) {
+    fmt::print(stderr, "foveola: warning: {} samples were not finite and were dropped (seed {})\n",
+               report.non_finite.size(), arguments.seed);
+  }
+  fmt::print("{}: {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}\n",
+             arguments.output, report.samples, report.seconds,
+             static_cast<double>(report.samples) / report.seconds,
+             static_cast<double>(report.rays) / static_cast<double>(report.samples),
+             report.stopped ? ", stopped early" : "");
+}
+
+nlohmann::json json_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::json json_path(const ReplayedPath& path) {
+  nlohmann::json vertices = nlohmann::json::array();
+  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
+    const PathVertex& vertex = path.record.vertices[i];
+    nlohmann::json json = {{"vertex", vertex.number},
+                           {"direction", json_vector(vertex.direction)},
+                           {"throughput", json_vector(vertex.throughput)},
+                           {"radiance", json_vector(vertex.radiance)},
+                           {"pdf", vertex.pdf}};
+    if (vertex.object) {
+      json["object"] = path.object_names[i];
+      json["distance_m"] = vertex.distance_m;
+      json["position"] = json_vector(vertex.position);
+      json["normal"] = json_vector(vertex.normal);
+    }
+    vertices.push_back(json);
+  }
+  return {{"direction", json_vector(path.job.direction)},
+          {"pixel", path.job.pixel},
+          {"sample", path.job.sample_number},
+          {"radiance", json_vector(path.record.radiance)},
+          {"vertices", vertices}};
+}
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
+}
+
+void print_path(const ReplayedPath& path) {
+  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
+    const PathVertex& vertex = path.record.vertices[i];
+    fmt::print("{:2}  along {}: ", vertex.number, text_of(vertex.direction));
+    if (vertex.object) {
+      fmt::print("'{}' after {:.6g} m at {}, normal {}", path.object_names[i], vertex.distance_m,
+                 text_of(vertex.position), text_of(vertex.normal));
+    } else {
+      fmt::print("out of the scene");
+    }
+    fmt::print("\n    throughput {}, radiance {}, pdf {:.6g}\n", text_of(vertex.throughput),
+               text_of(vertex.radiance), vertex.pdf);
+  }
+  fmt::print("radiance {}\n", text_of(path.record.radiance));
+}
+
+void run_replay(const CLI::App& command, const RenderArguments& arguments,
+                const RenderSettings& settings, const SceneFinder& find_scene,
+                const std::stop_token& stop) {
+  const SampleAddress address = parse_sample("--replay", arguments.replay, settings.size);
+  require(settings.budget.seconds == 0.0, "--seconds", "does not go with --replay; use --samples");
+  SceneSource source = find_scene(arguments.scene);
+  apply_lighting(command, arguments, source);
+  const ReplayedPath path = replay(source, settings, address, stop);
+  if (arguments.json) {
+    fmt::print("{}\n", json_path(path).dump(2));
+  } else {
+    print_path(path);
+  }
+}
+
+void run_render(const CLI::App& command, const RenderArguments& arguments,
+                const SceneFinder& find_scene, const std::stop_token& stop) {
+  RenderSettings settings = settings_from(command, arguments);
+  if (!arguments.replay.empty()) {
+    run_replay(command, arguments, settings, find_scene, stop);
+    return;
+  }
+  require(!arguments.output.empty(), "--output", "is required");
+  require_image_extension(arguments.output);
+  require_writable(arguments.output);
+  SceneSource source = find_scene(arguments.scene);
+  apply_lighting(command, arguments, source);
+  const Rendering rendering = render(source, settings, stop);
+  if (rendering.report.samples == 0) {
+    return;
+  }
+  write_film_image(arguments.output, rendering.image, source.exposure_stops);
+  if (arguments.json) {
+    fmt::print("{}\n", json_report(rendering.report, settings, arguments).dump(2));
+  } else {
+    print_report(rendering.report, arguments);
+  }
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = app.add_subcommand("render", "Render a 360-degree image, without a window");
+  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
+      ->required();
+  command->add_option("-o,--output", arguments->output,
+                      "An .exr (R, G, B, samples) or .png file to write");
+  command->add_option("--method", arguments->method, "Where the samples go: od, vp or fv")
+      ->check(CLI::IsMember(view_sampler_names()))
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "Of the image, in pixels")->capture_default_str();
+  command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
+  command->add_option("--head", arguments->head,
+                      "azimuth,elevation in degrees; azimuth from -Z towards +X");
+  command->add_option("--gaze", arguments->gaze,
+                      "azimuth,elevation in degrees, world (default: the head's)");
+  command->add_option("--fov", arguments->fov_deg, "The viewport's field of view in degrees")
+      ->capture_default_str();
+  CLI::Option_group* budget = command->add_option_group("budget", "How much to render");
+  budget->add_option("--spp", arguments->samples_per_pixel,
+                     "Samples per pixel on average over the image (default: 16)");
+  budget->add_option("--samples", arguments->samples, "Samples in all");
+  budget->add_option("--seconds", arguments->seconds, "Seconds of tracing");
+  budget->require_option(0, 1);
+  command->add_option("--max-depth", arguments->max_depth, "Surface vertices; 1 is direct light")
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Another seed gives other noise")
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "0: every core")->capture_default_str();
+  command->add_option("--environment", arguments->environment,
+                      "A lat-long image file, r,g,b for a constant radiance, or "
+                      "sky:AZIMUTH,ELEVATION[,TURBIDITY] for daylight with the sun there");
+  command->add_option("--environment-rotation", arguments->environment_rotation_deg,
+                      "Turns the environment by these degrees, from -Z towards +X");
+  command->add_option("--environment-strength", arguments->environment_strength,
+                      "Multiplies the environment");
+  command->add_option("--light-radius", arguments->light_radius_m,
+                      "Makes the file's points and spots spheres of so many metres");
+  command->add_option("--sun-radius", arguments->sun_radius_deg,
+                      "Makes directional lights discs of so many degrees' radius");
+  command->add_flag("--diffuse", arguments->diffuse,
+                    "Show every material as Lambertian in its base colour, to compare renderers");
+  command->add_option("--clamp", arguments->largest_radiance,
+                      "Cut each sample's radiance to this: less noise, too dark a picture");
+  command->add_option("--replay", arguments->replay,
+                      "x,y,sample: trace that path of this render again and print its vertices");
+  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  command->footer("Example: foveola render arcade -o arcade.exr --method fv --gaze 20,-5 --spp 4");
+  command->callback([command, arguments, find_scene, stop] {
+    run_render(*command, *arguments, find_scene, stop);
+  });
+}
+
+}  // namespace foveola

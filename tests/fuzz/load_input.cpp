@@ -1,0 +1,138 @@
+#include "tests/fuzz/load_input.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "renderer/base/error.h"
+#include "renderer/scene/load_scene.h"
+
+namespace foveola::test {
+namespace fs = std::filesystem;
+namespace {
+
+/// A PNG of one pixel, (255, 0, 0, 128).
+constexpr std::array<unsigned char, 70> image = {
+    0x89, 'P',  'N',  'G',  0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 'I',  'H',
+    'D',  'R',  0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x06, 0x00, 0x00,
+    0x00, 0x1F, 0x15, 0xC4, 0x89, 0x00, 0x00, 0x00, 0x0D, 'I',  'D',  'A',  'T',  0x78,
+    0xDA, 0x63, 0xF8, 0xCF, 0xC0, 0xD0, 0x00, 0x00, 0x04, 0x81, 0x01, 0x80, 0xF3, 0x0B,
+    0xDC, 0xA0, 0x00, 0x00, 0x00, 0x00, 'I',  'E',  'N',  'D',  0xAE, 0x42, 0x60, 0x82};
+
+void write(const fs::path& file, std::string_view bytes) {
+  std::ofstream(file, std::ios::binary)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+std::string_view image_bytes() {
+  return {reinterpret_cast<const char*>(image.data()), image.size()};
+}
+
+/// The part of `input` up to the next record separator, which are both taken off it.
+std::string_view next_part(std::string_view& input) {
+  const std::size_t end = std::min(input.find('\x1E'), input.size());
+  const std::string_view part = input.substr(0, end);
+  input.remove_prefix(std::min(end + 1, input.size()));
+  return part;
+}
+
+void require(bool holds, const char* what) {
+  if (!holds) {
+    throw std::logic_error(what);
+  }
+}
+
+void check(const Scene& scene, const TextureUse& use, const Mesh& mesh) {
+  if (!use.exists()) {
+    return;
+  }
+  const auto texture = static_cast<std::size_t>(use.texture);
+  require(texture < scene.textures.size(), "a texture is out of range");
+  require(mesh.uv_sets.empty() || static_cast<std::size_t>(use.uv_set) < mesh.uv_sets.size(),
+          "a UV set is out of range");
+  const Vec2 uv = mesh.uv_sets.empty()
+                      ? Vec2(0.0F)
+                      : use.texture_from_mesh *
+                            Vec3(mesh.uv_sets[static_cast<std::size_t>(use.uv_set)].front(), 1.0F);
+  const Vec4 value = scene.textures[texture].sample(uv, 0.3F);
+  require(value.r >= 0.0F && value.r <= 1.0F && value.a >= 0.0F && value.a <= 1.0F,
+          "a texture's value is out of range");
+}
+
+void check(const Scene& scene, const Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  require(static_cast<std::size_t>(mesh.material) < scene.materials.size(),
+          "a material is out of range");
+  require(mesh.normals.empty() || mesh.normals.size() == vertices, "normals are missing");
+  require(mesh.tangents.empty() || mesh.tangents.size() == vertices, "tangents are missing");
+  require(mesh.colors.empty() || mesh.colors.size() == vertices, "colours are missing");
+  for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
+    require(uvs.size() == vertices, "texture coordinates are missing");
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      require(vertex < vertices, "a vertex is out of range");
+      require(is_finite(mesh.positions[vertex]), "a vertex is not finite");
+    }
+  }
+  if (mesh.triangles.empty()) {
+    return;
+  }
+  const Material& m = scene.materials[static_cast<std::size_t>(mesh.material)];
+  for (const TextureUse* use :
+       {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+        &m.emissive_texture, &m.specular_texture, &m.specular_color_texture,
+        &m.transmission_texture, &m.clearcoat_texture, &m.clearcoat_roughness_texture,
+        &m.sheen_color_texture, &m.sheen_roughness_texture}) {
+    check(scene, *use, mesh);
+  }
+}
+
+void check(const Scene& scene) {
+  for (const Mesh& mesh : scene.meshes) {
+    check(scene, mesh);
+  }
+  for (const Mesh& mesh : scene.prototypes) {
+    check(scene, mesh);
+  }
+  for (const Instance& instance : scene.instances) {
+    require(instance.prototype < scene.prototypes.size(), "a prototype is out of range");
+  }
+}
+
+}  // namespace
+
+fs::path write_input(const fs::path& folder, std::string_view input) {
+  if (input.starts_with("glTF") || input.starts_with("{")) {
+    const fs::path file = folder / (input.starts_with("{") ? "scene.gltf" : "scene.glb");
+    write(file, input);
+    return file;
+  }
+  const fs::path file = folder / "scene.obj";
+  write(file, next_part(input));
+  write(folder / "m.mtl", next_part(input));
+  write(folder / "t.png", input.empty() ? image_bytes() : input);
+  return file;
+}
+
+void write_surroundings(const fs::path& folder) {
+  std::array<float, 16> numbers{};
+  std::iota(numbers.begin(), numbers.end(), 0.0F);
+  write(folder / "b.bin", {reinterpret_cast<const char*>(numbers.data()), sizeof numbers});
+  write(folder / "t.png", image_bytes());
+}
+
+bool load_input(const fs::path& scene_file) {
+  try {
+    check(load_scene_file(scene_file));
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace foveola::test
