@@ -12,7 +12,7 @@ namespace foveola {
 constexpr float vanishing_alpha = 1e-5F;
 
 /// A cosine's position in [0, 1] on the tables' axis. Where masking sets in, at cosines around
-/// alpha, positions lie dense. alpha 0: as for a mirror, all positions are those of no masking.
+/// alpha, positions lie dense.
 inline float albedo_position(float cosine, float alpha) {
   constexpr float no_zero = std::numeric_limits<float>::min();
   return 0.65F * std::sqrt(cosine * (1.0F + alpha) / (cosine + alpha + no_zero)) + 0.35F * cosine;

@@ -128,10 +128,12 @@ float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
     transmission_albedo = luminance(transmitted_);
   }
   const float total = specular_albedo + diffuse_albedo + transmission_albedo;
-  const float scale = total > 0.0F ? 1.0F / total : 0.0F;
-  specular_probability_ = specular_albedo * scale;
-  diffuse_probability_ = diffuse_albedo * scale;
-  transmission_probability_ = transmission_albedo * scale;
+  // Quotients, not products with 1 / total: a single lobe has a probability of exactly 1.
+  if (total > 0.0F) {
+    specular_probability_ = specular_albedo / total;
+    diffuse_probability_ = diffuse_albedo / total;
+    transmission_probability_ = transmission_albedo / total;
+  }
   return total;
 }
 
@@ -212,8 +214,8 @@ std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
     }
     return reflection(microfacets_.sample(u));
   }
-  const float opaque_probability = 1.0F - transmission_probability_;
-  if (u_lobe < opaque_probability) {
+  const float opaque_probability = specular_probability_ + diffuse_probability_;
+  if (u_lobe < opaque_probability || transmission_probability_ == 0.0F) {
     return weighed(sample_cosine_hemisphere(u));
   }
   if (glass_) {

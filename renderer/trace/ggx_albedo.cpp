@@ -42,20 +42,21 @@ SchlickAlbedo mean_of(const GgxAlbedo::Row& row) {
 
 }  // namespace
 
-GgxAlbedo::GgxAlbedo(const Workers& workers) : nodes_(rows * nodes_in_row), means_(rows) {
-  workers.for_each_block(rows, 1, [&](std::size_t i, std::size_t) {
+GgxAlbedo::GgxAlbedo(const Workers& workers)
+    : nodes_(rows * nodes_in_row, Vec2(1.0F, 0.0F)), means_(rows) {
+  workers.for_each_block(rows - 1, 1, [&](std::size_t i, std::size_t) {
     const float roughness = static_cast<float>(i) / roughness_steps;
     const Ggx ggx{.alpha = std::max(roughness * roughness, vanishing_alpha)};
-    Vec2* nodes = &nodes_[i * nodes_in_row];
+    Vec2* nodes = &nodes_[(i + 1) * nodes_in_row];
     for (std::size_t k = 0; k < nodes_in_row; ++k) {
       const float cosine = cosine_of_node(k, cosine_steps, ggx.alpha);
       nodes[k] = node_of(integrate_albedo(cosine, ggx), cosine, ggx.alpha);
     }
   });
-  // Of a mirror.
-  nodes_[cosine_steps] = Vec2(1.0F, 0.0F);
-  for (std::size_t i = 0; i < rows; ++i) {
-    means_[i] = mean_of(row(static_cast<float>(i) / roughness_steps));
+  means_[0] = mean_of(mirror_row());
+  for (std::size_t i = 1; i < rows; ++i) {
+    const float roughness = static_cast<float>(i - 1) / roughness_steps;
+    means_[i] = i == 1 ? means_[0] : mean_of(row(roughness));
   }
 }
 

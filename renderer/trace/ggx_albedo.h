@@ -49,9 +49,11 @@ class GgxAlbedo {
   Row row(float roughness) const;
 
  private:
+  Row mirror_row() const;
+
   static constexpr int roughness_steps = 64;
   static constexpr int cosine_steps = 96;
-  static constexpr std::size_t rows = roughness_steps + 1;
+  static constexpr std::size_t rows = roughness_steps + 2;
   static constexpr std::size_t nodes_in_row = cosine_steps + 1;
 
   /// What is tabulated of an albedo: x: the white one; y: by how much the lobe's mean Schlick
@@ -64,8 +66,10 @@ class GgxAlbedo {
     return {.white = node.x, .grazing = node.x * (schlick_weight(cosine) + alpha * node.y)};
   }
 
-  std::vector<Vec2> nodes_;           ///< row-major: roughness, position of the cosine
-  std::vector<SchlickAlbedo> means_;  ///< one a roughness
+  /// Row-major: first a mirror's row, then the roughnesses from 0 on, each over the position of the
+  /// cosine.
+  std::vector<Vec2> nodes_;
+  std::vector<SchlickAlbedo> means_;  ///< one a row
 };
 
 inline SchlickAlbedo GgxAlbedo::Row::at(float cosine) const {
@@ -84,16 +88,25 @@ inline SchlickAlbedo GgxAlbedo::Row::mean() const {
           .grazing = smoother.grazing + rougher_weight_ * (rougher.grazing - smoother.grazing)};
 }
 
+inline GgxAlbedo::Row GgxAlbedo::mirror_row() const {
+  Row row;
+  row.smoother_ = nodes_.data();
+  row.smoother_mean_ = means_.data();
+  return row;
+}
+
 inline GgxAlbedo::Row GgxAlbedo::row(float roughness) const {
   assert(roughness >= 0.0F && roughness <= 1.0F);
-  const bool is_smooth = roughness < smallest_roughness;
-  const NodePosition place(is_smooth ? 0.0F : roughness, roughness_steps);
-  const auto below = static_cast<std::size_t>(place.below);
+  if (roughness < smallest_roughness) {
+    return mirror_row();
+  }
+  const NodePosition place(roughness, roughness_steps);
+  const auto below = static_cast<std::size_t>(place.below) + 1;
   Row row;
   row.smoother_ = &nodes_[below * nodes_in_row];
-  row.alpha_ = is_smooth ? 0.0F : roughness * roughness;
-  row.rougher_weight_ = place.fraction;
   row.smoother_mean_ = &means_[below];
+  row.alpha_ = roughness * roughness;
+  row.rougher_weight_ = place.fraction;
   return row;
 }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr int rings = 40;
 constexpr int sectors = 36;
 // Of the quadrature, within a bin. Seen at grazing angles a smooth lobe is narrow in azimuth.
-constexpr int rings_in_bin = 16;
-constexpr int sectors_in_bin = 30;
+constexpr int rings_in_bin = 10;
+constexpr int sectors_in_bin = 20;
 
 /// Counts of sampled directions, and of those that the density predicts, in a grid over the sphere;
 /// the last bin is for samples that were lost or specular.
