@@ -123,7 +123,7 @@ void apply_environment(const std::string& environment, SceneSource& source) {
 void apply_lighting(const CLI::App& command, const RenderArguments& arguments,
                     SceneSource& source) {
   if (!arguments.environment.empty()) {
-    apply_lighting(command, arguments, source);
+    apply_environment(arguments.environment, source);
   }
   source.environment_rotation_rad += radians(arguments.environment_rotation_deg);
   source.environment_strength *= arguments.environment_strength;

@@ -13,6 +13,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/scene/disarmed.h"
 #include "renderer/scene/mesh_edit.h"
+#include "renderer/scene/rebase.h"
 
 namespace foveola {
 namespace {
@@ -186,7 +187,6 @@ class MeshPlacer {
 
 DVec3 choose_origin(const std::vector<LocalMesh>& meshes,
                     const std::vector<std::vector<Placement>>& placements) {
-  constexpr double far = 8.0;
   DBounds world;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const DBounds local = bounds_of(meshes[i]);
@@ -194,14 +194,7 @@ DVec3 choose_origin(const std::vector<LocalMesh>& meshes,
       include(world, local, placements[i][k].world_from_local);
     }
   }
-  const DVec3 center = 0.5 * (world.lower + world.upper);
-  const double half_diagonal = 0.5 * glm::length(world.upper - world.lower);
-  if (world.is_empty() || !(half_diagonal > 0.0) || !std::isfinite(half_diagonal) ||
-      !(glm::length(center) > far * half_diagonal)) {
-    return DVec3(0.0);
-  }
-  const double step = std::exp2(std::floor(std::log2(half_diagonal)));
-  return glm::round(center / step) * step;
+  return world.is_empty() ? DVec3(0.0) : origin_for(world.lower, world.upper);
 }
 
 void add_meshes(Scene& scene, std::vector<LocalMesh> meshes, const PlacedNodes& nodes,

@@ -130,8 +130,10 @@ DecodedImage decode_image(std::span<const unsigned char> encoded) {
   const std::size_t bytes = static_cast<std::size_t>(spec.nchannels) * spec.width * spec.height;
   image.texels.reserve(bytes + bytes / 3 + 64);  // leaves room for a texture's coarser levels
   image.texels.resize(bytes);
-  if (!open.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8,
-                              image.texels.data())) {
+  // As they are: OpenImageIO converts even bytes to bytes by way of a buffer of 64 MiB.
+  const OIIO::TypeDesc as_bytes =
+      spec.format == OIIO::TypeDesc::UINT8 ? OIIO::TypeDesc::UNKNOWN : OIIO::TypeDesc::UINT8;
+  if (!open.input->read_image(0, 0, 0, spec.nchannels, as_bytes, image.texels.data())) {
     throw std::runtime_error("is damaged: " + open.input->geterror());
   }
   return image;

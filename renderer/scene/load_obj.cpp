@@ -16,6 +16,7 @@
 #include "renderer/scene/obj_file.h"
 #include "renderer/scene/obj_meshes.h"
 #include "renderer/scene/obj_textures.h"
+#include "renderer/scene/rebase.h"
 #include "renderer/scene/tangents.h"
 #include "renderer/scene/text_lines.h"
 #include "renderer/scene/warnings.h"
@@ -168,6 +169,7 @@ Scene load_obj(const fs::path& path) {
     UsedMaterials materials(library, folder, warnings);
     Scene scene;
     scene.meshes = meshes_of(obj, materials, warnings);
+    rebase(scene);
     scene.textures = materials.textures().decode();
     scene.materials = std::move(materials).take_materials();
     if (scene.meshes.empty()) {

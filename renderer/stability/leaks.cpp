@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/random.h"
+#include "renderer/scene/rebase.h"
 #include "renderer/stability/checks.h"
 #include "renderer/stability/estimate.h"
 #include "renderer/stability/furnished_room.h"
@@ -109,6 +110,7 @@ class PlacedRoom {
     for (Mesh& mesh : scene_.meshes) {
       mesh = placed(std::move(mesh), placement.scale, turn_, place_);
     }
+    rebase(scene_);  // as the loaders do
     tracer_.emplace(scene_, workers);
   }
   PlacedRoom(const PlacedRoom&) = delete;
@@ -122,7 +124,8 @@ class PlacedRoom {
     for (std::uint64_t done = 0; done < paths && !run.stop.stop_requested();
          done += paths_per_viewpoint) {
       const Vec3 local = room_.viewpoint(random);
-      const Vec3 viewpoint = turn_ * (placement_.scale * local) + place_;
+      const Vec3 viewpoint =
+          scene_.from_file(DVec3(turn_ * (placement_.scale * local)) + DVec3(place_));
       leaks += count_from(viewpoint, std::min(paths_per_viewpoint, paths - done),
                           static_cast<std::uint32_t>(done / paths_per_viewpoint), run.workers);
     }

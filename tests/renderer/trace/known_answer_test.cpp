@@ -66,7 +66,7 @@ double sphere_radiance(const ReferenceMaterial& material, int max_depth) {
 }
 
 TEST(KnownAnswerTest, GreyFurnaceIsItsQuadrature) {
-  for (const ReferenceMaterial material :
+  for (const ReferenceMaterial& material :
        {ReferenceMaterial{0.5, 0.0, 1.0}, ReferenceMaterial{0.7, 1.0, 0.6}}) {
     Scene scene;
     scene.materials = {
@@ -129,7 +129,7 @@ double floor_radiance(const ReferenceMaterial& material) {
 }
 
 TEST(KnownAnswerTest, DirectLightOfARectangleIsItsQuadrature) {
-  for (const ReferenceMaterial material :
+  for (const ReferenceMaterial& material :
        {ReferenceMaterial{0.8, 0.0, 1.0}, ReferenceMaterial{0.8, 0.5, 0.5},
         ReferenceMaterial{0.9, 1.0, 0.2}}) {
     Material floor =
