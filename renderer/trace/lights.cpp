@@ -49,7 +49,8 @@ void Lights::set_probabilities(const Scene& scene) {
   }
   for (const Kind& kind : kinds) {
     if (kind.exists) {
-      const double share = power > 0.0 ? kind.power / power : 1.0 / count;
+      const bool is_known = power > 0.0 && std::isfinite(power);
+      const double share = is_known ? kind.power / power : 1.0 / count;
       *kind.probability = static_cast<float>(0.5 / count + 0.5 * share);
     }
   }

@@ -19,10 +19,14 @@ constexpr float smallest_squared_sine = 1e-10F;
 constexpr float narrowest_rim = 1e-3F;
 
 bool shines(const PunctualLight& light) {
-  const float direction = glm::dot(light.direction, light.direction);
-  return light.kind != PunctualLight::Kind::directional && is_finite(light.position) &&
-         is_finite(light.intensity) && luminance(light.intensity) > 0.0F &&
-         (light.kind == PunctualLight::Kind::point || std::abs(direction - 1.0F) < 1e-3F);
+  if (!is_finite(light.position) || !is_finite(light.intensity) ||
+      !(luminance(light.intensity) > 0.0F)) {
+    return false;
+  }
+  const float squared_length = glm::dot(light.direction, light.direction);
+  return light.kind == PunctualLight::Kind::point ||
+         (light.kind == PunctualLight::Kind::spot && std::abs(squared_length - 1.0F) < 1e-3F &&
+          std::isfinite(light.inner_cone_rad) && std::isfinite(light.outer_cone_rad));
 }
 
 float rim_of(const PunctualLight& light) {
@@ -68,6 +72,11 @@ LocalLightSample sample_sphere(float radius, const Vec3& to_centre, float distan
 
 PunctualLights::PunctualLights(const Scene& scene) {
   std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights_), shines);
+  for (PunctualLight& light : lights_) {
+    if (!std::isfinite(light.radius_m) || light.radius_m < 0.0F) {
+      light.radius_m = 0.0F;
+    }
+  }
 }
 
 double PunctualLights::power(std::size_t light) const {

@@ -12,7 +12,7 @@ class SphericalTriangle {
   /// Seen from `viewpoint`. All that follows is finite for every finite triangle and viewpoint.
   SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint);
 
-  /// In steradians, in [0, 2 pi]; 0 on the triangle's plane (Van Oosterom and Strackee 1983, "The
+  /// In steradians, in [0, 2 pi]; one of the two on the plane (Van Oosterom and Strackee 1983, "The
   /// Solid Angle of a Plane Triangle").
   double solid_angle() const { return solid_angle_; }
 

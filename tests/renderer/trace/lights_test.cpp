@@ -127,6 +127,16 @@ TEST(LightsTest, TrianglesWithoutAreaOrFiniteCornersDoNotShine) {
   EXPECT_TRUE(Lights(scene).empty());
 }
 
+TEST(LightsTest, AnInfiniteTriangleDoesNotHideTheOtherLights) {
+  Scene scene = ceiling_light({1.0F, 3.0F});
+  scene.meshes.push_back(quad(Vec3(0.0F), Vec3(INFINITY, 0, 0), Vec3(0, 0, 1), 0));
+  scene.environment = constant_environment(0.25F);
+  const double expected = std::numbers::pi * (4.0 * corner_form_factor(0.5, 1.5) + 0.25);
+  for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
+    expect_mean(irradiance_at(Lights(scene, most_in_table), Vec3(0.0F), 40000), expected);
+  }
+}
+
 TEST(LightsTest, BlackEnvironmentIsNoLight) {
   Scene scene;
   scene.environment = constant_environment(0.0F);

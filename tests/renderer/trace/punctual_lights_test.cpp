@@ -216,8 +216,18 @@ TEST(PunctualLightsTest, BrokenAndBlackLightsAreLeftOut) {
   lost.position.x = std::numeric_limits<float>::quiet_NaN();
   PunctualLight aimless = spot(0.1F, 0.2F);
   aimless.direction = Vec3(0.0F);
-  for (const PunctualLight& light : {directional, lost, aimless, point(0.0F), point(INFINITY)}) {
+  for (const PunctualLight& light : {directional, lost, aimless, spot(NAN, 1.0F),
+                                     spot(0.0F, INFINITY), point(0.0F), point(INFINITY)}) {
     EXPECT_EQ(lights_of(light).size(), 0U);
+  }
+}
+
+TEST(PunctualLightsTest, BrokenRadiiAreNone) {
+  for (const float radius : {-1.0F, NAN, INFINITY}) {
+    const auto sample = lights_of(point(12.0F, radius)).sample(0, Vec3(0, -1, 4), Vec2(0.5F));
+    ASSERT_TRUE(sample);
+    EXPECT_EQ(sample->to_light, Vec3(0, 3, -4));
+    EXPECT_FLOAT_EQ(sample->radiance.g, 12.0F / 25.0F);
   }
 }
 
