@@ -112,7 +112,7 @@ StabilityFigure not_finite_figure(std::string name, const Scene& scene, const Ve
 
 /// What the loader must say of extreme_room() in a file, with an albedo of 2: parts of its lines.
 std::vector<std::string> warnings_missing(const Scene& loaded) {
-  const std::array<std::string, 3> wanted{"without area", "normals of no use", "base colour"};
+  const std::array<std::string, 3> wanted{"without area", "normals of no use", "baseColorFactor"};
   std::vector<std::string> missing;
   for (const std::string& part : wanted) {
     const auto says_so = [&](const std::string& line) {

@@ -39,8 +39,8 @@ bool is_sound(const Rgb& radiance) {
 }
 
 /// Traces `paths` paths through the film as a render does.
-void trace_method(const PathTracer& tracer, const SceneSource& source, const std::string& method,
-                  std::uint64_t paths, const StabilityRun& run,
+void trace_method(const PathTracer& tracer, const Vec3& viewpoint, const SceneSource& source,
+                  const std::string& method, std::uint64_t paths, const StabilityRun& run,
                   const std::function<void(std::uint64_t)>& traced, Faults& faults) {
   const std::string where = source.name + " with " + method;
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
@@ -49,8 +49,7 @@ void trace_method(const PathTracer& tracer, const SceneSource& source, const std
   EquirectFilm film(film_width, film_height);
   SamplePass pass;
   const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    tracer.trace(*source.camera_position, jobs, radiance, {.max_depth = 8, .seed = seed},
-                 run.workers);
+    tracer.trace(viewpoint, jobs, radiance, {.max_depth = 8, .seed = seed}, run.workers);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!is_sound(radiance[i])) {
         faults.add(jobs[i], radiance[i], where);
@@ -86,7 +85,8 @@ std::vector<StabilityFigure> check_finite_radiance(const StabilityRun& run,
     const Scene scene = load_scene(source);
     const PathTracer tracer(scene, run.workers);
     for (const std::string& method : methods) {
-      trace_method(tracer, source, method, paths_each, run, traced, faults);
+      trace_method(tracer, scene.from_file(DVec3(*source.camera_position)), source, method,
+                   paths_each, run, traced, faults);
     }
     names += (names.empty() ? "" : ", ") + source.name;
   }

@@ -1,5 +1,8 @@
 #include "renderer/stability/furnished_room.h"
 
+#include <utility>
+
+#include "renderer/scene/rebase.h"
 #include "renderer/stability/shapes.h"
 
 namespace foveola {
@@ -38,6 +41,7 @@ Scene baked(Scene scene, float scale, const Vec3& place) {
   for (Mesh& mesh : scene.meshes) {
     mesh = placed(std::move(mesh), scale, Quat(1, 0, 0, 0), place);
   }
+  rebase(scene);
   return scene;
 }
 

@@ -15,7 +15,8 @@ Scene furnished_room();
 /// A viewpoint in the middle of the room that sees all of it.
 constexpr Vec3 room_viewpoint{0.1F, 0.15F, 0.2F};
 
-/// Every vertex scaled and then moved. Of scenes that are meshes only.
+/// Every vertex scaled and then moved, in floats, and the whole then given an origin of its own, as
+/// the loaders do. Of scenes that are meshes only.
 Scene baked(Scene scene, float scale, const Vec3& place);
 
 }  // namespace foveola

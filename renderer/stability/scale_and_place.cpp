@@ -34,11 +34,12 @@ struct Copy {
 
 Copy baked_copy(float scale, double distance) {
   const Vec3 place(scale * room_size_m * distance * away);
-  return {.name = distance > 0.0 ? fmt::format("vertices moved by {:g} of its size", distance)
-                                 : fmt::format("scale {:g}", scale),
-          .scene = baked(furnished_room(), scale, place),
-          .viewpoint = scale * room_viewpoint + place,
-          .exactness = rounding_of(distance)};
+  Copy copy{.name = distance > 0.0 ? fmt::format("vertices moved by {:g} of its size", distance)
+                                   : fmt::format("scale {:g}", scale),
+            .scene = baked(furnished_room(), scale, place),
+            .exactness = rounding_of(distance)};
+  copy.viewpoint = copy.scene.from_file(DVec3(scale * room_viewpoint) + DVec3(place));
+  return copy;
 }
 
 Copy node_copy(float scale, double distance) {
@@ -87,7 +88,8 @@ StabilityFigure lit_floor(float scale, double distance, const StabilityRun& run)
   const PathTracer tracer(copy, run.workers);
   const double expected = 4.0 * 0.8 * corner_rectangle_form_factor(0.5, 0.5, 1.0);
   const Measurement look =
-      along(scale * Vec3(-1.0F, 0.8F, 0.0F) + place, Vec3(1.0F, -0.8F, 0.0F), 1, expected);
+      along(copy.from_file(DVec3(scale * Vec3(-1.0F, 0.8F, 0.0F)) + DVec3(place)),
+            Vec3(1.0F, -0.8F, 0.0F), 1, expected);
   return deviation(fmt::format("floor, scale {:g}, moved by {:g} of its size", scale, distance),
                    measure(tracer, look, run), DVec3(expected), 2e-5 + rounding_of(distance),
                    run.effort.tolerance);
@@ -102,7 +104,7 @@ StabilityFigure lit_ball(float scale, double distance, const StabilityRun& run) 
   const Vec3 place(scale * room_size_m * distance * away);
   const Scene copy = baked(scene, scale, place);
   const PathTracer tracer(copy, run.workers);
-  const Measurement look{.viewpoint = scale * Vec3(0, 0, 2) + place,
+  const Measurement look{.viewpoint = copy.from_file(DVec3(scale * Vec3(0, 0, 2)) + DVec3(place)),
                          .direction =
                              [](const Vec2& u) {
                                const float sine = 0.45F * std::sqrt(u.x);

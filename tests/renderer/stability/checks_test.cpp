@@ -68,10 +68,11 @@ TEST_F(FiniteRadianceTest, PassesInARoom) {
   EXPECT_EQ(figures.front().unit, "of 9999 paths");
 }
 
-/// A sky so bright that light reflected from the roof overflows.
+/// A sky so bright that no float holds it.
 TEST_F(FiniteRadianceTest, NamesTheFirstPathThatOverflows) {
   source_.camera_position = Vec3(0, 2, 0);
-  source_.environment_radiance = Rgb(3e38F);
+  source_.environment_radiance = Rgb(1e30F);
+  source_.environment_strength = 1e30;
   const auto figures = check_finite_radiance(small_run(), {source_});
   EXPECT_GT(figures.front().measured, 10.0);
   EXPECT_FALSE(figures.front().passes());
