@@ -23,11 +23,13 @@ std::size_t block_size(std::size_t jobs, int threads) {
 }  // namespace
 
 struct PathTracer::Implementation {
+  Implementation(const Scene& scene, const Workers& workers) : traced(scene, workers) {}
+
   TracedScene traced;
 };
 
 PathTracer::PathTracer(const Scene& scene, const Workers& workers)
-    : implementation_(std::make_unique<Implementation>(TracedScene(scene, workers))) {}
+    : implementation_(std::make_unique<Implementation>(scene, workers)) {}
 PathTracer::~PathTracer() = default;
 PathTracer::PathTracer(PathTracer&&) noexcept = default;
 PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;

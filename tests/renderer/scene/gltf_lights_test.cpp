@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 GlbBuilder lit(const Json& light, Json transform = Json::object()) {
   GlbBuilder glb = one_triangle();
   glb.document["extensionsUsed"] = {"KHR_lights_punctual"};
-  glb.document["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+  glb.document["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
   transform["extensions"]["KHR_lights_punctual"]["light"] = 0;
   glb.add_root(transform);
   return glb;
