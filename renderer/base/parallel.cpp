@@ -1,6 +1,11 @@
 #include "renderer/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -8,6 +13,14 @@
 #include <tbb/task_arena.h>
 #if defined(__SSE2__)
 #include <pmmintrin.h>
+#endif
+
+#if defined(__SANITIZE_THREAD__)
+#define FOVEOLA_THREAD_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define FOVEOLA_THREAD_SANITIZER 1
+#endif
 #endif
 
 namespace foveola {
@@ -34,6 +47,41 @@ class FlushDenormals {
 #endif
 };
 
+#if defined(FOVEOLA_THREAD_SANITIZER)
+/// The thread sanitizer does not see how TBB's library orders its tasks, and would blame it for
+/// races on every loop. It sees all of this loop, which calls the same bodies.
+void for_each_index(tbb::task_arena& arena, std::size_t count,
+                    const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr first_error;
+  std::mutex error_mutex;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) {
+        body(i);
+      }
+    } catch (...) {
+      const std::scoped_lock lock(error_mutex);
+      first_error = first_error ? first_error : std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int thread = 0; thread < arena.max_concurrency(); ++thread) {
+      threads.emplace_back(work);
+    }
+  }
+  if (first_error) {
+    std::rethrow_exception(first_error);
+  }
+}
+#else
+void for_each_index(tbb::task_arena& arena, std::size_t count,
+                    const std::function<void(std::size_t)>& body) {
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body); });
+}
+#endif
+
 }  // namespace
 
 /// The control lifts TBB's own limit, so that four threads on two cores are four threads.
@@ -54,12 +102,9 @@ Workers::~Workers() = default;
 void Workers::for_each_block(
     std::size_t count, std::size_t block,
     const std::function<void(std::size_t begin, std::size_t end)>& body) const {
-  const std::size_t blocks = (count + block - 1) / block;
-  arena_->arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {
-      const FlushDenormals flush;
-      body(i * block, std::min(count, (i + 1) * block));
-    });
+  for_each_index(arena_->arena, (count + block - 1) / block, [&](std::size_t i) {
+    const FlushDenormals flush;
+    body(i * block, std::min(count, (i + 1) * block));
   });
 }
 

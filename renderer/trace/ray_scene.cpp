@@ -164,7 +164,7 @@ struct RayScene::Embree {
   }
 
   void attach_instance(const Instance& instance, unsigned object) const {
-    const RTCScene prototype = prototypes[instance.prototype].get();
+    RTCScene prototype = prototypes[instance.prototype].get();
     if (prototype == nullptr) {
       return;
     }
