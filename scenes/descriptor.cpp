@@ -1,16 +1,12 @@
 #include "scenes/descriptor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <set>
+#include <initializer_list>
 #include <sstream>
 
-#include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/toml_reader.h"
 
 namespace fs = std::filesystem;
 
@@ -20,145 +16,28 @@ namespace {
 constexpr double largest_coordinate_m = 1e6;
 constexpr double largest_radiance = 1e6;
 
-struct Range {
-  double lowest;
-  double highest;
-};
-
-/// One table of a descriptor, read key by key; whatever was not asked for in the end is unknown.
-class TableReader {
- public:
-  TableReader(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
-
-  bool has(const char* key) const { return table_.contains(key); }
-
-  std::string text(const char* key) {
-    const auto value = required(key).value_exact<std::string>();
-    if (!value || value->empty()) {
-      fail(table_.get(key)->source(), fmt::format("{} must be a text", key),
-           "put it in double quotes");
-    }
-    return *value;
-  }
-  std::string text_or_none(const char* key) { return has(key) ? text(key) : std::string(); }
-
-  bool flag_or_false(const char* key) {
-    if (!has(key)) {
-      return false;
-    }
-    const auto value = required(key).value_exact<bool>();
-    if (!value) {
-      fail(table_.get(key)->source(), fmt::format("{} must be true or false", key), {});
-    }
-    return *value;
-  }
-
-  double number(const char* key, const Range& range) {
-    return number_from(required(key), key, range);
-  }
-  double number_or(double otherwise, const char* key, const Range& range) {
-    return has(key) ? number(key, range) : otherwise;
-  }
-
-  /// A list of exactly as many numbers as the vector has components.
-  template <typename Vector>
-  Vector vector(const char* key, const Range& range) {
-    const toml::node& node = required(key);
-    const toml::array* list = node.as_array();
-    if (list == nullptr || list->size() != static_cast<std::size_t>(Vector::length())) {
-      fail(node.source(), fmt::format("{} must be a list of {} numbers", key, Vector::length()),
-           {});
-    }
-    Vector result{};
-    for (int i = 0; i < Vector::length(); ++i) {
-      result[i] =
-          static_cast<float>(number_from(*list->get(static_cast<std::size_t>(i)), key, range));
-    }
-    return result;
-  }
-
-  TableReader table(const char* key) {
-    const toml::node& node = required(key);
-    if (!node.is_table()) {
-      fail(node.source(), fmt::format("{} must be a table", key), fmt::format("write [{}]", key));
-    }
-    return {file_, *node.as_table()};
-  }
-
-  std::vector<TableReader> tables(const char* key) {
-    std::vector<TableReader> result;
-    if (!has(key)) {
-      return result;
-    }
-    const toml::node& node = required(key);
-    if (!node.is_array_of_tables()) {
-      fail(node.source(), fmt::format("{} must be tables", key), fmt::format("write [[{}]]", key));
-    }
-    for (const toml::node& element : *node.as_array()) {
-      result.emplace_back(file_, *element.as_table());
-    }
-    return result;
-  }
-
-  /// To be called when everything was asked for.
-  void reject_unknown_keys() const {
-    for (const auto& [key, node] : table_) {
-      if (asked_.find(key.str()) == asked_.end()) {
-        fail(key.source(), fmt::format("'{}' is not a key of a scene's descriptor here", key.str()),
-             fmt::format("the keys are {}", fmt::join(asked_, ", ")));
-      }
-    }
-  }
-
-  [[noreturn]] void fail(const toml::source_region& source, const std::string& what,
-                         const std::string& remedy) const {
-    throw Error(fmt::format("{}:{}:{}", file_.string(), source.begin.line, source.begin.column),
-                what, remedy);
-  }
-  const toml::source_region& source(const char* key) const { return table_.get(key)->source(); }
-  const toml::source_region& source() const { return table_.source(); }
-
-  /// Has no effect but that `key` counts as known.
-  void know(const char* key) { asked_.insert(key); }
-
- private:
-  const toml::node& required(const char* key) {
-    know(key);
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) {
-      fail(table_.source(), fmt::format("{} is missing", key), {});
-    }
-    return *node;
-  }
-
-  double number_from(const toml::node& node, const char* key, const Range& range) const {
-    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value || !(*value >= range.lowest && *value <= range.highest)) {
-      fail(node.source(),
-           fmt::format("{} must hold numbers from {} to {}", key, range.lowest, range.highest), {});
-    }
-    return *value;
-  }
-
-  const fs::path& file_;
-  const toml::table& table_;
-  std::set<std::string, std::less<>> asked_;
-};
-
-constexpr Range coordinate{-largest_coordinate_m, largest_coordinate_m};
-constexpr Range radiance{0.0, largest_radiance};
-
 bool is_axis(const Vec3& v) {
   const Vec3 size = glm::abs(v);
   return size == Vec3(1, 0, 0) || size == Vec3(0, 1, 0) || size == Vec3(0, 0, 1);
 }
 
-RectangleLight read_light(TableReader table) {
+void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) {
+    table.require(key);
+  }
+}
+
+void read_position(TomlReader& table, std::string_view key, Vec3& position) {
+  table.read(key, position, -largest_coordinate_m, largest_coordinate_m);
+}
+
+RectangleLight read_light(TomlReader table) {
   RectangleLight light;
-  light.center = table.vector<Vec3>("center", coordinate);
-  light.size = table.vector<Vec2>("size", {1e-6, largest_coordinate_m});
-  light.normal = table.vector<Vec3>("normal", {-1.0, 1.0});
-  light.radiance = table.vector<Rgb>("radiance", radiance);
+  require(table, {"center", "size", "normal", "radiance"});
+  read_position(table, "center", light.center);
+  table.read("size", light.size, 1e-6, largest_coordinate_m);
+  table.read("normal", light.normal, -1.0, 1.0);
+  table.read("radiance", light.radiance, 0.0, largest_radiance);
   if (!is_axis(light.normal)) {
     table.fail(table.source("normal"), "normal must be an axis", "for instance [0, -1, 0]");
   }
@@ -166,56 +45,94 @@ RectangleLight read_light(TableReader table) {
   return light;
 }
 
-ObjectOfInterest read_object(TableReader table) {
+ObjectOfInterest read_object(TomlReader table) {
   ObjectOfInterest object;
-  object.name = table.text("name");
-  object.position = table.vector<Vec3>("position", coordinate);
-  object.radius_deg = static_cast<float>(table.number("radius_deg", {0.1, 90.0}));
+  require(table, {"name", "position", "radius_deg"});
+  object.name = table.require_text("name");
+  read_position(table, "position", object.position);
+  double radius_deg = 0.0;
+  table.read("radius_deg", radius_deg, 0.1, 90.0);
+  object.radius_deg = static_cast<float>(radius_deg);
   table.reject_unknown_keys();
   return object;
 }
 
-void read_camera(TableReader table, SceneSource& source) {
-  source.camera_position = table.vector<Vec3>("position", coordinate);
-  source.heading.azimuth_rad = radians(table.number("azimuth_deg", {-180.0, 180.0}));
-  source.heading.elevation_rad = radians(table.number("elevation_deg", {-90.0, 90.0}));
+/// The angles in degrees under these names, in radians.
+AzimuthElevation read_angles(TomlReader& table, std::string_view azimuth,
+                             std::string_view elevation) {
+  require(table, {azimuth, elevation});
+  double azimuth_deg = 0.0;
+  double elevation_deg = 0.0;
+  table.read(azimuth, azimuth_deg, -180.0, 180.0);
+  table.read(elevation, elevation_deg, -90.0, 90.0);
+  return {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)};
+}
+
+void read_camera(TomlReader table, SceneSource& source) {
+  table.require("position");
+  Vec3 position;
+  read_position(table, "position", position);
+  source.camera_position = position;
+  source.heading = read_angles(table, "azimuth_deg", "elevation_deg");
   table.reject_unknown_keys();
 }
 
-void read_viewpoint(TableReader& table, SceneSource& source) {
-  read_camera(table.table("camera"), source);
-  source.exposure_stops = table.number_or(0.0, "exposure_stops", {-20.0, 20.0});
-  if (table.has("environment_radiance")) {
-    source.environment_radiance = table.vector<Rgb>("environment_radiance", radiance);
+SunAndSky read_sky(TomlReader table) {
+  SunAndSky sky;
+  sky.sun = read_angles(table, "sun_azimuth_deg", "sun_elevation_deg");
+  table.read("turbidity", sky.turbidity, 2.0, 10.0);
+  double ground_albedo = sky.ground_albedo;
+  table.read("ground_albedo", ground_albedo, 0.0, 1.0);
+  sky.ground_albedo = static_cast<float>(ground_albedo);
+  table.reject_unknown_keys();
+  return sky;
+}
+
+void read_light_from_outside(TomlReader& table, SceneSource& source) {
+  if (table.has("environment_radiance") && table.has("sky")) {
+    table.fail(table.source("sky"), "a scene has one environment",
+               "give one of environment_radiance and [sky]");
   }
-  for (const TableReader& light : table.tables("light")) {
+  if (table.has("environment_radiance")) {
+    Rgb radiance;
+    table.read("environment_radiance", radiance, 0.0, largest_radiance);
+    source.environment_radiance = radiance;
+  }
+  if (table.has("sky")) {
+    source.sky = read_sky(table.table("sky"));
+  }
+  table.read("environment_strength", source.environment_strength, 0.0, largest_radiance);
+}
+
+void read_viewpoint(TomlReader& table, SceneSource& source) {
+  table.require("camera");
+  read_camera(table.table("camera"), source);
+  table.read("exposure_stops", source.exposure_stops, -20.0, 20.0);
+  for (const TomlReader& light : table.tables("light")) {
     source.lights.push_back(read_light(light));
   }
-  for (const TableReader& object : table.tables("object")) {
+  for (const TomlReader& object : table.tables("object")) {
     source.objects.push_back(read_object(object));
   }
 }
 
 Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
-  TableReader table(file, toml);
-  for (const char* const optional : {"builtin", "file", "origin", "counterpart", "exposure_stops",
-                                     "environment_radiance", "light", "object"}) {
-    table.know(optional);
-  }
+  TomlReader table(file.string(), toml, "");
   Descriptor descriptor;
   descriptor.name = file.stem().string();
   descriptor.source.name = descriptor.name;
-  descriptor.source.title = table.text("title");
-  descriptor.author = table.text("author");
-  descriptor.licence = table.text("licence");
-  descriptor.is_builtin = table.flag_or_false("builtin");
-  descriptor.file_name = table.text_or_none("file");
-  descriptor.origin = table.text_or_none("origin");
-  descriptor.counterpart = table.text_or_none("counterpart");
+  descriptor.source.title = table.require_text("title");
+  descriptor.author = table.require_text("author");
+  descriptor.licence = table.require_text("licence");
+  table.read("builtin", descriptor.is_builtin);
+  table.read("file", descriptor.file_name);
+  table.read("origin", descriptor.origin);
+  table.read("counterpart", descriptor.counterpart);
   if (descriptor.is_builtin == !descriptor.file_name.empty()) {
     table.fail(table.source(), "a scene is either built in or has a file",
                "give one of builtin = true and file = \"NAME.glb\"");
   }
+  read_light_from_outside(table, descriptor.source);
   read_viewpoint(table, descriptor.source);
   table.reject_unknown_keys();
   return descriptor;
@@ -254,14 +171,8 @@ std::vector<fs::path> subfolders(const fs::path& folder) {
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  const std::string content = read_file(file);
-  try {
-    return descriptor_from(file, toml::parse(content, file.string()));
-  } catch (const toml::parse_error& error) {
-    const toml::source_position& at = error.source().begin;
-    throw Error(fmt::format("{}:{}:{}", file.string(), at.line, at.column),
-                std::string(error.description()), {});
-  }
+  return descriptor_from(
+      file, parse_toml(file.string(), read_file(file), "see scenes/arcade.toml for an example"));
 }
 
 std::optional<Descriptor> find_descriptor(const std::string& name) {

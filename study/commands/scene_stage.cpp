@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/files.h"
 #include "renderer/measure/reference.h"
 #include "renderer/scene/load_scene.h"
@@ -29,6 +30,17 @@ std::string scene_key(const Scene& scene, const SceneSource& source) {
   if (source.environment_radiance) {
     key += "environment:" + text_of(*source.environment_radiance);
   }
+  if (source.sky) {
+    key +=
+        fmt::format("sky:{},{},{},{};", source.sky->sun.azimuth_rad, source.sky->sun.elevation_rad,
+                    source.sky->turbidity, source.sky->ground_albedo);
+  }
+  if (source.environment_file) {
+    key += "environment:" + sha256_of_file(*source.environment_file) + ";";
+  }
+  key += fmt::format("rotation:{};strength:{};radii:{},{};", source.environment_rotation_rad,
+                     source.environment_strength, source.light_radius_m.value_or(-1.0F),
+                     source.sun_angular_radius_rad.value_or(-1.0F));
   for (const RectangleLight& light : source.lights) {
     key += fmt::format("light:{},{};", light.size.x, light.size.y) + text_of(light.center) +
            text_of(light.normal) + text_of(light.radiance);

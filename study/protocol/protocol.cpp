@@ -8,8 +8,8 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/toml_reader.h"
 #include "renderer/view/view_sampler.h"
-#include "study/protocol/toml_reader.h"
 
 namespace fs = std::filesystem;
 
@@ -19,15 +19,6 @@ namespace {
 constexpr int largest_film_side = 65536;
 constexpr int largest_view_side = 8192;
 constexpr int most_samples = std::numeric_limits<int>::max();
-
-toml::table parse(const fs::path& path, const std::string& text) {
-  try {
-    return toml::parse(text, path.string());
-  } catch (const toml::parse_error& error) {
-    throw Error(place_of(path.string(), error.source()), std::string(error.description()),
-                "see protocols/demo.toml for an example");
-  }
-}
 
 std::vector<SceneEntry> read_scenes(TomlReader& reader) {
   std::vector<SceneEntry> scenes;
@@ -152,7 +143,8 @@ Protocol load_protocol(const fs::path& path) {
   protocol.path = path;
   protocol.text = read_file(path);
   protocol.sha256 = sha256(std::string_view(protocol.text));
-  const toml::table table = parse(path, protocol.text);
+  const toml::table table =
+      parse_toml(path.string(), protocol.text, "see protocols/demo.toml for an example");
   TomlReader reader(path.string(), table, "");
   protocol.name = reader.require_text("name");
   protocol.title = reader.require_text("title");

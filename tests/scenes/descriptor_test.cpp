@@ -84,12 +84,28 @@ TEST(Descriptor, ReadsEveryKey) {
   EXPECT_EQ(hall.source.objects[0].radius_deg, 6.5F);
 }
 
+TEST(Descriptor, DaylightIsAnEnvironmentOfItsOwn) {
+  const TemporaryFolder folder;
+  const std::string constant = "environment_radiance = [1, 2.5, 3.0]\n";
+  const std::string sky = "\n[sky]\nsun_azimuth_deg = 90\nsun_elevation_deg = 30\nturbidity = 4\n";
+  const SceneSource source =
+      read_descriptor(folder.write("hall.toml", with(good, constant, "") + sky)).source;
+  ASSERT_TRUE(source.sky.has_value());
+  EXPECT_FALSE(source.environment_radiance.has_value());
+  EXPECT_NEAR(source.sky->sun.azimuth_rad, 1.5707963267948966, 1e-15);
+  EXPECT_NEAR(source.sky->sun.elevation_rad, 0.5235987755982988, 1e-15);
+  EXPECT_EQ(source.sky->turbidity, 4.0);
+  EXPECT_THAT(error_of(good + sky), HasSubstr("one environment"));
+  EXPECT_THAT(error_of(with(good, constant, "") + with(sky, "turbidity = 4", "turbidity = 11")),
+              HasSubstr("sky.turbidity is out of range"));
+}
+
 TEST(Descriptor, UnknownKeysAreNamedWithLineAndColumn) {
   EXPECT_THAT(error_of(with(good, "origin =", "oirgin =")),
               AllOf(HasSubstr("hall.toml:5:1"), HasSubstr("'oirgin'")));
   EXPECT_THAT(error_of(with(good, "normal =", "  nromal =")), HasSubstr("hall.toml:15:1"));
   EXPECT_THAT(error_of(std::string(good) + "  color = 3\n"),
-              AllOf(HasSubstr("hall.toml:25:3"), HasSubstr("'color'")));
+              AllOf(HasSubstr("hall.toml:25:3"), HasSubstr("'object.color'")));
 }
 
 TEST(Descriptor, WrongTypesAndValuesAreNamedWithTheirPlace) {

@@ -1,4 +1,4 @@
-#include "study/protocol/toml_reader.h"
+#include "renderer/base/toml_reader.h"
 
 #include <algorithm>
 
@@ -6,9 +6,23 @@
 
 #include "renderer/base/error.h"
 
-namespace foveola::study {
+namespace foveola {
+namespace {
+
+/// "FILE:LINE:COLUMN" of a place in a TOML file.
 std::string place_of(const std::string& file, const toml::source_region& source) {
   return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
+}
+
+}  // namespace
+
+toml::table parse_toml(const std::string& file, const std::string& text,
+                       const std::string& remedy) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw Error(place_of(file, error.source()), std::string(error.description()), remedy);
+  }
 }
 
 TomlReader::TomlReader(std::string file, const toml::table& table, std::string name)
@@ -21,6 +35,16 @@ void TomlReader::read(std::string_view key, std::string& value) {
       fail(node->source(), full_name(key) + " must be a text", "put it in double quotes");
     }
     value = *text;
+  }
+}
+
+void TomlReader::read(std::string_view key, bool& value) {
+  if (const toml::node* node = find(key)) {
+    const auto flag = node->value_exact<bool>();
+    if (!flag) {
+      fail(node->source(), full_name(key) + " must be true or false", {});
+    }
+    value = *flag;
   }
 }
 
@@ -43,6 +67,42 @@ void TomlReader::read(std::string_view key, double& value, double minimum, doubl
            fmt::format("give a number from {} to {}", minimum, maximum));
     }
     value = *number;
+  }
+}
+
+template <typename Vector>
+void TomlReader::read_vector(std::string_view key, Vector& value, double minimum, double maximum) {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    return;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != static_cast<std::size_t>(Vector::length())) {
+    fail(node->source(),
+         fmt::format("{} must be a list of {} numbers", full_name(key), Vector::length()), {});
+  }
+  for (int i = 0; i < Vector::length(); ++i) {
+    const toml::node& element = *array->get(static_cast<std::size_t>(i));
+    const auto number = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!number || !(*number >= minimum && *number <= maximum)) {
+      fail(element.source(), full_name(key) + " is out of range",
+           fmt::format("give numbers from {} to {}", minimum, maximum));
+    }
+    value[i] = static_cast<float>(*number);
+  }
+}
+
+void TomlReader::read(std::string_view key, Vec2& value, double minimum, double maximum) {
+  read_vector(key, value, minimum, maximum);
+}
+
+void TomlReader::read(std::string_view key, Vec3& value, double minimum, double maximum) {
+  read_vector(key, value, minimum, maximum);
+}
+
+void TomlReader::require(std::string_view key) const {
+  if (!has(key)) {
+    fail(source(), full_name(key) + " is missing", {});
   }
 }
 
@@ -126,4 +186,4 @@ std::string TomlReader::full_name(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
-}  // namespace foveola::study
+}  // namespace foveola

@@ -8,10 +8,12 @@
 
 #include <toml++/toml.h>
 
-namespace foveola::study {
+#include "renderer/base/vec.h"
 
-/// "FILE:LINE:COLUMN" of a place in a TOML file.
-std::string place_of(const std::string& file, const toml::source_region& source);
+namespace foveola {
+
+/// Throws Error with the place of what is no TOML.
+toml::table parse_toml(const std::string& file, const std::string& text, const std::string& remedy);
 
 /// One table of a file. Each read_ function leaves `value` alone where the key is absent and throws
 /// Error where it has another type or lies out of range.
@@ -21,11 +23,18 @@ class TomlReader {
   TomlReader(std::string file, const toml::table& table, std::string name);
 
   void read(std::string_view key, std::string& value);
+  void read(std::string_view key, bool& value);
   /// Within [minimum, maximum].
   void read(std::string_view key, int& value, int minimum, int maximum);
   /// Finite and within [minimum, maximum]; a whole number will do.
   void read(std::string_view key, double& value, double minimum, double maximum);
+  /// Arrays of as many numbers as the vector has components, each of them as above.
+  void read(std::string_view key, Vec2& value, double minimum, double maximum);
+  void read(std::string_view key, Vec3& value, double minimum, double maximum);
 
+  bool has(std::string_view key) const { return table_->contains(key); }
+  /// Throws Error if the key is absent.
+  void require(std::string_view key) const;
   /// A string and where it stands.
   struct Text {
     std::string value;
@@ -46,12 +55,17 @@ class TomlReader {
 
   [[noreturn]] void fail(const toml::source_region& source, const std::string& what,
                          const std::string& remedy) const;
-  /// Where the table itself begins.
+  /// Where the key's value stands, or the table itself. The key must be there.
+  const toml::source_region& source(std::string_view key) const {
+    return table_->get(key)->source();
+  }
   const toml::source_region& source() const { return table_->source(); }
 
  private:
   const toml::node* find(std::string_view key);
   std::string full_name(std::string_view key) const;
+  template <typename Vector>
+  void read_vector(std::string_view key, Vector& value, double minimum, double maximum);
 
   std::string file_;
   const toml::table* table_;
@@ -59,4 +73,4 @@ class TomlReader {
   std::set<std::string, std::less<>> asked_;
 };
 
-}  // namespace foveola::study
+}  // namespace foveola

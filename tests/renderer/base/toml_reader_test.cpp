@@ -1,0 +1,93 @@
+#include "renderer/base/toml_reader.h"
+
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// What reading a file of this content complains of; empty if of nothing.
+std::string complaint(const std::string& content, const std::function<void(TomlReader&)>& read) {
+  try {
+    const toml::table table = parse_toml("a.toml", content, "look at an example");
+    TomlReader reader("a.toml", table, "");
+    read(reader);
+    reader.reject_unknown_keys();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(TomlReader, AbsentKeysLeaveTheirValuesAlone) {
+  bool flag = true;
+  int count = 3;
+  Vec3 place(1.0F, 2.0F, 3.0F);
+  EXPECT_EQ(complaint("",
+                      [&](TomlReader& reader) {
+                        reader.read("flag", flag);
+                        reader.read("count", count, 0, 9);
+                        reader.read("place", place, -9.0, 9.0);
+                      }),
+            "");
+  EXPECT_TRUE(flag);
+  EXPECT_EQ(count, 3);
+  EXPECT_EQ(place, Vec3(1.0F, 2.0F, 3.0F));
+}
+
+TEST(TomlReader, ReadsWhatIsThere) {
+  bool flag = true;
+  Vec2 size(0.0F);
+  Vec3 place(0.0F);
+  EXPECT_EQ(complaint("flag = false\nsize = [1, 2.5]\nplace = [-1, 0.5, 9]\n",
+                      [&](TomlReader& reader) {
+                        reader.read("flag", flag);
+                        reader.read("size", size, 0.0, 9.0);
+                        reader.read("place", place, -9.0, 9.0);
+                      }),
+            "");
+  EXPECT_FALSE(flag);
+  EXPECT_EQ(size, Vec2(1.0F, 2.5F));
+  EXPECT_EQ(place, Vec3(-1.0F, 0.5F, 9.0F));
+}
+
+TEST(TomlReader, SaysWhereAVectorIsWrong) {
+  Vec3 place(0.0F);
+  const auto read = [&](TomlReader& reader) { reader.read("place", place, 0.0, 1.0); };
+  EXPECT_THAT(complaint("\nplace = [0, 1]\n", read),
+              AllOf(HasSubstr("a.toml:2:9"), HasSubstr("3 numbers")));
+  EXPECT_THAT(complaint("place = [0, 1, 1.5]\n", read),
+              AllOf(HasSubstr("a.toml:1:16"), HasSubstr("out of range")));
+  EXPECT_THAT(complaint("place = [0, nan, 1]\n", read), HasSubstr("a.toml:1:13"));
+  EXPECT_THAT(complaint("place = [0, true, 1]\n", read), HasSubstr("a.toml:1:13"));
+  EXPECT_THAT(complaint("place = 1\n", read), HasSubstr("a.toml:1:9"));
+}
+
+TEST(TomlReader, KeysOfTablesAreNamedWithTheirTable) {
+  bool flag = false;
+  const auto read = [&](TomlReader& reader) {
+    TomlReader inner = reader.table("inner");
+    inner.read("flag", flag);
+    inner.require("size");
+    inner.reject_unknown_keys();
+  };
+  EXPECT_THAT(complaint("[inner]\nflag = 1\nsize = 1\n", read),
+              AllOf(HasSubstr("a.toml:2:8"), HasSubstr("inner.flag must be true or false")));
+  EXPECT_THAT(complaint("[inner]\nflag = true\n", read), HasSubstr("inner.size is missing"));
+  EXPECT_THAT(complaint("[inner]\nsize = 1\n", read), HasSubstr("'inner.size'"))
+      << "required, but nothing read it";
+}
+
+TEST(TomlReader, SaysWhereTheFileIsNoToml) {
+  EXPECT_THAT(complaint("a = 1\nb = \n", [](TomlReader&) {}),
+              AllOf(HasSubstr("a.toml:2:"), HasSubstr("look at an example")));
+}
+
+}  // namespace
+}  // namespace foveola
