@@ -12,8 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/progress.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"
+#include "scenes/fetch.h"
 
 namespace fs = std::filesystem;
 
@@ -101,6 +104,46 @@ void add_make(CLI::App& app, const std::stop_token& stop) {
   });
 }
 
+/// Throws Error if there is none of that name that has a file.
+Descriptor real_scene(const std::string& name) {
+  const auto descriptor = find_descriptor(name);
+  if (!descriptor) {
+    throw Error(name, "no such scene", "see 'foveola scene list'");
+  }
+  if (descriptor->is_builtin) {
+    throw Error(name, "is built in", fmt::format("make it with 'foveola scene make {}'", name));
+  }
+  return *descriptor;
+}
+
+void print_terms(const Descriptor& descriptor) {
+  fmt::print("{}, by {}\nLicence: {}\nFrom: {}\n", descriptor.source.title, descriptor.author,
+             descriptor.licence, descriptor.origin);
+}
+
+fs::path fetch(const Descriptor& descriptor, const std::string& from, const std::stop_token& stop) {
+  if (!from.empty()) {
+    return fetch_from_disk(descriptor, from);
+  }
+  Progress progress("downloading " + descriptor.file_name);
+  return fetch_from_web(
+      descriptor, [&](double fraction) { progress.update(fraction); }, stop);
+}
+
+void add_fetch(CLI::App& app, const std::stop_token& stop) {
+  const auto name = std::make_shared<std::string>();
+  const auto from = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("fetch", "Get a real scene's file, and check it");
+  command->add_option("NAME", *name, "Which; see 'foveola scene list'")->required();
+  command->add_option("--from", *from, "A file or folder to take it from, in place of the web");
+  command->footer("Example: foveola scene fetch sponza --from ~/Downloads");
+  command->callback([name, from, stop] {
+    const Descriptor descriptor = real_scene(*name);
+    print_terms(descriptor);
+    fmt::print("{}\n", fetch(descriptor, *from, stop).string());
+  });
+}
+
 }  // namespace
 
 void add_scene_commands(CLI::App& app, std::stop_token stop) {
@@ -108,6 +151,7 @@ void add_scene_commands(CLI::App& app, std::stop_token stop) {
   scene->require_subcommand(1);
   add_list(*scene);
   add_make(*scene, stop);
+  add_fetch(*scene, stop);
 }
 
 }  // namespace foveola::scenes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
+#include <limits>
 #include <sstream>
 
 #include "renderer/base/files.h"
@@ -19,6 +20,10 @@ constexpr double largest_radiance = 1e6;
 bool is_axis(const Vec3& v) {
   const Vec3 size = glm::abs(v);
   return size == Vec3(1, 0, 0) || size == Vec3(0, 1, 0) || size == Vec3(0, 0, 1);
+}
+
+bool is_digest(const std::string& text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
@@ -116,6 +121,25 @@ void read_viewpoint(TomlReader& table, SceneSource& source) {
   }
 }
 
+/// What is known of a real scene's file.
+void read_file_facts(TomlReader& table, Descriptor& descriptor) {
+  table.read("file", descriptor.file_name);
+  table.read("origin", descriptor.origin);
+  table.read("sha256", descriptor.sha256);
+  table.read("address", descriptor.address);
+  int size_bytes = 0;
+  table.read("size_bytes", size_bytes, 1, std::numeric_limits<int>::max());
+  descriptor.size_bytes = static_cast<std::uint64_t>(size_bytes);
+  if (!descriptor.sha256.empty() && !is_digest(descriptor.sha256)) {
+    table.fail(table.source("sha256"), "sha256 must be 64 small hexadecimal digits",
+               "see what sha256sum prints");
+  }
+  if (!descriptor.address.empty() && (descriptor.sha256.empty() || size_bytes == 0)) {
+    table.fail(table.source("address"), "a file from the web needs sha256 and size_bytes",
+               "so that it can be checked");
+  }
+}
+
 Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   TomlReader table(file.string(), toml, "");
   Descriptor descriptor;
@@ -125,9 +149,8 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   descriptor.author = table.require_text("author");
   descriptor.licence = table.require_text("licence");
   table.read("builtin", descriptor.is_builtin);
-  table.read("file", descriptor.file_name);
-  table.read("origin", descriptor.origin);
   table.read("counterpart", descriptor.counterpart);
+  read_file_facts(table, descriptor);
   if (descriptor.is_builtin == !descriptor.file_name.empty()) {
     table.fail(table.source(), "a scene is either built in or has a file",
                "give one of builtin = true and file = \"NAME.glb\"");
@@ -198,16 +221,27 @@ std::vector<Descriptor> all_descriptors() {
   return descriptors;
 }
 
+fs::path fetched_folder() { return data_folder() / "scenes"; }
+
+std::optional<fs::path> find_in_folder(const fs::path& folder, const std::string& file_name) {
+  std::vector<fs::path> candidates = {folder};
+  const std::vector<fs::path> below = subfolders(folder);
+  candidates.insert(candidates.end(), below.begin(), below.end());
+  for (const fs::path& candidate : candidates) {
+    std::error_code ignored;
+    if (fs::is_regular_file(candidate / file_name, ignored)) {
+      return candidate / file_name;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<fs::path> find_real_file(const Descriptor& descriptor) {
-  for (const fs::path& folder : search_folders()) {
-    std::vector<fs::path> candidates = {folder};
-    const std::vector<fs::path> below = subfolders(folder);
-    candidates.insert(candidates.end(), below.begin(), below.end());
-    for (const fs::path& candidate : candidates) {
-      std::error_code ignored;
-      if (fs::is_regular_file(candidate / descriptor.file_name, ignored)) {
-        return candidate / descriptor.file_name;
-      }
+  std::vector<fs::path> folders = search_folders();
+  folders.push_back(fetched_folder());
+  for (const fs::path& folder : folders) {
+    if (const auto file = find_in_folder(folder, descriptor.file_name)) {
+      return file;
     }
   }
   return std::nullopt;

@@ -1,6 +1,7 @@
 // What is known of a scene before its file is opened: scenes/NAME.toml.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,7 +19,11 @@ struct Descriptor {
   std::string counterpart;  ///< the built-in scene that stands in for a real one; may be empty
   bool is_builtin = false;
   std::string file_name;  ///< of a real scene
-  SceneSource source;     ///< all but the file
+  /// Of the file that the descriptor was written for; empty and 0 if not stated.
+  std::string sha256;
+  std::uint64_t size_bytes = 0;
+  std::string address;  ///< where this file can be downloaded; empty if nowhere
+  SceneSource source;   ///< all but the file
 };
 
 /// Reads one descriptor. Throws Error with file:line:column for bad TOML, an unknown key, a wrong
@@ -31,8 +36,15 @@ std::optional<Descriptor> find_descriptor(const std::string& name);
 /// All of the program's own, by name.
 std::vector<Descriptor> all_descriptors();
 
-/// The file of a real scene in the folders of $FOVEOLA_SCENE_PATH or their subfolders, if it is
-/// there.
+/// Where fetched scenes are kept: scenes/ in the user's data folder.
+std::filesystem::path fetched_folder();
+
+/// The file of that name in `folder` or one folder below, if it is there.
+std::optional<std::filesystem::path> find_in_folder(const std::filesystem::path& folder,
+                                                    const std::string& file_name);
+
+/// The file of a real scene in the folders of $FOVEOLA_SCENE_PATH, their subfolders, or among what
+/// was fetched, if it is there.
 std::optional<std::filesystem::path> find_real_file(const Descriptor& descriptor);
 
 }  // namespace foveola::scenes

@@ -29,8 +29,9 @@ SceneSource source_of(const Descriptor& descriptor) {
     throw Error(
         descriptor.name,
         fmt::format("its file {} is in no folder of $FOVEOLA_SCENE_PATH", descriptor.file_name),
-        fmt::format("get it ({}) and set FOVEOLA_SCENE_PATH to its folder{}", descriptor.origin,
-                    stand_in));
+        fmt::format("get it ({}) with 'foveola scene fetch', or set FOVEOLA_SCENE_PATH to its "
+                    "folder{}",
+                    descriptor.origin, stand_in));
   }
   source.file = *file;
   return source;

@@ -20,6 +20,17 @@ fs::path path_from_environment(const char* name) {
   return value != nullptr ? fs::path(value) : fs::path();
 }
 
+/// Foveola's in the folder that the environment variable names, else in `usual` of the user's home.
+fs::path user_folder(const char* variable, const fs::path& usual) {
+  if (const fs::path chosen = path_from_environment(variable); !chosen.empty()) {
+    return chosen / "foveola";
+  }
+  if (const fs::path home = path_from_environment("HOME"); !home.empty()) {
+    return home / usual / "foveola";
+  }
+  return fs::temp_directory_path() / "foveola";
+}
+
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -62,15 +73,9 @@ fs::path resource_folder() {
               "set FOVEOLA_RESOURCES to the folder that holds them");
 }
 
-fs::path cache_folder() {
-  if (const fs::path cache = path_from_environment("XDG_CACHE_HOME"); !cache.empty()) {
-    return cache / "foveola";
-  }
-  if (const fs::path home = path_from_environment("HOME"); !home.empty()) {
-    return home / ".cache" / "foveola";
-  }
-  return fs::temp_directory_path() / "foveola";
-}
+fs::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
+
+fs::path data_folder() { return user_folder("XDG_DATA_HOME", fs::path(".local") / "share"); }
 
 std::string read_file(const fs::path& path) {
   std::error_code failure;

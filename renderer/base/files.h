@@ -17,6 +17,10 @@ std::filesystem::path resource_folder();
 /// Where things that can be made again are kept: $XDG_CACHE_HOME/foveola, else ~/.cache/foveola.
 std::filesystem::path cache_folder();
 
+/// Where things that the user fetched are kept: $XDG_DATA_HOME/foveola, else
+/// ~/.local/share/foveola.
+std::filesystem::path data_folder();
+
 /// The whole content of a regular file. Throws Error, naming the path, if it is missing, a folder
 /// or unreadable.
 std::string read_file(const std::filesystem::path& path);

@@ -1,0 +1,23 @@
+// Putting a real scene's file where Foveola finds it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+
+#include "scenes/descriptor.h"
+
+namespace foveola::scenes {
+
+/// Downloads the descriptor's file into fetched_folder() and returns its path. An interrupted
+/// download is continued. Nothing takes the file's name before its size and SHA-256 are right.
+/// Throws Error if the descriptor has no address, and for whatever goes wrong.
+std::filesystem::path fetch_from_web(const Descriptor& descriptor,
+                                     const std::function<void(double fraction)>& progress,
+                                     const std::stop_token& stop);
+
+/// The same from a file, or from a folder that holds one of that name, there or one folder below.
+std::filesystem::path fetch_from_disk(const Descriptor& descriptor,
+                                      const std::filesystem::path& file_or_folder);
+
+}  // namespace foveola::scenes
