@@ -17,6 +17,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/commands.h"
+#include "renderer/commands/scene_info.h"
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
 #include "study/commands/commands.h"
@@ -135,7 +136,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_demo(app, signals.token());
   add_renderer_commands(app, scenes::find_scene, signals.token());
-  scenes::add_scene_commands(app, signals.token());
+  add_scene_info(scenes::add_scene_commands(app, signals.token()), scenes::find_scene);
   study::add_study_commands(app, scenes::find_scene, signals.token());
   analysis::add_analysis_commands(app, signals.token());
   try {

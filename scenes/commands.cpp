@@ -146,12 +146,13 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
 
 }  // namespace
 
-void add_scene_commands(CLI::App& app, std::stop_token stop) {
+CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop) {
   CLI::App* scene = app.add_subcommand("scene", "The scenes: what there is, and making it");
   scene->require_subcommand(1);
   add_list(*scene);
   add_make(*scene, stop);
   add_fetch(*scene, stop);
+  return *scene;
 }
 
 }  // namespace foveola::scenes

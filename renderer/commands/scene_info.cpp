@@ -1,0 +1,115 @@
+#include "renderer/commands/scene_info.h"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/progress.h"
+#include "renderer/scene/load_scene.h"
+#include "renderer/scene/scene_facts.h"
+
+namespace foveola {
+namespace {
+
+struct LoadedFacts {
+  SceneSource source;
+  std::string sha256;
+  std::vector<std::string> warnings;
+  double load_s = 0.0;
+  SceneFacts facts;
+};
+
+LoadedFacts load_facts(const SceneSource& source) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  const Scene scene = load_scene(source);
+  const double load_s = seconds(clock.now() - start);
+  return {.source = source,
+          .sha256 = scene.sha256,
+          .warnings = scene.warnings,
+          .load_s = load_s,
+          .facts = facts_of(scene)};
+}
+
+nlohmann::json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+void print_json(const LoadedFacts& loaded) {
+  const SceneFacts& facts = loaded.facts;
+  const nlohmann::ordered_json json = {
+      {"name", loaded.source.name},
+      {"title", loaded.source.title},
+      {"file", loaded.source.file.string()},
+      {"sha256", loaded.sha256},
+      {"load_seconds", loaded.load_s},
+      {"objects", facts.objects},
+      {"instances", facts.instances},
+      {"triangles", facts.triangles},
+      {"stored_triangles", facts.stored_triangles},
+      {"emissive_triangles", facts.emissive_triangles},
+      {"lights", facts.lights},
+      {"materials", facts.materials},
+      {"textures", facts.textures},
+      {"geometry_bytes", facts.geometry_bytes},
+      {"texture_bytes", facts.texture_bytes},
+      {"environment_bytes", facts.environment_bytes},
+      {"bounds", {json_of(facts.bounds.lower), json_of(facts.bounds.upper)}},
+      {"features", facts.features},
+      {"absent_features", facts.absent_features},
+      {"warnings", loaded.warnings}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+double mib(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
+
+void print_memory(const SceneFacts& facts) {
+  const double bytes_a_triangle =
+      facts.stored_triangles == 0
+          ? 0.0
+          : static_cast<double>(facts.geometry_bytes) / static_cast<double>(facts.stored_triangles);
+  fmt::print("memory     geometry {:.1f} MiB ({:.0f} bytes a triangle), textures {:.1f} MiB\n",
+             mib(facts.geometry_bytes), bytes_a_triangle,
+             mib(facts.texture_bytes + facts.environment_bytes));
+}
+
+void print_text(const LoadedFacts& loaded) {
+  const SceneFacts& facts = loaded.facts;
+  const Bounds& bounds = facts.bounds;
+  fmt::print("{}\n", loaded.source.title);
+  fmt::print("file       {}\nsha256     {}\n", loaded.source.file.string(), loaded.sha256);
+  fmt::print("loaded in  {}\n", human_duration(loaded.load_s));
+  fmt::print("triangles  {} ({} in memory) in {} objects, {} of them instances\n", facts.triangles,
+             facts.stored_triangles, facts.objects, facts.instances);
+  fmt::print("materials  {}, textures {}\n", facts.materials, facts.textures);
+  fmt::print("light      {} emissive triangles, {} lights without geometry\n",
+             facts.emissive_triangles, facts.lights);
+  fmt::print("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", bounds.lower.x,
+             bounds.lower.y, bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
+  print_memory(facts);
+  fmt::print("has        {}\n", fmt::join(facts.features, ", "));
+  fmt::print("has no     {}\n", fmt::join(facts.absent_features, ", "));
+  for (const std::string& warning : loaded.warnings) {
+    fmt::print("warning    {}\n", warning);
+  }
+}
+
+}  // namespace
+
+void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
+  const auto name = std::make_shared<std::string>();
+  const auto as_json = std::make_shared<bool>(false);
+  CLI::App* command = scene.add_subcommand("info", "What is in a scene, and what it needs");
+  command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
+  command->add_flag("--json", *as_json, "Print it as JSON");
+  command->footer("Example: foveola scene info arcade");
+  command->callback([name, as_json, find_scene] {
+    const LoadedFacts loaded = load_facts(find_scene(*name));
+    *as_json ? print_json(loaded) : print_text(loaded);
+  });
+}
+
+}  // namespace foveola

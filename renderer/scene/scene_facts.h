@@ -1,0 +1,32 @@
+// What a scene consists of, for people who wonder what they have loaded.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+
+namespace foveola {
+
+struct SceneFacts {
+  std::size_t objects = 0;
+  std::size_t instances = 0;
+  std::size_t triangles = 0;         ///< as seen: each instance counted
+  std::size_t stored_triangles = 0;  ///< as kept in memory
+  std::size_t emissive_triangles = 0;
+  std::size_t lights = 0;  ///< points, spots and directional ones
+  std::size_t materials = 0;
+  std::size_t textures = 0;
+  std::size_t geometry_bytes = 0;  ///< of the loaded arrays; the tracer's hierarchy comes on top
+  std::size_t texture_bytes = 0;   ///< with their mip levels
+  std::size_t environment_bytes = 0;
+  Bounds bounds;
+  /// What surfaces and light need of the renderer, by name, and what nothing here needs.
+  std::vector<std::string> features;
+  std::vector<std::string> absent_features;
+};
+
+SceneFacts facts_of(const Scene& scene);
+
+}  // namespace foveola
