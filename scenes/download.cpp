@@ -27,6 +27,20 @@ std::uint64_t size_of(const fs::path& file) {
   return missing ? 0 : size;
 }
 
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+  void operator()(CURL* curl) const { curl_easy_cleanup(curl); }
+};
+
+std::unique_ptr<std::FILE, Close> open_to_append(const fs::path& file) {
+  std::unique_ptr<std::FILE, Close> opened(std::fopen(file.c_str(), "ab"));
+  if (!opened) {
+    throw Error(file.string(), "cannot be written: " + std::generic_category().message(errno),
+                "check the folder and the space left");
+  }
+  return opened;
+}
+
 /// libcurl's set-up of the whole process, which it counts.
 struct CurlLibrary {
   CurlLibrary() { curl_global_init(CURL_GLOBAL_DEFAULT); }
@@ -40,16 +54,12 @@ class Transfer {
  public:
   Transfer(const std::string& address, const fs::path& file, std::uint64_t size_bytes,
            const std::function<void(double)>& progress, const std::stop_token& stop)
-      : file_(std::fopen(file.c_str(), "ab")),
+      : file_(open_to_append(file)),
         received_(size_of(file)),
         size_bytes_(size_bytes),
         progress_(progress),
         stop_(stop),
         curl_(curl_easy_init()) {
-    if (!file_) {
-      throw Error(file.string(), "cannot be written: " + std::generic_category().message(errno),
-                  "check the folder and the space left");
-    }
     if (!curl_) {
       throw Error(address, "cannot be downloaded: libcurl does not start", {});
     }
@@ -95,11 +105,6 @@ class Transfer {
   bool is_too_long() const { return is_too_long_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-    void operator()(CURL* curl) const { curl_easy_cleanup(curl); }
-  };
-
   template <typename Value>
   void set(CURLoption option, Value value) {
     curl_easy_setopt(curl_.get(), option, value);

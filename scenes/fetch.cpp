@@ -28,10 +28,6 @@ fs::path prepare_target(const Descriptor& descriptor) {
   return target;
 }
 
-bool is_the_scene(const Descriptor& descriptor, const fs::path& file) {
-  return sha256_of_file(file) == descriptor.sha256;
-}
-
 }  // namespace
 
 fs::path fetch_from_web(const Descriptor& descriptor, const std::function<void(double)>& progress,
@@ -44,7 +40,7 @@ fs::path fetch_from_web(const Descriptor& descriptor, const std::function<void(d
   fs::path part = target;
   part += ".part";
   download(descriptor.address, part, descriptor.size_bytes, progress, stop);
-  if (!is_the_scene(descriptor, part)) {
+  if (sha256_of_file(part) != descriptor.sha256) {
     fs::remove(part);
     throw Error(descriptor.address,
                 "is not the file that the descriptor means: its SHA-256 differs",
@@ -66,8 +62,7 @@ fs::path fetch_from_disk(const Descriptor& descriptor, const fs::path& file_or_f
   const std::string content = read_file(*file);
   if (!descriptor.sha256.empty() && sha256(std::string_view(content)) != descriptor.sha256) {
     throw Error(file->string(),
-                fmt::format("is not the {} that the descriptor means: its SHA-256 "
-                            "differs",
+                fmt::format("is not the {} that the descriptor means: its SHA-256 differs",
                             descriptor.file_name),
                 "to use it all the same, name the file itself in place of the scene");
   }

@@ -35,6 +35,7 @@ class TomlReader {
   bool has(std::string_view key) const { return table_->contains(key); }
   /// Throws Error if the key is absent.
   void require(std::string_view key) const;
+
   /// A string and where it stands.
   struct Text {
     std::string value;
