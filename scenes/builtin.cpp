@@ -21,8 +21,9 @@ struct Builtin {
   Model (*make)();
 };
 
-constexpr std::array<Builtin, 3> builtins = {{
+constexpr std::array<Builtin, 4> builtins = {{
     {"arcade", make_arcade},
+    {"church", make_church},
     {"meeting-room", make_meeting_room},
     {"studio-car", make_studio_car},
 }};

@@ -11,6 +11,8 @@ namespace foveola::scenes {
 
 /// An open court between two arcaded storeys: cloth, plants with cut-out leaves, sun and sky.
 Model make_arcade();
+/// A cathedral's nave with two aisles, vaults and an apse, lit through stained glass.
+Model make_church();
 /// A long table with its chairs under many ceiling lights.
 Model make_meeting_room();
 /// A car under the softboxes of a photographer's studio.

@@ -1,8 +1,10 @@
 #include "scenes/glb_writer.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -143,6 +145,10 @@ class GlbWriter {
     }
     Json result = {{"name", material.name}, {"pbrMetallicRoughness", std::move(surface)}};
     write_emission(material.emission, result);
+    if (material.transmission > 0.0F) {
+      add_extension("KHR_materials_transmission", {{"transmissionFactor", material.transmission}},
+                    result);
+    }
     if (material.alpha_cutoff > 0.0F) {
       result["alphaMode"] = "MASK";
       result["alphaCutoff"] = material.alpha_cutoff;
@@ -158,12 +164,19 @@ class GlbWriter {
     if (strength <= 0.0F) {
       return;
     }
-    const char* const extension = "KHR_materials_emissive_strength";
     const float divisor = glm::max(strength, 1.0F);
     material["emissiveFactor"] = array_from(emission / divisor);
     if (strength > 1.0F) {
-      material["extensions"] = {{extension, {{"emissiveStrength", strength}}}};
-      document_["extensionsUsed"] = Json::array({extension});
+      add_extension("KHR_materials_emissive_strength", {{"emissiveStrength", strength}}, material);
+    }
+  }
+
+  /// Gives the material an extension, which the document then lists among those it uses.
+  void add_extension(const char* name, Json values, Json& material) {
+    material["extensions"][name] = std::move(values);
+    Json& used = document_["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), name) == used.end()) {
+      used.push_back(name);
     }
   }
 

@@ -27,6 +27,7 @@ struct Material {
   Rgb emission{0.0F};         ///< radiance; one-sided unless double_sided
   int base_color_image = -1;  ///< index into Model::images; -1: none
   float alpha_cutoff = 0.0F;  ///< light passes where the image's alpha is below it; 0: opaque
+  float transmission = 0.0F;  ///< share of light, in [0, 1], that passes as through thin glass
   bool double_sided = false;
 };
 

@@ -74,6 +74,29 @@ TEST(GlbWriter, EmissionBeyondOneUsesTheStrengthExtension) {
   EXPECT_EQ(json.at("extensionsUsed"), nlohmann::json({"KHR_materials_emissive_strength"}));
 }
 
+TEST(GlbWriter, GlassIsTransmissiveAndExtensionsAreListedOnce) {
+  Model model;
+  const int glass =
+      add_material(model, {.name = "glass", .roughness = 0.0F, .transmission = 0.75F});
+  const int lamp = add_material(
+      model, {.name = "lamp glass", .emission = {6.0F, 3.0F, 1.5F}, .transmission = 1.0F});
+  add_object(model, "Window", {{glass, box(DVec3(1.0))}, {lamp, box(DVec3(2.0))}});
+  const nlohmann::json json = taken_apart(glb_from(model)).json;
+  const nlohmann::json& pane = json.at("materials").at(0).at("extensions");
+  EXPECT_EQ(pane.size(), 1U);
+  EXPECT_EQ(pane.at("KHR_materials_transmission").at("transmissionFactor"), 0.75);
+  const nlohmann::json& both = json.at("materials").at(1).at("extensions");
+  EXPECT_EQ(both.at("KHR_materials_transmission").at("transmissionFactor"), 1.0);
+  EXPECT_EQ(both.at("KHR_materials_emissive_strength").at("emissiveStrength"), 6.0);
+  EXPECT_EQ(json.at("extensionsUsed"),
+            nlohmann::json({"KHR_materials_transmission", "KHR_materials_emissive_strength"}));
+}
+
+TEST(GlbWriter, OpaqueMaterialsUseNoTransmission) {
+  EXPECT_FALSE(
+      taken_apart(glb_from(small_model())).json.at("materials").at(2).contains("extensions"));
+}
+
 TEST(GlbWriter, CutOutsAreMaskedAndTheirImageIsAPng) {
   const Glb glb = taken_apart(glb_from(small_model()));
   const nlohmann::json& leaf = glb.json.at("materials").at(2);
