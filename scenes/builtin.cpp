@@ -21,9 +21,10 @@ struct Builtin {
   Model (*make)();
 };
 
-constexpr std::array<Builtin, 3> builtins = {{
+constexpr std::array<Builtin, 4> builtins = {{
     {"arcade", make_arcade},
     {"meeting-room", make_meeting_room},
+    {"schoolroom", make_schoolroom},
     {"studio-car", make_studio_car},
 }};
 

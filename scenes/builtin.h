@@ -13,6 +13,8 @@ namespace foveola::scenes {
 Model make_arcade();
 /// A long table with its chairs under many ceiling lights.
 Model make_meeting_room();
+/// A classroom by day: desks, a blackboard, books, a skeleton, sun through a row of windows.
+Model make_schoolroom();
 /// A car under the softboxes of a photographer's studio.
 Model make_studio_car();
 
