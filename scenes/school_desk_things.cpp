@@ -242,8 +242,8 @@ void add_coats(Model& model, const Materials& m) {
   std::vector<Part> coats;
   Shape hooks;
   const double first_x = -2.25;
-  for (int i = 0; i < 8; ++i) {
-    const DVec3 hook(first_x + 0.3 * i, rail_y, half_z - 0.025);
+  for (int i = 0; i < 6; ++i) {
+    const DVec3 hook(first_x + 0.42 * i, rail_y, half_z - 0.025);
     append(hooks, moved(tube(curve({{0, 0, 0},
                                     {0, 0.0, -0.05},
                                     {0, -0.02, -0.075},
@@ -253,7 +253,7 @@ void add_coats(Model& model, const Materials& m) {
                              0.007, 10),
                         hook));
     append(hooks, moved(turned(cylinder(0.018, 0.006, 16), -90.0, {1, 0, 0}), hook));
-    if (i != 2 && i != 6) {
+    if (i != 2) {
       const Shape one = turned(coat(620 + i), 180.0);
       append(coats, {{cloths[i % cloths.size()],
                       with_uv_scale(moved(one, hook + DVec3(0.0, -0.015, -0.085)), 3.0), 70.0}});

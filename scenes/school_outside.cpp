@@ -107,7 +107,7 @@ void add_houses(Model& model, const Materials& m) {
       gable.triangles = {{0, 1, 2}};
       append(roofs, end > low.x ? gable : inside_out(gable));
     }
-    append(walls, box({house.left + 0.7 * house.width, high.y, middle_z - 0.5},
+    append(roofs, box({house.left + 0.7 * house.width, high.y, middle_z - 0.5},
                       {house.left + 0.7 * house.width + 1.0, ridge + 0.9, middle_z + 0.5}));
   }
   add_object(model, "Houses opposite",

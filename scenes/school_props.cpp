@@ -48,14 +48,12 @@ void add_globe(Model& model, const Materials& m) {
   const auto tilt = [&](const Shape& shape) {
     return moved(turned(shape, axis_tilt_deg, {1, 0, 0}), middle);
   };
-  Shape meridian;
-  for (int i = 0; i < 30; ++i) {
-    const auto at = [&](int k) {
-      const double angle = std::numbers::pi * (k / 30.0 - 0.5);
-      return (radius + 0.02) * DVec3(0.0, std::sin(angle), -std::cos(angle));
-    };
-    append(meridian, tube({at(i), at(i + 1)}, 0.005, 10));
+  std::vector<DVec3> half_circle;
+  for (int i = 0; i <= 30; ++i) {
+    const double angle = std::numbers::pi * (i / 30.0 - 0.5);
+    half_circle.push_back((radius + 0.02) * DVec3(0.0, std::sin(angle), -std::cos(angle)));
   }
+  Shape meridian = tube(half_circle, 0.005, 10);
   Shape pins = cylinder(0.006, 2.0 * radius + 0.07, 12);
   pins = moved(pins, {0.0, -radius - 0.035, 0.0});
   append(meridian, pins);
@@ -141,7 +139,7 @@ void add_microscope(Model& model, const Materials& m) {
                         {side * 0.017, 0.16, -0.08}));
   }
   const Shape slide = box({-0.038, 0.1262, -0.002}, {0.038, 0.1275, 0.024});
-  const DVec3 place(1.42, desk_height, 1.82);
+  const DVec3 place(1.45, desk_height, 2.15);
   add_object(model, "Microscope",
              placed({{m.black_plastic, body, 50.0}, {m.brass, tubes, 50.0}, {m.bone, slide}}, place,
                     -70.0));

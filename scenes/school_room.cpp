@@ -97,8 +97,8 @@ Shape window_frame() {
     const double x = side * (half - 0.035);
     bar({x - 0.035, 0.0, -0.04}, {x + 0.035, height, 0.04});
   }
-  bar({-half + 0.06, 0.0, -0.04}, {half - 0.06, 0.07, 0.04});
-  bar({-half + 0.06, height - 0.07, -0.04}, {half - 0.06, height, 0.04});
+  bar({-half + 0.06, 0.0, -0.038}, {half - 0.06, 0.07, 0.038});
+  bar({-half + 0.06, height - 0.07, -0.038}, {half - 0.06, height, 0.038});
   bar({-half + 0.06, transom - 0.035, -0.045}, {half - 0.06, transom + 0.035, 0.045});
   bar({-0.03, 0.06, -0.04}, {0.03, height - 0.06, 0.04});
   for (const double side : {-1.0, 1.0}) {
@@ -174,7 +174,7 @@ Shape radiator(int ribs) {
 
 void add_shell(Model& model, const Materials& m) {
   add_object(model, "Floor",
-             {{m.parquet, with_uv_scale(box({-outer_x, -0.3, -outer_z}, {outer_x, 0.0, outer_z}),
+             {{m.parquet, with_uv_scale(box({-outer_x, -0.7, -outer_z}, {outer_x, 0.0, outer_z}),
                                         1.0 / 2.2)}});
   add_object(model, "Ceiling",
              {{m.ceiling,

@@ -130,7 +130,8 @@ class Countries {
     }
   }
 
-  DVec3 color(const DVec2& p) const {
+  DVec3 color(const DVec2& longitude_latitude) const {
+    const DVec2 p = roughened(longitude_latitude);
     static constexpr std::array<DVec3, 6> palette = {DVec3(222, 190, 120), DVec3(176, 196, 120),
                                                      DVec3(226, 160, 130), DVec3(214, 208, 140),
                                                      DVec3(196, 160, 180), DVec3(160, 190, 160)};
@@ -138,16 +139,17 @@ class Countries {
     double second = nearest;
     std::size_t country = 0;
     for (std::size_t i = 0; i < capitals_.size(); ++i) {
-      const double distance = glm::distance(roughened(p), capitals_[i]);
-      if (distance < nearest) {
+      const DVec2 apart = p - capitals_[i];
+      const double squared_distance = glm::dot(apart, apart);
+      if (squared_distance < nearest) {
         second = nearest;
-        nearest = distance;
+        nearest = squared_distance;
         country = i;
       } else {
-        second = std::min(second, distance);
+        second = std::min(second, squared_distance);
       }
     }
-    const bool is_border = second - nearest < 0.5;
+    const bool is_border = std::sqrt(second) - std::sqrt(nearest) < 0.5;
     return is_border ? DVec3(150, 70, 60) : palette[country % palette.size()];
   }
 
