@@ -87,8 +87,8 @@ std::vector<Part> school_bag(const Materials& m, int cloth) {
     const double belly = 1.0 + 0.12 * std::cos(6.0 * (p.y + 0.08));
     return DVec3(p.x * (1.0 - 0.35 * std::max(0.0, p.y)), p.y, p.z * belly + crumple);
   };
-  Shape body = moved(deformed(rounded_box({0.3, 0.4, 0.15}, 0.055, 4, 8), sag), {0.0, 0.2, 0.0});
-  const Shape pocket = deformed(rounded_box({0.24, 0.18, 0.07}, 0.03, 4, 6), sag);
+  Shape body = moved(deformed(rounded_box({0.3, 0.4, 0.15}, 0.055, 3, 6), sag), {0.0, 0.2, 0.0});
+  const Shape pocket = deformed(rounded_box({0.24, 0.18, 0.07}, 0.03, 3, 5), sag);
   append(body, moved(pocket, {0.0, 0.12, 0.085}));
   Shape straps;
   for (const double side : {-1.0, 1.0}) {

@@ -91,7 +91,7 @@ Shape window_frame() {
   Shape shape;
   const auto bar = [&](const DVec3& lower, const DVec3& upper) {
     const DVec3 size = upper - lower;
-    append(shape, moved(rounded_box(size, 0.008, 2), 0.5 * (lower + upper)));
+    append(shape, moved(rounded_box(size, 0.008, 1), 0.5 * (lower + upper)));
   };
   for (const double side : {-1.0, 1.0}) {
     const double x = side * (half - 0.035);
@@ -149,7 +149,7 @@ Shape radiator(int ribs) {
       append(shape, moved(column, {x, 0.0, z}));
     }
     for (const double y : {0.13, height - 0.05}) {
-      append(shape, moved(rounded_box({0.034, 0.05, 0.13}, 0.015, 2), {x, y, 0.0}));
+      append(shape, moved(rounded_box({0.034, 0.05, 0.13}, 0.015, 1), {x, y, 0.0}));
     }
     if (i == 1 || i == ribs - 2) {
       append(shape, moved(cone(0.026, 0.018, 0.1, 12), {x, 0.0, 0.045}));

@@ -10,10 +10,10 @@ namespace foveola::scenes::school {
 namespace {
 
 /// A long bone with thickened ends between two joints.
-Shape bone(const DVec3& from, const DVec3& to, double radius) {
+Shape bone(const DVec3& from, const DVec3& to, double radius, int segments = 16) {
   const double length = glm::distance(from, to);
   std::vector<DVec2> outline;
-  constexpr int steps = 14;
+  const int steps = segments < 16 ? 8 : 14;
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
     const double from_end = std::min(t, 1.0 - t) * length / radius;
@@ -25,7 +25,7 @@ Shape bone(const DVec3& from, const DVec3& to, double radius) {
   const DVec3 axis = glm::cross(DVec3(0, 1, 0), direction);
   const double sine = glm::length(axis);
   const double angle_deg = std::atan2(sine, direction.y) * 180.0 / std::numbers::pi;
-  const Shape upright = lathe(outline, 16);
+  const Shape upright = lathe(outline, segments);
   return moved(sine > 1e-6 ? turned(upright, angle_deg, axis / sine)
                            : (direction.y > 0.0 ? upright : turned(upright, 180.0, {1, 0, 0})),
                from);
@@ -34,7 +34,7 @@ Shape bone(const DVec3& from, const DVec3& to, double radius) {
 /// A finger's or toe's bones through the points.
 void add_digit(Shape& to, const std::vector<DVec3>& joints, double radius) {
   for (std::size_t i = 1; i < joints.size(); ++i) {
-    append(to, bone(joints[i - 1], joints[i], radius * (1.0 - 0.12 * static_cast<double>(i))));
+    append(to, bone(joints[i - 1], joints[i], radius * (1.0 - 0.12 * static_cast<double>(i)), 10));
   }
 }
 
