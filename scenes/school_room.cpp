@@ -58,11 +58,13 @@ Shape band(double bottom, double top, double depth) {
   append(shape, box({left, bottom, half_z - depth}, {door_left - door_frame, top, half_z}));
   append(shape,
          box({door_left + door_width + door_frame, bottom, half_z - depth}, {right, top, half_z}));
-  const double below_sill = std::min(top, window_sill - 0.05);
-  append(shape, box({left, bottom, -half_z}, {right, below_sill, -half_z + depth}));
-  if (top > below_sill) {
+  const double sill = window_sill - 0.05;
+  if (bottom < sill) {
+    append(shape, box({left, bottom, -half_z}, {right, std::min(top, sill), -half_z + depth}));
+  }
+  if (top > sill) {
     for_each_pier(left, right, [&](double from, double to) {
-      append(shape, box({from, below_sill, -half_z}, {to, top, -half_z + depth}));
+      append(shape, box({from, std::max(bottom, sill), -half_z}, {to, top, -half_z + depth}));
     });
   }
   return shape;
