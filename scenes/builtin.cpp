@@ -9,7 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "scenes/glb_writer.h"
+#include "scenes/modelling/glb_writer.h"
 
 namespace fs = std::filesystem;
 
@@ -21,10 +21,11 @@ struct Builtin {
   Model (*make)();
 };
 
-constexpr std::array<Builtin, 4> builtins = {{
+constexpr std::array<Builtin, 5> builtins = {{
     {"arcade", make_arcade},
     {"church", make_church},
     {"meeting-room", make_meeting_room},
+    {"schoolroom", make_schoolroom},
     {"studio-car", make_studio_car},
 }};
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/model.h"
+#include "scenes/modelling/model.h"
 
 namespace foveola::scenes {
 
@@ -15,6 +15,8 @@ Model make_arcade();
 Model make_church();
 /// A long table with its chairs under many ceiling lights.
 Model make_meeting_room();
+/// A classroom by day: desks, a blackboard, books, a skeleton, sun through a row of windows.
+Model make_schoolroom();
 /// A car under the softboxes of a photographer's studio.
 Model make_studio_car();
 

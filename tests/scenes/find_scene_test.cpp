@@ -79,9 +79,10 @@ TEST_F(FindScene, OtherFilesHaveNoViewpoint) {
 }
 
 TEST_F(FindScene, UnknownNameListsTheBuiltinScenes) {
-  EXPECT_THAT(error_of("castle"),
-              AllOf(HasSubstr("castle"), HasSubstr("arcade, meeting-room, studio-car"),
-                    HasSubstr("FOVEOLA_SCENE_PATH")));
+  EXPECT_THAT(
+      error_of("castle"),
+      AllOf(HasSubstr("castle"), HasSubstr("arcade, church, meeting-room, schoolroom, studio-car"),
+            HasSubstr("FOVEOLA_SCENE_PATH")));
   EXPECT_THAT(error_of((folder.path() / "missing.glb").string()), HasSubstr("arcade"));
   EXPECT_THAT(error_of(""), HasSubstr("arcade"));
 }

@@ -1,4 +1,4 @@
-#include "scenes/glb_writer.h"
+#include "scenes/modelling/glb_writer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "scenes/model.h"
+#include "scenes/modelling/model.h"
 
 #include <cmath>
 

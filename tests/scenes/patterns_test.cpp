@@ -1,4 +1,4 @@
-#include "scenes/patterns.h"
+#include "scenes/modelling/patterns.h"
 
 #include <cmath>
 #include <cstdlib>

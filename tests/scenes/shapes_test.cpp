@@ -1,4 +1,4 @@
-#include "scenes/shapes.h"
+#include "scenes/modelling/shapes.h"
 
 #include <cmath>
 #include <map>

@@ -1,0 +1,48 @@
+// What the church's textures are painted with: a canvas, noise, and soft-edged plane figures.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "scenes/modelling/model.h"
+
+namespace foveola::scenes::paint {
+
+/// The linear colour at (u, v) in (0, 1) from the top left.
+using ColorFunction = std::function<DVec3(double u, double v)>;
+
+/// An opaque image of the colours.
+Image painted(int width, int height, const ColorFunction& color);
+
+double smooth_step(double low, double high, double x);
+DVec3 blend(const DVec3& a, const DVec3& b, double t);
+
+/// A number in [0, 1) for the cell (x, y).
+double cell_value(int x, int y, std::uint32_t seed);
+
+/// Four octaves of smooth noise in [0, 1] that repeats over the unit square, the coarsest with
+/// `period` cells along u and v.
+double cloud(double u, double v, int period, std::uint32_t seed);
+
+/// How far x is from the nearest integer, in [0, 0.5].
+double distance_to_integer(double x);
+
+/// 1 where `distance` to an outline is negative (inside), 0 outside, soft over +-`edge`.
+double inside(double distance, double edge);
+/// 1 within half of `width` around an outline, 0 away from it, soft over +-`edge`.
+double along(double distance, double width, double edge);
+
+/// Distances to the outlines of figures about the origin, negative inside.
+double to_circle(const DVec2& p, double radius);
+double to_rectangle(const DVec2& p, const DVec2& half_size);
+/// `lobes` circles whose middles lie at `offset` from the origin, the first one upwards.
+double to_foil(const DVec2& p, int lobes, double offset, double radius);
+/// The line from a to b as a stadium of the given radii at its ends.
+double to_limb(const DVec2& p, const DVec2& a, const DVec2& b, double radius_a, double radius_b);
+
+/// p turned into the sector of its kind: of `count` equal ones about the origin, the one upwards.
+DVec2 in_sector(const DVec2& p, int count);
+/// The number of that sector, in [0, count).
+int sector_of(const DVec2& p, int count);
+
+}  // namespace foveola::scenes::paint

@@ -1,0 +1,43 @@
+// Procedural textures of the built-in church: stone, glass and painted panels.
+#pragma once
+
+#include <cstdint>
+
+#include "scenes/modelling/model.h"
+
+namespace foveola::scenes {
+
+/// Worn floor slabs in rows of unequal widths; repeats without a seam.
+Image stone_slabs(int size, std::uint32_t seed);
+
+/// Polished stone with veins; repeats without a seam.
+Image veined_marble(int size, const Rgb& ground, const Rgb& vein, std::uint32_t seed);
+
+/// A round pavement of coloured marbles in a square: rings, a star and bands of small triangles.
+Image inlaid_rosette(int size, std::uint32_t seed);
+
+/// Bands of small triangles and squares about a row of discs along u; repeats along u.
+Image inlaid_band(int size, std::uint32_t seed);
+
+/// Gold stars on blue; repeats without a seam.
+Image starry_sky(int size, std::uint32_t seed);
+
+/// A saint under a canopy, four times as high as wide: leaded panes of deep colours.
+Image figure_window(int width, const Rgb& robe, std::uint32_t seed);
+
+/// Pale lozenges with coloured medallions and borders, three times as high as wide.
+Image grisaille_window(int width, std::uint32_t seed);
+
+/// A round window of twelve petals in a square.
+Image rose_window(int size, std::uint32_t seed);
+
+/// A standing saint on a gold ground, twice as high as wide.
+Image painted_saint(int width, const Rgb& robe, std::uint32_t seed);
+
+/// The hanging in front of an altar: gold crosses and a fringe on red, twice as wide as high.
+Image altar_frontal(int height, std::uint32_t seed);
+
+/// An open book's two pages of writing with red initials.
+Image open_book(int size, std::uint32_t seed);
+
+}  // namespace foveola::scenes

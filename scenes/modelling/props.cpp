@@ -1,0 +1,167 @@
+#include "scenes/modelling/props.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "renderer/base/random.h"
+#include "scenes/modelling/patterns.h"
+
+namespace foveola::scenes {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+/// A leaf that rises from the origin towards +Z and bends down; uvs over [0, 1], stalk at v = 1.
+Shape leaf_blade(double length, double width, double droop) {
+  Shape blade = patch(2, 4, [&](double u, double v) {
+    const double across = u - 0.5;
+    const double rise = length * (0.35 * v - droop * v * v);
+    return DVec3(across * width, rise + 0.5 * width * across * across, length * v);
+  });
+  for (DVec2& uv : blade.uvs) {
+    uv.y = 1.0 - uv.y;
+  }
+  return inside_out(blade);
+}
+
+/// Where a stem is at height fraction t: it leans outwards as it rises.
+DVec3 stem_point(const PlantSize& size, double angle, double lean, double height, double t) {
+  const double out = size.pot_radius * 0.3 + lean * height * t * t;
+  return {out * std::sin(angle), size.pot_height * 0.9 + height * t, out * std::cos(angle)};
+}
+
+}  // namespace
+
+Shape column(const ColumnSize& size, int segments) {
+  const double r = size.radius;
+  const double slab_height = 0.12;
+  const double foot_height = 0.16;
+  const double top = size.height - slab_height;
+  std::vector<DVec2> outline = {{1.35 * r, foot_height}};
+  const auto add_ring = [&](double middle_radius, double bulge, double from, double height) {
+    constexpr int steps = 6;
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = std::numbers::pi * (static_cast<double>(i) / steps - 0.5);
+      outline.emplace_back(middle_radius + bulge * std::cos(angle),
+                           from + 0.5 * height * (1.0 + std::sin(angle)));
+    }
+  };
+  add_ring(1.3 * r, 0.18 * r, foot_height, 0.1);
+  add_ring(1.1 * r, 0.12 * r, foot_height + 0.13, 0.05);
+  const double shaft_from = foot_height + 0.2;
+  const double capital_height = 1.3 * r;
+  const double shaft_to = top - capital_height - 0.06;
+  constexpr int shaft_steps = 8;
+  for (int i = 0; i <= shaft_steps; ++i) {
+    const double t = static_cast<double>(i) / shaft_steps;
+    outline.emplace_back(r * (1.0 - 0.16 * t * t), std::lerp(shaft_from, shaft_to, t));
+  }
+  add_ring(0.86 * r, 0.1 * r, shaft_to, 0.06);
+  constexpr int capital_steps = 6;
+  for (int i = 0; i <= capital_steps; ++i) {
+    const double t = static_cast<double>(i) / capital_steps;
+    const double flare = 1.0 - std::cos(0.5 * std::numbers::pi * t);
+    outline.emplace_back(0.84 * r + (0.5 * size.slab * 0.96 - 0.84 * r) * flare,
+                         shaft_to + 0.06 + capital_height * t);
+  }
+  Shape shape = lathe(outline, segments);
+  append(shape, moved(box(DVec3(2.9 * r, foot_height, 2.9 * r)), {0.0, 0.5 * foot_height, 0.0}));
+  append(shape, moved(box(DVec3(size.slab, slab_height, size.slab)),
+                      {0.0, size.height - 0.5 * slab_height, 0.0}));
+  return shape;
+}
+
+Shape baluster(double height, int segments) {
+  const std::vector<DVec2> outline = {{0.06, 0.0},   {0.06, 0.08},  {0.035, 0.14}, {0.05, 0.24},
+                                      {0.065, 0.34}, {0.05, 0.46},  {0.03, 0.62},  {0.028, 0.74},
+                                      {0.05, 0.82},  {0.035, 0.88}, {0.06, 0.92},  {0.06, 1.0}};
+  return scaled(lathe(outline, segments), {1.0, height, 1.0});
+}
+
+Shape hanging_cloth(const ClothSize& size, std::uint32_t seed) {
+  Pcg32 random(seed);
+  const double phase = two_pi * random.uniform();
+  const double drift = random.uniform() - 0.5;
+  const int columns = 10 * size.folds;
+  Shape shape = patch(columns, 24, [&](double u, double v) {
+    const double fallen = 1.0 - v;
+    const double depth = size.fold_depth * (0.35 + 0.65 * fallen);
+    const double fold = std::sin(two_pi * size.folds * u + phase + 1.5 * drift * fallen);
+    const double sway = 0.3 * std::sin(two_pi * 0.8 * u + 4.0 * fallen + 2.0 * phase);
+    const double gathered = 1.0 - 0.06 * fallen * (1.0 - fallen) * 4.0;
+    return DVec3((u - 0.5) * size.width * gathered, -size.drop * fallen, depth * (fold + sway));
+  });
+  for (DVec2& uv : shape.uvs) {
+    uv.y = 1.0 - uv.y;
+  }
+  return shape;
+}
+
+PlantMaterials add_plant_materials(Model& model) {
+  PlantMaterials materials;
+  materials.pot =
+      add_textured_material(model, "terracotta", plaster(256, {0.5F, 0.2F, 0.1F}, 0.2, 1), 0.8F);
+  materials.soil = add_material(model, {.name = "soil", .base_color = {0.06F, 0.04F, 0.025F}});
+  materials.stem = add_material(model, {.name = "stem", .base_color = {0.12F, 0.2F, 0.05F}});
+  const int leaf_image = add_image(model, leaf(256, {0.1F, 0.28F, 0.05F}, 2));
+  materials.leaf = add_material(model, {.name = "leaf",
+                                        .base_color = Rgb(1.0F),
+                                        .roughness = 0.6F,
+                                        .base_color_image = leaf_image,
+                                        .alpha_cutoff = 0.5F,
+                                        .double_sided = true});
+  return materials;
+}
+
+std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& materials,
+                               std::uint32_t seed) {
+  const double r = size.pot_radius;
+  const double h = size.pot_height;
+  const Shape pot = lathe({{0.0, 0.0},
+                           {0.68 * r, 0.0},
+                           {0.72 * r, 0.04 * h},
+                           {0.95 * r, 0.84 * h},
+                           {1.05 * r, 0.86 * h},
+                           {1.06 * r, 0.98 * h},
+                           {1.03 * r, h},
+                           {0.92 * r, h},
+                           {0.9 * r, 0.88 * h}},
+                          28);
+  const Shape soil = lathe({{0.91 * r, 0.9 * h}, {0.4 * r, 0.93 * h}, {0.0, 0.94 * h}}, 28);
+  Pcg32 random(seed);
+  Shape stems;
+  Shape leaves;
+  for (int i = 0; i < size.stems; ++i) {
+    const double angle = two_pi * (i + 0.6 * random.uniform()) / size.stems;
+    const double lean = 0.15 + 0.45 * random.uniform();
+    const double height = size.stem_height * (0.55 + 0.45 * random.uniform());
+    std::vector<DVec3> path;
+    for (int k = 0; k <= 5; ++k) {
+      path.push_back(stem_point(size, angle, lean, height, k / 5.0));
+    }
+    append(stems, tube(path, 0.008, 6));
+    for (int k = 0; k < size.leaves_per_stem; ++k) {
+      const double t = 1.0 - 0.75 * k / size.leaves_per_stem;
+      const double length = size.leaf_length * (0.7 + 0.5 * random.uniform());
+      const double droop = 0.3 + 0.6 * random.uniform();
+      const double turn_deg = 137.5 * k + 360.0 * random.uniform();
+      const Shape blade = turned(leaf_blade(length, 0.75 * length, droop), turn_deg);
+      append(leaves, moved(blade, stem_point(size, angle, lean, height, t)));
+    }
+  }
+  return {{materials.pot, pot, 35.0},
+          {materials.soil, soil, 60.0},
+          {materials.stem, stems, 60.0},
+          {materials.leaf, leaves, 80.0}};
+}
+
+std::vector<Part> moved(std::vector<Part> parts, const DVec3& offset) {
+  for (Part& part : parts) {
+    part.shape = moved(std::move(part.shape), offset);
+  }
+  return parts;
+}
+
+}  // namespace foveola::scenes
