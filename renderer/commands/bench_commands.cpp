@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/build_info.h"
@@ -24,6 +25,7 @@ struct StabilityArguments {
   bool quick = false;
   bool full = false;
   bool json = false;
+  std::string only;
   int threads = 0;
 };
 
@@ -32,6 +34,23 @@ StabilityEffort effort_of(const StabilityArguments& arguments) {
     return quick_effort;
   }
   return arguments.full ? full_effort : thorough_effort;
+}
+
+/// All stress tests, or those whose name has `only` in it.
+std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes,
+                                          const std::string& only) {
+  std::vector<StabilityCheck> checks = stability_checks(scenes);
+  std::vector<std::string> names;
+  for (const StabilityCheck& check : checks) {
+    names.push_back(check.name);
+  }
+  std::erase_if(checks,
+                [&](const auto& check) { return check.name.find(only) == std::string::npos; });
+  if (checks.empty()) {
+    throw Error("--only", fmt::format("no stress test is called {}", only),
+                fmt::format("there are: {}", fmt::join(names, ", ")));
+  }
+  return checks;
 }
 
 /// Four at least unless asked otherwise, also on fewer cores: bits must be equal on four threads,
@@ -89,7 +108,8 @@ void print_table(const std::vector<StabilityFigure>& figures, double duration_s)
 
 void run_stability(const StabilityArguments& arguments, const SceneFinder& find_scene,
                    const std::stop_token& stop) {
-  const std::vector<SceneSource> scenes = builtin_scenes(find_scene);
+  const std::vector<StabilityCheck> checks =
+      chosen_checks(builtin_scenes(find_scene), arguments.only);
   const SteadyClock clock;
   const Workers workers(thread_count(arguments));
   const Nanoseconds start = clock.now();
@@ -97,7 +117,7 @@ void run_stability(const StabilityArguments& arguments, const SceneFinder& find_
   {
     Progress progress("numerical stability");
     figures = measure_stability(
-        stability_checks(scenes), effort_of(arguments), workers,
+        checks, effort_of(arguments), workers,
         [&](double fraction, const std::string& test) { progress.update(fraction, test); }, stop);
   }
   const double duration_s = seconds(clock.now() - start);
@@ -123,6 +143,7 @@ void add_stability(CLI::App& bench, const SceneFinder& find_scene, const std::st
       command->add_flag("--quick", arguments->quick, "Smaller, in a minute or two");
   command->add_flag("--full", arguments->full, "Larger: 10^9 paths over the scenes, hours")
       ->excludes(quick);
+  command->add_option("--only", arguments->only, "Run the stress tests whose name has this in it");
   command->add_option("--threads", arguments->threads, "0: every core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

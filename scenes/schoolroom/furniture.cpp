@@ -1,6 +1,7 @@
 // Desks, chairs, the teacher's desk and the bookshelves.
 #include <cmath>
-#include <string>
+
+#include <fmt/format.h>
 
 #include "renderer/base/random.h"
 #include "scenes/schoolroom/curve.h"
@@ -208,16 +209,16 @@ void add_desks_and_chairs(Model& model, const Materials& m) {
   Pcg32 random(600);
   int number = 1;
   for (const DVec3& place : desk_places()) {
-    const std::string suffix = " " + std::to_string(number++);
     const double askew_deg = 3.0 * (random.uniform() - 0.5);
-    add_object(model, "Desk" + suffix, placed(desk, place, askew_deg));
+    add_object(model, fmt::format("Desk {}", number), placed(desk, place, askew_deg));
     std::vector<Part> chairs;
     for (const double side : {-1.0, 1.0}) {
       // Pushed back and turned as their pupils left them.
       const DVec3 behind(-0.36 - 0.16 * random.uniform(), 0.0, side * 0.33);
       append(chairs, placed(chair, place + behind, 26.0 * (random.uniform() - 0.5)));
     }
-    add_object(model, "Chairs" + suffix, chairs);
+    add_object(model, fmt::format("Chairs {}", number), chairs);
+    ++number;
   }
 }
 
