@@ -16,8 +16,10 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/scene_info.h"
+#include "scenes/builtin.h"
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
 #include "study/commands/commands.h"
@@ -136,6 +138,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_demo(app, signals.token());
   add_renderer_commands(app, scenes::find_scene, signals.token());
+  add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   add_scene_info(scenes::add_scene_commands(app, signals.token()), scenes::find_scene);
   study::add_study_commands(app, scenes::find_scene, signals.token());
   analysis::add_analysis_commands(app, signals.token());

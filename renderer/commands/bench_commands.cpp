@@ -60,10 +60,10 @@ int thread_count(const StabilityArguments& arguments) {
   return arguments.threads > 0 ? arguments.threads : std::max(4, cores);
 }
 
-/// The scenes that Foveola makes itself.
-std::vector<SceneSource> builtin_scenes(const SceneFinder& find_scene) {
+std::vector<SceneSource> found(const std::vector<std::string>& names,
+                               const SceneFinder& find_scene) {
   std::vector<SceneSource> scenes;
-  for (const char* name : {"arcade", "meeting-room", "studio-car"}) {
+  for (const std::string& name : names) {
     scenes.push_back(find_scene(name));
   }
   return scenes;
@@ -106,10 +106,10 @@ void print_table(const std::vector<StabilityFigure>& figures, double duration_s)
   fmt::print("{} figures in {}\n", figures.size(), human_duration(duration_s));
 }
 
-void run_stability(const StabilityArguments& arguments, const SceneFinder& find_scene,
-                   const std::stop_token& stop) {
+void run_stability(const StabilityArguments& arguments, const std::vector<std::string>& scene_names,
+                   const SceneFinder& find_scene, const std::stop_token& stop) {
   const std::vector<StabilityCheck> checks =
-      chosen_checks(builtin_scenes(find_scene), arguments.only);
+      chosen_checks(found(scene_names, find_scene), arguments.only);
   const SteadyClock clock;
   const Workers workers(thread_count(arguments));
   const Nanoseconds start = clock.now();
@@ -135,7 +135,8 @@ void run_stability(const StabilityArguments& arguments, const SceneFinder& find_
   }
 }
 
-void add_stability(CLI::App& bench, const SceneFinder& find_scene, const std::stop_token& stop) {
+void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
+                   const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<StabilityArguments>();
   CLI::App* command = bench.add_subcommand(
       "stability", "Stress tests of numerical stability: furnaces, known answers, leaks, bits");
@@ -149,15 +150,18 @@ void add_stability(CLI::App& bench, const SceneFinder& find_scene, const std::st
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench stability --quick");
-  command->callback([arguments, find_scene, stop] { run_stability(*arguments, find_scene, stop); });
+  command->callback([arguments, scenes, find_scene, stop] {
+    run_stability(*arguments, scenes, find_scene, stop);
+  });
 }
 
 }  // namespace
 
-void add_bench_commands(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
+void add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
+                        const SceneFinder& find_scene, const std::stop_token& stop) {
   CLI::App* bench = app.add_subcommand("bench", "What the renderer measures of itself");
   bench->require_subcommand(1);
-  add_stability(*bench, find_scene, stop);
+  add_stability(*bench, scenes, find_scene, stop);
 }
 
 }  // namespace foveola

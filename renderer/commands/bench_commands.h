@@ -2,6 +2,8 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "renderer/base/scene_source.h"
 
@@ -11,8 +13,10 @@ class App;
 
 namespace foveola {
 
-/// Adds `bench` with its commands to `app`. They print a table, or JSON, to standard output, and
-/// throw Error where a figure is not met. `stop` ends them with the figures there are.
-void add_bench_commands(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop);
+/// Adds `bench` with its commands to `app`, which run over `scenes`. They print a table, or JSON,
+/// to standard output, and throw Error where a figure is not met. `stop` ends them with the figures
+/// there are.
+void add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
+                        const SceneFinder& find_scene, const std::stop_token& stop);
 
 }  // namespace foveola

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/render_command.h"
 #include "renderer/film/image_file.h"
 #include "renderer/measure/error_metrics.h"
@@ -63,7 +62,6 @@ void add_compare(CLI::App& app) {
 void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
   add_render(app, find_scene, stop);
   add_compare(app);
-  add_bench_commands(app, find_scene, stop);
 }
 
 }  // namespace foveola

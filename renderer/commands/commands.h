@@ -1,4 +1,4 @@
-// The renderer's part of the command line: render, compare, bench.
+// The renderer's part of the command line: render and compare.
 #pragma once
 
 #include <stop_token>
@@ -11,7 +11,7 @@ class App;
 
 namespace foveola {
 
-/// Adds `render`, `compare` and `bench` to `app`. They run when the command line is parsed, print
+/// Adds `render` and `compare` to `app`. They run when the command line is parsed, print
 /// their result to standard output and throw Error for whatever the user can mend. Work ends early,
 /// with what there is, when `stop` is requested.
 void add_renderer_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop);
