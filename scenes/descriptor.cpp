@@ -50,6 +50,29 @@ RectangleLight read_light(TomlReader table) {
   return light;
 }
 
+/// The angles in degrees under these names, in radians.
+AzimuthElevation read_angles(TomlReader& table, std::string_view azimuth,
+                             std::string_view elevation) {
+  require(table, {azimuth, elevation});
+  double azimuth_deg = 0.0;
+  double elevation_deg = 0.0;
+  table.read(azimuth, azimuth_deg, -180.0, 180.0);
+  table.read(elevation, elevation_deg, -90.0, 90.0);
+  return {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)};
+}
+
+Sun read_sun(TomlReader table) {
+  Sun sun;
+  table.require("irradiance");
+  sun.place = read_angles(table, "azimuth_deg", "elevation_deg");
+  table.read("irradiance", sun.irradiance, 0.0, largest_radiance);
+  double angular_radius_deg = degrees(sun.angular_radius_rad);
+  table.read("angular_radius_deg", angular_radius_deg, 0.0, 45.0);
+  sun.angular_radius_rad = radians(angular_radius_deg);
+  table.reject_unknown_keys();
+  return sun;
+}
+
 ObjectOfInterest read_object(TomlReader table) {
   ObjectOfInterest object;
   require(table, {"name", "position", "radius_deg"});
@@ -60,17 +83,6 @@ ObjectOfInterest read_object(TomlReader table) {
   object.radius_deg = static_cast<float>(radius_deg);
   table.reject_unknown_keys();
   return object;
-}
-
-/// The angles in degrees under these names, in radians.
-AzimuthElevation read_angles(TomlReader& table, std::string_view azimuth,
-                             std::string_view elevation) {
-  require(table, {azimuth, elevation});
-  double azimuth_deg = 0.0;
-  double elevation_deg = 0.0;
-  table.read(azimuth, azimuth_deg, -180.0, 180.0);
-  table.read(elevation, elevation_deg, -90.0, 90.0);
-  return {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)};
 }
 
 void read_camera(TomlReader table, SceneSource& source) {
@@ -105,6 +117,9 @@ void read_light_from_outside(TomlReader& table, SceneSource& source) {
   }
   if (table.has("sky")) {
     source.sky = read_sky(table.table("sky"));
+  }
+  for (const TomlReader& sun : table.tables("sun")) {
+    source.suns.push_back(read_sun(sun));
   }
   table.read("environment_strength", source.environment_strength, 0.0, largest_radiance);
 }

@@ -20,6 +20,16 @@ struct RectangleLight {
   Rgb radiance{1.0F};
 };
 
+/// Of the real sun, seen from the earth.
+constexpr double solar_angular_radius_rad = 0.00465;
+
+/// A sun alone, beside whatever environment there is.
+struct Sun {
+  AzimuthElevation place;                                ///< in the sky
+  Rgb irradiance{1.0F};                                  ///< of a surface that faces it
+  double angular_radius_rad = solar_angular_radius_rad;  ///< 0: sharp shadows, seen by no ray
+};
+
 /// Daylight. The sun's azimuth and elevation are those of its place in the sky.
 struct SunAndSky {
   AzimuthElevation sun;
@@ -51,6 +61,7 @@ struct SceneSource {
   std::optional<float> light_radius_m;          ///< of all points and spots, instead of the file's
   std::optional<float> sun_angular_radius_rad;  ///< of all directional lights, likewise
   std::vector<RectangleLight> lights;
+  std::vector<Sun> suns;
   std::vector<ObjectOfInterest> objects;
 };
 

@@ -107,6 +107,7 @@ void apply_environment(const std::string& environment, SceneSource& source) {
   constexpr std::string_view sky = "sky:";
   source.environment_radiance.reset();
   source.sky.reset();
+  source.suns.clear();
   if (environment.starts_with(sky)) {
     source.sky = parse_sky("--environment", environment.substr(sky.size()));
   } else if (std::count(environment.begin(), environment.end(), ',') == 2) {

@@ -46,6 +46,15 @@ void require_valid(const RectangleLight& light, const std::string& where) {
   }
 }
 
+void require_valid(const Sun& sun, const std::string& where) {
+  if (!is_radiance(sun.irradiance)) {
+    throw Error(where, "the irradiance of a sun is negative or not finite");
+  }
+  if (!(sun.angular_radius_rad >= 0.0 && sun.angular_radius_rad < radians(90.0))) {
+    throw Error(where, "the angular radius of a sun is negative or 90 degrees and more");
+  }
+}
+
 Material emitter(const std::string& name, const Rgb& radiance) {
   Material material;
   material.name = name;
@@ -77,6 +86,9 @@ void require_valid(const SceneSource& source) {
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     require_valid(source.lights[i], fmt::format("{}: lights[{}]", source.name, i));
   }
+  for (std::size_t i = 0; i < source.suns.size(); ++i) {
+    require_valid(source.suns[i], fmt::format("{}: suns[{}]", source.name, i));
+  }
   if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
     throw Error(source.name, "the radiance of the environment is negative or not finite");
   }
@@ -101,8 +113,18 @@ void add_light(Scene& scene, const RectangleLight& light, std::size_t number) {
   scene.meshes.push_back(std::move(mesh));
 }
 
+void add_sun(Scene& scene, const Sun& sun) {
+  PunctualLight light;
+  light.name = "sun";
+  light.kind = PunctualLight::Kind::directional;
+  light.direction = -direction_from(sun.place);
+  light.intensity = sun.irradiance;
+  light.angular_radius_rad = static_cast<float>(sun.angular_radius_rad);
+  scene.lights.push_back(std::move(light));
+}
+
 /// The environment's rotation carries the sun along, which is not in its map.
-void add_sun(Scene& scene, SunAndSky sky, const SceneSource& source) {
+void add_sun_of_sky(Scene& scene, SunAndSky sky, const SceneSource& source) {
   sky.sun.azimuth_rad += source.environment_rotation_rad;
   if (std::optional<PunctualLight> sun = sun_light(sky)) {
     sun->intensity *= static_cast<float>(source.environment_strength);
@@ -119,7 +141,7 @@ void replace_environment(Scene& scene, const SceneSource& source) {
   }
   if (source.sky) {
     scene.environment = sky_environment(*source.sky);
-    add_sun(scene, *source.sky, source);
+    add_sun_of_sky(scene, *source.sky, source);
   }
   if (scene.environment) {
     scene.environment->radiance *= static_cast<float>(source.environment_strength);
@@ -151,6 +173,9 @@ Scene load_scene(const SceneSource& source) {
   Scene scene = load_scene_file(source.file);
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     add_light(scene, source.lights[i], i + 1);
+  }
+  for (const Sun& sun : source.suns) {
+    add_sun(scene, sun);
   }
   replace_environment(scene, source);
   resize_lights(scene, source);

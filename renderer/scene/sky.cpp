@@ -13,7 +13,6 @@ namespace foveola {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double sun_angular_radius_rad = 0.00465;
 
 void require_valid(const SunAndSky& s) {
   const auto require = [](bool is_valid, const char* what, const char* range) {
@@ -152,7 +151,7 @@ Rgb sun_irradiance(double elevation_rad, double turbidity) {
   const double haze = 0.04608 * turbidity - 0.04586;
   constexpr double ozone_cm = 0.35;
   constexpr double lumens_per_watt = 683.0;
-  const double solid_angle = pi * sun_angular_radius_rad * sun_angular_radius_rad;
+  const double solid_angle = pi * solar_angular_radius_rad * solar_angular_radius_rad;
   DVec3 xyz(0.0);
   for (std::size_t i = 0; i < bands; ++i) {
     const double wavelength_nm = 380.0 + 10.0 * static_cast<double>(i);
@@ -210,7 +209,7 @@ std::optional<PunctualLight> sun_light(const SunAndSky& sun_and_sky) {
   sun.kind = PunctualLight::Kind::directional;
   sun.direction = -direction_from(sun_and_sky.sun);
   sun.intensity = sun_irradiance(sun_and_sky.sun.elevation_rad, sun_and_sky.turbidity);
-  sun.angular_radius_rad = static_cast<float>(sun_angular_radius_rad);
+  sun.angular_radius_rad = static_cast<float>(solar_angular_radius_rad);
   return sun;
 }
 

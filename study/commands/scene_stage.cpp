@@ -45,6 +45,11 @@ std::string scene_key(const Scene& scene, const SceneSource& source) {
     key += fmt::format("light:{},{};", light.size.x, light.size.y) + text_of(light.center) +
            text_of(light.normal) + text_of(light.radiance);
   }
+  for (const Sun& sun : source.suns) {
+    key += fmt::format("sun:{},{},{};", sun.place.azimuth_rad, sun.place.elevation_rad,
+                       sun.angular_radius_rad) +
+           text_of(sun.irradiance);
+  }
   return key;
 }
 

@@ -84,6 +84,22 @@ TEST(Descriptor, ReadsEveryKey) {
   EXPECT_EQ(hall.source.objects[0].radius_deg, 6.5F);
 }
 
+TEST(Descriptor, SunsStandBesideTheEnvironment) {
+  const TemporaryFolder folder;
+  const std::string sun =
+      "\n[[sun]]\nazimuth_deg = 180\nelevation_deg = 45\nirradiance = [5, 4.5, 4]\n";
+  const SceneSource source = read_descriptor(folder.write("hall.toml", good + sun)).source;
+  EXPECT_TRUE(source.environment_radiance.has_value());
+  ASSERT_EQ(source.suns.size(), 1U);
+  EXPECT_NEAR(source.suns[0].place.azimuth_rad, 3.14159265358979, 1e-12);
+  EXPECT_NEAR(source.suns[0].place.elevation_rad, 0.785398163397448, 1e-12);
+  EXPECT_EQ(source.suns[0].irradiance, Rgb(5.0F, 4.5F, 4.0F));
+  EXPECT_DOUBLE_EQ(source.suns[0].angular_radius_rad, solar_angular_radius_rad);
+  EXPECT_THAT(error_of(good + with(sun, "irradiance = [5, 4.5, 4]", "")), HasSubstr("irradiance"));
+  EXPECT_THAT(error_of(good + sun + "angular_radius_deg = 60\n"),
+              HasSubstr("angular_radius_deg is out of range"));
+}
+
 TEST(Descriptor, DaylightIsAnEnvironmentOfItsOwn) {
   const TemporaryFolder folder;
   const std::string constant = "environment_radiance = [1, 2.5, 3.0]\n";

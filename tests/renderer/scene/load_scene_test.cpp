@@ -93,6 +93,23 @@ TEST_F(LoadScene, AddsDaylightWithItsSun) {
   EXPECT_TRUE(load_scene(lit).lights.empty());
 }
 
+/// A sun of its own is as bright as it says, whatever the environment.
+TEST_F(LoadScene, AddsSuns) {
+  SceneSource lit = source();
+  lit.suns = {{.place = {.azimuth_rad = -2.0, .elevation_rad = 0.7},
+               .irradiance = {5.0F, 4.0F, 3.0F},
+               .angular_radius_rad = 0.01}};
+  lit.environment_strength = 2.0;
+  const Scene scene = load_scene(lit);
+  ASSERT_EQ(scene.lights.size(), 1U);
+  const PunctualLight& sun = scene.lights[0];
+  EXPECT_EQ(sun.kind, PunctualLight::Kind::directional);
+  EXPECT_NEAR(azimuth_elevation(-sun.direction).azimuth_rad, -2.0, 1e-6);
+  EXPECT_NEAR(azimuth_elevation(-sun.direction).elevation_rad, 0.7, 1e-6);
+  EXPECT_EQ(sun.intensity, Rgb(5.0F, 4.0F, 3.0F));
+  EXPECT_EQ(sun.angular_radius_rad, 0.01F);
+}
+
 TEST_F(LoadScene, RefusesEnvironmentsThatMakeNoSense) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [&](auto spoil) {
@@ -105,6 +122,8 @@ TEST_F(LoadScene, RefusesEnvironmentsThatMakeNoSense) {
   refuses([](SceneSource& s) { s.environment_rotation_rad = nan; });
   refuses([](SceneSource& s) { s.light_radius_m = -1.0F; });
   refuses([](SceneSource& s) { s.sun_angular_radius_rad = -1.0F; });
+  refuses([](SceneSource& s) { s.suns = {{.irradiance = Rgb(-1.0F)}}; });
+  refuses([](SceneSource& s) { s.suns = {{.angular_radius_rad = nan}}; });
   refuses([](SceneSource& s) { s.sky = SunAndSky{.turbidity = 1.0}; });
 }
 
