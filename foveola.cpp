@@ -19,6 +19,7 @@
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/scene_info.h"
+#include "renderer/commands/scene_sheet.h"
 #include "scenes/builtin.h"
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
@@ -139,7 +140,9 @@ int run(int argc, char** argv) {
   add_demo(app, signals.token());
   add_renderer_commands(app, scenes::find_scene, signals.token());
   add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
-  add_scene_info(scenes::add_scene_commands(app, signals.token()), scenes::find_scene);
+  CLI::App& scene = scenes::add_scene_commands(app, signals.token());
+  add_scene_info(scene, scenes::find_scene);
+  add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());
   study::add_study_commands(app, scenes::find_scene, signals.token());
   analysis::add_analysis_commands(app, signals.token());
   try {

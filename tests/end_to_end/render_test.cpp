@@ -135,5 +135,28 @@ TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
   EXPECT_EQ(metrics.at("pixels"), 32 * 16);
 }
 
+/// A row for each scene: all around at the left, the view at the right, a white gap between.
+TEST_F(Render, SheetShowsScenesBelowEachOther) {
+  const std::string room = (folder_ / "room.gltf").string();
+  const ProgramResult result =
+      run_foveola({"scene", "sheet", room, room, "-o", (folder_ / "sheet.exr").string(), "--size",
+                   "64x32", "--spp", "64"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  ASSERT_EQ(render("all.exr", {"--size", "64x32", "--spp", "64"}).exit_code, 0);
+  const RgbImage sheet = read_film_image(folder_ / "sheet.exr").color;
+  const RgbImage all = read_film_image(folder_ / "all.exr").color;
+  ASSERT_EQ(sheet.width, 64 + 8 + 32);
+  ASSERT_EQ(sheet.height, 32 + 8 + 32);
+  EXPECT_EQ(sheet.at(10, 20), all.at(10, 20));
+  EXPECT_EQ(sheet.at(10, 60), all.at(10, 20));
+  EXPECT_EQ(sheet.at(68, 20), Rgb(1.0F));
+  EXPECT_EQ(sheet.at(10, 36), Rgb(1.0F));
+  // The middle of the view is the middle of the image around.
+  EXPECT_NEAR(luminance(sheet.at(72 + 16, 16)), luminance(all.at(32, 16)),
+              0.2F * luminance(all.at(32, 16)));
+  EXPECT_GT(luminance(sheet.at(72, 0)), 0.0F);
+  EXPECT_GT(luminance(sheet.at(72 + 31, 40 + 31)), 0.0F);
+}
+
 }  // namespace
 }  // namespace foveola::test

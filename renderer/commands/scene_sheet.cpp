@@ -1,0 +1,142 @@
+#include "renderer/commands/scene_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/render.h"
+#include "renderer/film/image_file.h"
+#include "renderer/film/viewport_image.h"
+
+namespace foveola {
+namespace {
+
+constexpr int gap = 8;
+constexpr double field_of_view_deg = 90.0;
+/// Of what is rendered beyond each side of the view, whose pixels lie askew to the film's.
+constexpr double margin_deg = 2.0;
+
+struct SheetArguments {
+  std::vector<std::string> scenes;
+  std::string output;
+  std::string size = "1024x512";
+  int samples_per_pixel = 256;
+  int threads = 0;
+};
+
+/// One scene: all of it, and what is seen from its camera without turning the head.
+struct SheetRow {
+  RgbImage panorama;
+  RgbImage view;  ///< square, as high as the panorama
+};
+
+void expose(RgbImage& image, double stops) {
+  const auto factor = static_cast<float>(std::exp2(stops));
+  for (Rgb& pixel : image.pixels) {
+    pixel *= factor;
+  }
+}
+
+/// The view is as high as the panorama, of a film with as many pixels a degree, and gets as many
+/// samples.
+SheetRow render_row(const SceneSource& source, RenderSettings settings,
+                    const std::stop_token& stop) {
+  SheetRow row;
+  const int height = settings.size.y;
+  row.panorama = render(source, settings, stop).image.color;
+  settings.method = "vp";
+  settings.fov_deg = field_of_view_deg + 2.0 * margin_deg;
+  settings.size *= 2;
+  const RgbImage film = render(source, settings, stop).image.color;
+  const double fov_rad = radians(field_of_view_deg);
+  row.view = viewport_image(film, Viewport(head_orientation(source.heading), fov_rad, fov_rad),
+                            height, height);
+  expose(row.panorama, source.exposure_stops);
+  expose(row.view, source.exposure_stops);
+  return row;
+}
+
+void paste(const RgbImage& from, int left, int top, RgbImage& to) {
+  for (int y = 0; y < from.height; ++y) {
+    for (int x = 0; x < from.width; ++x) {
+      to.at(left + x, top + y) = from.at(x, y);
+    }
+  }
+}
+
+/// There is at least one row, and all are of one size.
+RgbImage contact_sheet(const std::vector<SheetRow>& rows) {
+  const RgbImage& panorama = rows.front().panorama;
+  const int pitch = panorama.height + gap;
+  RgbImage sheet(panorama.width + gap + rows.front().view.width,
+                 static_cast<int>(rows.size()) * pitch - gap);
+  std::fill(sheet.pixels.begin(), sheet.pixels.end(), Rgb(1.0F));
+  int top = 0;
+  for (const SheetRow& row : rows) {
+    paste(row.panorama, 0, top, sheet);
+    paste(row.view, panorama.width + gap, top, sheet);
+    top += pitch;
+  }
+  return sheet;
+}
+
+RenderSettings settings_from(const SheetArguments& arguments) {
+  RenderSettings settings;
+  settings.size = parse_size("--size", arguments.size);
+  settings.threads = arguments.threads;
+  settings.budget.samples = static_cast<std::uint64_t>(arguments.samples_per_pixel) *
+                            static_cast<std::uint64_t>(settings.size.x) *
+                            static_cast<std::uint64_t>(settings.size.y);
+  return settings;
+}
+
+void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
+                const std::stop_token& stop) {
+  const RenderSettings settings = settings_from(arguments);
+  require_image_extension(arguments.output);
+  require_writable(arguments.output);
+  std::vector<SceneSource> sources;
+  for (const std::string& name : arguments.scenes) {
+    sources.push_back(find_scene(name));
+  }
+  std::vector<SheetRow> rows;
+  for (const SceneSource& source : sources) {
+    fmt::print("{}\n", source.title.empty() ? source.name : source.title);
+    rows.push_back(render_row(source, settings, stop));
+    if (stop.stop_requested()) {
+      return;
+    }
+  }
+  write_image(arguments.output, contact_sheet(rows), 0.0);
+}
+
+}  // namespace
+
+void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
+                     const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<SheetArguments>();
+  arguments->scenes = scenes;
+  CLI::App* command =
+      scene.add_subcommand("sheet", "A contact sheet: of each scene all around, and one view");
+  command->add_option("SCENE", arguments->scenes, "Names or files (default: the built-in ones)");
+  command->add_option("-o,--output", arguments->output, "The .png or .exr file to write")
+      ->required();
+  command->add_option("--size", arguments->size, "Of a scene's 360-degree image, in pixels")
+      ->capture_default_str();
+  command->add_option("--spp", arguments->samples_per_pixel, "Samples per pixel of that image")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "0: every core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->footer("Example: foveola scene sheet -o sheet.png --size 512x256 --spp 64");
+  command->callback([arguments, find_scene, stop] { make_sheet(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola
