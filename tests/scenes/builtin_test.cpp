@@ -45,26 +45,63 @@ std::optional<double> distance_to(const DVec3& origin, const DVec3& direction, c
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 1e-9 ? std::optional(t) : std::nullopt;
 }
 
-/// The nearest hit among all triangles; leaves count as opaque.
-std::optional<Hit> first_hit(const Model& model, const DVec3& origin, const DVec3& direction) {
-  Hit nearest;
-  for (const Object& object : model.objects) {
-    for (const Surface& surface : object.surfaces) {
-      for (const auto& [a, b, c] : surface.triangles) {
-        const DVec3 pa(surface.positions[a]);
-        const DVec3 pb(surface.positions[b]);
-        const DVec3 pc(surface.positions[c]);
-        const auto distance = distance_to(origin, direction, pa, pb, pc);
-        if (distance && *distance < nearest.distance) {
-          const bool front = glm::dot(glm::cross(pb - pa, pc - pa), direction) < 0.0;
-          nearest = {*distance, object.name,
-                     front || model.materials[surface.material].double_sided};
+/// Finds the nearest triangle along a ray, leaves counting as opaque.
+class RayCaster {
+ public:
+  explicit RayCaster(const Model& model) : model_(model) {
+    for (const Object& object : model.objects) {
+      for (const Surface& surface : object.surfaces) {
+        Vec3 lower = surface.positions.front();
+        Vec3 upper = lower;
+        for (const Vec3& position : surface.positions) {
+          lower = glm::min(lower, position);
+          upper = glm::max(upper, position);
         }
+        balls_.push_back({&object, &surface, 0.5 * (DVec3(lower) + DVec3(upper)),
+                          0.5 * glm::length(DVec3(upper) - DVec3(lower)) + 1e-6});
       }
     }
   }
-  return std::isfinite(nearest.distance) ? std::optional(nearest) : std::nullopt;
-}
+
+  std::optional<Hit> first_hit(const DVec3& origin, const DVec3& direction) const {
+    Hit nearest;
+    for (const Ball& ball : balls_) {
+      const DVec3 to_center = ball.center - origin;
+      if (glm::length(glm::cross(direction, to_center)) <= ball.radius) {
+        find_nearer(ball, origin, direction, nearest);
+      }
+    }
+    return std::isfinite(nearest.distance) ? std::optional(nearest) : std::nullopt;
+  }
+
+ private:
+  /// A surface and what encloses it.
+  struct Ball {
+    const Object* object;
+    const Surface* surface;
+    DVec3 center;
+    double radius;
+  };
+
+  void find_nearer(const Ball& ball, const DVec3& origin, const DVec3& direction,
+                   Hit& nearest) const {
+    const Surface& surface = *ball.surface;
+    for (const auto& [a, b, c] : surface.triangles) {
+      const DVec3 pa(surface.positions[a]);
+      const DVec3 pb(surface.positions[b]);
+      const DVec3 pc(surface.positions[c]);
+      const auto distance = distance_to(origin, direction, pa, pb, pc);
+      if (distance && *distance < nearest.distance) {
+        const bool front = glm::dot(glm::cross(pb - pa, pc - pa), direction) < 0.0;
+        nearest = {*distance, ball.object->name,
+                   front || model_.materials[surface.material].double_sided};
+      }
+    }
+  }
+
+  const Model& model_;
+  std::vector<Ball> balls_;
+};
 
 /// Directions spread evenly over the sphere (spherical Fibonacci points).
 std::vector<DVec3> even_directions(int count) {
@@ -170,7 +207,7 @@ TEST_P(BuiltinScene, StandsAtItsDescriptorsCamera) {
 
 TEST_P(BuiltinScene, ObjectsOfInterestAreVisibleAndApart) {
   const SceneSource source = find_descriptor(GetParam()).value().source;
-  const Model& model = scene(GetParam());
+  const RayCaster caster(scene(GetParam()));
   const Vec3 camera = source.camera_position.value();
   EXPECT_GE(source.objects.size(), 3U);
   for (const ObjectOfInterest& object : source.objects) {
@@ -179,7 +216,7 @@ TEST_P(BuiltinScene, ObjectsOfInterestAreVisibleAndApart) {
     EXPECT_LT(degrees(angle_between(towards, direction_from(source.heading))), 45.0);
     EXPECT_GE(object.radius_deg, 4.0F);
     EXPECT_LE(object.radius_deg, 12.0F);
-    const auto hit = first_hit(model, DVec3(camera), glm::normalize(DVec3(towards)));
+    const auto hit = caster.first_hit(DVec3(camera), glm::normalize(DVec3(towards)));
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(hit->object, object.name);
     const double distance = glm::length(towards);
@@ -196,10 +233,11 @@ TEST_P(BuiltinScene, ObjectsOfInterestAreVisibleAndApart) {
 TEST_P(BuiltinScene, EndsInFrontFacesInEveryDirection) {
   const bool has_open_sky = GetParam() == "arcade";
   const Model& model = scene(GetParam());
+  const RayCaster caster(model);
   const DVec3 camera(model.cameras.at(0).position);
   int sky = 0;
   for (const DVec3& direction : even_directions(600)) {
-    const auto hit = first_hit(model, camera, direction);
+    const auto hit = caster.first_hit(camera, direction);
     if (!hit) {
       EXPECT_TRUE(has_open_sky && direction.y > 0.3) << "a hole where y = " << direction.y;
       ++sky;
