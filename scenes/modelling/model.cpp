@@ -159,7 +159,10 @@ void add_object(Model& model, std::string name, const std::vector<Part>& parts) 
   Object object{std::move(name), {}};
   for (const Part& part : parts) {
     const bool textured = model.materials.at(part.material).base_color_image >= 0;
-    object.surfaces.push_back(finished(part, textured));
+    Surface surface = finished(part, textured);
+    if (!surface.triangles.empty()) {
+      object.surfaces.push_back(std::move(surface));
+    }
   }
   model.objects.push_back(std::move(object));
 }

@@ -76,7 +76,7 @@ int add_material(Model& model, Material material);
 int add_textured_material(Model& model, const char* name, Image image, float roughness);
 
 /// Rounds the shapes to single precision, gives them normals and adds them as one object. Triangles
-/// without area are dropped.
+/// without area are dropped, and parts without triangles.
 void add_object(Model& model, std::string name, const std::vector<Part>& parts);
 
 }  // namespace foveola::scenes

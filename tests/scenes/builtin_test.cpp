@@ -13,6 +13,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/load_scene.h"
 #include "scenes/descriptor.h"
 #include "scenes/modelling/glb_writer.h"
 #include "tests/scenes/environment.h"
@@ -195,6 +196,32 @@ TEST_P(BuiltinScene, HasNoDegenerateTrianglesAndNormalsOnTheFrontSide) {
     }
   }
   EXPECT_EQ(faults, 0U);
+}
+
+/// The renderer sees what was modelled, and has nothing to complain of.
+TEST_P(BuiltinScene, LoadsAsItWasMade) {
+  const Model& model = scene(GetParam());
+  const TemporaryFolder folder;
+  const foveola::Scene loaded = load_scene_file(folder.write(GetParam() + ".glb", glb_from(model)));
+  EXPECT_THAT(loaded.warnings, testing::IsEmpty());
+  EXPECT_EQ(loaded.origin, DVec3(0.0));
+  EXPECT_EQ(loaded.triangle_count(), model.triangle_count());
+  EXPECT_EQ(loaded.materials.size(), model.materials.size());
+  ASSERT_EQ(loaded.cameras.size(), 1U);
+  EXPECT_EQ(loaded.cameras[0].position, model.cameras[0].position);
+  std::size_t mesh = 0;
+  for (const Object& object : model.objects) {
+    for (const Surface& surface : object.surfaces) {
+      ASSERT_LT(mesh, loaded.meshes.size());
+      EXPECT_EQ(loaded.meshes[mesh].name, object.name);
+      EXPECT_EQ(loaded.meshes[mesh].positions, surface.positions);
+      EXPECT_EQ(loaded.meshes[mesh].triangles.size(), surface.triangles.size());
+      EXPECT_EQ(loaded.materials[loaded.meshes[mesh].material].name,
+                model.materials[surface.material].name);
+      ++mesh;
+    }
+  }
+  EXPECT_EQ(mesh, loaded.meshes.size());
 }
 
 TEST_P(BuiltinScene, StandsAtItsDescriptorsCamera) {
