@@ -125,6 +125,15 @@ void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// The command as it was typed so far: "foveola study simulate".
+std::string typed_command(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* command : app.get_subcommands()) {
+    name += " " + typed_command(*command);
+  }
+  return name;
+}
+
 int complain(const std::string& message, int exit_code) {
   fmt::print(stderr, "foveola: error: {}\n", message);
   return exit_code;
@@ -151,7 +160,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + "; see foveola --help", usage_error);
+    return complain(fmt::format("{}; see {} --help", error.what(), typed_command(app)),
+                    usage_error);
   } catch (const UsageError& error) {
     return complain(error.what(), usage_error);
   } catch (const Error& error) {

@@ -172,6 +172,7 @@ TEST_F(BadInput, AnUnknownEnvironmentFileIsNamed) {
 TEST_F(BadInput, NoCommandAndUnknownCommandsAreUsageErrors) {
   expect_one_line(run_foveola({}), 2, "--help");
   expect_one_line(run_foveola({"rendre"}), 2, "rendre");
+  expect_one_line(run_foveola({"study", "simulate"}), 2, "see foveola study simulate --help");
 }
 
 TEST_F(BadInput, ProtocolsAreRefusedWithLineAndColumn) {
