@@ -23,7 +23,7 @@ struct RenderBudget {
 };
 
 struct RenderSettings {
-  std::string method = "od";  ///< a name of make_view_sampler
+  std::string method = "od";  ///< as make_view_sampler reads it
   IVec2 size{2048, 1024};
   std::optional<DVec3> camera;           ///< default: the source's, the file's first, the middle
   std::optional<AzimuthElevation> head;  ///< world; default: with the camera

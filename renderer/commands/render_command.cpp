@@ -73,8 +73,17 @@ RenderBudget budget_from(const CLI::App& command, const RenderArguments& argumen
   return budget;
 }
 
+void require_method(const std::string& method) {
+  try {
+    make_view_sampler(method);
+  } catch (const Error& error) {
+    throw UsageError("--method", error.what());
+  }
+}
+
 RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
   RenderSettings settings;
+  require_method(arguments.method);
   settings.method = arguments.method;
   settings.size = parse_size("--size", arguments.size);
   if (!arguments.camera.empty()) {
@@ -292,8 +301,10 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
       ->required();
   command->add_option("-o,--output", arguments->output,
                       "An .exr (R, G, B, samples) or .png file to write");
-  command->add_option("--method", arguments->method, "Where the samples go: od, vp or fv")
-      ->check(CLI::IsMember(view_sampler_names()))
+  command
+      ->add_option("--method", arguments->method,
+                   "Where the samples go: od, vp, vp-rect, fv, crop or a hybrid such as "
+                   "hybrid:0.9*fv+0.1*od; with settings as in fv:acuity=guenter,cutoff=60")
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Of the image, in pixels")->capture_default_str();
   command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");

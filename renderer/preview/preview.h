@@ -51,7 +51,7 @@ class Preview {
           HeadTracker& head, const Workers& workers);
   ~Preview();
 
-  /// Clears the film and renders with `method` (a name of make_view_sampler) from the next frame
+  /// Clears the film and renders with `method` (as make_view_sampler reads it) from the next frame
   /// on. Points and paths are drawn anew from `seed`.
   void restart(std::string_view method, std::uint32_t seed);
 

@@ -70,7 +70,7 @@ std::vector<StabilityFigure> check_finite_radiance(const StabilityRun& run,
   if (scenes.empty()) {
     return {};
   }
-  const std::vector<std::string>& methods = view_sampler_names();
+  const std::vector<std::string>& methods = published_methods();
   const std::uint64_t paths_each =
       std::max<std::uint64_t>(1, run.effort.scene_paths / (scenes.size() * methods.size()));
   std::uint64_t done = 0;

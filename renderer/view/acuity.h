@@ -1,37 +1,37 @@
-// How well people see away from the gaze, and the sample density that follows from it.
+// How well people see away from the gaze: models from the literature, as data.
 #pragma once
 
-#include "renderer/base/vec.h"
+#include <functional>
+#include <vector>
 
 namespace foveola {
+
+/// Relative visual acuity around the gaze.
+struct AcuityModel {
+  /// At an eccentricity in [0, 180] degrees: 1 at the gaze, positive, falling.
+  std::function<double(double eccentricity_deg)> at;
+  std::vector<double> knees_deg;  ///< where it bends, ascending
+  /// Sample density is the acuity to this power. Samples per area go with the square of a linear
+  /// acuity, but some models already fall as fast.
+  double default_exponent = 1.0;
+};
 
 /// The eccentricity up to which Reddy's acuity is 1.
 inline constexpr double reddy_knee_deg = 5.79;
 
-/// Reddy's relative visual acuity at an eccentricity (Reddy 2001, "Perceptually optimized 3D
-/// graphics", as eq. 1 of Koskela et al. 2018): 1 up to 5.79 degrees, 7.49 / (0.3 e + 1)^2 beyond.
+/// Reddy's relative visual acuity (Reddy 2001, "Perceptually optimized 3D graphics", as eq. 1 of
+/// Koskela et al. 2018): 1 up to 5.79 degrees, 7.49 / (0.3 e + 1)^2 beyond.
 double reddy_acuity(double eccentricity_deg);
+AcuityModel reddy_model();
 
-/// The published foveated density: eccentricity e in [0, cut-off] with probability density
-/// proportional to 2 pi e m(e) per degree, m being Reddy's acuity (Koskela et al. 2018, eq. 3),
-/// azimuth around the gaze uniform.
-class FoveatedDistribution {
- public:
-  explicit FoveatedDistribution(double cutoff_deg = 80.0);
+/// The linear model of the minimum angle of resolution, omega_0 + slope e with omega_0 = 1/48
+/// degree (Guenter et al. 2012, "Foveated 3D graphics", section 3): its inverse, relative to the
+/// gaze. slope: degrees per degree, positive; they found 0.0220 to 0.0275.
+AcuityModel linear_resolution_model(double slope);
 
-  double cutoff_deg() const { return cutoff_deg_; }
-  /// The integral of 2 pi e m(e) de over [0, eccentricity_deg]; the normaliser H at the cut-off is
-  /// 1091.85 for 80 degrees.
-  double cumulative(double eccentricity_deg) const;
-  /// The exact inverse: the eccentricity in degrees below which a fraction u in [0, 1] of the
-  /// samples lie.
-  double eccentricity_deg(double u) const;
-  /// Samples per steradian at an eccentricity, of one sample in all; 0 beyond the cut-off.
-  double density_per_sr(double eccentricity_deg) const;
-
- private:
-  double cutoff_deg_;
-  double total_;
-};
+/// 1 up to `inner_deg`, falling in a straight line to `least` at `outer_deg`, constant beyond
+/// (Vaidyanathan et al. 2014; Stengel et al. 2016; Weier et al. 2016). 0 <= inner_deg < outer_deg,
+/// least in (0, 1].
+AcuityModel linear_fall_off_model(double inner_deg, double outer_deg, double least);
 
 }  // namespace foveola

@@ -1,46 +1,70 @@
 #include "renderer/view/eccentricity_table.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "renderer/base/angles.h"
 
 namespace foveola {
+namespace {
 
-EccentricityTable::EccentricityTable(const FoveatedDistribution& distribution) {
-  const double total = distribution.cumulative(distribution.cutoff_deg());
-  const double knee_deg = std::min(reddy_knee_deg, distribution.cutoff_deg());
-  const double knee = std::sqrt(distribution.cumulative(knee_deg) / total);
-  foveal_slope_ = static_cast<float>(radians(knee_deg) / knee);
-  knee_ = static_cast<float>(knee);
-  const double step = (1.0 - knee) / intervals;
-  for (int i = 0; i <= intervals; ++i) {
-    const double s = knee + i * step;
-    const double e_deg = i == 0 ? knee_deg : distribution.eccentricity_deg(s * s);
-    // Beyond the knee, so that the first slope is that of the periphery.
-    const double acuity = reddy_acuity(std::nextafter(e_deg, 90.0));
-    const double slope_deg = 2.0 * s * total / (2.0 * std::numbers::pi * e_deg * acuity);
-    knots_[static_cast<std::size_t>(i)] = {.value = static_cast<float>(radians(e_deg)),
-                                           .slope = static_cast<float>(radians(slope_deg * step))};
-  }
+/// The cubic in t through its values at t = 0, 1/3, 2/3 and 1: coefficients of rising powers.
+std::array<float, 4> cubic_through(const std::array<double, 4>& v) {
+  return {static_cast<float>(v[0]),
+          static_cast<float>(-5.5 * v[0] + 9.0 * v[1] - 4.5 * v[2] + v[3]),
+          static_cast<float>(9.0 * v[0] - 22.5 * v[1] + 18.0 * v[2] - 4.5 * v[3]),
+          static_cast<float>(4.5 * (v[3] - v[0]) + 13.5 * (v[1] - v[2]))};
 }
 
-float EccentricityTable::operator()(float u) const {
-  const float s = std::sqrt(u);
-  if (s <= knee_) {
-    return s * foveal_slope_;
+/// The limit of eccentricity / sqrt(u) at u = 0 is taken from so near that it differs by less than
+/// a float can tell.
+constexpr double smallest_s = 1e-8;
+
+double eccentricity_over_s(const RadialDistribution& distribution, double s) {
+  const double s_in_range = std::clamp(s, smallest_s, 1.0);
+  return radians(distribution.eccentricity_deg(s_in_range * s_in_range)) / s_in_range;
+}
+
+}  // namespace
+
+EccentricityTable::EccentricityTable(const RadialDistribution& distribution) {
+  std::vector<double> ends;
+  for (const double knee_deg : distribution.knees_deg()) {
+    ends.push_back(std::sqrt(distribution.cumulative(knee_deg)));
   }
-  const float position = (s - knee_) / (1.0F - knee_) * intervals;
-  const int i = std::min(static_cast<int>(position), intervals - 1);
-  const float t = position - static_cast<float>(i);
-  const Knot& a = knots_[static_cast<std::size_t>(i)];
-  const Knot& b = knots_[static_cast<std::size_t>(i) + 1];
-  // Cubic Hermite as value + t (slope + t (quadratic + t cubic)).
-  const float rise = b.value - a.value;
-  const float quadratic = 3.0F * rise - 2.0F * a.slope - b.slope;
-  const float cubic = a.slope + b.slope - 2.0F * rise;
-  return a.value + t * (a.slope + t * (quadratic + t * cubic));
+  ends.push_back(1.0);
+  double begin = 0.0;
+  for (const double end : ends) {
+    add_pieces(distribution, begin, end, 0);
+    begin = end;
+  }
+  pieces_.back().end = std::numeric_limits<double>::infinity();
+}
+
+void EccentricityTable::add_pieces(const RadialDistribution& distribution, double begin, double end,
+                                   int halvings) {
+  constexpr double largest_error = 2e-7;  // relative, of the cubics alone
+  constexpr int most_halvings = 12;
+  const double cell = (end - begin) / cells_in_piece;
+  std::vector<Cubic> cubics;
+  for (int i = 0; i < cells_in_piece; ++i) {
+    const auto exact = [&](double t) {
+      return eccentricity_over_s(distribution, begin + cell * (i + t));
+    };
+    const Cubic c = cubic_through({exact(0.0), exact(1.0 / 3.0), exact(2.0 / 3.0), exact(1.0)});
+    // Between its four points a cubic is farthest off near the ends.
+    constexpr double t = 1.0 / 8.0;
+    const double error = c[0] + t * (c[1] + t * (c[2] + t * c[3])) - exact(t);
+    if (std::abs(error) > largest_error * exact(t) && halvings < most_halvings) {
+      const double middle = 0.5 * (begin + end);
+      add_pieces(distribution, begin, middle, halvings + 1);
+      add_pieces(distribution, middle, end, halvings + 1);
+      return;
+    }
+    cubics.push_back(c);
+  }
+  pieces_.push_back(
+      {.begin = begin, .end = end, .cells_per_unit = 1.0 / cell, .first_cubic = cubics_.size()});
+  cubics_.insert(cubics_.end(), cubics.begin(), cubics.end());
 }
 
 }  // namespace foveola

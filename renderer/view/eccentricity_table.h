@@ -1,31 +1,54 @@
-// The inverse of the foveated distribution at the speed and accuracy of a float.
+// The inverse of a radial distribution at the speed and accuracy of a float.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
-#include "renderer/view/acuity.h"
+#include "renderer/view/radial_distribution.h"
 
 namespace foveola {
 
-/// FoveatedDistribution::eccentricity_deg in radians, within 1e-6 relative. In s = sqrt(u) the
-/// eccentricity is a straight line up to the acuity's knee and smooth beyond it, where a cubic
-/// through exact values and slopes stands for it.
+/// RadialDistribution::eccentricity_deg in radians, within 1e-6 relative. With s = sqrt(u), the
+/// eccentricity over s is smooth from knee to knee; cubics through exact values stand for it, more
+/// of them where it is steep.
 class EccentricityTable {
  public:
-  explicit EccentricityTable(const FoveatedDistribution& distribution);
+  explicit EccentricityTable(const RadialDistribution& distribution);
 
   /// u in [0, 1].
-  float operator()(float u) const;
+  float operator()(float u) const {
+    // In double: where samples are rare, the last bit of a float is many of them apart.
+    const double s = std::sqrt(static_cast<double>(u));
+    const Piece* piece = pieces_.data();
+    while (s > piece->end) {
+      ++piece;
+    }
+    const double position = (s - piece->begin) * piece->cells_per_unit;
+    const int cell = std::min(static_cast<int>(position), cells_in_piece - 1);
+    const auto t = static_cast<float>(position - cell);
+    const Cubic& c = cubics_[piece->first_cubic + static_cast<std::size_t>(cell)];
+    return static_cast<float>(s) * (c[0] + t * (c[1] + t * (c[2] + t * c[3])));
+  }
 
  private:
-  static constexpr int intervals = 256;
-  struct Knot {
-    float value;  ///< radians
-    float slope;  ///< radians per interval
+  static constexpr int cells_in_piece = 64;
+  using Cubic = std::array<float, 4>;
+  /// A range of s without a knee.
+  struct Piece {
+    double begin;
+    double end;  ///< infinite for the last one
+    double cells_per_unit;
+    std::size_t first_cubic;
   };
-  float foveal_slope_;  ///< radians per unit of s
-  float knee_;          ///< s of the knee
-  std::array<Knot, intervals + 1> knots_;
+
+  /// Adds pieces over [begin, end], halved until they are exact enough.
+  void add_pieces(const RadialDistribution& distribution, double begin, double end, int halvings);
+
+  std::vector<Piece> pieces_;
+  std::vector<Cubic> cubics_;
 };
 
 }  // namespace foveola

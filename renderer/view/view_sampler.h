@@ -35,11 +35,21 @@ class ViewSampler {
   virtual double density_per_sr(const Vec3& direction) const = 0;
 };
 
-/// The names that make_view_sampler knows: "od", "vp", "fv".
-const std::vector<std::string>& view_sampler_names();
+/// The published study's methods: "od", "vp", "fv".
+const std::vector<std::string>& published_methods();
 
-/// od: uniform over the equirect image. vp: uniform over the viewport's plane. fv: following
-/// Reddy's acuity around the gaze. Throws Error for any other name. It must be aimed before use.
-std::unique_ptr<ViewSampler> make_view_sampler(std::string_view name);
+/// A sampler by its text, "NAME" or "NAME:KEY=VALUE,KEY=VALUE". It must be aimed before use. Throws
+/// Error for a text that makes no sense. Angles are in degrees.
+///
+/// od        uniform over the equirect image
+/// vp        uniform over the viewport's plane
+/// vp-rect   uniform over the rectangle of the image that bounds the viewport
+/// fv        following visual acuity around the gaze: acuity=reddy (default), guenter with slope,
+///           linear with inner, outer, least, or weier1, weier2, weier3; exponent (default: the
+///           model's), cutoff (80), measure=planar (default, the paper's) or solid-angle
+/// crop      uniform over a fixed rectangle of the image around azimuth, elevation (0), of width
+///           and height (30)
+/// hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share of the samples
+std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method);
 
 }  // namespace foveola

@@ -31,12 +31,12 @@ std::vector<SceneEntry> read_scenes(TomlReader& reader) {
 }
 
 std::vector<std::string> read_methods(TomlReader& reader) {
-  const std::vector<std::string>& known = view_sampler_names();
   std::vector<std::string> methods;
   for (const TomlReader::Text& method : reader.require_texts("methods")) {
-    if (std::find(known.begin(), known.end(), method.value) == known.end()) {
-      reader.fail(method.source, fmt::format("there is no method '{}'", method.value),
-                  fmt::format("the methods are {}", fmt::join(known, ", ")));
+    try {
+      make_view_sampler(method.value);
+    } catch (const Error& error) {
+      reader.fail(method.source, error.what(), "see foveola render --help");
     }
     methods.push_back(method.value);
   }

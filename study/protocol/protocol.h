@@ -63,7 +63,7 @@ struct Protocol {
   std::string name;
   std::string title;
   std::vector<SceneEntry> scenes;    ///< at least one, none twice
-  std::vector<std::string> methods;  ///< names of make_view_sampler, none twice; first: baseline
+  std::vector<std::string> methods;  ///< as make_view_sampler reads them, none twice; first: baseline
   MachineModel machine;
   DisplaySettings display;
   FilmSettings film;

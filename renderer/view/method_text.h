@@ -1,0 +1,40 @@
+// View methods as people write them: in protocols, on the command line, in records.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace foveola {
+
+/// Reads "NAME" or "NAME:KEY=VALUE,KEY=VALUE", setting by setting.
+class MethodText {
+ public:
+  /// Throws Error where a setting is no KEY=VALUE or is given twice.
+  explicit MethodText(std::string_view text);
+
+  const std::string& name() const { return name_; }
+
+  /// A number in [minimum, maximum]. Throws Error if the value is none.
+  double number(std::string_view key, double fallback, double minimum, double maximum);
+  /// One of `known`. Throws Error if the value is none of them.
+  std::string word(std::string_view key, std::string_view fallback,
+                   const std::vector<std::string>& known);
+
+  /// To be called after everything was read: throws Error for a setting that nothing asked for.
+  void reject_unknown_settings() const;
+  [[noreturn]] void fail(const std::string& what, const std::string& remedy) const;
+
+ private:
+  /// Null where the setting is absent; find also notes that it was asked for.
+  const std::string* find(std::string_view key);
+  const std::string* lookup(std::string_view key) const;
+
+  std::string text_;
+  std::string name_;
+  std::vector<std::pair<std::string, std::string>> settings_;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,31 @@
+// Several view samplers at once, each with its share of the samples.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "renderer/view/view_sampler.h"
+
+namespace foveola {
+
+/// Each part gets a stripe of the unit square as wide as its weight, stretched over the whole
+/// square: a well-distributed pattern stays one in every part.
+class MixtureSampler final : public ViewSampler {
+ public:
+  struct Part {
+    double weight = 1.0;  ///< positive; relative to the others
+    std::unique_ptr<ViewSampler> sampler;
+  };
+  /// At least one part.
+  explicit MixtureSampler(std::vector<Part> parts);
+
+  void aim(const Aim& aim) override;
+  void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override;
+  double density_per_sr(const Vec3& direction) const override;
+
+ private:
+  std::vector<Part> parts_;  ///< weights adding up to 1
+  std::vector<float> ends_;  ///< of the stripes; the last one is infinite
+};
+
+}  // namespace foveola

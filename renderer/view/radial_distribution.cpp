@@ -1,0 +1,162 @@
+#include "renderer/view/radial_distribution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/lambert_w.hpp>
+
+#include "renderer/base/angles.h"
+
+namespace foveola {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Reddy's constants as the paper prints them: beyond the knee the acuity falls as
+// scale / (slope e + 1)^2.
+constexpr double scale = 7.49;
+constexpr double slope_per_deg = 0.3;
+
+constexpr double foveal_integral = pi * reddy_knee_deg * reddy_knee_deg;
+constexpr double peripheral_factor = 2.0 * pi * scale / (slope_per_deg * slope_per_deg);
+
+/// With y = slope e + 1, the integral of e / y^2 de is (ln y + 1 / y) / slope^2.
+double log_plus_reciprocal(double eccentricity_deg) {
+  const double y = slope_per_deg * eccentricity_deg + 1.0;
+  return std::log(y) + 1.0 / y;
+}
+
+/// A density per planar square degree as one per steradian: the ring of 2 pi e de square degrees
+/// has 2 pi sin(e) de steradians.
+double per_steradian(double per_square_degree, double eccentricity_deg) {
+  const double e_rad = radians(eccentricity_deg);
+  const double e_over_sine = e_rad > 1e-8 ? e_rad / std::sin(e_rad) : 1.0;
+  return per_square_degree * e_over_sine * degrees(1.0) * degrees(1.0);
+}
+
+std::vector<double> inside(std::vector<double> knees_deg, double cutoff_deg) {
+  std::erase_if(knees_deg, [&](double knee) { return knee <= 0.0 || knee >= cutoff_deg; });
+  return knees_deg;
+}
+
+}  // namespace
+
+ReddyDistribution::ReddyDistribution(double cutoff_deg)
+    : cutoff_deg_(cutoff_deg), total_(integral(cutoff_deg)) {}
+
+std::vector<double> ReddyDistribution::knees_deg() const {
+  return inside({reddy_knee_deg}, cutoff_deg_);
+}
+
+double ReddyDistribution::integral(double eccentricity_deg) const {
+  const double e = std::clamp(eccentricity_deg, 0.0, cutoff_deg_);
+  if (e <= reddy_knee_deg) {
+    return pi * e * e;
+  }
+  return foveal_integral +
+         peripheral_factor * (log_plus_reciprocal(e) - log_plus_reciprocal(reddy_knee_deg));
+}
+
+double ReddyDistribution::cumulative(double eccentricity_deg) const {
+  return integral(eccentricity_deg) / total_;
+}
+
+double ReddyDistribution::eccentricity_deg(double u) const {
+  const double target = u * total_;
+  if (target <= foveal_integral) {
+    return std::sqrt(target / pi);
+  }
+  // ln y + 1 / y = c has the solution y = -1 / W0(-exp(-c)) for y > 1, where the principal branch
+  // of Lambert's W holds since then -1 / y > -1.
+  const double c =
+      (target - foveal_integral) / peripheral_factor + log_plus_reciprocal(reddy_knee_deg);
+  const double y = -1.0 / boost::math::lambert_w0(-std::exp(-c));
+  return std::min((y - 1.0) / slope_per_deg, cutoff_deg_);
+}
+
+double ReddyDistribution::density_per_sr(double eccentricity_deg) const {
+  return eccentricity_deg > cutoff_deg_
+             ? 0.0
+             : per_steradian(reddy_acuity(eccentricity_deg) / total_, eccentricity_deg);
+}
+
+AcuityDistribution::AcuityDistribution(AcuityModel model, double exponent, double cutoff_deg,
+                                       EccentricityMeasure measure)
+    : model_(std::move(model)), exponent_(exponent), cutoff_deg_(cutoff_deg), measure_(measure) {
+  constexpr int panels = 64;  // between two knees
+  std::vector<double> ends = inside(model_.knees_deg, cutoff_deg);
+  ends.push_back(cutoff_deg);
+  nodes_deg_ = {0.0};
+  sums_ = {0.0};
+  for (const double end : ends) {
+    const double start = nodes_deg_.back();
+    // From the gaze on in growing panels: some models fall within a hundredth of a degree.
+    const double growth = start == 0.0 ? 4.0 : 1.0;
+    for (int i = 1; i <= panels; ++i) {
+      const double node = start + (end - start) * std::pow(static_cast<double>(i) / panels, growth);
+      sums_.push_back(sums_.back() + integral(nodes_deg_.back(), node));
+      nodes_deg_.push_back(node);
+    }
+  }
+}
+
+std::vector<double> AcuityDistribution::knees_deg() const {
+  return inside(model_.knees_deg, cutoff_deg_);
+}
+
+double AcuityDistribution::weight(double eccentricity_deg) const {
+  const double circle = measure_ == EccentricityMeasure::planar
+                            ? eccentricity_deg
+                            : degrees(std::sin(radians(eccentricity_deg)));
+  return 2.0 * pi * circle * std::pow(model_.at(eccentricity_deg), exponent_);
+}
+
+double AcuityDistribution::integral(double from_deg, double to_deg) const {
+  return boost::math::quadrature::gauss<double, 15>::integrate(
+      [this](double e) { return weight(e); }, from_deg, to_deg);
+}
+
+double AcuityDistribution::cumulative(double eccentricity_deg) const {
+  const double e = std::clamp(eccentricity_deg, 0.0, cutoff_deg_);
+  const auto above = std::upper_bound(nodes_deg_.begin() + 1, nodes_deg_.end() - 1, e);
+  const auto node = static_cast<std::size_t>(above - nodes_deg_.begin()) - 1;
+  return (sums_[node] + integral(nodes_deg_[node], e)) / sums_.back();
+}
+
+double AcuityDistribution::eccentricity_deg(double u) const {
+  const double target = u * sums_.back();
+  const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);
+  const auto panel = static_cast<std::size_t>(above - sums_.begin()) - 1;
+  // Newton's steps, kept in the panel: the weight is positive but at 0, where the root is known.
+  double low = nodes_deg_[panel];
+  double high = nodes_deg_[panel + 1];
+  double e =
+      low + (high - low) * std::sqrt((target - sums_[panel]) / (sums_[panel + 1] - sums_[panel]));
+  constexpr int most_steps = 60;
+  for (int step = 0; step < most_steps && low < high; ++step) {
+    const double excess = sums_[panel] + integral(nodes_deg_[panel], e) - target;
+    (excess > 0.0 ? high : low) = e;
+    const double slope = weight(e);
+    const double newton = slope > 0.0 ? e - excess / slope : e;
+    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+    if (excess == 0.0 || next == e) {
+      break;
+    }
+    e = next;
+  }
+  return e;
+}
+
+double AcuityDistribution::density_per_sr(double eccentricity_deg) const {
+  if (eccentricity_deg > cutoff_deg_) {
+    return 0.0;
+  }
+  const double relative = std::pow(model_.at(eccentricity_deg), exponent_) / sums_.back();
+  return measure_ == EccentricityMeasure::planar ? per_steradian(relative, eccentricity_deg)
+                                                 : relative * degrees(1.0) * degrees(1.0);
+}
+
+}  // namespace foveola
