@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "renderer/base/angles.h"
-
 namespace foveola {
 namespace {
 
@@ -19,9 +17,11 @@ std::array<float, 4> cubic_through(const std::array<double, 4>& v) {
 /// a float can tell.
 constexpr double smallest_s = 1e-8;
 
+constexpr double turns_per_degree = 1.0 / 360.0;
+
 double eccentricity_over_s(const RadialDistribution& distribution, double s) {
   const double s_in_range = std::clamp(s, smallest_s, 1.0);
-  return radians(distribution.eccentricity_deg(s_in_range * s_in_range)) / s_in_range;
+  return turns_per_degree * distribution.eccentricity_deg(s_in_range * s_in_range) / s_in_range;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace foveola {
 
-/// RadialDistribution::eccentricity_deg in radians, within 1e-6 relative. With s = sqrt(u), the
+/// RadialDistribution::eccentricity_deg in turns, within 1e-6 relative. With s = sqrt(u), the
 /// eccentricity over s is smooth from knee to knee; cubics through exact values stand for it, more
 /// of them where it is steep.
 class EccentricityTable {
