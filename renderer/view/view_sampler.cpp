@@ -20,6 +20,32 @@
 namespace foveola {
 namespace {
 
+constexpr std::size_t block_size = 256;
+
+/// The samples in the directions of at most `block_size` points; compilers make eight at a time of
+/// them.
+template <typename DirectionOf>
+void sample_block(std::span<const Vec2> points, const DirectionOf& direction_of,
+                  std::span<ViewSample> samples) {
+  std::array<float, block_size> x;
+  std::array<float, block_size> y;
+  std::array<float, block_size> z;
+  std::array<float, block_size> u;
+  std::array<float, block_size> v;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 direction = direction_of(points[i]);
+    const Vec2 image = equirect_from_direction(direction);
+    x[i] = direction.x;
+    y[i] = direction.y;
+    z[i] = direction.z;
+    u[i] = image.x;
+    v[i] = image.y;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    samples[i] = {.direction = {x[i], y[i], z[i]}, .image = {u[i], v[i]}};
+  }
+}
+
 /// A rectangle of the equirect image, every pixel of it alike.
 class RectangleSampler : public ViewSampler {
  public:
@@ -57,9 +83,11 @@ class ViewportSampler final : public ViewSampler {
   void aim(const Aim& aim) override { viewport_ = aim.viewport; }
 
   void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec3 direction = viewport_->direction(points[i]);
-      samples[i] = {.direction = direction, .image = equirect_from_direction(direction)};
+    const Viewport viewport = *viewport_;
+    const auto direction_of = [viewport](const Vec2& point) { return viewport.direction(point); };
+    for (std::size_t begin = 0; begin < points.size(); begin += block_size) {
+      const std::size_t count = std::min(block_size, points.size() - begin);
+      sample_block(points.subspan(begin, count), direction_of, samples.subspan(begin, count));
     }
   }
 
@@ -87,9 +115,20 @@ class FoveatedSampler final : public ViewSampler {
   void aim(const Aim& aim) override { around_gaze_ = Frame(glm::normalize(aim.gaze)); }
 
   void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
-    for (std::size_t begin = 0; begin < points.size(); begin += block) {
-      const std::size_t count = std::min(block, points.size() - begin);
-      sample_block(points.subspan(begin, count), samples.subspan(begin, count));
+    const auto direction_of = [frame = around_gaze_](const Vec2& polar) {
+      const auto [radius, ahead] = sine_cosine_of_turns(polar.x);
+      const auto [sine, cosine] = sine_cosine_of_turns(polar.y);
+      return frame.to_world({radius * cosine, radius * sine, ahead});
+    };
+    std::array<Vec2, block_size> polar;
+    for (std::size_t begin = 0; begin < points.size(); begin += block_size) {
+      const std::size_t count = std::min(block_size, points.size() - begin);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec2& point = points[begin + i];
+        polar[i] = {eccentricity_turns_(point.x), point.y};
+      }
+      sample_block(std::span<const Vec2>(polar).first(count), direction_of,
+                   samples.subspan(begin, count));
     }
   }
 
@@ -98,38 +137,6 @@ class FoveatedSampler final : public ViewSampler {
   }
 
  private:
-  static constexpr std::size_t block = 256;
-
-  /// In three loops, the middle one of which compilers make eight samples at a time of.
-  void sample_block(std::span<const Vec2> points, std::span<ViewSample> samples) const {
-    std::array<float, block> eccentricity;
-    std::array<float, block> azimuth;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      eccentricity[i] = eccentricity_turns_(points[i].x);
-      azimuth[i] = points[i].y;
-    }
-    std::array<float, block> x;
-    std::array<float, block> y;
-    std::array<float, block> z;
-    std::array<float, block> u;
-    std::array<float, block> v;
-    const Frame frame = around_gaze_;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto [radius, ahead] = sine_cosine_of_turns(eccentricity[i]);
-      const auto [sine, cosine] = sine_cosine_of_turns(azimuth[i]);
-      const Vec3 direction = frame.to_world({radius * cosine, radius * sine, ahead});
-      const Vec2 image = equirect_from_direction(direction);
-      x[i] = direction.x;
-      y[i] = direction.y;
-      z[i] = direction.z;
-      u[i] = image.x;
-      v[i] = image.y;
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      samples[i] = {.direction = {x[i], y[i], z[i]}, .image = {u[i], v[i]}};
-    }
-  }
-
   std::unique_ptr<RadialDistribution> distribution_;
   EccentricityTable eccentricity_turns_;
   Frame around_gaze_{Vec3(0.0F, 0.0F, -1.0F)};

@@ -28,13 +28,11 @@ Quat head_orientation(const AzimuthElevation& heading) {
 }
 
 Viewport::Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad)
-    : head_(head), half_size_(half_extent(horizontal_fov_rad), half_extent(vertical_fov_rad)) {}
-
-Vec3 Viewport::direction(const Vec2& plane) const {
-  const Vec3 on_plane((2.0F * plane.x - 1.0F) * half_size_.x,
-                      (1.0F - 2.0F * plane.y) * half_size_.y, -1.0F);
-  return head_ * glm::normalize(on_plane);
-}
+    : head_(head),
+      half_size_(half_extent(horizontal_fov_rad), half_extent(vertical_fov_rad)),
+      right_(head * Vec3(half_size_.x, 0.0F, 0.0F)),
+      up_(head * Vec3(0.0F, half_size_.y, 0.0F)),
+      forward_(head * Vec3(0.0F, 0.0F, -1.0F)) {}
 
 std::optional<Vec2> Viewport::project(const Vec3& direction) const {
   const Vec3 local = glm::conjugate(head_) * direction;
