@@ -16,6 +16,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/bench_sampling.h"
 #include "renderer/stability/stability.h"
 
 namespace foveola {
@@ -162,6 +163,7 @@ void add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
   CLI::App* bench = app.add_subcommand("bench", "What the renderer measures of itself");
   bench->require_subcommand(1);
   add_stability(*bench, scenes, find_scene, stop);
+  add_bench_sampling(*bench);
 }
 
 }  // namespace foveola

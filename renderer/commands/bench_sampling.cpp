@@ -1,0 +1,126 @@
+#include "renderer/commands/bench_sampling.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/random.h"
+#include "renderer/film/equirect_film.h"
+
+namespace foveola {
+namespace {
+
+constexpr double field_of_view_deg = 100.0;
+
+struct Measured {
+  std::string name;
+  double median = 0.0;
+  std::string unit;
+};
+
+/// The median time of a call.
+double median_s(const std::function<void()>& call) {
+  constexpr int runs = 31;
+  const SteadyClock clock;
+  std::vector<double> times_s;
+  for (int run = 0; run < runs; ++run) {
+    const Nanoseconds start = clock.now();
+    call();
+    times_s.push_back(seconds(clock.now() - start));
+  }
+  std::nth_element(times_s.begin(), times_s.begin() + runs / 2, times_s.end());
+  return times_s[runs / 2];
+}
+
+std::vector<Vec2> points(std::size_t count) {
+  std::vector<Vec2> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.push_back(sobol_2d(i, 1));
+  }
+  return result;
+}
+
+std::unique_ptr<ViewSampler> aimed(const std::string& method) {
+  std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
+  const double fov_rad = radians(field_of_view_deg);
+  sampler->aim({.viewport = Viewport(head_orientation({}), fov_rad, fov_rad),
+                .gaze = direction_from({.azimuth_rad = 0.2, .elevation_rad = -0.1})});
+  return sampler;
+}
+
+Measured sampler_cost(const std::string& method) {
+  const std::vector<Vec2> square = points(1 << 16);
+  std::vector<ViewSample> samples(square.size());
+  const std::unique_ptr<ViewSampler> sampler = aimed(method);
+  const double time_s = median_s([&] { sampler->sample(square, samples); });
+  constexpr double ns_per_s = 1e9;
+  return {method, ns_per_s * time_s / static_cast<double>(square.size()), "ns a sample, one core"};
+}
+
+/// Numbering and adding a batch of FV's samples.
+Measured film_cost(int width, int height, const Workers& workers) {
+  constexpr std::size_t batch_size = 10'000;
+  const std::vector<Vec2> square = points(batch_size);
+  std::vector<ViewSample> samples(batch_size);
+  aimed("fv")->sample(square, samples);
+  const std::vector<Rgb> radiance(batch_size, Rgb(1.0F));
+  EquirectFilm film(width, height);
+  NumberedBatch batch;
+  const double time_s = median_s([&] {
+    film.number(samples, batch);
+    film.add(batch, radiance, workers);
+  });
+  constexpr double ms_per_s = 1e3;
+  return {fmt::format("film of {}x{}", width, height), ms_per_s * time_s,
+          fmt::format("ms for {} samples, {} threads", batch_size, workers.threads())};
+}
+
+void run(const std::vector<std::string>& methods, bool as_json) {
+  std::vector<Measured> measured;
+  for (const std::string& method : methods) {
+    measured.push_back(sampler_cost(method));
+  }
+  const Workers workers(static_cast<int>(std::thread::hardware_concurrency()));
+  measured.push_back(film_cost(1024, 512, workers));
+  measured.push_back(film_cost(4096, 2048, workers));
+  if (!as_json) {
+    for (const Measured& figure : measured) {
+      fmt::print("{:<32} {:8.2f} {}\n", figure.name, figure.median, figure.unit);
+    }
+    return;
+  }
+  nlohmann::json list = nlohmann::json::array();
+  for (const Measured& figure : measured) {
+    list.push_back({{"name", figure.name}, {"median", figure.median}, {"unit", figure.unit}});
+  }
+  const nlohmann::json json = {{"version", build_info().version},
+                               {"compiler", build_info().compiler},
+                               {"processor", machine_info().processor},
+                               {"figures", list}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void add_bench_sampling(CLI::App& bench) {
+  const auto methods = std::make_shared<std::vector<std::string>>(std::vector<std::string>{
+      "od", "vp", "vp-rect", "fv", "fv:acuity=guenter", "crop", "hybrid:0.9*fv+0.1*od"});
+  const auto as_json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "sampling", "What view samples cost before they are traced, and the film after: medians");
+  command->add_option("METHOD", *methods, "As render's --method (default: one of each)");
+  command->add_flag("--json", *as_json, "Print the figures as JSON");
+  command->footer("Example: foveola bench sampling fv fv:acuity=guenter,cutoff=60");
+  command->callback([methods, as_json] { run(*methods, *as_json); });
+}
+
+}  // namespace foveola
