@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,10 +37,9 @@ Shape softbox_cloth(double half_width, double half_height) {
   return patch(around, 16, [&](double u, double v) {
     const auto [square, round] = rim(1.0 - u);
     // Rods bow the cloth outwards.
-    const double t = v;
-    const double bow = std::pow(1.0 - t, 0.75);
+    const double bow = std::pow(1.0 - v, 0.75);
     const DVec2 at = bow * square + (1.0 - bow) * round;
-    return DVec3(at, -softbox_depth * t);
+    return DVec3(at, -softbox_depth * v);
   });
 }
 

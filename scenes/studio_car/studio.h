@@ -54,6 +54,7 @@ void add_workbench(Model& model, const Materials& m);
 void add_flight_cases(Model& model, const Materials& m);
 void add_camera(Model& model, const Materials& m, const DVec3& place);
 void add_desk(Model& model, const Materials& m);
+void add_set_pieces(Model& model, const Materials& m);
 void add_ladder(Model& model, const Materials& m, const DVec3& place, double turn_deg);
 
 /// A castor of `height` under the origin, its wheel rolling along X.

@@ -37,6 +37,7 @@ Model make_studio_car() {
   studio::add_camera(model, materials, {1.4, 0.0, 5.2});
   studio::add_desk(model, materials);
   studio::add_ladder(model, materials, {-5.6, 0.0, 5.9}, 35.0);
+  studio::add_set_pieces(model, materials);
   add_tyre_stack(model, materials);
   add_plant(model, materials);
   add_car(model, materials.car, studio::turntable_height);
