@@ -22,6 +22,7 @@ constexpr int uint32_type = 5125;
 constexpr int vertex_target = 34962;
 constexpr int index_target = 34963;
 constexpr double default_yfov_rad = 1.0;
+constexpr double clearcoat_roughness = 0.03;  ///< polished, yet found by light sampling
 
 Json array_from(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -147,6 +148,12 @@ class GlbWriter {
     write_emission(material.emission, result);
     if (material.transmission > 0.0F) {
       add_extension("KHR_materials_transmission", {{"transmissionFactor", material.transmission}},
+                    result);
+    }
+    if (material.clearcoat > 0.0F) {
+      add_extension("KHR_materials_clearcoat",
+                    {{"clearcoatFactor", material.clearcoat},
+                     {"clearcoatRoughnessFactor", clearcoat_roughness}},
                     result);
     }
     if (material.alpha_cutoff > 0.0F) {

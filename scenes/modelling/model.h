@@ -28,6 +28,7 @@ struct Material {
   int base_color_image = -1;  ///< index into Model::images; -1: none
   float alpha_cutoff = 0.0F;  ///< light passes where the image's alpha is below it; 0: opaque
   float transmission = 0.0F;  ///< share of light, in [0, 1], that passes as through thin glass
+  float clearcoat = 0.0F;     ///< strength, in [0, 1], of a smooth varnish over everything else
   bool double_sided = false;
 };
 

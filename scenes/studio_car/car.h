@@ -1,22 +1,34 @@
-// The car of the studio: a smooth body that reflections run over, with its wheels.
+// The car of the studio: a coupe with its wheels, lamps and cabin.
 #pragma once
-
-#include <vector>
 
 #include "scenes/modelling/model.h"
 
 namespace foveola::scenes {
 
 struct CarMaterials {
-  int paint = 0;  ///< double-sided: the body is a shell
+  int paint = 0;
   int glass = 0;
+  int lamp_glass = 0;
+  int red_glass = 0;
   int rubber = 0;
   int alloy = 0;
   int chrome = 0;
+  int mirror = 0;
+  int iron = 0;
   int black_plastic = 0;
-  int headlight = 0;
-  int tail_light = 0;
+  int gloss_black = 0;
+  int lamp = 0;      ///< shines white
+  int red_lamp = 0;  ///< shines red
+  int screen = 0;    ///< of the dashboard
+  int leather = 0;
+  int stitched_leather = 0;
+  int lining = 0;
+  int carpet = 0;
+  int caliper = 0;
+  int number_plate = 0;
 };
+
+CarMaterials add_car_materials(Model& model);
 
 /// Adds a car of 4.4 m that stands on y = `ground` over the origin and faces +X, as objects "Car
 /// body", "Car windows", "Front wheel" (the one at +Z) and so on.

@@ -92,6 +92,22 @@ TEST(GlbWriter, GlassIsTransmissiveAndExtensionsAreListedOnce) {
             nlohmann::json({"KHR_materials_transmission", "KHR_materials_emissive_strength"}));
 }
 
+TEST(GlbWriter, VarnishIsAClearcoat) {
+  Model model;
+  const int paint = add_material(
+      model, {.name = "paint", .metallic = 0.5F, .roughness = 0.4F, .clearcoat = 1.0F});
+  const int primer = add_material(model, {.name = "primer"});
+  add_object(model, "Panels", {{paint, box(DVec3(1.0))}, {primer, box(DVec3(2.0))}});
+  const nlohmann::json json = taken_apart(glb_from(model)).json;
+  const nlohmann::json& coat =
+      json.at("materials").at(0).at("extensions").at("KHR_materials_clearcoat");
+  EXPECT_EQ(coat.at("clearcoatFactor"), 1.0);
+  EXPECT_GT(coat.at("clearcoatRoughnessFactor"), 0.0);
+  EXPECT_LT(coat.at("clearcoatRoughnessFactor"), 0.1);
+  EXPECT_FALSE(json.at("materials").at(1).contains("extensions"));
+  EXPECT_EQ(json.at("extensionsUsed"), nlohmann::json({"KHR_materials_clearcoat"}));
+}
+
 TEST(GlbWriter, OpaqueMaterialsUseNoTransmission) {
   EXPECT_FALSE(
       taken_apart(glb_from(small_model())).json.at("materials").at(2).contains("extensions"));
