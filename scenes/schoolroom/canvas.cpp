@@ -1,6 +1,7 @@
 #include "scenes/schoolroom/canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -107,13 +108,13 @@ DVec2 Canvas::write(std::string_view text, const DVec2& from, const TextStyle& s
 
 Image blank(int width, int height, const DVec3& color) {
   Image image{width, height, {}};
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  image.rgba.reserve(pixels * 4);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (int channel = 0; channel < 3; ++channel) {
-      image.rgba.push_back(static_cast<std::uint8_t>(std::lround(color[channel])));
-    }
-    image.rgba.push_back(255);
+  image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  const auto byte = [&](int channel) {
+    return static_cast<std::uint8_t>(std::lround(color[channel]));
+  };
+  const std::array<std::uint8_t, 4> texel = {byte(0), byte(1), byte(2), 255};
+  for (std::size_t i = 0; i < image.rgba.size(); i += texel.size()) {
+    std::copy(texel.begin(), texel.end(), &image.rgba[i]);
   }
   return image;
 }

@@ -12,9 +12,6 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-const DVec3 teacher_desk_top =
-    teacher_desk_place + DVec3(0.0, teacher_desk_height + platform_height, 0.0);
-
 /// A ball whose uvs run over [0, 1]: longitude and, from the top, latitude.
 Shape mapped_ball(double radius, int segments) {
   Shape ball = ellipsoid(DVec3(radius), segments);
