@@ -34,10 +34,14 @@ void Canvas::blend_box(const DVec2& lower, const DVec2& upper, const Ink& ink,
   const int y1 = std::min(image_.height - 1, static_cast<int>(std::ceil(upper.y)));
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
+      const double share = coverage(DVec2(x + 0.5, y + 0.5));
+      if (share <= 0.0) {
+        continue;
+      }
       const int pixel = y * image_.width + x;
       const double grain = ink.grain * unit_float(mix(static_cast<std::uint32_t>(pixel)));
-      const double amount = ink.opacity * (1.0 - grain) * coverage(DVec2(x + 0.5, y + 0.5));
-      for (int channel = 0; amount > 0.0 && channel < 3; ++channel) {
+      const double amount = ink.opacity * (1.0 - grain) * share;
+      for (int channel = 0; channel < 3; ++channel) {
         std::uint8_t& byte = image_.rgba[static_cast<std::size_t>(pixel) * 4 + channel];
         byte = static_cast<std::uint8_t>(std::lround(std::lerp(byte, ink.color[channel], amount)));
       }

@@ -84,21 +84,24 @@ Shape coat(std::uint32_t seed) {
                         0.05 * std::sin(13.0 * angle - 3.0 * fall);
     return DVec3(p.x * fold, p.y, 0.42 * p.z * fold);
   };
-  std::vector<DVec2> outline = {{0.0, 0.0},  {0.22, 0.0},  {0.225, 0.2}, {0.21, 0.4}, {0.19, 0.55},
-                                {0.18, 0.7}, {0.19, 0.82}, {0.17, 0.9},  {0.1, 0.96}, {0.06, 1.0}};
+  std::vector<DVec2> outline = {{0.0, 0.0},   {0.2, 0.0},  {0.205, 0.15}, {0.195, 0.35},
+                                {0.18, 0.55}, {0.16, 0.7}, {0.135, 0.82}, {0.1, 0.9},
+                                {0.06, 0.96}, {0.035, 1.0}};
   for (DVec2& point : outline) {
     point.y = (point.y - 1.0) * length;
   }
   outline.emplace_back(0.0, 0.005);
   Shape shape = deformed(lathe(outline, 56), folded);
   for (const double side : {-1.0, 1.0}) {
-    append(shape, tube(curve({{side * 0.15, -0.1, 0.0},
-                              {side * 0.2, -0.22, 0.015},
-                              {side * 0.21, -0.42, 0.03},
-                              {side * 0.19, -0.6, 0.045}},
+    append(shape, tube(curve({{side * 0.09, -0.1, 0.0},
+                              {side * 0.145, -0.24, 0.02},
+                              {side * 0.165, -0.42, 0.035},
+                              {side * 0.155, -0.6, 0.05}},
                              4),
-                       0.048, 16));
+                       0.045, 16));
   }
+  const Shape collar = scaled(torus(0.055, 0.018, 32, 12), {1.0, 1.3, 0.75});
+  append(shape, moved(turned(collar, 12.0, {1, 0, 0}), {0.0, -0.045, 0.01}));
   return shape;
 }
 

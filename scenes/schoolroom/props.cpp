@@ -136,7 +136,7 @@ void add_microscope(Model& model, const Materials& m) {
                         {side * 0.017, 0.16, -0.08}));
   }
   const Shape slide = box({-0.038, 0.1262, -0.002}, {0.038, 0.1275, 0.024});
-  const DVec3 place(1.45, desk_height, 2.15);
+  const DVec3 place(1.45, desk_height, 2.1);
   add_object(model, "Microscope",
              placed({{m.black_plastic, body, 50.0}, {m.brass, tubes, 50.0}, {m.bone, slide}}, place,
                     -70.0));

@@ -136,7 +136,7 @@ std::vector<Part> chalk_box(const Materials& m) {
 }
 
 /// A loose written sheet whose corner lifts, to be read from +Z.
-Shape loose_sheet() {
+std::vector<Part> loose_sheet(const Materials& m) {
   constexpr double width = 0.21;
   constexpr double length = 0.28;
   Shape sheet = patch(8, 8, [](double u, double v) {
@@ -146,7 +146,8 @@ Shape loose_sheet() {
   for (DVec2& uv : sheet.uvs) {
     uv.y = 1.0 - uv.y;
   }
-  return sheet;
+  const Shape back = inside_out(moved(sheet, {0.0, -0.0003, 0.0}));
+  return {{m.page, sheet, 60.0}, {m.paper, back, 60.0}};
 }
 
 }  // namespace
@@ -163,8 +164,8 @@ void add_teachers_things(Model& model, const Materials& m) {
   put("Apple", apple(m), {-0.16, 0.0, 0.03}, 25.0);
   put("Hand bell", hand_bell(m), {0.2, 0.0, 0.3}, 0.0);
   put("Box of chalk", chalk_box(m), {-0.06, 0.0, -0.16}, 65.0);
-  std::vector<Part> sheets = placed({{m.page, loose_sheet(), 60.0}}, {0.0, 0.0, 0.0}, 0.0);
-  append(sheets, placed({{m.page, loose_sheet(), 60.0}}, {0.03, 0.0012, 0.05}, -14.0));
+  std::vector<Part> sheets = loose_sheet(m);
+  append(sheets, placed(loose_sheet(m), {0.03, 0.0012, 0.05}, -14.0));
   put("Loose sheets", sheets, {0.19, 0.0, -0.44}, 97.0);
 }
 
