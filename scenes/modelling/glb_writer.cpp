@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 static_assert(std::endian::native == std::endian::little, "glTF's numbers are little-endian");
 
 constexpr int float_type = 5126;
+constexpr int uint16_type = 5123;
 constexpr int uint32_type = 5125;
 constexpr int vertex_target = 34962;
 constexpr int index_target = 34963;
@@ -81,6 +83,22 @@ class GlbWriter {
     return accessor;
   }
 
+  /// In the shorter type where it holds them; its greatest value means something else to renderers.
+  std::size_t add_indices(const Surface& surface) {
+    const std::size_t count = 3 * surface.triangles.size();
+    if (surface.positions.size() > std::numeric_limits<std::uint16_t>::max()) {
+      return add_accessor(surface.triangles, uint32_type, count, "SCALAR", index_target);
+    }
+    std::vector<std::uint16_t> indices;
+    indices.reserve(count);
+    for (const auto& triangle : surface.triangles) {
+      for (const std::uint32_t corner : triangle) {
+        indices.push_back(static_cast<std::uint16_t>(corner));
+      }
+    }
+    return add_accessor(indices, uint16_type, count, "SCALAR", index_target);
+  }
+
   Json primitive(const Surface& surface) {
     Json attributes = {{"POSITION", add_positions(surface.positions)}};
     attributes["NORMAL"] =
@@ -89,10 +107,8 @@ class GlbWriter {
       attributes["TEXCOORD_0"] =
           add_accessor(surface.uvs, float_type, surface.uvs.size(), "VEC2", vertex_target);
     }
-    const std::size_t indices = add_accessor(surface.triangles, uint32_type,
-                                             3 * surface.triangles.size(), "SCALAR", index_target);
     return {{"attributes", std::move(attributes)},
-            {"indices", indices},
+            {"indices", add_indices(surface)},
             {"material", surface.material}};
   }
 

@@ -1,6 +1,7 @@
 #include "scenes/schoolroom/canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -33,10 +34,14 @@ void Canvas::blend_box(const DVec2& lower, const DVec2& upper, const Ink& ink,
   const int y1 = std::min(image_.height - 1, static_cast<int>(std::ceil(upper.y)));
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
+      const double share = coverage(DVec2(x + 0.5, y + 0.5));
+      if (share <= 0.0) {
+        continue;
+      }
       const int pixel = y * image_.width + x;
       const double grain = ink.grain * unit_float(mix(static_cast<std::uint32_t>(pixel)));
-      const double amount = ink.opacity * (1.0 - grain) * coverage(DVec2(x + 0.5, y + 0.5));
-      for (int channel = 0; amount > 0.0 && channel < 3; ++channel) {
+      const double amount = ink.opacity * (1.0 - grain) * share;
+      for (int channel = 0; channel < 3; ++channel) {
         std::uint8_t& byte = image_.rgba[static_cast<std::size_t>(pixel) * 4 + channel];
         byte = static_cast<std::uint8_t>(std::lround(std::lerp(byte, ink.color[channel], amount)));
       }
@@ -107,13 +112,13 @@ DVec2 Canvas::write(std::string_view text, const DVec2& from, const TextStyle& s
 
 Image blank(int width, int height, const DVec3& color) {
   Image image{width, height, {}};
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  image.rgba.reserve(pixels * 4);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (int channel = 0; channel < 3; ++channel) {
-      image.rgba.push_back(static_cast<std::uint8_t>(std::lround(color[channel])));
-    }
-    image.rgba.push_back(255);
+  image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  const auto byte = [&](int channel) {
+    return static_cast<std::uint8_t>(std::lround(color[channel]));
+  };
+  const std::array<std::uint8_t, 4> texel = {byte(0), byte(1), byte(2), 255};
+  for (std::size_t i = 0; i < image.rgba.size(); i += texel.size()) {
+    std::copy(texel.begin(), texel.end(), &image.rgba[i]);
   }
   return image;
 }

@@ -25,50 +25,6 @@ Shape plainly_covered(Shape shape, int spine) {
   return shape;
 }
 
-/// An open exercise book whose pages bulge away from the fold, on the origin.
-std::vector<Part> open_book(const Materials& m, int page) {
-  constexpr double width = 0.15;
-  constexpr double height = 0.21;
-  Shape pages;
-  Shape block;
-  for (const double side : {-1.0, 1.0}) {
-    const auto rise = [](double t) { return 0.004 + 0.012 * std::sin(2.6 * std::sqrt(t) + 0.1); };
-    const auto across = [&](double u) { return side > 0.0 ? u : 1.0 - u; };
-    Shape sheet = patch(10, 1, [&](double u, double v) {
-      return DVec3(side * width * across(u), rise(across(u)), height * (0.5 - v));
-    });
-    for (DVec2& uv : sheet.uvs) {
-      uv.y = 1.0 - uv.y;
-    }
-    append(pages, sheet);
-    for (const double end : {0.0, 1.0}) {
-      const Shape edge = patch(10, 1, [&](double u, double v) {
-        const double t = across(end > 0.5 ? u : 1.0 - u);
-        return DVec3(side * width * t, rise(t) * v, height * (end - 0.5));
-      });
-      append(block, edge);
-    }
-    append(block, side > 0.0
-                      ? rectangle({width, 0, 0.5 * height}, {0, 0, -height}, {0, rise(1.0), 0})
-                      : rectangle({-width, 0, -0.5 * height}, {0, 0, height}, {0, rise(1.0), 0}));
-  }
-  append(block, rectangle({-width, 0, -0.5 * height}, {2.0 * width, 0, 0}, {0, 0, height}));
-  return {{page, pages, 60.0}, {m.paper, block, 60.0}};
-}
-
-/// Lies along X with its point towards +X.
-std::vector<Part> pencil(const Materials& m, int paint) {
-  const Shape shaft = lathe({{0.0, 0.0}, {0.0037, 0.0}, {0.0037, 0.14}}, 6);
-  const Shape wood = lathe({{0.0037, 0.14}, {0.0012, 0.158}}, 12);
-  const Shape lead = lathe({{0.0012, 0.158}, {0.0, 0.163}}, 12);
-  const auto laid = [](const Shape& shape) {
-    return moved(turned(shape, -90.0, {0, 0, 1}), {-0.08, 0.0035, 0.0});
-  };
-  return {{paint, laid(shaft), 20.0},
-          {m.plywood, laid(wood), 60.0},
-          {m.black_plastic, laid(lead), 60.0}};
-}
-
 std::vector<Part> pencil_case(const Materials& m, int cloth) {
   const Shape body = deformed(rounded_box({0.2, 0.055, 0.075}, 0.024, 4, 5), [](const DVec3& p) {
     const double dent = 0.004 * std::sin(40.0 * p.x) * std::cos(30.0 * p.z);
@@ -128,21 +84,24 @@ Shape coat(std::uint32_t seed) {
                         0.05 * std::sin(13.0 * angle - 3.0 * fall);
     return DVec3(p.x * fold, p.y, 0.42 * p.z * fold);
   };
-  std::vector<DVec2> outline = {{0.0, 0.0},  {0.22, 0.0},  {0.225, 0.2}, {0.21, 0.4}, {0.19, 0.55},
-                                {0.18, 0.7}, {0.19, 0.82}, {0.17, 0.9},  {0.1, 0.96}, {0.06, 1.0}};
+  std::vector<DVec2> outline = {{0.0, 0.0},   {0.2, 0.0},  {0.205, 0.15}, {0.195, 0.35},
+                                {0.18, 0.55}, {0.16, 0.7}, {0.135, 0.82}, {0.1, 0.9},
+                                {0.06, 0.96}, {0.035, 1.0}};
   for (DVec2& point : outline) {
     point.y = (point.y - 1.0) * length;
   }
   outline.emplace_back(0.0, 0.005);
   Shape shape = deformed(lathe(outline, 56), folded);
   for (const double side : {-1.0, 1.0}) {
-    append(shape, tube(curve({{side * 0.15, -0.1, 0.0},
-                              {side * 0.2, -0.22, 0.015},
-                              {side * 0.21, -0.42, 0.03},
-                              {side * 0.19, -0.6, 0.045}},
+    append(shape, tube(curve({{side * 0.09, -0.1, 0.0},
+                              {side * 0.145, -0.24, 0.02},
+                              {side * 0.165, -0.42, 0.035},
+                              {side * 0.155, -0.6, 0.05}},
                              4),
-                       0.048, 16));
+                       0.045, 16));
   }
+  const Shape collar = scaled(torus(0.055, 0.018, 32, 12), {1.0, 1.3, 0.75});
+  append(shape, moved(turned(collar, 12.0, {1, 0, 0}), {0.0, -0.045, 0.01}));
   return shape;
 }
 
@@ -168,12 +127,9 @@ void add_pupils_things(std::vector<Part>& things, const Materials& m, const DVec
     for (std::uint32_t i = 0, count = 1 + random.below(3); i < count; ++i) {
       const BookSize size{
           .thickness = 0.014 + 0.02 * random.uniform(), .height = 0.22, .depth = 0.16};
-      std::vector<Part> closed = book(size, m, static_cast<int>(random.below(spines_in_image)));
-      for (Part& part : closed) {
-        part.shape = moved(turned(std::move(part.shape), 90.0, {0, 0, 1}), {0.11, 0.0, 0.0});
-        part.shape = moved(std::move(part.shape), {0.0, 0.5 * size.thickness, 0.0});
-      }
-      lay(closed, {0.13, height, -0.02 * i}, 180.0 + 40.0 * (random.uniform() - 0.5));
+      const int spine = static_cast<int>(random.below(spines_in_image));
+      lay(lying_book(size, m, spine), {0.13, height, -0.02 * i},
+          180.0 + 40.0 * (random.uniform() - 0.5));
       height += size.thickness;
     }
   }
@@ -205,6 +161,57 @@ std::vector<Part> book(const BookSize& size, const Materials& m, int spine) {
   Shape pages = moved(box(DVec3(2.0 * page_half, size.height - 0.008, size.depth - 0.012)),
                       {0.0, 0.5 * size.height, -0.5 * size.depth});
   return {{m.spines, cover, 40.0}, {m.paper, pages}};
+}
+
+std::vector<Part> lying_book(const BookSize& size, const Materials& m, int spine) {
+  std::vector<Part> lying = book(size, m, spine);
+  for (Part& part : lying) {
+    part.shape = moved(turned(std::move(part.shape), 90.0, {0, 0, 1}),
+                       {0.5 * size.height, 0.5 * size.thickness, 0.0});
+  }
+  return lying;
+}
+
+std::vector<Part> open_book(const Materials& m, int page) {
+  constexpr double width = 0.15;
+  constexpr double height = 0.21;
+  Shape pages;
+  Shape block;
+  for (const double side : {-1.0, 1.0}) {
+    const auto rise = [](double t) { return 0.004 + 0.012 * std::sin(2.6 * std::sqrt(t) + 0.1); };
+    const auto across = [&](double u) { return side > 0.0 ? u : 1.0 - u; };
+    Shape sheet = patch(10, 1, [&](double u, double v) {
+      return DVec3(side * width * across(u), rise(across(u)), height * (0.5 - v));
+    });
+    for (DVec2& uv : sheet.uvs) {
+      uv.y = 1.0 - uv.y;
+    }
+    append(pages, sheet);
+    for (const double end : {0.0, 1.0}) {
+      const Shape edge = patch(10, 1, [&](double u, double v) {
+        const double t = across(end > 0.5 ? u : 1.0 - u);
+        return DVec3(side * width * t, rise(t) * v, height * (end - 0.5));
+      });
+      append(block, edge);
+    }
+    append(block, side > 0.0
+                      ? rectangle({width, 0, 0.5 * height}, {0, 0, -height}, {0, rise(1.0), 0})
+                      : rectangle({-width, 0, -0.5 * height}, {0, 0, height}, {0, rise(1.0), 0}));
+  }
+  append(block, rectangle({-width, 0, -0.5 * height}, {2.0 * width, 0, 0}, {0, 0, height}));
+  return {{page, pages, 60.0}, {m.paper, block, 60.0}};
+}
+
+std::vector<Part> pencil(const Materials& m, int paint) {
+  const Shape shaft = lathe({{0.0, 0.0}, {0.0037, 0.0}, {0.0037, 0.14}}, 6);
+  const Shape wood = lathe({{0.0037, 0.14}, {0.0012, 0.158}}, 12);
+  const Shape lead = lathe({{0.0012, 0.158}, {0.0, 0.163}}, 12);
+  const auto laid = [](const Shape& shape) {
+    return moved(turned(shape, -90.0, {0, 0, 1}), {-0.08, 0.0035, 0.0});
+  };
+  return {{paint, laid(shaft), 20.0},
+          {m.plywood, laid(wood), 60.0},
+          {m.black_plastic, laid(lead), 60.0}};
 }
 
 void add_desk_things(Model& model, const Materials& m) {

@@ -246,7 +246,7 @@ void add_shelves(Model& model, const Materials& m) {
       append(wood, moved(rounded_box({depth, height, board}, 0.004, 1),
                          foot + DVec3(0.5 * depth, 0.5 * height, side * 0.5 * (width - board))));
     }
-    append(wood, moved(box(DVec3(0.008, height - 0.1, width - 2.0 * board)),
+    append(wood, moved(box(DVec3(0.008, height - 0.05, width - 2.0 * board)),
                        foot + DVec3(0.006, 0.5 * height, 0.0)));
     for (int i = 0; i <= shelves; ++i) {
       const double y = 0.08 + i * (height - 0.1) / shelves;

@@ -9,7 +9,6 @@ namespace foveola::scenes::school {
 
 constexpr double desk_width = 1.3;
 constexpr double desk_depth = 0.52;
-constexpr double platform_height = 0.16;
 constexpr int desk_rows = 4;
 constexpr int desk_columns = 3;
 

@@ -47,7 +47,7 @@ void add_room_materials(Model& model, Materials& m) {
   m.radiator = add_paint(model, "radiator enamel", {0.7F, 0.67F, 0.58F}, 0.35F);
   m.curtain = add_cloth(model, "curtain", {0.62F, 0.45F, 0.2F}, {0.5F, 0.2F, 0.1F}, 5, 406);
   m.lamp = add_material(
-      model, {.name = "opal glass", .base_color = Rgb(0.8F), .emission = {9.0F, 8.0F, 6.4F}});
+      model, {.name = "opal glass", .base_color = Rgb(0.8F), .emission = {24.0F, 22.0F, 18.5F}});
 }
 
 void add_furniture_materials(Model& model, Materials& m) {
@@ -120,7 +120,7 @@ void add_outside_materials(Model& model, Materials& m) {
                                    .base_color_image = leaf_image,
                                    .alpha_cutoff = 0.5F,
                                    .double_sided = true});
-  m.sun = add_material(model, {.name = "sun", .emission = {4000.0F, 3550.0F, 2850.0F}});
+  m.sun = add_material(model, {.name = "sun", .emission = {2200.0F, 2000.0F, 1680.0F}});
 }
 
 }  // namespace

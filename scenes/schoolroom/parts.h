@@ -26,6 +26,8 @@ constexpr double desk_height = 0.72;
 constexpr double dado_height = 1.25;
 constexpr double teacher_desk_height = 0.76;
 constexpr DVec3 teacher_desk_place{3.1, 0.0, 1.75};
+constexpr double platform_height = 0.16;
+constexpr DVec3 teacher_desk_top{3.1, platform_height + teacher_desk_height, 1.75};
 
 struct Materials {
   // The room
@@ -93,6 +95,7 @@ void add_door(Model& model, const Materials& m);
 
 void add_desks_and_chairs(Model& model, const Materials& m);
 void add_teachers_place(Model& model, const Materials& m);
+void add_teachers_things(Model& model, const Materials& m);
 void add_shelves(Model& model, const Materials& m);
 
 void add_desk_things(Model& model, const Materials& m);
@@ -118,6 +121,12 @@ struct BookSize {
   double depth = 0.16;
 };
 std::vector<Part> book(const BookSize& size, const Materials& m, int spine);
+/// The same on its side, around the origin.
+std::vector<Part> lying_book(const BookSize& size, const Materials& m, int spine);
+/// An open exercise book whose pages bulge away from the fold, on the origin.
+std::vector<Part> open_book(const Materials& m, int page);
+/// Lies along X with its point towards +X.
+std::vector<Part> pencil(const Materials& m, int paint);
 
 /// `parts` turned about the Y axis and then moved.
 std::vector<Part> placed(std::vector<Part> parts, const DVec3& offset, double turn_deg);

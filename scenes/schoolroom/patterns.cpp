@@ -44,7 +44,7 @@ class Slate {
       const DVec2 from(random.uniform() * width, random.uniform() * height);
       const DVec2 along(height * (0.15 + 0.2 * random.uniform()),
                         height * 0.12 * (random.uniform() - 0.5));
-      canvas_.draw_lines({from, from + along}, {{{150, 165, 155}, 0.035, 0.7}, 0.09 * height});
+      canvas_.draw_lines({from, from + along}, {{{150, 165, 155}, 0.03}, 0.09 * height});
     }
   }
 
@@ -165,21 +165,23 @@ Image board_middle(int height) {
   Slate slate(2 * height, height);
   slate.write("The theorem of Pythagoras", {0.1, 0.14}, 0.075, yellow_chalk);
   slate.lines({{0.1, 0.165}, {1.18, 0.17}}, yellow_chalk);
-  const DVec2 right_angle(0.55, 0.62);
-  const DVec2 a_end(0.55, 0.4);
-  const DVec2 b_end(0.85, 0.62);
-  const DVec2 across(0.22, -0.3);  // the hypotenuse turned by a right angle
-  slate.hatch({right_angle, a_end, a_end - DVec2(0.22, 0), right_angle - DVec2(0.22, 0)},
-              red_chalk);
-  slate.hatch({right_angle, b_end, b_end + DVec2(0, 0.3), right_angle + DVec2(0, 0.3)}, blue_chalk);
+  const DVec2 right_angle(0.5, 0.66);
+  const DVec2 up(0.0, -0.165);
+  const DVec2 right(0.225, 0.0);
+  const DVec2 a_end = right_angle + up;
+  const DVec2 b_end = right_angle + right;
+  const DVec2 across(0.165, -0.225);  // the hypotenuse turned by a right angle
+  const DVec2 left(up.y, 0.0);
+  const DVec2 down(0.0, right.x);
+  slate.hatch({right_angle, a_end, a_end + left, right_angle + left}, red_chalk);
+  slate.hatch({right_angle, b_end, b_end + down, right_angle + down}, blue_chalk);
   slate.lines({right_angle, a_end, b_end, right_angle}, white_chalk);
-  slate.lines({a_end, a_end - DVec2(0.22, 0), right_angle - DVec2(0.22, 0), right_angle},
-              red_chalk);
-  slate.lines({b_end, b_end + DVec2(0, 0.3), right_angle + DVec2(0, 0.3), right_angle}, blue_chalk);
+  slate.lines({a_end, a_end + left, right_angle + left, right_angle}, red_chalk);
+  slate.lines({b_end, b_end + down, right_angle + down, right_angle}, blue_chalk);
   slate.lines({a_end, a_end + across, b_end + across, b_end}, yellow_chalk);
-  slate.write("a", {0.42, 0.53}, 0.06, white_chalk);
-  slate.write("b", {0.68, 0.79}, 0.06, white_chalk);
-  slate.write("c", {0.8, 0.39}, 0.06, white_chalk);
+  slate.write("a", {0.4, 0.595}, 0.05, white_chalk);
+  slate.write("b", {0.595, 0.8}, 0.05, white_chalk);
+  slate.write("c", {0.68, 0.49}, 0.05, white_chalk);
   const auto squares = [&](const DVec2& from, double size, const DVec3& color) {
     DVec2 pen = from;
     for (const char* const term : {"a", " + b", " = c"}) {

@@ -12,9 +12,6 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-const DVec3 teacher_desk_top =
-    teacher_desk_place + DVec3(0.0, teacher_desk_height + platform_height, 0.0);
-
 /// A ball whose uvs run over [0, 1]: longitude and, from the top, latitude.
 Shape mapped_ball(double radius, int segments) {
   Shape ball = ellipsoid(DVec3(radius), segments);
@@ -139,7 +136,7 @@ void add_microscope(Model& model, const Materials& m) {
                         {side * 0.017, 0.16, -0.08}));
   }
   const Shape slide = box({-0.038, 0.1262, -0.002}, {0.038, 0.1275, 0.024});
-  const DVec3 place(1.45, desk_height, 2.15);
+  const DVec3 place(1.45, desk_height, 2.1);
   add_object(model, "Microscope",
              placed({{m.black_plastic, body, 50.0}, {m.brass, tubes, 50.0}, {m.bone, slide}}, place,
                     -70.0));

@@ -39,6 +39,7 @@ Model make_schoolroom() {
   school::add_door(model, m);
   school::add_desks_and_chairs(model, m);
   school::add_teachers_place(model, m);
+  school::add_teachers_things(model, m);
   school::add_shelves(model, m);
   school::add_desk_things(model, m);
   school::add_bags(model, m);

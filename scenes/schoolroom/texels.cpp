@@ -114,48 +114,66 @@ DVec2 roughened(const DVec2& p) {
                    1.1 * std::sin(0.5 * p.x - 0.2 * p.y) + 0.5 * std::sin(1.9 * p.x + 0.7 * p.y));
 }
 
-bool is_land(const DVec2& longitude_latitude) {
-  const DVec2 p = roughened(longitude_latitude);
-  return std::any_of(coasts().begin(), coasts().end(),
-                     [&](const std::vector<DVec2>& coast) { return is_inside(p, coast); });
+/// A coast and the box around it, outside which nothing is tested.
+struct Land {
+  std::vector<DVec2> coast;
+  DVec2 lower;
+  DVec2 upper;
+};
+
+std::vector<Land> lands() {
+  std::vector<Land> all;
+  for (const std::vector<DVec2>& coast : coasts()) {
+    Land land{coast, coast.front(), coast.front()};
+    for (const DVec2& point : coast) {
+      land.lower = glm::min(land.lower, point);
+      land.upper = glm::max(land.upper, point);
+    }
+    all.push_back(std::move(land));
+  }
+  return all;
 }
 
-/// Invented countries: the cells around random points (Voronoi 1908).
-class Countries {
- public:
-  Countries() {
-    Pcg32 random(74);
-    for (DVec2& capital : capitals_) {
-      capital = {360.0 * random.uniform() - 180.0, 140.0 * random.uniform() - 65.0};
+bool contains(const Land& land, const DVec2& p) {
+  return p.x > land.lower.x && p.y > land.lower.y && p.x < land.upper.x && p.y < land.upper.y &&
+         is_inside(p, land.coast);
+}
+
+/// Invented countries: the cells around points (Voronoi 1908), one anywhere in each field of a
+/// lattice.
+DVec3 country_color(const DVec2& p) {
+  static constexpr std::array<DVec3, 6> palette = {DVec3(222, 190, 120), DVec3(176, 196, 120),
+                                                   DVec3(226, 160, 130), DVec3(214, 208, 140),
+                                                   DVec3(196, 160, 180), DVec3(160, 190, 160)};
+  const DVec2 field_size(15.0, 12.0);
+  const DVec2 field = glm::floor(p / field_size);
+  double nearest = std::numeric_limits<double>::infinity();
+  double second = nearest;
+  std::uint32_t country = 0;
+  for (int i = 0; i < 9; ++i) {
+    const DVec2 neighbour = field + DVec2(i % 3 - 1, i / 3 - 1);
+    const std::uint32_t key = mix(mix(74, static_cast<std::uint32_t>(std::lround(neighbour.x))),
+                                  static_cast<std::uint32_t>(std::lround(neighbour.y)));
+    const DVec2 capital = field_size * (neighbour + DVec2(unit_float(key), unit_float(mix(key))));
+    const double distance = glm::distance(p, capital);
+    if (distance < nearest) {
+      second = nearest;
+      nearest = distance;
+      country = key;
+    } else {
+      second = std::min(second, distance);
     }
   }
+  const bool is_border = second - nearest < 0.5;
+  return is_border ? DVec3(150, 70, 60) : palette[country % palette.size()];
+}
 
-  DVec3 color(const DVec2& longitude_latitude) const {
-    const DVec2 p = roughened(longitude_latitude);
-    static constexpr std::array<DVec3, 6> palette = {DVec3(222, 190, 120), DVec3(176, 196, 120),
-                                                     DVec3(226, 160, 130), DVec3(214, 208, 140),
-                                                     DVec3(196, 160, 180), DVec3(160, 190, 160)};
-    double nearest = std::numeric_limits<double>::infinity();
-    double second = nearest;
-    std::size_t country = 0;
-    for (std::size_t i = 0; i < capitals_.size(); ++i) {
-      const DVec2 apart = p - capitals_[i];
-      const double squared_distance = glm::dot(apart, apart);
-      if (squared_distance < nearest) {
-        second = nearest;
-        nearest = squared_distance;
-        country = i;
-      } else {
-        second = std::min(second, squared_distance);
-      }
-    }
-    const bool is_border = std::sqrt(second) - std::sqrt(nearest) < 0.5;
-    return is_border ? DVec3(150, 70, 60) : palette[country % palette.size()];
+void set_color(Image& image, int x, int y, const DVec3& color) {
+  std::uint8_t* const texel = &image.rgba[static_cast<std::size_t>(y * image.width + x) * 4];
+  for (int channel = 0; channel < 3; ++channel) {
+    texel[channel] = static_cast<std::uint8_t>(color[channel] + 0.5);
   }
-
- private:
-  std::array<DVec2, 260> capitals_;
-};
+}
 
 double distance_to_multiple(double x, double step) {
   return std::abs(x - step * std::round(x / step));
@@ -200,33 +218,34 @@ Image parquet(int size, int blocks, std::uint32_t seed) {
       const double from_edge =
           std::min({block.across, 1.0 - block.across, block.along, block_length - block.along});
       const double shade = (0.82 + 0.26 * unit_float(bits)) * (from_edge < 0.022 ? 0.45 : 1.0);
-      for (int channel = 0; channel < 3; ++channel) {
-        const double byte = grain.rgba[static_cast<std::size_t>(row * 512 + column) * 4 + channel];
-        image.rgba[static_cast<std::size_t>(y * size + x) * 4 + channel] =
-            static_cast<std::uint8_t>(std::lround(std::min(255.0, byte * shade)));
-      }
+      const std::uint8_t* const wood_texel =
+          &grain.rgba[static_cast<std::size_t>(row * 512 + column) * 4];
+      const DVec3 color = shade * DVec3(wood_texel[0], wood_texel[1], wood_texel[2]);
+      set_color(image, x, y, glm::min(color, DVec3(255.0)));
     }
   }
   return image;
 }
 
 Image world(int height) {
-  const Countries countries;
+  const std::vector<Land> all = lands();
   Image image = blank(2 * height, height, DVec3(0.0));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < 2 * height; ++x) {
       const DVec2 p(180.0 * (x + 0.5) / height - 180.0, 90.0 - 180.0 * (y + 0.5) / height);
+      const DVec2 on_coast = roughened(p);
+      const bool is_land = std::any_of(all.begin(), all.end(),
+                                       [&](const Land& land) { return contains(land, on_coast); });
+      const double from_graticule =
+          std::min(distance_to_multiple(p.x, 15.0), distance_to_multiple(p.y, 15.0));
       DVec3 color(150, 195, 220);
-      if (is_land(p)) {
-        color = p.y < -62.0 || p.y > 76.0 ? DVec3(240, 242, 244) : countries.color(p);
-      } else if (std::min(distance_to_multiple(p.x, 15.0), distance_to_multiple(p.y, 15.0)) <
-                 0.18) {
+      if (is_land) {
+        const bool is_icy = p.y < -62.0 || p.y > 76.0;
+        color = is_icy ? DVec3(240, 242, 244) : country_color(on_coast);
+      } else if (from_graticule < 0.18) {
         color = DVec3(110, 160, 195);
       }
-      for (int channel = 0; channel < 3; ++channel) {
-        image.rgba[static_cast<std::size_t>(y * 2 * height + x) * 4 + channel] =
-            static_cast<std::uint8_t>(std::lround(color[channel]));
-      }
+      set_color(image, x, y, color);
     }
   }
   return image;

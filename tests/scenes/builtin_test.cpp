@@ -170,7 +170,7 @@ TEST_P(BuiltinScene, AccessorsLieInsideTheirBufferViews) {
         const auto uvs = items_of<float>(glb, attributes.at("TEXCOORD_0"), 2);
         EXPECT_EQ(uvs.size() / 2, positions.size() / 3);
       }
-      const auto indices = items_of<std::uint32_t>(glb, primitive.at("indices"));
+      const auto indices = indices_of(glb, primitive.at("indices"));
       EXPECT_EQ(indices.size() % 3, 0U);
       EXPECT_LT(*std::max_element(indices.begin(), indices.end()), positions.size() / 3);
       EXPECT_LT(primitive.at("material").get<std::size_t>(), glb.json.at("materials").size());

@@ -58,4 +58,14 @@ std::vector<Item> items_of(const Glb& glb, std::size_t accessor, std::size_t ite
   return items;
 }
 
+/// A primitive's indices, whichever of the two types they are in.
+inline std::vector<std::uint32_t> indices_of(const Glb& glb, std::size_t accessor) {
+  constexpr int uint16_type = 5123;
+  if (glb.json.at("accessors").at(accessor).at("componentType") == uint16_type) {
+    const auto indices = items_of<std::uint16_t>(glb, accessor);
+    return {indices.begin(), indices.end()};
+  }
+  return items_of<std::uint32_t>(glb, accessor);
+}
+
 }  // namespace foveola::scenes

@@ -62,6 +62,22 @@ TEST(GlbWriter, PositionsComeWithTheirBounds) {
   EXPECT_EQ(json.at("accessors").at(positions).at("max"), nlohmann::json({1.0, 1.0, 1.0}));
 }
 
+TEST(GlbWriter, IndicesAreShortWhereThatHoldsThem) {
+  Model model;
+  const int paint = add_material(model, {.name = "paint"});
+  const auto flat = [](double u, double v) { return DVec3(u, v, 0.0); };
+  constexpr int cells = 256;
+  add_object(model, "Box", {{paint, box(DVec3(1.0))}});
+  add_object(model, "Sheet", {{paint, patch(cells, cells, flat)}});
+  const Glb glb = taken_apart(glb_from(model));
+  const auto accessor = [&](std::size_t mesh) -> std::size_t {
+    return glb.json.at("meshes").at(mesh).at("primitives").at(0).at("indices");
+  };
+  EXPECT_EQ(items_of<std::uint16_t>(glb, accessor(0)).size(), 36U);
+  const auto indices = items_of<std::uint32_t>(glb, accessor(1));
+  EXPECT_EQ(*std::max_element(indices.begin(), indices.end()), (cells + 1U) * (cells + 1U) - 1U);
+}
+
 TEST(GlbWriter, EmissionBeyondOneUsesTheStrengthExtension) {
   const nlohmann::json json = taken_apart(glb_from(small_model())).json;
   const nlohmann::json& lamp = json.at("materials").at(0);
