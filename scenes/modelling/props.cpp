@@ -13,19 +13,6 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-/// A leaf that rises from the origin towards +Z and bends down; uvs over [0, 1], stalk at v = 1.
-Shape leaf_blade(double length, double width, double droop) {
-  Shape blade = patch(2, 4, [&](double u, double v) {
-    const double across = u - 0.5;
-    const double rise = length * (0.35 * v - droop * v * v);
-    return DVec3(across * width, rise + 0.5 * width * across * across, length * v);
-  });
-  for (DVec2& uv : blade.uvs) {
-    uv.y = 1.0 - uv.y;
-  }
-  return inside_out(blade);
-}
-
 /// Where a stem is at height fraction t: it leans outwards as it rises.
 DVec3 stem_point(const PlantSize& size, double angle, double lean, double height, double t) {
   const double out = size.pot_radius * 0.3 + lean * height * t * t;
@@ -33,6 +20,20 @@ DVec3 stem_point(const PlantSize& size, double angle, double lean, double height
 }
 
 }  // namespace
+
+Shape leaf_blade(double length, double width, double droop, int rows) {
+  Shape blade = patch(rows > 2 ? 4 : 2, rows, [&](double u, double v) {
+    const double across = u - 0.5;
+    const double rise = length * (0.35 * v - droop * v * v);
+    const double fold = 0.22 * width * std::abs(across) * (1.0 - 0.6 * v);
+    const double wave = 0.03 * width * std::abs(across) * std::sin(14.0 * v + 9.0 * across);
+    return DVec3(across * width, rise + fold + wave, length * v);
+  });
+  for (DVec2& uv : blade.uvs) {
+    uv.y = 1.0 - uv.y;
+  }
+  return inside_out(blade);
+}
 
 Shape column(const ColumnSize& size, int segments) {
   const double r = size.radius;
@@ -105,31 +106,44 @@ PlantMaterials add_plant_materials(Model& model) {
       add_textured_material(model, "terracotta", plaster(256, {0.5F, 0.2F, 0.1F}, 0.2, 1), 0.8F);
   materials.soil = add_material(model, {.name = "soil", .base_color = {0.06F, 0.04F, 0.025F}});
   materials.stem = add_material(model, {.name = "stem", .base_color = {0.12F, 0.2F, 0.05F}});
-  const int leaf_image = add_image(model, leaf(256, {0.1F, 0.28F, 0.05F}, 2));
+  const int leaf_image = add_image(model, leaf(512, {0.1F, 0.28F, 0.05F}, 2));
   materials.leaf = add_material(model, {.name = "leaf",
                                         .base_color = Rgb(1.0F),
                                         .roughness = 0.6F,
                                         .base_color_image = leaf_image,
                                         .alpha_cutoff = 0.5F,
                                         .double_sided = true});
+  materials.leaflet = add_material(model, {.name = "leaflet",
+                                           .base_color = {0.09F, 0.22F, 0.05F},
+                                           .roughness = 0.5F,
+                                           .double_sided = true});
   return materials;
+}
+
+std::vector<Part> pot_with_soil(double r, double h, const PlantMaterials& materials) {
+  const Shape pot = lathe({{0.0, 0.0},
+                           {0.66 * r, 0.0},
+                           {0.7 * r, 0.015 * h},
+                           {0.72 * r, 0.05 * h},
+                           {0.83 * r, 0.45 * h},
+                           {0.95 * r, 0.82 * h},
+                           {0.97 * r, 0.84 * h},
+                           {1.04 * r, 0.855 * h},
+                           {1.06 * r, 0.87 * h},
+                           {1.07 * r, 0.96 * h},
+                           {1.06 * r, 0.985 * h},
+                           {1.03 * r, h},
+                           {0.95 * r, h},
+                           {0.93 * r, 0.985 * h},
+                           {0.9 * r, 0.88 * h}},
+                          40);
+  const Shape soil = lathe({{0.91 * r, 0.9 * h}, {0.4 * r, 0.93 * h}, {0.0, 0.94 * h}}, 28);
+  return {{materials.pot, pot, 35.0}, {materials.soil, soil, 60.0}};
 }
 
 std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& materials,
                                std::uint32_t seed) {
-  const double r = size.pot_radius;
-  const double h = size.pot_height;
-  const Shape pot = lathe({{0.0, 0.0},
-                           {0.68 * r, 0.0},
-                           {0.72 * r, 0.04 * h},
-                           {0.95 * r, 0.84 * h},
-                           {1.05 * r, 0.86 * h},
-                           {1.06 * r, 0.98 * h},
-                           {1.03 * r, h},
-                           {0.92 * r, h},
-                           {0.9 * r, 0.88 * h}},
-                          28);
-  const Shape soil = lathe({{0.91 * r, 0.9 * h}, {0.4 * r, 0.93 * h}, {0.0, 0.94 * h}}, 28);
+  std::vector<Part> parts = pot_with_soil(size.pot_radius, size.pot_height, materials);
   Pcg32 random(seed);
   Shape stems;
   Shape leaves;
@@ -147,14 +161,13 @@ std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& mate
       const double length = size.leaf_length * (0.7 + 0.5 * random.uniform());
       const double droop = 0.3 + 0.6 * random.uniform();
       const double turn_deg = 137.5 * k + 360.0 * random.uniform();
-      const Shape blade = turned(leaf_blade(length, 0.75 * length, droop), turn_deg);
+      const Shape blade = turned(leaf_blade(length, 0.75 * length, droop, 6), turn_deg);
       append(leaves, moved(blade, stem_point(size, angle, lean, height, t)));
     }
   }
-  return {{materials.pot, pot, 35.0},
-          {materials.soil, soil, 60.0},
-          {materials.stem, stems, 60.0},
-          {materials.leaf, leaves, 80.0}};
+  parts.push_back({materials.stem, stems, 60.0});
+  parts.push_back({materials.leaf, leaves, 80.0});
+  return parts;
 }
 
 std::vector<Part> moved(std::vector<Part> parts, const DVec3& offset) {

@@ -42,9 +42,15 @@ struct PlantMaterials {
   int pot = 0;
   int soil = 0;
   int stem = 0;
-  int leaf = 0;  ///< cut out and double-sided
+  int leaf = 0;     ///< cut out and double-sided
+  int leaflet = 0;  ///< plain and double-sided, for narrow leaves
 };
 PlantMaterials add_plant_materials(Model& model);
+/// The pot on the origin with its soil, for a plant of any kind.
+std::vector<Part> pot_with_soil(double radius, double height, const PlantMaterials& materials);
+/// A leaf that rises from the origin towards +Z and bends down, folded along its midrib; uvs over
+/// [0, 1], stalk at v = 1.
+Shape leaf_blade(double length, double width, double droop, int rows);
 std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& materials,
                                std::uint32_t seed);
 
