@@ -1,112 +1,16 @@
 #include "scenes/modelling/patterns.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "renderer/base/random.h"
+#include "scenes/modelling/painting.h"
 
 namespace foveola::scenes {
 namespace {
 
-/// A texel's linear colour and its alpha.
-struct Texel {
-  DVec3 color{0.0};
-  double alpha = 1.0;
-};
-
-/// Linear light to sRGB bytes (IEC 61966-2-1), rounded.
-class SrgbEncoder {
- public:
-  SrgbEncoder() {
-    for (std::size_t i = 0; i < thresholds_.size(); ++i) {
-      const double encoded = (static_cast<double>(i) + 0.5) / 255.0;
-      thresholds_[i] =
-          encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-    }
-  }
-
-  std::uint8_t byte(double linear) const {
-    const auto* const above = std::upper_bound(thresholds_.begin(), thresholds_.end(), linear);
-    return static_cast<std::uint8_t>(above - thresholds_.begin());
-  }
-
- private:
-  std::array<double, 255> thresholds_{};  ///< the linear value from which on a byte is one more
-};
-
-/// An image whose texel at (u, v) in (0, 1) from the top left is texel(u, v).
-template <typename Function>
-Image painted(int width, int height, const Function& texel) {
-  const SrgbEncoder srgb;
-  Image image{width, height, {}};
-  image.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Texel t = texel((x + 0.5) / width, (y + 0.5) / height);
-      image.rgba.insert(image.rgba.end(),
-                        {srgb.byte(t.color.r), srgb.byte(t.color.g), srgb.byte(t.color.b),
-                         static_cast<std::uint8_t>(std::lround(255.0 * t.alpha))});
-    }
-  }
-  return image;
-}
-
-double smooth_step(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-double blend(double a, double b, double t) { return a + (b - a) * t; }
-DVec3 blend(const DVec3& a, const DVec3& b, double t) { return a + (b - a) * t; }
-
-/// A number in [0, 1) for the cell (x, y).
-double cell_value(int x, int y, std::uint32_t seed) {
-  return unit_float(mix(mix(seed + static_cast<std::uint32_t>(x)) + static_cast<std::uint32_t>(y)));
-}
-
-/// Smooth noise in [0, 1] for x in [0, period_x) and y in [0, period_y), with one value at each
-/// integer point, repeating after the periods (value noise, Perlin 1985 with a smoothed lattice).
-double noise(double x, double y, int period_x, int period_y, std::uint32_t seed) {
-  const int x0 = static_cast<int>(x);
-  const int y0 = static_cast<int>(y);
-  const int x1 = x0 + 1 == period_x ? 0 : x0 + 1;
-  const int y1 = y0 + 1 == period_y ? 0 : y0 + 1;
-  const double tx = smooth_step(0.0, 1.0, x - x0);
-  const double ty = smooth_step(0.0, 1.0, y - y0);
-  const double top = blend(cell_value(x0, y0, seed), cell_value(x1, y0, seed), tx);
-  const double bottom = blend(cell_value(x0, y1, seed), cell_value(x1, y1, seed), tx);
-  return blend(top, bottom, ty);
-}
-
-/// Four octaves of noise in [0, 1] over the unit square, coarsest with the given periods.
-double fractal_noise(double u, double v, int period_x, int period_y, std::uint32_t seed) {
-  double sum = 0.0;
-  double weight = 0.5;
-  for (std::uint32_t octave = 0; octave < 4; ++octave) {
-    const int scale = 1 << octave;
-    const int px = period_x * scale;
-    const int py = period_y * scale;
-    sum += weight * noise(u * px, v * py, px, py, mix(seed, octave));
-    weight *= 0.5;
-  }
-  return sum / (1.0 - 2.0 * weight);
-}
-
-/// How far x is from the nearest integer, in [0, 0.5].
-double distance_to_integer(double x) { return std::abs(x - std::round(x)); }
-
-double distance_to_segment(const DVec2& p, const DVec2& a, const DVec2& b) {
-  const DVec2 along = b - a;
-  const double t = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
-  return glm::distance(p, a + t * along);
-}
-
-/// 1 inside a stroke of the given width around a line, 0 outside, soft over `edge`.
-double stroke(double distance, double width, double edge) {
-  return 1.0 - smooth_step(0.5 * width - edge, 0.5 * width + edge, distance);
-}
+using namespace paint;  // NOLINT(google-build-using-namespace): its every name is drawn with here
 
 }  // namespace
 
@@ -119,10 +23,10 @@ Image floor_tiles(int size, int tiles, const Rgb& first, const Rgb& second, std:
     const int row = static_cast<int>(y);
     const DVec3 color((column + row) % 2 == 0 ? first : second);
     const double shade = 0.85 + 0.3 * cell_value(column, row, seed);
-    const double cloud = 0.8 + 0.4 * fractal_noise(u, v, 3 * tiles, 3 * tiles, mix(seed, 1));
+    const double clouds = 0.8 + 0.4 * cloud(u, v, 3 * tiles, mix(seed, 1));
     const double from_joint = std::min(distance_to_integer(x), distance_to_integer(y));
     const double tile = smooth_step(0.5 * joint, joint, from_joint);
-    return Texel{blend(DVec3(0.18), color * shade * cloud, tile)};
+    return blend(DVec3(0.18), color * shade * clouds, tile);
   });
 }
 
@@ -135,12 +39,12 @@ Image masonry(int size, const Masonry& masonry, std::uint32_t seed) {
     const double stone_length = static_cast<double>(masonry.courses) / masonry.stones;
     const double from_joint =
         std::min(distance_to_integer(x) * stone_length, distance_to_integer(y));
-    const double roughness = fractal_noise(u, v, 24, 24, mix(seed, 1));
+    const double roughness = cloud(u, v, 24, mix(seed, 1));
     const double shade = 1.0 + masonry.variation * (2.0 * cell_value(stone, course, seed) - 1.0);
-    const double inside =
+    const double in_stone =
         smooth_step(0.5 * masonry.joint, masonry.joint, from_joint + 0.02 * (roughness - 0.5));
     const DVec3 color = DVec3(masonry.stone) * shade * (0.75 + 0.5 * roughness);
-    return Texel{blend(DVec3(masonry.mortar), color, inside)};
+    return blend(DVec3(masonry.mortar), color, in_stone);
   });
 }
 
@@ -149,22 +53,22 @@ Image wood(int size, int boards, const Rgb& light, const Rgb& dark, std::uint32_
     const double x = u * boards;
     const int board = static_cast<int>(x);
     const std::uint32_t board_seed = mix(seed, static_cast<std::uint32_t>(board));
-    const double bend = fractal_noise(u, v, 2 * boards, 2, board_seed);
+    const double bend = cloud(u, v, 2 * boards, 2, board_seed);
     const double rings = std::sin(2.0 * std::numbers::pi * (6.0 * x + 5.0 * bend));
-    const double fibres = fractal_noise(u, v, 64 * boards, 4, mix(board_seed, 1));
+    const double fibres = cloud(u, v, 64 * boards, 4, mix(board_seed, 1));
     const double grain = std::clamp(0.35 + 0.25 * rings + 0.5 * (fibres - 0.3), 0.0, 1.0);
     const double shade = 0.85 + 0.3 * cell_value(board, 0, seed);
     const double gap = smooth_step(0.004, 0.012, distance_to_integer(x));
-    return Texel{blend(DVec3(light), DVec3(dark), grain) * shade * (0.35 + 0.65 * gap)};
+    return blend(DVec3(light), DVec3(dark), grain) * shade * (0.35 + 0.65 * gap);
   });
 }
 
 Image plaster(int size, const Rgb& color, double variation, std::uint32_t seed) {
   return painted(size, size, [&](double u, double v) {
-    const double coarse = fractal_noise(u, v, 4, 4, seed);
-    const double fine = fractal_noise(u, v, 40, 40, mix(seed, 1));
+    const double coarse = cloud(u, v, 4, seed);
+    const double fine = cloud(u, v, 40, mix(seed, 1));
     const double shade = 1.0 + variation * (1.4 * coarse + 0.6 * fine - 1.0);
-    return Texel{DVec3(color) * shade};
+    return DVec3(color) * shade;
   });
 }
 
@@ -177,8 +81,8 @@ Image cloth(int size, int stripes, const Rgb& ground, const Rgb& stripe, std::ui
     const DVec3 color = blend(DVec3(ground), DVec3(stripe), std::max(band, hem));
     const double weave = std::sin(2.0 * std::numbers::pi * u * threads) *
                          std::sin(2.0 * std::numbers::pi * v * threads);
-    const double wear = fractal_noise(u, v, 6, 6, seed);
-    return Texel{color * (0.85 + 0.08 * weave + 0.3 * (wear - 0.35))};
+    const double wear = cloud(u, v, 6, seed);
+    return color * (0.85 + 0.08 * weave + 0.3 * (wear - 0.35));
   });
 }
 
@@ -192,14 +96,14 @@ Image ceiling_panels(int size, int panels, std::uint32_t seed) {
     const DVec2 from_hole(distance_to_integer(x * holes + 0.5),
                           distance_to_integer(y * holes + 0.5));
     const double hole = 1.0 - smooth_step(0.1, 0.2, glm::length(from_hole));
-    const double shade = 0.96 + 0.08 * fractal_noise(u, v, 16, 16, seed);
-    return Texel{DVec3(0.72) * shade * (0.4 + 0.6 * groove) * (1.0 - 0.5 * hole * groove)};
+    const double shade = 0.96 + 0.08 * cloud(u, v, 16, seed);
+    return DVec3(0.72) * shade * (0.4 + 0.6 * groove) * (1.0 - 0.5 * hole * groove);
   });
 }
 
 Image leaf(int size, const Rgb& color, std::uint32_t seed) {
   constexpr double stalk_length = 0.12;
-  return painted(size, size, [&](double u, double v) {
+  return cut_out(size, size, [&](double u, double v) {
     const double along = 1.0 - v;
     const double across = u - 0.5;
     const double t = std::clamp((along - stalk_length) / (1.0 - stalk_length), 0.0, 1.0);
@@ -209,7 +113,7 @@ Image leaf(int size, const Rgb& color, std::uint32_t seed) {
     const double rib = stroke(std::abs(across), 0.03, 0.008);
     const double veins =
         stroke(distance_to_integer(9.0 * (along - 0.9 * std::abs(across))), 0.12, 0.05);
-    const double shade = 0.75 + 0.5 * fractal_noise(u, v, 5, 5, seed);
+    const double shade = 0.75 + 0.5 * cloud(u, v, 5, seed);
     const DVec3 lighter = DVec3(color) * 1.6 + DVec3(0.03);
     return Texel{blend(DVec3(color) * shade, lighter, std::max(rib, 0.5 * veins)),
                  blade || stalk ? 1.0 : 0.0};
@@ -224,7 +128,7 @@ Image written_board(int height, std::uint32_t seed) {
   const DVec3 red(0.5, 0.04, 0.03);
   return painted(2 * height, height, [&](double u, double v) {
     const DVec2 p(2.0 * u, v);
-    DVec3 color = DVec3(0.74) * (0.97 + 0.06 * fractal_noise(u, v, 4, 4, seed));
+    DVec3 color = DVec3(0.74) * (0.97 + 0.06 * cloud(u, v, 4, seed));
     const auto draw = [&](const DVec3& ink, double amount) { color = blend(color, ink, amount); };
     // Writing: on each line a wavering stroke, broken into words.
     const double y = (p.y - 0.12) / 0.085;
@@ -250,7 +154,7 @@ Image written_board(int height, std::uint32_t seed) {
       draw(bar % 2 == 0 ? blue : red, p.y > top ? 0.8 : 0.0);
     }
     draw(black, stroke(distance_to_segment(p, {1.16, 0.66}, {1.86, 0.2}), 0.012, edge));
-    return Texel{color};
+    return color;
   });
 }
 
@@ -259,12 +163,11 @@ Image landscape(int size, std::uint32_t seed) {
     const DVec3 sky = blend({0.15, 0.3, 0.65}, {0.85, 0.6, 0.4}, smooth_step(0.0, 0.55, v));
     DVec3 color = sky;
     for (int ridge = 0; ridge < 4; ++ridge) {
-      const double height =
-          0.42 + 0.13 * ridge - 0.2 * (fractal_noise(u, 0.5, 3, 3, mix(seed, ridge)) - 0.4);
+      const double height = 0.42 + 0.13 * ridge - 0.2 * (cloud(u, 0.5, 3, mix(seed, ridge)) - 0.4);
       const DVec3 hill = blend({0.3, 0.35, 0.45}, {0.08, 0.18, 0.04}, ridge / 3.0);
       color = blend(color, hill, smooth_step(height, height + 0.01, v));
     }
-    return Texel{color};
+    return color;
   });
 }
 
@@ -285,7 +188,7 @@ Image clock_face(int size) {
     constexpr double ten_past_ten = (10.0 + 1.0 / 6.0) / 12.0;
     const double ink =
         std::max({mark, hand(ten_past_ten, 0.24, 0.035), hand(1.0 / 6.0, 0.36, 0.022)});
-    return Texel{blend(DVec3(0.78), DVec3(0.03), ink)};
+    return blend(DVec3(0.78), DVec3(0.03), ink);
   });
 }
 
