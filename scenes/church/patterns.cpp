@@ -144,7 +144,7 @@ Image starry_sky(int size, std::uint32_t seed) {
     const double size_here = 0.12 + 0.1 * cell_value(i + j, i, mix(seed, 2));
     const double star = inside(std::abs(ray.x) - 0.3 * (size_here - ray.y), 0.012);
     const double patchy = 0.7 + 0.6 * cloud(u, v, 6, mix(seed, 3));
-    return blend(DVec3(0.035, 0.075, 0.26) * patchy, gold, star);
+    return blend(DVec3(0.05, 0.11, 0.36) * patchy, gold, star);
   });
 }
 
