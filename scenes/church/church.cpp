@@ -40,7 +40,7 @@ void add_stones(Model& model, Materials& m) {
                                            .stones = 5,
                                            .joint = 0.05,
                                            .variation = 0.1,
-                                           .stone = {0.74F, 0.7F, 0.62F},
+                                           .stone = {0.7F, 0.67F, 0.61F},
                                            .mortar = {0.6F, 0.55F, 0.47F}},
                                           53),
                                   0.95F);
@@ -89,7 +89,7 @@ void add_small_things(Model& model, Materials& m) {
   m.water = add_material(
       model, {.name = "font water", .base_color = {0.06F, 0.1F, 0.1F}, .roughness = 0.1F});
   m.flame = add_material(model, {.name = "flame", .emission = {160.0F, 92.0F, 34.0F}});
-  m.lamp = add_material(model, {.name = "lamp glass", .emission = {34.0F, 22.0F, 10.5F}});
+  m.lamp = add_material(model, {.name = "lamp glass", .emission = {28.0F, 20.0F, 12.0F}});
 }
 
 /// The upper windows see open sky, hazy where the sun is; trees and houses shade the lower ones.
@@ -98,7 +98,7 @@ void add_skies(Model& model, Materials& m) {
     return add_material(model, {.name = name, .base_color = Rgb(0.0F), .emission = radiance});
   };
   m.northern_sky = sky("northern sky", {7.0F, 8.0F, 9.5F});
-  m.southern_sky = sky("southern sky", {16.0F, 14.4F, 11.8F});
+  m.southern_sky = sky("southern sky", {14.5F, 14.0F, 13.2F});
   m.shaded_sky = sky("shaded sky", {2.6F, 2.7F, 2.8F});
 }
 
