@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderer/base/random.h"
-#include "scenes/church/painting.h"
+#include "scenes/modelling/painting.h"
 
 namespace foveola::scenes::arcade {
 
@@ -43,7 +43,7 @@ Image banner_cloth(int size, const Rgb& ground, std::uint32_t seed) {
     const DVec2 from_middle = p - DVec2(0.0, 0.08);
     color = blend(color, gold, inside(to_foil(from_middle, 8, 0.25, 0.11), edge));
     color = blend(color, DVec3(ground) * 0.8, inside(radius - 0.27, edge));
-    color = blend(color, cream, along(radius - 0.24, 0.012, edge));
+    color = blend(color, cream, stroke(radius - 0.24, 0.012, edge));
     const DVec2 ray = in_sector(from_middle, 8);
     color = blend(color, gold, inside(std::abs(ray.x) - 0.36 * (0.21 - ray.y), edge));
     color = blend(color, DVec3(ground) * 0.7, inside(radius - 0.055, edge));
@@ -54,8 +54,8 @@ Image banner_cloth(int size, const Rgb& ground, std::uint32_t seed) {
     const double run = 11.0 * (on_side ? p.y : p.x);
     const DVec2 foil((run - std::round(run)) / 11.0, from_edge - 0.05);
     color = blend(color, gold, inside(to_foil(foil, 4, 0.013, 0.013), edge));
-    color = blend(color, cream, along(from_edge - 0.085, 0.008, edge));
-    color = blend(color, cream, along(from_edge - 0.016, 0.008, edge));
+    color = blend(color, cream, stroke(from_edge - 0.085, 0.008, edge));
+    color = blend(color, cream, stroke(from_edge - 0.016, 0.008, edge));
     const double weave = std::sin(6.2832 * threads_per_width * u) *
                          std::sin(6.2832 * threads_per_width * height * v);
     return color * (0.85 + 0.07 * weave + 0.28 * cloud(u, v, 6, seed));

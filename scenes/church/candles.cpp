@@ -162,15 +162,21 @@ void Candles::append_to(std::vector<Part>& parts, const Materials& m) const {
   parts.push_back({m.flame, flames, 80.0});
 }
 
-void add_chandelier(Model& model, const Materials& m) {
-  const DVec3 place(2.0, 4.4, 0.0);
-  Candles candles = chandelier(nave_springing + nave_rise - place.y - 1.16);
-  for (Shape* shape : {&candles.brass, &candles.wax, &candles.flames}) {
-    *shape = moved(*shape, place);
+void add_chandeliers(Model& model, const Materials& m) {
+  struct Place {
+    const char* name;
+    DVec3 position;
+  };
+  for (const Place& place :
+       {Place{"Chandelier", {2.0, 4.4, 0.0}}, Place{"Western chandelier", {-6.0, 5.2, 0.0}}}) {
+    Candles candles = chandelier(nave_springing + nave_rise - place.position.y - 1.16);
+    for (Shape* shape : {&candles.brass, &candles.wax, &candles.flames}) {
+      *shape = moved(*shape, place.position);
+    }
+    std::vector<Part> parts;
+    candles.append_to(parts, m);
+    add_object(model, place.name, parts);
   }
-  std::vector<Part> parts;
-  candles.append_to(parts, m);
-  add_object(model, "Chandelier", parts);
 }
 
 void add_candles(Model& model, const Materials& m) {

@@ -28,20 +28,20 @@ void add_stones(Model& model, Materials& m) {
                                              .stones = 4,
                                              .joint = 0.03,
                                              .variation = 0.22,
-                                             .stone = {0.56F, 0.5F, 0.41F},
-                                             .mortar = {0.42F, 0.38F, 0.31F}},
+                                             .stone = {0.66F, 0.6F, 0.5F},
+                                             .mortar = {0.52F, 0.47F, 0.39F}},
                                             51),
                                     0.95F);
   m.limestone = add_textured_material(model, "church limestone",
-                                      plaster(512, {0.6F, 0.55F, 0.47F}, 0.22, 52), 0.85F);
+                                      plaster(512, {0.7F, 0.65F, 0.57F}, 0.22, 52), 0.85F);
   m.vault = add_textured_material(model, "vault",
                                   masonry(1024,
                                           {.courses = 12,
                                            .stones = 5,
                                            .joint = 0.05,
                                            .variation = 0.1,
-                                           .stone = {0.66F, 0.62F, 0.54F},
-                                           .mortar = {0.5F, 0.46F, 0.39F}},
+                                           .stone = {0.7F, 0.67F, 0.61F},
+                                           .mortar = {0.6F, 0.55F, 0.47F}},
                                           53),
                                   0.95F);
   m.sky_vault = add_textured_material(model, "starry vault", starry_sky(1024, 54), 0.9F);
@@ -89,7 +89,17 @@ void add_small_things(Model& model, Materials& m) {
   m.water = add_material(
       model, {.name = "font water", .base_color = {0.06F, 0.1F, 0.1F}, .roughness = 0.1F});
   m.flame = add_material(model, {.name = "flame", .emission = {160.0F, 92.0F, 34.0F}});
-  m.lamp = add_material(model, {.name = "lamp glass", .emission = {14.0F, 9.2F, 4.6F}});
+  m.lamp = add_material(model, {.name = "lamp glass", .emission = {28.0F, 20.0F, 12.0F}});
+}
+
+/// The upper windows see open sky, hazy where the sun is; trees and houses shade the lower ones.
+void add_skies(Model& model, Materials& m) {
+  const auto sky = [&](const char* name, const Rgb& radiance) {
+    return add_material(model, {.name = name, .base_color = Rgb(0.0F), .emission = radiance});
+  };
+  m.northern_sky = sky("northern sky", {7.0F, 8.0F, 9.5F});
+  m.southern_sky = sky("southern sky", {14.5F, 14.0F, 13.2F});
+  m.shaded_sky = sky("shaded sky", {2.6F, 2.7F, 2.8F});
 }
 
 }  // namespace
@@ -99,11 +109,14 @@ Materials add_materials(Model& model) {
   add_stones(model, m);
   add_woods_and_metals(model, m);
   add_small_things(model, m);
+  add_skies(model, m);
   m.grisaille = add_glass(model, "grisaille", grisaille_window(320, 67));
   m.blue_glass =
       add_glass(model, "window with a blue saint", figure_window(256, {0.02F, 0.08F, 0.4F}, 68));
   m.green_glass =
       add_glass(model, "window with a green saint", figure_window(256, {0.01F, 0.2F, 0.04F}, 69));
+  m.white_glass =
+      add_glass(model, "window with a white saint", figure_window(256, {0.5F, 0.42F, 0.28F}, 71));
   m.rose_glass = add_glass(model, "rose window", rose_window(1024, 70));
   return m;
 }
@@ -128,7 +141,7 @@ Model make_church() {
   add_pews(model, materials);
   add_statues(model, materials);
   add_aisle_furniture(model, materials);
-  add_chandelier(model, materials);
+  add_chandeliers(model, materials);
   add_candles(model, materials);
   model.cameras.push_back({"Nave", {-5.2F, 1.6F, 0.5F}, {radians(92.0), 0.0}});
   return model;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "renderer/base/random.h"
-#include "scenes/church/painting.h"
 #include "scenes/church/patterns.h"
+#include "scenes/modelling/painting.h"
 
 namespace foveola::scenes {
 namespace {

@@ -54,9 +54,13 @@ struct Materials {
   int water = 0;
   int flame = 0;
   int lamp = 0;
+  int northern_sky = 0;
+  int southern_sky = 0;
+  int shaded_sky = 0;
   int grisaille = 0;
   int blue_glass = 0;
   int green_glass = 0;
+  int white_glass = 0;
   int rose_glass = 0;
 };
 Materials add_materials(Model& model);
@@ -76,7 +80,7 @@ void add_statues(Model& model, const Materials& m);
 void add_aisle_furniture(Model& model, const Materials& m);
 void add_organ(Model& model, const Materials& m);
 void add_west_door(Model& model, const Materials& m);
-void add_chandelier(Model& model, const Materials& m);
+void add_chandeliers(Model& model, const Materials& m);
 void add_candles(Model& model, const Materials& m);
 
 /// A wall with a round-headed window, whose jambs start at the origin; the room is at +Z.

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "renderer/base/random.h"
-#include "scenes/church/painting.h"
+#include "scenes/modelling/painting.h"
 
 namespace foveola::scenes {
 namespace {
@@ -98,7 +98,7 @@ Image inlaid_rosette(int size, std::uint32_t seed) {
     const double petal_radius = glm::length(petal);
     color = blend(color, small_triangles(24.0 * petal_turn, 14.0 * petal_radius, mix(seed, 2)),
                   inside(petal_radius - 0.18, edge));
-    color = blend(color, white_marble, along(petal_radius - 0.11, 0.014, edge));
+    color = blend(color, white_marble, stroke(petal_radius - 0.11, 0.014, edge));
     color = blend(color, number % 2 == 0 ? porphyry : serpentine, inside(petal_radius - 0.1, edge));
     disc(0.36, small_triangles(40.0 * turn, 14.0 * radius, mix(seed, 3)));
     disc(0.28, serpentine);
@@ -144,7 +144,7 @@ Image starry_sky(int size, std::uint32_t seed) {
     const double size_here = 0.12 + 0.1 * cell_value(i + j, i, mix(seed, 2));
     const double star = inside(std::abs(ray.x) - 0.3 * (size_here - ray.y), 0.012);
     const double patchy = 0.7 + 0.6 * cloud(u, v, 6, mix(seed, 3));
-    return blend(DVec3(0.035, 0.075, 0.26) * patchy, gold, star);
+    return blend(DVec3(0.05, 0.11, 0.36) * patchy, gold, star);
   });
 }
 
@@ -154,7 +154,7 @@ Image altar_frontal(int height, std::uint32_t seed) {
     const double arms =
         std::min(to_rectangle(cell, {0.05, 0.26}), to_rectangle(cell, {0.26, 0.05}));
     const double cross = inside(arms, 0.012);
-    const double ring = along(to_circle(cell, 0.38), 0.03, 0.01);
+    const double ring = stroke(to_circle(cell, 0.38), 0.03, 0.01);
     const double weave = 0.9 + 0.1 * std::sin(900.0 * u) * std::sin(450.0 * v);
     const DVec3 red = DVec3(0.34, 0.02, 0.03) * (0.8 + 0.4 * cloud(u, v, 5, seed));
     DVec3 color = blend(red, gold, std::max(cross, ring));

@@ -101,8 +101,8 @@ std::vector<WindowPlace> clerestory_windows() {
     for (const double side : {-1.0, 1.0}) {
       places.push_back({.sill = {x, gallery + 0.3, side * arcade_z},
                         .turn_deg = side < 0.0 ? 0.0 : 180.0,
-                        .width = 1.5,
-                        .jamb = 1.8,
+                        .width = 1.9,
+                        .jamb = 2.0,
                         .wall_width = bay,
                         .wall_height = nave_top - gallery - 0.3});
     }

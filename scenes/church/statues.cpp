@@ -8,7 +8,7 @@
 namespace foveola::scenes::church {
 namespace {
 
-/// A pedestal of `height` on the origin.
+/// A pedestal of `height` on the origin, as wide as a figure's cloak.
 Shape pedestal(double height) {
   const double h = height;
   Shape shape = box({-0.34, 0.0, -0.34}, {0.34, 0.16, 0.34});
@@ -23,7 +23,7 @@ Shape pedestal(double height) {
                             24),
                       {0.0, 0.16, 0.0}));
   append(shape, box({-0.32, h - 0.1, -0.32}, {0.32, h, 0.32}));
-  return shape;
+  return scaled(shape, {1.45, 1.0, 1.45});
 }
 
 /// A saint with a halo on a pedestal, facing +Z.
@@ -35,6 +35,24 @@ std::vector<Part> saint(const Materials& m, int stone, double height) {
   append(gold, moved(ellipsoid({0.035, 0.05, 0.035}, 10), {0.16, foot + 0.97 * height, 0.3}));
   const Shape figure = moved(robed_figure(height), {0.0, foot, 0.0});
   return {{m.dark_stone, pedestal(foot), 35.0}, {stone, figure, 50.0}, {m.gold, gold, 60.0}};
+}
+
+/// A dark corner with a floor and a roof, against which a saint of pale stone stands out; open to
+/// -X and -Z, its middle over the origin.
+std::vector<Part> niche(const Materials& m) {
+  constexpr double half = 0.56;
+  constexpr double floor = 1.262;  // just above the pedestal's top
+  constexpr double height = 2.1;
+  constexpr double board = 0.06;
+  Shape wood = box({-half, floor - 0.08, -half}, {half, floor, half});
+  append(wood, box({-half, floor, half - board}, {half, floor + height, half}));
+  append(wood, box({half - board, floor, -half}, {half, floor + height, half - board}));
+  append(wood, box({-half, floor + height, -half}, {half, floor + height + 0.06, half}));
+  const double roof = floor + height + 0.06;
+  append(wood, box({-half - 0.06, roof, -half - 0.06}, {half + 0.06, roof + 0.07, half + 0.04}));
+  Shape gold = moved(turned(cone(0.62, 0.0, 0.55, 4), 45.0), {0.0, roof + 0.06, 0.0});
+  append(gold, moved(ellipsoid({0.07, 0.09, 0.07}, 12), {0.0, roof + 0.63, 0.0}));
+  return {{m.dark_oak, with_projected_uvs(wood, {0.7, 0, 0.7}, {0, 0.7, 0})}, {m.gold, gold}};
 }
 
 std::vector<Part> turned_parts(std::vector<Part> parts, double turn_deg) {
@@ -128,11 +146,13 @@ void add_statues(Model& model, const Materials& m) {
     double turn_deg;
     int stone;
   };
-  for (const Place& place : {Place{"Marble saint", {4.0, 0.0, 2.66}, 180.0, m.white_marble},
-                             Place{"Gilded saint", {-8.0, 0.0, -2.66}, 0.0, m.gold}}) {
+  const Place marble{"Marble saint", {4.0, 0.0, 2.45}, 225.0, m.white_marble};
+  const Place gilded{"Gilded saint", {-8.0, 0.0, -2.53}, 0.0, m.gold};
+  for (const Place& place : {marble, gilded}) {
     add_object(model, place.name,
                moved(turned_parts(saint(m, place.stone, 1.75), place.turn_deg), place.position));
   }
+  add_object(model, "Niche", moved(niche(m), marble.position));
   add_tomb(model, m);
   add_rood(model, m);
   add_lectern(model, m);

@@ -1,4 +1,7 @@
 // The church's glass, with the stone and iron that hold it.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "scenes/church/parts.h"
@@ -9,6 +12,8 @@ namespace {
 
 /// How far panes reach into the wall around their opening.
 constexpr double rebate = 0.04;
+
+constexpr double daylight_behind_glass = 0.3;
 
 Shape placed(const Shape& shape, const WindowPlace& place) {
   return moved(turned(shape, place.turn_deg), place.sill);
@@ -49,21 +54,47 @@ Shape bars(const WindowPlace& place) {
   return placed(shape, place);
 }
 
+/// What shines in through the opening: the sky, brought close behind the glass, where light samples
+/// meet nothing but the glass on their way into the room.
+Shape daylight(const WindowPlace& place) {
+  constexpr int arch_rows = 6;
+  const double radius = 0.5 * place.width + 0.01;
+  const Shape sheet = patch(1, arch_rows + 1, [&](double u, double v) {
+    const double row = v * (arch_rows + 1);
+    const double angle = 0.5 * std::numbers::pi * std::max(0.0, row - 1.0) / arch_rows;
+    const double height = row < 0.5 ? -0.01 : place.jamb + radius * std::sin(angle);
+    return DVec3((2.0 * u - 1.0) * radius * std::cos(angle), height, -daylight_behind_glass);
+  });
+  return placed(sheet, place);
+}
+
+/// The light behind windows on either side of the church.
+struct Skies {
+  int north = 0;
+  int south = 0;
+};
+
 void add_group(Model& model, const Materials& m, const std::string& name,
-               const std::vector<WindowPlace>& places, const std::vector<int>& glasses) {
+               const std::vector<WindowPlace>& places, const std::vector<int>& glasses,
+               const Skies& skies) {
   std::vector<Part> panes;
   for (const int glass : glasses) {
     panes.push_back({glass, {}});
   }
   Shape stone;
   Shape iron;
+  Shape southern_light;
+  Shape northern_light;
   for (std::size_t i = 0; i < places.size(); ++i) {
+    append(places[i].sill.z > 0.5 ? southern_light : northern_light, daylight(places[i]));
     append(panes[i % panes.size()].shape, pane(places[i]));
     append(stone, surround(places[i]));
     append(iron, bars(places[i]));
   }
   add_object(model, name, panes);
   add_object(model, name + ", frames", {{m.limestone, stone}, {m.iron, iron}});
+  add_object(model, name + ", daylight",
+             {{skies.south, southern_light}, {skies.north, northern_light}});
 }
 
 /// Twelve spokes between an inner and an outer ring, with a small ring at each end.
@@ -90,15 +121,21 @@ void add_rose(Model& model, const Materials& m) {
     return moved(turned(shape, 90.0), {-half_length - 0.5 * wall, rose_height, 0.0});
   };
   add_object(model, "Rose window", {{m.rose_glass, put(glass)}, {m.limestone, put(tracery)}});
+  const Shape sheet = lathe({{rose_radius + 0.01, 0.0}, {0.0, 0.0}}, 32);
+  add_object(model, "Rose window, daylight",
+             {{m.northern_sky,
+               put(moved(turned(sheet, 90.0, {1, 0, 0}), {0.0, 0.0, -daylight_behind_glass}))}});
 }
 
 }  // namespace
 
 void add_windows(Model& model, const Materials& m) {
   add_group(model, m, "Aisle windows", aisle_windows(),
-            {m.grisaille, m.blue_glass, m.grisaille, m.grisaille, m.green_glass});
-  add_group(model, m, "Upper windows", clerestory_windows(), {m.grisaille});
-  add_group(model, m, "Apse windows", apse_windows(), {m.blue_glass, m.green_glass});
+            {m.blue_glass, m.white_glass, m.green_glass}, {m.shaded_sky, m.shaded_sky});
+  add_group(model, m, "Upper windows", clerestory_windows(), {m.grisaille},
+            {m.northern_sky, m.southern_sky});
+  add_group(model, m, "Apse windows", apse_windows(), {m.blue_glass, m.green_glass},
+            {m.shaded_sky, m.shaded_sky});
   add_rose(model, m);
 }
 

@@ -6,16 +6,11 @@
 #include <utility>
 
 #include "renderer/base/random.h"
-#include "scenes/church/painting.h"
-#include "scenes/schoolroom/canvas.h"
+#include "scenes/modelling/canvas.h"
+#include "scenes/modelling/painting.h"
 
 namespace foveola::scenes::meeting {
 namespace {
-
-using school::blank;
-using school::Canvas;
-using school::Pen;
-using school::TextStyle;
 
 // Of sRGB-encoded bytes, as the canvas takes them.
 const DVec3 black(28.0, 30.0, 36.0);

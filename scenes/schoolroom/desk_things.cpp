@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/base/random.h"
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/schoolroom/layout.h"
 #include "scenes/schoolroom/parts.h"
 #include "scenes/schoolroom/patterns.h"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/random.h"
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/schoolroom/layout.h"
 #include "scenes/schoolroom/parts.h"
 #include "scenes/schoolroom/patterns.h"

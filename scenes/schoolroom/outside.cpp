@@ -4,7 +4,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/schoolroom/parts.h"
 
 namespace foveola::scenes::school {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "renderer/base/random.h"
+#include "scenes/modelling/canvas.h"
 #include "scenes/modelling/patterns.h"
-#include "scenes/schoolroom/canvas.h"
 
 namespace foveola::scenes::school {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "renderer/base/random.h"
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/schoolroom/layout.h"
 #include "scenes/schoolroom/parts.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/schoolroom/parts.h"
 
 namespace foveola::scenes::school {

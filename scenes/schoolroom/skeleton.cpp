@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/schoolroom/layout.h"
 #include "scenes/schoolroom/parts.h"
 

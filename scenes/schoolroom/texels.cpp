@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "renderer/base/random.h"
+#include "scenes/modelling/canvas.h"
 #include "scenes/modelling/patterns.h"
-#include "scenes/schoolroom/canvas.h"
 #include "scenes/schoolroom/patterns.h"
 
 namespace foveola::scenes::school {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 #include "scenes/studio_car/pose.h"
 #include "scenes/studio_car/studio.h"
 
@@ -158,7 +158,7 @@ void add_softboxes(Model& model, const Materials& m) {
 void add_cables(Model& model, const Materials& m) {
   Shape cables;
   const auto lay = [&](const std::vector<DVec3>& points) {
-    append(cables, tube(school::curve(points, 12), 0.006, 10));
+    append(cables, tube(curve(points, 12), 0.006, 10));
   };
   constexpr double floor = 0.0065;
   for (const Softbox& softbox : standing_softboxes(m)) {

@@ -1,17 +1,12 @@
 #include <cmath>
 #include <utility>
 
+#include "scenes/modelling/canvas.h"
 #include "scenes/modelling/patterns.h"
-#include "scenes/schoolroom/canvas.h"
 #include "scenes/studio_car/studio.h"
 
 namespace foveola::scenes {
 namespace {
-
-using school::blank;
-using school::Canvas;
-using school::Ink;
-using school::Pen;
 
 int metal(Model& model, const char* name, const Rgb& color, float roughness) {
   return add_material(

@@ -1,4 +1,4 @@
-#include "scenes/schoolroom/canvas.h"
+#include "scenes/modelling/canvas.h"
 
 #include <algorithm>
 #include <array>
@@ -6,17 +6,11 @@
 #include <numbers>
 
 #include "renderer/base/random.h"
-#include "scenes/schoolroom/lettering.h"
+#include "scenes/modelling/lettering.h"
+#include "scenes/modelling/painting.h"
 
-namespace foveola::scenes::school {
+namespace foveola::scenes {
 namespace {
-
-double distance_to_segment(const DVec2& p, const DVec2& a, const DVec2& b) {
-  const DVec2 along = b - a;
-  const double squared = glm::dot(along, along);
-  const double t = squared > 0.0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return glm::distance(p, a + t * along);
-}
 
 /// The share of a pixel that lies inside an edge which is `distance` away, inside counting
 /// negative.
@@ -52,7 +46,7 @@ void Canvas::blend_box(const DVec2& lower, const DVec2& upper, const Ink& ink,
 void Canvas::draw_segment(const DVec2& a, const DVec2& b, const Pen& pen) {
   const DVec2 reach(0.5 * pen.width + 1.0);
   blend_box(glm::min(a, b) - reach, glm::max(a, b) + reach, pen.ink, [&](const DVec2& p) {
-    return covered(distance_to_segment(p, a, b) - 0.5 * pen.width);
+    return covered(paint::distance_to_segment(p, a, b) - 0.5 * pen.width);
   });
 }
 
@@ -135,4 +129,4 @@ bool is_inside(const DVec2& p, const std::vector<DVec2>& corners) {
   return inside;
 }
 
-}  // namespace foveola::scenes::school
+}  // namespace foveola::scenes

@@ -1,12 +1,12 @@
-#include "scenes/schoolroom/lettering.h"
+#include "scenes/modelling/lettering.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "scenes/schoolroom/curve.h"
+#include "scenes/modelling/curve.h"
 
-namespace foveola::scenes::school {
+namespace foveola::scenes {
 namespace {
 
 /// Strokes are pairs of digits, x and y, parted by spaces: the baseline is y = 2, a small letter
@@ -141,4 +141,4 @@ Lettering lettering(std::string_view text) {
   return result;
 }
 
-}  // namespace foveola::scenes::school
+}  // namespace foveola::scenes

@@ -7,7 +7,7 @@
 
 #include "scenes/modelling/shapes.h"
 
-namespace foveola::scenes::school {
+namespace foveola::scenes {
 
 /// A curve through the points (Catmull and Rom 1974) in `steps` steps from each to the next.
 template <typename Point>
@@ -35,4 +35,4 @@ inline std::vector<DVec3> curve(const std::vector<DVec3>& points, int steps) {
   return curve<DVec3>(points, steps);
 }
 
-}  // namespace foveola::scenes::school
+}  // namespace foveola::scenes

@@ -6,7 +6,7 @@
 
 #include "scenes/modelling/shapes.h"
 
-namespace foveola::scenes::school {
+namespace foveola::scenes {
 
 /// Points that a pen connects. Lengths in units of which a capital letter is 6 high; the baseline
 /// is y = 0 and y points up.
@@ -20,4 +20,4 @@ struct Lettering {
 /// `text` on one line from x = 0. Letters, digits and common signs; others leave a space.
 Lettering lettering(std::string_view text);
 
-}  // namespace foveola::scenes::school
+}  // namespace foveola::scenes

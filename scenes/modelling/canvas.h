@@ -7,7 +7,7 @@
 
 #include "scenes/modelling/model.h"
 
-namespace foveola::scenes::school {
+namespace foveola::scenes {
 
 /// Colours are sRGB-encoded bytes, as what is drawn on holds them.
 struct Ink {
@@ -59,4 +59,4 @@ Image blank(int width, int height, const DVec3& color);
 /// Whether the corners' outline goes around `p`.
 bool is_inside(const DVec2& p, const std::vector<DVec2>& corners);
 
-}  // namespace foveola::scenes::school
+}  // namespace foveola::scenes

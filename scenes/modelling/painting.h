@@ -1,4 +1,4 @@
-// What the church's textures are painted with: a canvas, noise, and soft-edged plane figures.
+// What textures are painted with: a canvas, noise, and soft-edged plane figures.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,20 @@
 
 namespace foveola::scenes::paint {
 
-/// The linear colour at (u, v) in (0, 1) from the top left.
+/// The linear colour at (u, v) in (0, 1) from the top left. Called by several threads at once.
 using ColorFunction = std::function<DVec3(double u, double v)>;
 
 /// An opaque image of the colours.
 Image painted(int width, int height, const ColorFunction& color);
+
+struct Texel {
+  DVec3 color{0.0};  ///< linear
+  double alpha = 1.0;
+};
+using TexelFunction = std::function<Texel(double u, double v)>;
+
+/// The same for what has holes.
+Image cut_out(int width, int height, const TexelFunction& texel);
 
 double smooth_step(double low, double high, double x);
 DVec3 blend(const DVec3& a, const DVec3& b, double t);
@@ -20,9 +29,15 @@ DVec3 blend(const DVec3& a, const DVec3& b, double t);
 /// A number in [0, 1) for the cell (x, y).
 double cell_value(int x, int y, std::uint32_t seed);
 
-/// Four octaves of smooth noise in [0, 1] that repeats over the unit square, the coarsest with
-/// `period` cells along u and v.
+/// Smooth noise in [0, 1] for x and y from 0, with one value at each integer point, repeating after
+/// the periods (value noise, Perlin 1985 with a smoothed lattice).
+double noise(double x, double y, int period_x, int period_y, std::uint32_t seed);
+
+/// Four octaves of noise in [0, 1] that repeats over the unit square, the coarsest with `period`
+/// cells along u and v.
 double cloud(double u, double v, int period, std::uint32_t seed);
+/// The same with other cells along u than along v.
+double cloud(double u, double v, int period_u, int period_v, std::uint32_t seed);
 
 /// How far x is from the nearest integer, in [0, 0.5].
 double distance_to_integer(double x);
@@ -30,7 +45,9 @@ double distance_to_integer(double x);
 /// 1 where `distance` to an outline is negative (inside), 0 outside, soft over +-`edge`.
 double inside(double distance, double edge);
 /// 1 within half of `width` around an outline, 0 away from it, soft over +-`edge`.
-double along(double distance, double width, double edge);
+double stroke(double distance, double width, double edge);
+
+double distance_to_segment(const DVec2& p, const DVec2& a, const DVec2& b);
 
 /// Distances to the outlines of figures about the origin, negative inside.
 double to_circle(const DVec2& p, double radius);
