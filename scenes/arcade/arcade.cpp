@@ -1,4 +1,4 @@
-// The arcade's materials, its sun, and its assembly.
+// The arcade's materials and its assembly.
 #include <cmath>
 
 #include "scenes/arcade/parts.h"
@@ -98,19 +98,7 @@ void add_small_things(Model& model, Materials& m) {
       add_cloth(model, "blue cloth", cloth(512, 3, {0.05F, 0.13F, 0.4F}, {0.62F, 0.6F, 0.55F}, 44));
   m.orange =
       add_material(model, {.name = "orange", .base_color = {0.8F, 0.3F, 0.03F}, .roughness = 0.4F});
-  m.sun = add_material(model, {.name = "sun", .emission = {380.0F, 335.0F, 270.0F}});
   m.plant = add_plant_materials(model);
-}
-
-/// The sun as a glowing disc, far larger than the real one so that a path tracer finds it easily.
-void add_sun(Model& model, const Materials& m) {
-  constexpr double distance = 60.0;
-  constexpr double radius = 4.0;
-  const DVec3 towards(direction_from({radians(-50.0), radians(55.0)}));
-  const Shape disc = lathe({{0.0, 0.0}, {radius, 0.0}}, 32);
-  const DVec3 axis = glm::normalize(glm::cross(DVec3(0, 1, 0), towards));
-  const double tilt_deg = degrees(std::acos(towards.y));
-  add_object(model, "Sun", {{m.sun, moved(turned(disc, tilt_deg, axis), distance * towards)}});
 }
 
 }  // namespace
@@ -145,7 +133,6 @@ Model make_arcade() {
   add_benches(model, materials);
   add_plants(model, materials);
   add_cloths(model, materials);
-  add_sun(model, materials);
   model.cameras.push_back({"Court", {-4.0F, 1.5F, 1.0F}, {radians(78.0), 0.0}});
   return model;
 }

@@ -54,7 +54,6 @@ struct Materials {
   int blue_cloth = 0;
   int orange = 0;
 
-  int sun = 0;
   PlantMaterials plant;
 };
 Materials add_materials(Model& model);

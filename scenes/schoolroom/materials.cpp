@@ -120,7 +120,6 @@ void add_outside_materials(Model& model, Materials& m) {
                                    .base_color_image = leaf_image,
                                    .alpha_cutoff = 0.5F,
                                    .double_sided = true});
-  m.sun = add_material(model, {.name = "sun", .emission = {2200.0F, 2000.0F, 1680.0F}});
 }
 
 }  // namespace

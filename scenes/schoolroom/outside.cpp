@@ -1,4 +1,4 @@
-// What is seen through the windows: the school yard, trees, the houses opposite, the sun.
+// What is seen through the windows: the school yard, trees, the houses opposite.
 #include <cmath>
 #include <numbers>
 
@@ -129,16 +129,6 @@ void add_hills(Model& model, const Materials& m) {
   add_object(model, "Hills", {{m.grass, with_uv_scale(hills, 20.0), 60.0}});
 }
 
-void add_sun(Model& model, const Materials& m) {
-  constexpr double distance = 400.0;
-  constexpr double radius = 10.0;
-  const DVec3 towards(direction_from({radians(28.0), radians(37.0)}));
-  const Shape disc = lathe({{0.0, 0.0}, {radius, 0.0}}, 16);
-  const DVec3 axis = glm::normalize(glm::cross(DVec3(0, 1, 0), towards));
-  const double tilt_deg = degrees(std::acos(towards.y));
-  add_object(model, "Sun", {{m.sun, moved(turned(disc, tilt_deg, axis), distance * towards)}});
-}
-
 }  // namespace
 
 void add_outside(Model& model, const Materials& m) {
@@ -163,7 +153,6 @@ void add_outside(Model& model, const Materials& m) {
   add_trees(model, m);
   add_houses(model, m);
   add_hills(model, m);
-  add_sun(model, m);
 }
 
 }  // namespace foveola::scenes::school

@@ -81,7 +81,6 @@ struct Materials {
   int roof = 0;
   int bark = 0;
   int foliage = 0;
-  int sun = 0;
 };
 
 Materials add_materials(Model& model);
