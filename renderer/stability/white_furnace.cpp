@@ -12,9 +12,9 @@
 namespace foveola {
 namespace {
 
-/// So many vertices that what longer paths would bring is below 1e-4. Half is lost at each vertex of
-/// the closed furnace, but what enters a ball of glass at random may be reflected inside for long:
-/// 0.4 % (smooth) and 1 % (roughness 0.2) of the light after 40 vertices, 0.1 % after 400.
+/// So many vertices that what longer paths would bring is below 1e-4. Half is lost at each vertex
+/// of the closed furnace, but what enters a ball of glass at random may be reflected inside for
+/// long: 0.4 % (smooth) and 1 % (roughness 0.2) of the light after 40 vertices, 0.1 % after 400.
 constexpr int furnace_depth = 4000;
 
 /// What floats and tables leave open in a product of a few vertices.

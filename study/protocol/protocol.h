@@ -62,8 +62,9 @@ struct ReferenceQuality {
 struct Protocol {
   std::string name;
   std::string title;
-  std::vector<SceneEntry> scenes;    ///< at least one, none twice
-  std::vector<std::string> methods;  ///< as make_view_sampler reads them, none twice; first: baseline
+  std::vector<SceneEntry> scenes;  ///< at least one, none twice
+  std::vector<std::string>
+      methods;  ///< as make_view_sampler reads them, none twice; first: baseline
   MachineModel machine;
   DisplaySettings display;
   FilmSettings film;
