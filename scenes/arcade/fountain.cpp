@@ -1,4 +1,5 @@
 // What stands in the court: the fountain, the urn, a sundial, a bench.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,5 @@
 // The chairs: swivel chairs around the table, chairs on four legs along the walls.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

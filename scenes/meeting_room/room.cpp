@@ -38,13 +38,11 @@ std::vector<double> grid_lines(double half, double first) {
 
 /// The four inner sides of a recess above the ceiling, seen from inside it.
 Shape recess_sides(const DVec2& half, double depth) {
-  return inside_out([&] {
-    Shape sides = rectangle({-half.x, 0, half.y}, {2.0 * half.x, 0, 0}, {0, depth, 0});
-    append(sides, rectangle({half.x, 0, -half.y}, {-2.0 * half.x, 0, 0}, {0, depth, 0}));
-    append(sides, rectangle({half.x, 0, half.y}, {0, 0, -2.0 * half.y}, {0, depth, 0}));
-    append(sides, rectangle({-half.x, 0, -half.y}, {0, 0, 2.0 * half.y}, {0, depth, 0}));
-    return sides;
-  }());
+  Shape sides = rectangle({-half.x, 0, half.y}, {2.0 * half.x, 0, 0}, {0, depth, 0});
+  append(sides, rectangle({half.x, 0, -half.y}, {-2.0 * half.x, 0, 0}, {0, depth, 0}));
+  append(sides, rectangle({half.x, 0, half.y}, {0, 0, -2.0 * half.y}, {0, depth, 0}));
+  append(sides, rectangle({-half.x, 0, -half.y}, {0, 0, 2.0 * half.y}, {0, depth, 0}));
+  return inside_out(sides);
 }
 
 Shape facing_down(const DVec2& half, double height) {

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
 
