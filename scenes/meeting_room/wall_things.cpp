@@ -206,12 +206,12 @@ void add_cabinet(Model& model, const Materials& m) {
   const auto stand = [&](const Shape& shape, double x, double z, double turn_deg) {
     return put(moved(turned(shape, turn_deg), top + DVec3(x, 0.0, z)));
   };
-  Shape tray = moved(rounded_box({0.6, 0.012, 0.36}, 0.005, 2), {0.0, 0.006, 0.0});
+  Shape tray = moved(rounded_box({0.66, 0.012, 0.34}, 0.005, 2), {0.0, 0.006, 0.0});
   const Cup cup = make_cup();
   Shape cups;
   for (int i = 0; i < 8; ++i) {
-    append(cups, stand(moved(cup.porcelain, {0.0, 0.012, 0.0}), 0.12 * (i % 4) - 0.85,
-                       0.17 + 0.15 * (i / 4.0 >= 1.0 ? 1 : 0), 40.0 * i));
+    append(cups, stand(moved(cup.porcelain, {0.0, 0.012, 0.0}), 0.155 * (i % 4) - 0.93,
+                       0.165 + 0.155 * (i / 4), 40.0 * i));
   }
   Shape machine = moved(rounded_box({0.26, 0.36, 0.36}, 0.025, 3), {0.0, 0.18, -0.02});
   append(machine, moved(rounded_box({0.22, 0.09, 0.12}, 0.015, 3), {0.0, 0.3, 0.2}));
@@ -235,9 +235,9 @@ void add_cabinet(Model& model, const Materials& m) {
                        .stems = 10,
                        .leaves_per_stem = 6};
   add_object(model, "Coffee tray",
-             {{m.aluminium, stand(tray, -0.67, 0.245, 0.0)},
+             {{m.aluminium, stand(tray, -0.7, 0.243, 0.0)},
               {m.porcelain, cups, 50.0},
-              {m.chrome, stand(make_jug(), -0.28, 0.25, 120.0), 50.0}});
+              {m.chrome, stand(make_jug(), -0.25, 0.25, 120.0), 50.0}});
   add_object(model, "Coffee machine",
              {{m.black_plastic, stand(machine, 0.15, 0.22, 0.0)},
               {m.chrome, stand(spouts, 0.15, 0.22, 0.0), 50.0}});
