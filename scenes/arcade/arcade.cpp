@@ -4,8 +4,8 @@
 #include "scenes/arcade/parts.h"
 #include "scenes/arcade/patterns.h"
 #include "scenes/builtin.h"
-#include "scenes/church/patterns.h"
 #include "scenes/modelling/patterns.h"
+#include "scenes/modelling/pavements.h"
 
 namespace foveola::scenes {
 namespace arcade {

@@ -1,10 +1,11 @@
 // The arcade's walls, floors, arches, vaults and ceilings.
+#include "scenes/modelling/architecture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "scenes/arcade/parts.h"
-#include "scenes/church/shapes.h"
 
 namespace foveola::scenes::arcade {
 namespace {

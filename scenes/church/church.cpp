@@ -4,6 +4,7 @@
 #include "scenes/church/parts.h"
 #include "scenes/church/patterns.h"
 #include "scenes/modelling/patterns.h"
+#include "scenes/modelling/pavements.h"
 
 namespace foveola::scenes {
 namespace church {

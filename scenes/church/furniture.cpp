@@ -5,7 +5,7 @@
 
 #include "scenes/church/candles.h"
 #include "scenes/church/parts.h"
-#include "scenes/church/shapes.h"
+#include "scenes/modelling/architecture.h"
 #include "scenes/modelling/props.h"
 
 namespace foveola::scenes::church {

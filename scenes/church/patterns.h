@@ -1,4 +1,4 @@
-// Procedural textures of the built-in church: stone, glass and painted panels.
+// Procedural textures of the built-in church: marble, glass and painted panels.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,8 @@
 
 namespace foveola::scenes {
 
-/// Worn floor slabs in rows of unequal widths; repeats without a seam.
-Image stone_slabs(int size, std::uint32_t seed);
-
 /// Polished stone with veins; repeats without a seam.
 Image veined_marble(int size, const Rgb& ground, const Rgb& vein, std::uint32_t seed);
-
-/// A round pavement of coloured marbles in a square: rings, a star and bands of small triangles.
-Image inlaid_rosette(int size, std::uint32_t seed);
-
-/// Bands of small triangles and squares about a row of discs along u; repeats along u.
-Image inlaid_band(int size, std::uint32_t seed);
 
 /// Gold stars on blue; repeats without a seam.
 Image starry_sky(int size, std::uint32_t seed);

@@ -4,7 +4,7 @@
 
 #include "renderer/base/angles.h"
 #include "scenes/church/parts.h"
-#include "scenes/church/shapes.h"
+#include "scenes/modelling/architecture.h"
 
 namespace foveola::scenes::church {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "scenes/church/parts.h"
-#include "scenes/church/shapes.h"
+#include "scenes/modelling/architecture.h"
 #include "scenes/modelling/props.h"
 
 namespace foveola::scenes::church {

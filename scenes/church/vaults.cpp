@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "scenes/church/parts.h"
-#include "scenes/church/shapes.h"
+#include "scenes/modelling/architecture.h"
 
 namespace foveola::scenes::church {
 namespace {

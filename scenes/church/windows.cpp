@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scenes/church/parts.h"
-#include "scenes/church/shapes.h"
+#include "scenes/modelling/architecture.h"
 
 namespace foveola::scenes::church {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/church/shapes.h"
+#include "scenes/modelling/architecture.h"
 
 #include <algorithm>
 #include <cmath>

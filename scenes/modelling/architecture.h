@@ -1,4 +1,4 @@
-// Shapes of church architecture: mouldings, vaults, columns, figures.
+// Shapes of architecture: mouldings, arches, vaults, columns, figures.
 #pragma once
 
 #include <vector>
