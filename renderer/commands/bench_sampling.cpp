@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -89,7 +88,7 @@ void run(const std::vector<std::string>& methods, bool as_json) {
   for (const std::string& method : methods) {
     measured.push_back(sampler_cost(method));
   }
-  const Workers workers(static_cast<int>(std::thread::hardware_concurrency()));
+  const Workers workers;
   measured.push_back(film_cost(1024, 512, workers));
   measured.push_back(film_cost(4096, 2048, workers));
   if (!as_json) {

@@ -11,7 +11,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/commands/bench_commands.h"
 #include "renderer/commands/render.h"
 #include "renderer/film/image_file.h"
 

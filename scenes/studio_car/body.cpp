@@ -5,10 +5,13 @@
 #include <cstddef>
 
 #include "renderer/base/angles.h"
+#include "scenes/modelling/painting.h"
 #include "scenes/studio_car/body_surface.h"
 
 namespace foveola::scenes::car {
 namespace {
+
+using paint::smooth_step;
 
 constexpr double half_gap = 0.0022;
 constexpr double sill_top = 0.232;
@@ -26,11 +29,6 @@ constexpr int cabin_rows = 18;
 constexpr int top_rows = 52;
 constexpr int end_columns = 160;
 constexpr int end_rows = 40;
-
-double smooth_step(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 double nose_top(double angle_deg) {
   const double share = angle_deg / end_angle_deg;
