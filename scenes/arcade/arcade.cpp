@@ -23,6 +23,7 @@ int add_cloth(Model& model, const char* name, Image weave) {
 void add_stones(Model& model, Materials& m) {
   m.limestone = add_textured_material(model, "limestone",
                                       weathered_stone(768, {0.6F, 0.54F, 0.44F}, 11), 0.8F);
+  model.materials[m.limestone].double_sided = true;  // the capitals' leaves curl
   m.ashlar = add_textured_material(model, "ashlar",
                                    masonry(1024,
                                            {.courses = 6,

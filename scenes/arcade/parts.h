@@ -75,17 +75,6 @@ void add_benches(Model& model, const Materials& m);
 void add_plants(Model& model, const Materials& m);
 void add_cloths(Model& model, const Materials& m);
 
-/// A column with moulded base and a capital of two rows of leaves under four scrolls, standing on
-/// the origin.
-struct CarvedColumn {
-  double radius = 0.2;
-  double height = 2.9;
-  double slab = 0.62;  ///< side of the top slab
-  int segments = 24;
-  int leaf_rows = 7;
-};
-Shape carved_column(const CarvedColumn& size);
-
 /// Four boxes around the court, from `inner` metres outside the columns' middle to `outer`.
 Shape ring_around_court(double inner, double outer, double bottom, double top);
 

@@ -35,6 +35,7 @@ void add_stones(Model& model, Materials& m) {
                                     0.95F);
   m.limestone = add_textured_material(model, "church limestone",
                                       plaster(512, {0.7F, 0.65F, 0.57F}, 0.22, 52), 0.85F);
+  model.materials[m.limestone].double_sided = true;  // the capitals' leaves curl
   m.vault = add_textured_material(model, "vault",
                                   masonry(1024,
                                           {.courses = 12,
@@ -90,7 +91,7 @@ void add_small_things(Model& model, Materials& m) {
   m.water = add_material(
       model, {.name = "font water", .base_color = {0.06F, 0.1F, 0.1F}, .roughness = 0.1F});
   m.flame = add_material(model, {.name = "flame", .emission = {160.0F, 92.0F, 34.0F}});
-  m.lamp = add_material(model, {.name = "lamp glass", .emission = {28.0F, 20.0F, 12.0F}});
+  m.lamp = add_material(model, {.name = "lamp glass", .emission = {80.0F, 57.0F, 34.0F}});
 }
 
 /// The upper windows see open sky, hazy where the sun is; trees and houses shade the lower ones.
@@ -98,9 +99,9 @@ void add_skies(Model& model, Materials& m) {
   const auto sky = [&](const char* name, const Rgb& radiance) {
     return add_material(model, {.name = name, .base_color = Rgb(0.0F), .emission = radiance});
   };
-  m.northern_sky = sky("northern sky", {7.0F, 8.0F, 9.5F});
-  m.southern_sky = sky("southern sky", {14.5F, 14.0F, 13.2F});
-  m.shaded_sky = sky("shaded sky", {2.6F, 2.7F, 2.8F});
+  m.northern_sky = sky("northern sky", {4.6F, 5.3F, 6.3F});
+  m.southern_sky = sky("southern sky", {10.0F, 9.7F, 9.2F});
+  m.shaded_sky = sky("shaded sky", {3.2F, 3.3F, 3.4F});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "scenes/church/parts.h"
 #include "scenes/modelling/architecture.h"
+#include "scenes/modelling/column.h"
 
 namespace foveola::scenes::church {
 namespace {
@@ -196,7 +197,7 @@ Shape choir_arch_moulding() {
 }  // namespace
 
 void add_columns(Model& model, const Materials& m) {
-  const Shape column = leaf_column({.height = column_height, .slab = 0.94});
+  const Shape column = carved_column({.radius = 0.36, .height = column_height, .slab = 1.0});
   int number = 1;
   for (const double side : {-1.0, 1.0}) {
     for (int i = 0; i <= bays; ++i) {

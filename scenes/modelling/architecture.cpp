@@ -23,46 +23,6 @@ double pointed_arch_length(double s) {
   return std::copysign(length, s);
 }
 
-/// Half a torus' outline that bulges from `radius`, from height `from` over `height`.
-void add_roll(std::vector<DVec2>& outline, double radius, double bulge, double from,
-              double height) {
-  constexpr int steps = 3;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = pi * (static_cast<double>(i) / steps - 0.5);
-    outline.emplace_back(radius + bulge * std::cos(angle),
-                         from + 0.5 * height * (1.0 + std::sin(angle)));
-  }
-}
-
-/// A leaf that stands before a capital's bell at z = 0 and curls outwards at its top.
-Shape capital_leaf(double height, double width) {
-  const Shape blade =
-      moved(ellipsoid({0.5 * width, 0.5 * height, 0.16 * width}, 8), {0.0, 0.5 * height, 0.0});
-  return deformed(blade, [&](const DVec3& p) {
-    const double t = p.y / height;
-    const double bend = 0.5 * width * t * t * t;
-    const double notches = 1.0 - 0.15 * std::cos(4.0 * pi * t);
-    const double tip = t > 0.85 ? 1.2 * (t - 0.85) * height : 0.0;
-    return DVec3(p.x * notches, p.y - tip, p.z + bend + 0.12 * std::abs(p.x));
-  });
-}
-
-void add_leaves(Shape& capital, int count, double radius, const DVec2& size, double foot,
-                double first_deg) {
-  const Shape leaf = capital_leaf(size.y, size.x);
-  for (int i = 0; i < count; ++i) {
-    append(capital, turned(moved(leaf, {0.0, foot, radius}), first_deg + 360.0 * i / count));
-  }
-}
-
-/// Between two turned rings of a square slab: one wider step and one less wide.
-Shape moulded_slab(double side, double bottom, double height) {
-  Shape slab =
-      moved(box(DVec3(0.92 * side, 0.5 * height, 0.92 * side)), {0.0, bottom + 0.25 * height, 0.0});
-  append(slab, moved(box(DVec3(side, 0.5 * height, side)), {0.0, bottom + 0.75 * height, 0.0}));
-  return slab;
-}
-
 }  // namespace
 
 Shape swept(const std::vector<DVec3>& path, const std::vector<DVec2>& profile, const DVec3& side) {
@@ -165,39 +125,6 @@ std::vector<DVec3> vault_line(const VaultBay& bay, const DVec2& from, const DVec
     path.push_back(on_vault(bay, p.x, p.y));
   }
   return path;
-}
-
-Shape leaf_column(const LeafColumn& size) {
-  const double r = size.radius;
-  const double plinth = 0.22;
-  const double slab = 0.16;
-  const double bell_top = size.height - slab;
-  const double bell_foot = bell_top - size.capital_height;
-  std::vector<DVec2> outline = {{1.32 * r, plinth}};
-  add_roll(outline, 1.26 * r, 0.12 * r, plinth, 0.12);
-  outline.emplace_back(1.14 * r, plinth + 0.15);
-  add_roll(outline, 1.1 * r, 0.1 * r, plinth + 0.19, 0.07);
-  constexpr int shaft_steps = 2;
-  for (int i = 0; i <= shaft_steps; ++i) {
-    const double t = static_cast<double>(i) / shaft_steps;
-    outline.emplace_back(r * (1.0 - 0.1 * t * t), std::lerp(plinth + 0.27, bell_foot - 0.07, t));
-  }
-  add_roll(outline, 0.9 * r, 0.1 * r, bell_foot - 0.07, 0.07);
-  constexpr int bell_steps = 4;
-  for (int i = 0; i <= bell_steps; ++i) {
-    const double t = static_cast<double>(i) / bell_steps;
-    const double flare = 1.0 - std::cos(0.5 * pi * t);
-    outline.emplace_back(std::lerp(0.88 * r, 0.45 * size.slab, flare),
-                         bell_foot + size.capital_height * t);
-  }
-  Shape shape = lathe(outline, size.segments);
-  append(shape, moved(box(DVec3(size.slab, plinth, size.slab)), {0.0, 0.5 * plinth, 0.0}));
-  append(shape, moulded_slab(size.slab, bell_top, slab));
-  const DVec2 leaf(0.62 * r, 0.55 * size.capital_height);
-  add_leaves(shape, 8, 0.88 * r, leaf, bell_foot, 0.0);
-  add_leaves(shape, 8, 0.92 * r, leaf * DVec2(1.0, 1.25), bell_foot + 0.3 * size.capital_height,
-             22.5);
-  return shape;
 }
 
 Shape shaft(double radius, double height, int segments) {

@@ -1,4 +1,4 @@
-// Shapes of architecture: mouldings, arches, vaults, columns, figures.
+// Shapes of architecture: mouldings, arches, vaults, shafts, figures.
 #pragma once
 
 #include <vector>
@@ -36,16 +36,6 @@ Shape vault_webs(const VaultBay& bay, int columns, int rows);
 /// The line on the vault from (s, t) = `from` to `to`, closer where the vault is steeper.
 std::vector<DVec3> vault_line(const VaultBay& bay, const DVec2& from, const DVec2& to,
                               int segments);
-
-/// A column with moulded base and a capital of two rows of leaves, standing on the origin.
-struct LeafColumn {
-  double radius = 0.36;
-  double height = 4.5;
-  double capital_height = 0.75;
-  double slab = 0.96;  ///< side of plinth and top slab
-  int segments = 18;
-};
-Shape leaf_column(const LeafColumn& size);
 
 /// A slim shaft with ring-shaped base and capital, standing on the origin.
 Shape shaft(double radius, double height, int segments);
