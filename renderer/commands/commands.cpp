@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/commands/render_command.h"
-#include "renderer/film/image_file.h"
+#include "renderer/image/image_file.h"
 #include "renderer/measure/error_metrics.h"
 
 namespace foveola {

@@ -12,7 +12,7 @@
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/render.h"
-#include "renderer/film/image_file.h"
+#include "renderer/image/image_file.h"
 
 namespace foveola {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {

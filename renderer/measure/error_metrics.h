@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 
 namespace foveola {
 

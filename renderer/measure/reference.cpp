@@ -10,8 +10,8 @@
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/film/image_file.h"
 #include "renderer/film/sample_pass.h"
+#include "renderer/image/image_file.h"
 #include "renderer/view/view_sampler.h"
 
 namespace fs = std::filesystem;

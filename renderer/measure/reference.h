@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola {

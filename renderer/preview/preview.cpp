@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "renderer/base/random.h"
-#include "renderer/film/tone_mapping.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/image/tone_mapping.h"
 
 namespace foveola {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/base/piecewise_constant.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/piecewise_constant.h"
 
 namespace foveola {
 

@@ -11,7 +11,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/path_tracer.h"
 #include "study/participant/participant.h"

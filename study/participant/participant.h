@@ -8,7 +8,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/clock.h"
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 #include "renderer/view/viewport.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"

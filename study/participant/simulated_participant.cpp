@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/film/tone_mapping.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/image/tone_mapping.h"
 #include "study/participant/answers.h"
 
 namespace foveola::study {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola::study {

@@ -7,7 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/files.h"
-#include "renderer/film/image_file.h"
+#include "renderer/image/image_file.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/viewport.h"
 #include "tests/end_to_end/program.h"

@@ -10,7 +10,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/film/image_file.h"
+#include "renderer/image/image_file.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/preview/box_room.h"
 

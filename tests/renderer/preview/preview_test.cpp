@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "renderer/film/tone_mapping.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/image/tone_mapping.h"
 #include "renderer/measure/reference.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/radial_distribution.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/film/tone_mapping.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/image/tone_mapping.h"
 
 namespace foveola::study {
 namespace {

@@ -1,11 +1,11 @@
-#include "renderer/trace/piecewise_constant.h"
+#include "renderer/base/piecewise_constant.h"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/random.h"
-#include "statistics.h"
+#include "tests/renderer/trace/statistics.h"
 
 namespace foveola {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 
 namespace foveola {
 

@@ -1,7 +1,7 @@
 // From linear radiance to what a display shows.
 #pragma once
 
-#include "renderer/film/image.h"
+#include "renderer/image/image.h"
 
 namespace foveola {
 

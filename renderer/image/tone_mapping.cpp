@@ -1,4 +1,4 @@
-#include "renderer/film/tone_mapping.h"
+#include "renderer/image/tone_mapping.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/trace/piecewise_constant.h"
+#include "renderer/base/piecewise_constant.h"
 
 #include <algorithm>
 #include <cassert>

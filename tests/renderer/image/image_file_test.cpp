@@ -1,4 +1,4 @@
-#include "renderer/film/image_file.h"
+#include "renderer/image/image_file.h"
 
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/film/tone_mapping.h"
+#include "renderer/image/tone_mapping.h"
 
 namespace fs = std::filesystem;
 
