@@ -27,6 +27,10 @@ inline float luminance(const Rgb& rgb) {
   return 0.2126F * rgb.r + 0.7152F * rgb.g + 0.0722F * rgb.b;
 }
 
+inline double luminance(const DVec3& rgb) {
+  return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
+}
+
 inline float max_component(const Vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
 
 inline bool is_finite(const Vec3& v) {

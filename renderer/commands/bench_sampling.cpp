@@ -75,7 +75,7 @@ Measured film_cost(int width, int height, const Workers& workers) {
   EquirectFilm film(width, height);
   NumberedBatch batch;
   const double time_s = median_s([&] {
-    film.number(samples, batch);
+    film.number(samples, batch, workers);
     film.add(batch, radiance, workers);
   });
   constexpr double ms_per_s = 1e3;

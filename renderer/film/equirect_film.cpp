@@ -12,11 +12,18 @@ namespace {
 
 constexpr int largest_side = 65536;
 
-/// Tiles that one task adds to.
-constexpr std::size_t tile_block = 4;
+/// Tiles that one task numbers or adds to.
+constexpr std::size_t tile_block = 16;
 
-std::uint32_t tiles_along(int side) {
-  return static_cast<std::uint32_t>((side + EquirectFilm::tile_size - 1) / EquirectFilm::tile_size);
+int tiles_along(int side) { return (side + EquirectFilm::tile_size - 1) / EquirectFilm::tile_size; }
+
+/// Throws Error unless a film may have this size.
+int checked(int width, int height) {
+  if (width < 1 || height < 1 || width > largest_side || height > largest_side) {
+    throw Error("film size", fmt::format("{}x{} pixels cannot be made", width, height),
+                fmt::format("choose sides from 1 to {}", largest_side));
+  }
+  return width;
 }
 
 std::uint32_t pixel_coordinate(float position, int size) {
@@ -24,20 +31,35 @@ std::uint32_t pixel_coordinate(float position, int size) {
       std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1));
 }
 
+double squared_luminance(const Rgb& radiance) {
+  const double value = luminance(DVec3(radiance));
+  return value * value;
+}
+
+std::vector<std::uint32_t> numbers_of(const std::vector<NumberedBatch::TileRange>& tiles) {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(tiles.size());
+  for (const NumberedBatch::TileRange& range : tiles) {
+    numbers.push_back(range.tile);
+  }
+  return numbers;
+}
+
 }  // namespace
 
-EquirectFilm::EquirectFilm(int width, int height) : width_(width), height_(height) {
-  if (width < 1 || height < 1 || width > largest_side || height > largest_side) {
-    throw Error("film size", fmt::format("{}x{} pixels cannot be made", width, height),
-                fmt::format("choose sides from 1 to {}", largest_side));
-  }
-  tiles_across_ = tiles_along(width);
-  tiles_.resize(static_cast<std::size_t>(tiles_across_) * tiles_along(height));
-}
+EquirectFilm::EquirectFilm(int width, int height, FilmStatistics statistics)
+    : width_(checked(width, height)),
+      height_(height),
+      with_squares_(statistics == FilmStatistics::mean_and_variance),
+      tiles_across_(static_cast<std::uint32_t>(tiles_along(width))),
+      tiles_(static_cast<std::size_t>(tiles_along(width)) * tiles_along(height)),
+      coarse_(tiles_along(width), tiles_along(height)) {}
 
 EquirectFilm::Place EquirectFilm::place(std::uint32_t x, std::uint32_t y) const {
   constexpr std::uint32_t size = tile_size;
-  return {.tile = y / size * tiles_across_ + x / size, .index = y % size * size + x % size};
+  return {.tile = y / size * tiles_across_ + x / size,
+          .x = static_cast<int>(x % size),
+          .y = static_cast<int>(y % size)};
 }
 
 EquirectFilm::Place EquirectFilm::place(std::uint32_t pixel) const {
@@ -45,47 +67,55 @@ EquirectFilm::Place EquirectFilm::place(std::uint32_t pixel) const {
   return place(pixel % width, pixel / width);
 }
 
-void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& batch) {
-  const std::vector<std::size_t> begins = sort_by_tile(samples, batch);
-  batch.tiles.clear();
-  for (std::uint32_t tile = 0; tile < tiles_.size(); ++tile) {
-    if (begins[tile] < begins[tile + 1]) {
-      batch.tiles.push_back({.tile = tile, .begin = begins[tile], .end = begins[tile + 1]});
-      number_tile(batch.tiles.back(), batch);
-    }
-  }
+const FilmTile* EquirectFilm::find_tile(std::uint32_t tile) const {
+  const FilmTile* found = tiles_[tile].get();
+  return found != nullptr && found->epoch() == epoch_ ? found : nullptr;
 }
 
-std::vector<std::size_t> EquirectFilm::sort_by_tile(std::span<const ViewSample> samples,
-                                                    NumberedBatch& batch) const {
+void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& batch,
+                          const Workers& workers) {
+  sort_by_tile(samples, batch);
+  workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      number_tile(batch.tiles[i], batch);
+    }
+  });
+}
+
+void EquirectFilm::sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch) const {
   std::vector<std::uint32_t> pixels(samples.size());
+  std::vector<std::uint32_t> tiles(samples.size());
   std::vector<std::size_t> begins(tiles_.size() + 1, 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::uint32_t x = pixel_coordinate(samples[i].image.x, width_);
     const std::uint32_t y = pixel_coordinate(samples[i].image.y, height_);
     pixels[i] = y * static_cast<std::uint32_t>(width_) + x;
-    ++begins[place(x, y).tile + 1];
+    tiles[i] = place(x, y).tile;
+    ++begins[tiles[i] + 1];
   }
-  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+  batch.tiles.clear();
+  for (std::uint32_t tile = 0; tile < tiles_.size(); ++tile) {
+    const std::size_t count = begins[tile + 1];
     begins[tile + 1] += begins[tile];
+    if (count > 0) {
+      batch.tiles.push_back({.tile = tile, .begin = begins[tile], .end = begins[tile + 1]});
+    }
   }
   batch.jobs.resize(samples.size());
-  std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    batch.jobs[next[place(pixels[i]).tile]++] = {.direction = samples[i].direction,
-                                                 .pixel = pixels[i]};
+    batch.jobs[begins[tiles[i]]++] = {.direction = samples[i].direction, .pixel = pixels[i]};
   }
-  return begins;
 }
 
 void EquirectFilm::number_tile(const NumberedBatch::TileRange& range, NumberedBatch& batch) {
-  std::unique_ptr<Tile>& tile = tiles_[range.tile];
+  std::unique_ptr<FilmTile>& tile = tiles_[range.tile];
   if (!tile) {
-    tile = std::make_unique<Tile>();
+    tile = std::make_unique<FilmTile>();
   }
+  tile->enter(epoch_);
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    SampleJob& job = batch.jobs[i];
-    job.sample_number = tile->numbered[place(job.pixel).index]++;
+    const Place at = place(batch.jobs[i].pixel);
+    batch.jobs[i].sample_number = tile->touch(at.x, at.y, with_squares_).numbered++;
   }
 }
 
@@ -98,6 +128,7 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
       add_tile(batch.tiles[i], batch, radiance);
     }
   });
+  coarse_.refresh(numbers_of(batch.tiles));
   std::vector<DroppedSample> dropped;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     if (!is_finite(radiance[i])) {
@@ -111,32 +142,60 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
 
 void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
                             std::span<const Rgb> radiance) {
-  Tile& tile = *tiles_[range.tile];
+  FilmTile& tile = *tiles_[range.tile];
+  FilmTile::Touched touched;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (is_finite(radiance[i])) {
-      const std::uint32_t index = place(batch.jobs[i].pixel).index;
-      tile.sum[index] += DVec3(radiance[i]);
-      ++tile.count[index];
+      const Place at = place(batch.jobs[i].pixel);
+      FilmTile::Pixel& pixel = tile.at(at.x, at.y);
+      pixel.sum += DVec3(radiance[i]);
+      ++pixel.count;
+      touched.add(at.x, at.y);
+      if (with_squares_) {
+        tile.squares(at.x, at.y) += squared_luminance(radiance[i]);
+      }
     }
   }
+  tile.refresh(touched);
+  coarse_.finest(range.tile) = tile.cell(FilmTile::levels, 0, 0);
 }
 
 void EquirectFilm::clear() {
-  for (std::unique_ptr<Tile>& tile : tiles_) {
-    tile.reset();
-  }
+  ++epoch_;
+  coarse_.clear();
   total_samples_ = 0;
 }
 
 FilmPixel EquirectFilm::pixel(int x, int y) const {
   assert(x >= 0 && x < width_ && y >= 0 && y < height_);
   const Place at = place(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-  const Tile* tile = tiles_[at.tile].get();
-  const std::uint32_t samples = tile != nullptr ? tile->count[at.index] : 0;
-  if (samples == 0) {
-    return {};
+  const FilmTile* tile = find_tile(at.tile);
+  const FilmTile::Pixel* pixel = tile != nullptr ? tile->find(at.x, at.y) : nullptr;
+  return pixel != nullptr ? FilmPixel{.mean = pixel->mean(), .samples = pixel->count} : FilmPixel{};
+}
+
+std::optional<double> EquirectFilm::luminance_variance(int x, int y) const {
+  const Place at = place(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+  const FilmTile* tile = find_tile(at.tile);
+  const std::optional<double> squares =
+      tile != nullptr ? tile->find_squares(at.x, at.y) : std::nullopt;
+  if (!squares || tile->find(at.x, at.y)->count < 2) {
+    return std::nullopt;
   }
-  return {.mean = Rgb(tile->sum[at.index] / static_cast<double>(samples)), .samples = samples};
+  const FilmTile::Pixel& pixel = *tile->find(at.x, at.y);
+  const double n = pixel.count;
+  const double mean = luminance(pixel.sum) / n;
+  return std::max(0.0, (*squares / n - mean * mean) * n / (n - 1.0));
+}
+
+Coverage EquirectFilm::cell(int level, int x, int y) const {
+  if (level >= FilmTile::levels) {
+    return coarse_.cell(level - FilmTile::levels, x, y);
+  }
+  const Place at =
+      place(static_cast<std::uint32_t>(x << level), static_cast<std::uint32_t>(y << level));
+  const FilmTile* tile = find_tile(at.tile);
+  return tile != nullptr ? tile->cell(level, at.x >> level, at.y >> level) : Coverage{};
 }
 
 FilmImage EquirectFilm::resolve() const {

@@ -1,14 +1,16 @@
 // The 360-degree image in the making: it numbers samples, and averages the radiance they return.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
+#include "renderer/film/coverage_levels.h"
+#include "renderer/film/film_tile.h"
 #include "renderer/image/image.h"
 #include "renderer/view/view_sampler.h"
 
@@ -39,20 +41,24 @@ struct FilmPixel {
   std::uint32_t samples = 0;  ///< that the mean is of
 };
 
-/// A pixel is the mean of the samples that fell in it, kept as a sum in double and a count. Tiles
-/// come to life when first sampled, so an untouched film of any size costs nothing.
+/// What a film keeps of each pixel: variances cost a third more memory and time.
+enum class FilmStatistics { mean, mean_and_variance };
+
+/// A pixel is the mean of the samples that fell in it, kept as a sum in double and a count. Over
+/// the pixels stands a pyramid of averages, kept up where samples fall. Memory comes to life where
+/// first sampled, so an untouched film of any size costs nothing, nor does clearing it.
 class EquirectFilm {
  public:
-  static constexpr int tile_size = 32;
+  static constexpr int tile_size = FilmTile::size;
 
   /// width and height in pixels, each in [1, 65536]. Throws Error otherwise.
-  EquirectFilm(int width, int height);
+  EquirectFilm(int width, int height, FilmStatistics statistics = FilmStatistics::mean);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
   /// Sorts samples by tile, stably, and gives each its pixel and that pixel's next sample number.
-  void number(std::span<const ViewSample> samples, NumberedBatch& batch);
+  void number(std::span<const ViewSample> samples, NumberedBatch& batch, const Workers& workers);
 
   /// Adds what the tracer returned for `batch`; radiance has as many elements as batch.jobs. One
   /// writer a tile. Non-finite radiance is left out and returned.
@@ -67,36 +73,46 @@ class EquirectFilm {
   std::uint32_t sample_count(int x, int y) const { return pixel(x, y).samples; }
   std::uint64_t total_samples() const { return total_samples_; }
 
+  /// The variance of the luminance of a pixel's samples, without bias. None for fewer than two
+  /// samples, or if the film keeps only means.
+  std::optional<double> luminance_variance(int x, int y) const;
+
+  /// The pyramid: a cell of level l has 2^l x 2^l pixels; level 0 are the pixels themselves, and
+  /// the last level is a single cell. Cells that reach beyond the image find nothing there, so that
+  /// only sizes divisible by 2^l have levels without a seam.
+  int levels() const { return FilmTile::levels + coarse_.count(); }
+  int width(int level) const { return (width_ + (1 << level) - 1) >> level; }
+  int height(int level) const { return (height_ + (1 << level) - 1) >> level; }
+  Coverage cell(int level, int x, int y) const;
+
   /// The means and counts of the whole image.
   FilmImage resolve() const;
 
  private:
-  /// Arrays apart, so that numbering moves a seventh of the memory that adding does.
-  struct Tile {
-    template <typename Value>
-    using OfPixels = std::array<Value, static_cast<std::size_t>(tile_size) * tile_size>;
-    OfPixels<DVec3> sum{};
-    OfPixels<std::uint32_t> count{};     ///< samples in the sum
-    OfPixels<std::uint32_t> numbered{};  ///< samples given a number
-  };
   struct Place {
     std::uint32_t tile;
-    std::uint32_t index;  ///< within the tile
+    int x;  ///< within the tile
+    int y;
   };
 
   Place place(std::uint32_t x, std::uint32_t y) const;
   Place place(std::uint32_t pixel) const;
-  /// Fills batch.jobs, their numbers still missing; returns where each tile begins, and the end.
-  std::vector<std::size_t> sort_by_tile(std::span<const ViewSample> samples,
-                                        NumberedBatch& batch) const;
+  /// Null where nothing was sampled since the film was cleared.
+  const FilmTile* find_tile(std::uint32_t tile) const;
+  /// Fills batch.jobs, their numbers still missing, and batch.tiles.
+  void sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch) const;
   void number_tile(const NumberedBatch::TileRange& range, NumberedBatch& batch);
   void add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
                 std::span<const Rgb> radiance);
 
   int width_;
   int height_;
+  bool with_squares_;
   std::uint32_t tiles_across_;
-  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<std::unique_ptr<FilmTile>> tiles_;
+  CoverageLevels coarse_;  ///< of a cell a tile, and up
+  /// Of the samples since the last clear. A tile of another epoch holds what was forgotten.
+  std::uint32_t epoch_ = 1;
   std::uint64_t total_samples_ = 0;
 };
 

@@ -22,7 +22,7 @@ std::vector<DroppedSample> SamplePass::run(const ViewSampler& sampler, const Sob
     sampler.sample(std::span(points_).subspan(begin, end - begin),
                    std::span(samples_).subspan(begin, end - begin));
   });
-  film.number(samples_, batch_);
+  film.number(samples_, batch_, workers);
   radiance_.resize(batch_.jobs.size());
   trace(batch_.jobs, radiance_);
   return film.add(batch_, radiance_, workers);

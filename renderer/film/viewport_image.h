@@ -7,15 +7,20 @@
 
 namespace foveola {
 
-/// Resamples the film to a rectilinear view of width x height pixels, bilinearly, weighting each
-/// film pixel by whether it has samples: an unsampled pixel neither darkens nor brightens its
-/// neighbours, and where all four are unsampled the view is black, as in the published study. It is
-/// right across the seam and over the poles. Linear radiance.
-RgbImage viewport_image(const EquirectFilm& film, const Viewport& viewport, int width, int height);
+/// What the display shows where no sample has fallen yet.
+enum class UnsampledPixels {
+  black,  ///< as in the published study
+  filled  ///< from the finest level of the film's pyramid that knows something there
+};
 
-/// The same, to the bit, by several threads.
+/// Resamples the film to a view of width x height pixels, trilinearly: a pixel of the display is
+/// read from the levels of the film's pyramid whose cells are as high as it is. Film pixels are
+/// weighted by whether they have samples, so an unsampled one neither darkens nor brightens its
+/// neighbours. Right across the seam and over the poles, for sizes that both 32 and the levels used
+/// divide; other sizes are off by less than a cell at the seam of the coarser levels. Linear
+/// radiance.
 RgbImage viewport_image(const EquirectFilm& film, const Viewport& viewport, int width, int height,
-                        const Workers& workers);
+                        UnsampledPixels unsampled, const Workers& workers);
 
 /// The same for an image whose pixels are all known, such as a reference.
 RgbImage viewport_image(const RgbImage& panorama, const Viewport& viewport, int width, int height);

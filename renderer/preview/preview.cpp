@@ -15,7 +15,7 @@ constexpr std::uint32_t view_stream = 0x76696577U;
 
 Viewport viewport_for(const PreviewSettings& settings, const AzimuthElevation& heading) {
   return {head_orientation(heading), radians(settings.horizontal_fov_deg),
-          radians(settings.vertical_fov_deg)};
+          radians(settings.vertical_fov_deg), settings.lens};
 }
 
 }  // namespace
@@ -86,20 +86,30 @@ FrameReport Preview::aim(Nanoseconds now) {
   }
   const GazeSample used = last_valid_gaze_.value_or(GazeSample{.time = now});
   viewport_ = viewport_for(settings_, head.heading);
-  const Vec3 gaze = glm::normalize(viewport_.head() * used.direction);
+  const Vec3 gaze = held_gaze_.value_or(glm::normalize(viewport_.head() * used.direction));
+  last_gaze_ = gaze;
   sampler_->aim({.viewport = viewport_, .gaze = gaze});
   return {.frame = next_frame_++,
           .time = now,
           .head = head.heading,
           .gaze = gaze,
           .gaze_valid = valid,
+          .gaze_held = held_gaze_.has_value(),
           .gaze_age = now - used.time};
 }
 
+void Preview::hold_gaze(bool held) {
+  if (!held) {
+    held_gaze_.reset();
+  } else if (!held_gaze_) {
+    held_gaze_ = last_gaze_;
+  }
+}
+
 RgbImage Preview::present() const {
-  return display_image(
-      viewport_image(film_, viewport_, settings_.view_width, settings_.view_height, *workers_),
-      settings_.exposure_stops);
+  return display_image(viewport_image(film_, viewport_, settings_.view_width, settings_.view_height,
+                                      settings_.unsampled, *workers_),
+                       settings_.exposure_stops);
 }
 
 }  // namespace foveola

@@ -10,6 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
+#include "renderer/film/viewport_image.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/trace/path_tracer.h"
@@ -25,6 +26,8 @@ struct PreviewSettings {
   double horizontal_fov_deg = 100.0;
   double vertical_fov_deg = 100.0;
   Vec3 viewpoint{0.0F};
+  RadialLens lens;
+  UnsampledPixels unsampled = UnsampledPixels::black;
   double exposure_stops = 0.0;
   TraceSettings trace;
 };
@@ -38,6 +41,7 @@ struct FrameReport {
   /// Whether the newest sample was valid. If not, the last valid one holds in the head's axes, or
   /// straight ahead if there was none yet.
   bool gaze_valid = false;
+  bool gaze_held = false;     ///< the gaze is the one held, whatever the tracker says
   Nanoseconds gaze_age{0};    ///< of the gaze that was used, at `time`; 0 if none was valid yet
   std::uint64_t samples = 0;  ///< traced in this frame
   std::uint64_t rays = 0;
@@ -63,6 +67,10 @@ class Preview {
   /// `sample_number` of `pixel`, if it is among the frame's.
   std::optional<SampleJob> find_job(Nanoseconds now, std::uint64_t samples, std::uint32_t pixel,
                                     std::uint32_t sample_number);
+
+  /// Freezes the gaze of the last frame where it is in the world, while the head looks around, or
+  /// lets go of it. Before the first frame that is straight ahead at azimuth 0.
+  void hold_gaze(bool held);
 
   /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
   RgbImage present() const;
@@ -90,6 +98,8 @@ class Preview {
   std::uint64_t next_point_ = 0;
   std::uint64_t next_frame_ = 0;
   std::optional<GazeSample> last_valid_gaze_;
+  Vec3 last_gaze_{0.0F, 0.0F, -1.0F};  ///< world
+  std::optional<Vec3> held_gaze_;      ///< world
   std::vector<DroppedSample> dropped_;
   SamplePass pass_;
 };

@@ -54,7 +54,7 @@ std::vector<StabilityFigure> check_accumulation(const StabilityRun& run) {
   const KnownBatch known = known_batch();
   EquirectFilm film(1, 1);
   NumberedBatch batch;
-  film.number(std::vector<ViewSample>(batch_samples), batch);
+  film.number(std::vector<ViewSample>(batch_samples), batch, run.workers);
   const std::uint64_t rounds = std::max<std::uint64_t>(1, run.effort.film_samples / batch_samples);
   for (std::uint64_t i = 0; i < rounds && !run.stop.stop_requested(); ++i) {
     film.add(batch, known.radiance, run.workers);

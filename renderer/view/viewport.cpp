@@ -18,6 +18,56 @@ float half_extent(double fov_rad) {
   return static_cast<float>(std::tan(0.5 * fov_rad));
 }
 
+/// How fast the distance from the lens' axis grows with the one on the display, squared: d2.
+double growth(const RadialLens& lens, double d2) {
+  return 1.0 + d2 * (3.0 * lens.k1 + d2 * 5.0 * lens.k2);
+}
+
+/// How much larger the distance from the lens' axis is than the one on the display, squared: d2.
+double magnification(const RadialLens& lens, double d2) {
+  return 1.0 + d2 * (lens.k1 + d2 * lens.k2);
+}
+
+/// The squared distance from the lens' axis to the display's furthest corner.
+double furthest_d2(const RadialLens& lens, const Vec2& half_size) {
+  const Vec2 to_corner = 2.0F * glm::max(lens.axis, 1.0F - lens.axis) * half_size;
+  return glm::dot(to_corner, to_corner);
+}
+
+const RadialLens& checked(const RadialLens& lens, const Vec2& half_size) {
+  constexpr int steps = 64;
+  const double furthest = furthest_d2(lens, half_size);
+  bool rises = std::isfinite(lens.axis.x) && std::isfinite(lens.axis.y);
+  for (int i = 0; i <= steps; ++i) {
+    rises = rises && growth(lens, furthest * i / steps) > 0.0;
+  }
+  if (!rises) {
+    throw Error("lens",
+                fmt::format("k1 = {}, k2 = {} fold the display's corners back", lens.k1, lens.k2),
+                "choose coefficients under which the distance from the axis grows to the corners");
+  }
+  return lens;
+}
+
+/// The distance on the display that is seen at `distance`; `furthest` bounds it.
+double on_display(const RadialLens& lens, double distance, double furthest) {
+  double low = 0.0;
+  double high = furthest;
+  double d = std::min(distance, high);
+  constexpr int most_steps = 60;
+  for (int step = 0; step < most_steps; ++step) {
+    const double excess = d * magnification(lens, d * d) - distance;
+    (excess > 0.0 ? high : low) = d;
+    const double newton = d - excess / growth(lens, d * d);
+    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+    if (next == d) {
+      break;
+    }
+    d = next;
+  }
+  return d;
+}
+
 }  // namespace
 
 Quat head_orientation(const AzimuthElevation& heading) {
@@ -27,11 +77,13 @@ Quat head_orientation(const AzimuthElevation& heading) {
   return turn * nod;
 }
 
-Viewport::Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad)
+Viewport::Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad,
+                   const RadialLens& lens)
     : head_(head),
       half_size_(half_extent(horizontal_fov_rad), half_extent(vertical_fov_rad)),
-      right_(head * Vec3(half_size_.x, 0.0F, 0.0F)),
-      up_(head * Vec3(0.0F, half_size_.y, 0.0F)),
+      lens_(checked(lens, half_size_)),
+      right_(head * Vec3(1.0F, 0.0F, 0.0F)),
+      up_(head * Vec3(0.0F, 1.0F, 0.0F)),
       forward_(head * Vec3(0.0F, 0.0F, -1.0F)) {}
 
 std::optional<Vec2> Viewport::project(const Vec3& direction) const {
@@ -39,13 +91,43 @@ std::optional<Vec2> Viewport::project(const Vec3& direction) const {
   if (local.z >= 0.0F) {
     return std::nullopt;
   }
-  const Vec2 plane(0.5F - 0.5F * local.x / (local.z * half_size_.x),
-                   0.5F + 0.5F * local.y / (local.z * half_size_.y));
+  Vec2 offset = Vec2(local.x, -local.y) / -local.z;
+  if (lens_.k1 != 0.0F || lens_.k2 != 0.0F) {
+    const double distance = glm::length(offset);
+    const double furthest = std::sqrt(furthest_d2(lens_, half_size_));
+    if (distance > furthest * magnification(lens_, furthest * furthest)) {
+      return std::nullopt;
+    }
+    const double display = on_display(lens_, distance, furthest);
+    offset *= distance > 0.0 ? static_cast<float>(display / distance) : 1.0F;
+  }
+  const Vec2 plane = lens_.axis + 0.5F * offset / half_size_;
   const bool inside = plane.x >= 0.0F && plane.x <= 1.0F && plane.y >= 0.0F && plane.y <= 1.0F;
   return inside ? std::optional(plane) : std::nullopt;
 }
 
+double Viewport::sr_per_area(const Vec2& plane) const {
+  const Vec2 offset = 2.0F * (plane - lens_.axis) * half_size_;
+  const double d2 = glm::dot(offset, offset);
+  const double larger = magnification(lens_, d2);
+  // Across the radius a patch grows by `larger`, along it by `growth`; at distance 1 it is seen
+  // under its area times cos^3.
+  const double area = 4.0 * half_size_.x * half_size_.y * larger * growth(lens_, d2);
+  const double cosine = 1.0 / std::sqrt(1.0 + d2 * larger * larger);
+  return area * cosine * cosine * cosine;
+}
+
 double Viewport::solid_angle_sr() const {
+  if (!(lens_ == RadialLens{})) {
+    constexpr int cells = 256;  // midpoints: within 1e-5
+    double sum = 0.0;
+    for (int y = 0; y < cells; ++y) {
+      for (int x = 0; x < cells; ++x) {
+        sum += sr_per_area((Vec2(x, y) + 0.5F) / static_cast<float>(cells));
+      }
+    }
+    return sum / (cells * cells);
+  }
   // Of a rectangle seen from above its centre (Mathar 2015, "Solid Angle of a Rectangular Plate").
   const double a = half_size_.x;
   const double b = half_size_.y;

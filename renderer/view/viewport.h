@@ -12,31 +12,60 @@ namespace foveola {
 /// (+X right, +Y up, -Z forward) to the world.
 Quat head_orientation(const AzimuthElevation& heading);
 
-/// A rectilinear view. Its image plane lies at distance 1 and is 2 tan(fov/2) wide and high.
+/// What a headset's lens does to one eye's display: a point at distance d from the lens' axis,
+/// measured on the image plane, is seen at distance d (1 + k1 d^2 + k2 d^4) (the radial terms of
+/// Brown 1966, "Decentering distortion of lenses").
+struct RadialLens {
+  Vec2 axis{0.5F, 0.5F};  ///< where it meets the display, as Viewport's plane
+  float k1 = 0.0F;
+  float k2 = 0.0F;
+
+  bool operator==(const RadialLens&) const = default;
+};
+
+/// The same lens before the other eye.
+inline RadialLens mirrored(RadialLens lens) {
+  lens.axis.x = 1.0F - lens.axis.x;
+  return lens;
+}
+
+/// A view, rectilinear but for its lens. Its image plane lies at distance 1 and is 2 tan(fov/2)
+/// wide and high: fields of view are those without the lens.
 class Viewport {
  public:
-  /// Fields of view in radians, each in (0, pi). Throws Error otherwise.
-  Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad);
+  /// Fields of view in radians, each in (0, pi). Throws Error otherwise, and for a lens under which
+  /// the display would fold back on itself.
+  Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad,
+           const RadialLens& lens = {});
 
-  /// plane: (0, 0) is the top left corner, (1, 1) the bottom right one. Unit length, world.
+  /// plane: (0, 0) is the display's top left corner, (1, 1) the bottom right one. Unit length,
+  /// world.
   Vec3 direction(const Vec2& plane) const {
-    const Vec3 on_plane =
-        forward_ + (2.0F * plane.x - 1.0F) * right_ + (1.0F - 2.0F * plane.y) * up_;
+    const Vec2 offset = 2.0F * (plane - lens_.axis) * half_size_;
+    const float d2 = glm::dot(offset, offset);
+    const Vec2 seen = (1.0F + d2 * (lens_.k1 + d2 * lens_.k2)) * offset;
+    const Vec3 on_plane = forward_ + seen.x * right_ - seen.y * up_;
     return on_plane * (1.0F / std::sqrt(glm::dot(on_plane, on_plane)));
   }
   /// Where `direction` meets the view, or empty if it lies outside or behind.
   std::optional<Vec2> project(const Vec3& direction) const;
+  /// The steradians of a patch of the display around `plane`, over its area, the whole display's
+  /// being 1.
+  double sr_per_area(const Vec2& plane) const;
   /// Steradians of the whole view.
   double solid_angle_sr() const;
 
   const Quat& head() const { return head_; }
   /// Half the width and height of the image plane at distance 1.
   const Vec2& half_size() const { return half_size_; }
+  const RadialLens& lens() const { return lens_; }
+
+  bool operator==(const Viewport&) const = default;
 
  private:
   Quat head_;
   Vec2 half_size_;
-  // From the eye to the middle of the image plane, and from there to its right and upper edge.
+  RadialLens lens_;
   Vec3 right_;
   Vec3 up_;
   Vec3 forward_;

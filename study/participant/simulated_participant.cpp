@@ -18,10 +18,6 @@ double log_normal_factor(double spread, Pcg32& random) {
   return std::exp(spread * random.normal());
 }
 
-bool same_view(const Viewport& a, const Viewport& b) {
-  return a.head() == b.head() && a.half_size() == b.half_size();
-}
-
 }  // namespace
 
 SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKnowledge knowledge,
@@ -103,7 +99,7 @@ int SimulatedParticipant::rate_artifacts() {
 const SimulatedParticipant::Expectation& SimulatedParticipant::expect(const Percept& percept) {
   const int width = percept.image.width;
   const int height = percept.image.height;
-  const bool current = expectation_ && same_view(expectation_->viewport, percept.viewport) &&
+  const bool current = expectation_ && expectation_->viewport == percept.viewport &&
                        expectation_->image.width == width && expectation_->image.height == height;
   if (!current) {
     expectation_ = Expectation{

@@ -1,5 +1,7 @@
 #include "renderer/film/equirect_film.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -43,12 +45,13 @@ std::vector<Rgb> colors_of(const NumberedBatch& batch) {
 }
 
 TEST(EquirectFilm, NumbersEachPixelsSamplesInOrder) {
+  const Workers workers(2);
   EquirectFilm film(100, 50);  // neither side a multiple of the tile's
   NumberedBatch batch;
   std::map<std::uint32_t, std::uint32_t> next;
   for (const std::uint64_t begin : {0U, 5000U, 12000U}) {
     const std::vector<ViewSample> samples = sobol_samples(begin, 5000);
-    film.number(samples, batch);
+    film.number(samples, batch, workers);
     ASSERT_EQ(batch.jobs.size(), samples.size());
     for (const SampleJob& job : batch.jobs) {
       const Vec2 image = equirect_from_direction(job.direction);
@@ -62,9 +65,10 @@ TEST(EquirectFilm, NumbersEachPixelsSamplesInOrder) {
 }
 
 TEST(EquirectFilm, TilesPartitionTheBatch) {
+  const Workers workers(2);
   EquirectFilm film(100, 50);
   NumberedBatch batch;
-  film.number(sobol_samples(0, 3000), batch);
+  film.number(sobol_samples(0, 3000), batch, workers);
   std::size_t end = 0;
   for (const NumberedBatch::TileRange& range : batch.tiles) {
     EXPECT_EQ(range.begin, end);
@@ -83,7 +87,7 @@ TEST(EquirectFilm, APixelIsTheMeanOfItsSamples) {
   const Workers workers(2);
   EquirectFilm film(64, 32);
   NumberedBatch batch;
-  film.number(in_pixel(63, 31, film, 3), batch);
+  film.number(in_pixel(63, 31, film, 3), batch, workers);
   film.add(batch, std::vector<Rgb>{{1, 2, 3}, {2, 4, 6}, {6, 0, 0}}, workers);
   EXPECT_EQ(film.mean(63, 31), Rgb(3, 2, 3));
   EXPECT_EQ(film.sample_count(63, 31), 3U);
@@ -101,7 +105,7 @@ TEST(EquirectFilm, IsTheSameOnAnyNumberOfThreadsAndInAnyBatches) {
     EquirectFilm film(96, 48);
     NumberedBatch batch;
     for (std::uint64_t begin = 0; begin < 24000; begin += batch_size) {
-      film.number(sobol_samples(begin, batch_size), batch);
+      film.number(sobol_samples(begin, batch_size), batch, workers);
       film.add(batch, colors_of(batch), workers);
     }
     return film.resolve();
@@ -119,7 +123,7 @@ TEST(EquirectFilm, NonFiniteSamplesAreDroppedCountedAndNamed) {
   const Workers workers(2);
   EquirectFilm film(64, 32);
   NumberedBatch batch;
-  film.number(in_pixel(5, 7, film, 4), batch);
+  film.number(in_pixel(5, 7, film, 4), batch, workers);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   const std::vector<DroppedSample> dropped = film.add(
@@ -131,7 +135,7 @@ TEST(EquirectFilm, NonFiniteSamplesAreDroppedCountedAndNamed) {
   EXPECT_EQ(film.mean(5, 7), Rgb(2.0F));
   EXPECT_EQ(film.sample_count(5, 7), 2U);
   EXPECT_EQ(film.total_samples(), 2U);
-  film.number(in_pixel(5, 7, film, 1), batch);
+  film.number(in_pixel(5, 7, film, 1), batch, workers);
   EXPECT_EQ(batch.jobs[0].sample_number, 4U);  // dropped samples keep their numbers
 }
 
@@ -143,7 +147,7 @@ TEST(EquirectFilm, SumsOfTensOfMillionsOfSamplesStayExact) {
   const std::vector<ViewSample> samples = in_pixel(0, 0, film, 1'000'000);
   const std::vector<Rgb> colors(samples.size(), Rgb(0.1F, 1.0F, 1000.0F));
   for (int i = 0; i < 20; ++i) {
-    film.number(samples, batch);
+    film.number(samples, batch, workers);
     film.add(batch, colors, workers);
   }
   EXPECT_EQ(film.sample_count(0, 0), 20'000'000U);
@@ -154,13 +158,99 @@ TEST(EquirectFilm, ClearForgetsEverything) {
   const Workers workers(1);
   EquirectFilm film(64, 32);
   NumberedBatch batch;
-  film.number(in_pixel(5, 7, film, 2), batch);
+  film.number(in_pixel(5, 7, film, 2), batch, workers);
   film.add(batch, std::vector<Rgb>(2, Rgb(1.0F)), workers);
   film.clear();
   EXPECT_EQ(film.total_samples(), 0U);
   EXPECT_EQ(film.sample_count(5, 7), 0U);
-  film.number(in_pixel(5, 7, film, 1), batch);
+  film.number(in_pixel(5, 7, film, 1), batch, workers);
   EXPECT_EQ(batch.jobs[0].sample_number, 0U);
+}
+
+/// The film of a colour for each sample, which depends on its job alone.
+void add_samples(const std::vector<ViewSample>& samples, EquirectFilm& film,
+                 const Workers& workers) {
+  NumberedBatch batch;
+  film.number(samples, batch, workers);
+  film.add(batch, colors_of(batch), workers);
+}
+
+/// A cell of the pyramid by its definition.
+Coverage average_of_pixels(const EquirectFilm& film, int level, int x, int y) {
+  DVec3 color(0.0);
+  int known = 0;
+  const int side = 1 << level;
+  for (int row = y * side; row < std::min((y + 1) * side, film.height()); ++row) {
+    for (int column = x * side; column < std::min((x + 1) * side, film.width()); ++column) {
+      if (film.sample_count(column, row) > 0) {
+        color += DVec3(film.mean(column, row));
+        ++known;
+      }
+    }
+  }
+  const double pixels = static_cast<double>(side) * side;
+  return {Rgb(color / pixels), static_cast<float>(known / pixels)};
+}
+
+// Batch after batch, sparse and dense, on sides that the tile divides and on others.
+TEST(EquirectFilm, PyramidAveragesWhatIsKnown) {
+  const Workers workers(2);
+  for (const IVec2 size : {IVec2(128, 64), IVec2(100, 50), IVec2(1, 1)}) {
+    EquirectFilm film(size.x, size.y);
+    for (const std::uint64_t begin : {0U, 40U, 500U, 2000U}) {
+      add_samples(sobol_samples(begin, begin / 2 + 30), film, workers);
+      for (int level = 0; level < film.levels(); ++level) {
+        for (int y = 0; y < film.height(level); ++y) {
+          for (int x = 0; x < film.width(level); ++x) {
+            const Coverage cell = film.cell(level, x, y);
+            const Coverage expected = average_of_pixels(film, level, x, y);
+            ASSERT_LT(glm::distance(cell.color, expected.color), 1e-6F)
+                << "level " << level << ": " << x << ", " << y;
+            ASSERT_NEAR(cell.weight, expected.weight, 1e-6F);
+          }
+        }
+      }
+    }
+    EXPECT_EQ(film.width(film.levels() - 1), 1);
+    EXPECT_EQ(film.height(film.levels() - 1), 1);
+  }
+}
+
+TEST(EquirectFilm, PyramidIsClearedToo) {
+  const Workers workers(1);
+  EquirectFilm film(128, 64);
+  add_samples(sobol_samples(0, 5000), film, workers);
+  film.clear();
+  add_samples(in_pixel(3, 2, film, 1), film, workers);
+  for (int level = 0; level < film.levels(); ++level) {
+    float weight = 0.0F;
+    for (int y = 0; y < film.height(level); ++y) {
+      for (int x = 0; x < film.width(level); ++x) {
+        weight += film.cell(level, x, y).weight;
+      }
+    }
+    EXPECT_EQ(weight, std::exp2(-2.0F * static_cast<float>(level)));
+  }
+}
+
+TEST(EquirectFilm, KeepsVariancesWhereAsked) {
+  const Workers workers(2);
+  EquirectFilm film(64, 32, FilmStatistics::mean_and_variance);
+  NumberedBatch batch;
+  film.number(in_pixel(5, 7, film, 4), batch, workers);
+  // A mean far above the deviations, and a sample that does not count.
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  film.add(batch, std::vector<Rgb>{Rgb(1000.0F), Rgb(1001.0F), Rgb(nan), Rgb(1005.0F)}, workers);
+  EXPECT_NEAR(film.luminance_variance(5, 7).value(), 7.0, 1e-6);  // of 0, 1, 5
+  EXPECT_FALSE(film.luminance_variance(6, 7).has_value());
+  film.number(in_pixel(40, 7, film, 1), batch, workers);
+  film.add(batch, std::vector<Rgb>{Rgb(1.0F)}, workers);
+  EXPECT_FALSE(film.luminance_variance(40, 7).has_value());
+  film.clear();
+  film.number(in_pixel(5, 7, film, 2), batch, workers);
+  film.add(batch, std::vector<Rgb>{Rgb(1.0F), Rgb(3.0F)}, workers);
+  EXPECT_NEAR(film.luminance_variance(5, 7).value(), 2.0, 1e-6);
+  EXPECT_FALSE(EquirectFilm(64, 32).luminance_variance(5, 7).has_value());
 }
 
 TEST(EquirectFilm, RefusesImpossibleSizes) {

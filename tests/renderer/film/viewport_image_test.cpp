@@ -53,8 +53,13 @@ class SparseFilm : public testing::Test {
   void sample(int x, int y, const Rgb& color) {
     const Vec2 image((static_cast<float>(x) + 0.5F) / 64.0F,
                      (static_cast<float>(y) + 0.5F) / 32.0F);
-    film_.number(std::vector<ViewSample>{{direction_from_equirect(image), image}}, batch_);
+    film_.number(std::vector<ViewSample>{{direction_from_equirect(image), image}}, batch_,
+                 workers_);
     film_.add(batch_, std::vector<Rgb>{color}, workers_);
+  }
+
+  RgbImage shown(int width, int height, UnsampledPixels unsampled = UnsampledPixels::black) const {
+    return viewport_image(film_, ahead_, width, height, unsampled, workers_);
   }
 
   const Workers workers_{1};
@@ -64,7 +69,7 @@ class SparseFilm : public testing::Test {
 };
 
 TEST_F(SparseFilm, IsBlackWhereNothingWasSampled) {
-  for (const Rgb& pixel : viewport_image(film_, ahead_, 16, 16).pixels) {
+  for (const Rgb& pixel : shown(16, 16).pixels) {
     EXPECT_EQ(pixel, Rgb(0.0F));
   }
 }
@@ -72,7 +77,7 @@ TEST_F(SparseFilm, IsBlackWhereNothingWasSampled) {
 // One pixel known: around it the view has its colour to the full, further away it is black.
 TEST_F(SparseFilm, UnsampledPixelsDoNotDarkenTheirNeighbours) {
   sample(32, 16, Rgb(0.25F, 0.5F, 1.0F));
-  const RgbImage view = viewport_image(film_, ahead_, 64, 64);
+  const RgbImage view = shown(64, 64);
   int known = 0;
   for (const Rgb& pixel : view.pixels) {
     if (pixel != Rgb(0.0F)) {
@@ -84,6 +89,50 @@ TEST_F(SparseFilm, UnsampledPixelsDoNotDarkenTheirNeighbours) {
   EXPECT_LT(known, 64 * 64);
 }
 
+TEST_F(SparseFilm, HolesAreFilledFromThePyramidIfAsked) {
+  const Rgb color(0.25F, 0.5F, 1.0F);
+  sample(32, 16, color);
+  for (const Rgb& pixel : shown(64, 64, UnsampledPixels::filled).pixels) {
+    EXPECT_LT(glm::distance(pixel, color), 1e-6F);
+  }
+  EXPECT_EQ(
+      viewport_image(EquirectFilm(64, 32), ahead_, 4, 4, UnsampledPixels::filled, workers_).pixels,
+      RgbImage(4, 4).pixels);
+}
+
+// Between two known colours a hole takes from both, and what is known stays as it is.
+TEST_F(SparseFilm, FillingLeavesWhatIsKnown) {
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      if ((x + y) % 2 == 0) {
+        sample(x, y, x < 32 ? Rgb(0.0F) : Rgb(1.0F));
+      }
+    }
+  }
+  const Viewport wide(head_orientation({}), radians(90.0), radians(90.0));
+  const RgbImage filled = viewport_image(film_, wide, 64, 64, UnsampledPixels::filled, workers_);
+  EXPECT_LT(filled.at(20, 32).r, 0.01F);
+  EXPECT_GT(filled.at(43, 32).r, 0.99F);
+  for (const Rgb& pixel : filled.pixels) {
+    EXPECT_GE(pixel.r, 0.0F);
+    EXPECT_LE(pixel.r, 1.0F);
+  }
+}
+
+// A view of few pixels averages the film over each: eight samples of a chequerboard must give grey.
+TEST_F(SparseFilm, SmallViewsAverage) {
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      sample(x, y, (x + y) % 2 == 0 ? Rgb(0.0F) : Rgb(1.0F));
+    }
+  }
+  const Viewport wide(head_orientation({}), radians(90.0), radians(90.0));
+  for (const Rgb& pixel :
+       viewport_image(film_, wide, 4, 4, UnsampledPixels::black, workers_).pixels) {
+    EXPECT_NEAR(pixel.r, 0.5F, 1e-5F);
+  }
+}
+
 TEST_F(SparseFilm, FilmAndPanoramaAreShownAlike) {
   const RgbImage panorama = panorama_of_smooth(64, 32);
   for (int y = 0; y < 32; ++y) {
@@ -91,8 +140,7 @@ TEST_F(SparseFilm, FilmAndPanoramaAreShownAlike) {
       sample(x, y, panorama.at(x, y));
     }
   }
-  EXPECT_EQ(viewport_image(film_, ahead_, 20, 20).pixels,
-            viewport_image(panorama, ahead_, 20, 20).pixels);
+  EXPECT_EQ(shown(20, 20).pixels, viewport_image(panorama, ahead_, 20, 20).pixels);
 }
 
 }  // namespace

@@ -227,6 +227,23 @@ TEST_F(PreviewTest, HoldsTheLastValidGazeThroughABlink) {
   EXPECT_EQ(blink.gaze_age, 3 * frame_time);
 }
 
+TEST_F(PreviewTest, AHeldGazeStaysWhereItIsInTheWorld) {
+  ScriptedHeadTracker head({{.time = frame_time, .heading = {}},
+                            {.time = 2 * frame_time, .heading = {.azimuth_rad = 1.0}}});
+  Preview preview(tracer_, small_settings(), ahead_, head, workers_);
+  preview.restart("fv", 1);
+  const FrameReport before = preview.render_frame(frame_time, 100);
+  preview.hold_gaze(true);
+  const FrameReport held = preview.render_frame(3 * frame_time, 100);
+  EXPECT_TRUE(held.gaze_held);
+  EXPECT_EQ(held.gaze, before.gaze);
+  EXPECT_NEAR(held.head.azimuth_rad, 1.0, 1e-9);
+  preview.hold_gaze(false);
+  const FrameReport after = preview.render_frame(4 * frame_time, 100);
+  EXPECT_FALSE(after.gaze_held);
+  EXPECT_NEAR(angle_deg(after.gaze, before.gaze), degrees(1.0), 1e-3);
+}
+
 TEST_F(PreviewTest, PresentsTheViewOfTheLastFrame) {
   PreviewSettings settings = small_settings();
   settings.exposure_stops = 1.0;
@@ -236,7 +253,8 @@ TEST_F(PreviewTest, PresentsTheViewOfTheLastFrame) {
   preview.restart("fv", 1);
   preview.render_frame(frame_time, 2000);
   const Viewport view(head_orientation(heading), radians(100.0), radians(100.0));
-  const RgbImage expected = display_image(viewport_image(preview.film(), view, 64, 48), 1.0);
+  const RgbImage expected = display_image(
+      viewport_image(preview.film(), view, 64, 48, UnsampledPixels::black, workers_), 1.0);
   const RgbImage presented = preview.present();
   EXPECT_EQ(presented.width, 64);
   EXPECT_EQ(presented.height, 48);

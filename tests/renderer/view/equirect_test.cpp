@@ -99,6 +99,54 @@ TEST(Viewport, SolidAngleOfACubeFaceIsASixthOfTheSphere) {
   EXPECT_NEAR(view.solid_angle_sr(), 4.0 * std::numbers::pi / 6.0, 1e-6);
 }
 
+/// A headset's left eye: its axis nearer the nose, its picture stretched towards the edge.
+const Viewport left_eye(head_orientation({.azimuth_rad = 2.0, .elevation_rad = 0.4}), radians(90.0),
+                        radians(100.0), {.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F});
+
+TEST(Viewport, ALensIsUndoneByProject) {
+  for (const RadialLens& lens : {left_eye.lens(), mirrored(left_eye.lens()),
+                                 RadialLens{.k1 = -0.1F}, RadialLens{.k1 = 0.1F, .k2 = -0.01F}}) {
+    const Viewport view(left_eye.head(), radians(90.0), radians(100.0), lens);
+    for (const Vec2 plane : {Vec2(0.0F), Vec2(0.56F, 0.5F), Vec2(0.3F, 0.9F), Vec2(1.0F, 0.02F)}) {
+      const auto back = view.project(view.direction(plane) * 3.0F);
+      // The corner may round to the outside.
+      if (back) {
+        EXPECT_LT(glm::distance(*back, plane), 2e-6F);
+      } else {
+        EXPECT_EQ(plane, Vec2(0.0F));
+      }
+    }
+  }
+  EXPECT_FALSE(left_eye.project(left_eye.direction({1.05F, 0.5F})));
+  EXPECT_FALSE(left_eye.project(-left_eye.direction({0.5F, 0.5F})));
+}
+
+// Brown's formula, written out: on the axis' height, a quarter of the display from the axis.
+TEST(Viewport, ALensBendsByItsProfile) {
+  const double d = 2.0 * 0.25 * std::tan(radians(45.0));
+  const double seen = d * (1.0 + 0.22 * d * d + 0.24 * d * d * d * d);
+  const Vec3 axis = left_eye.direction(left_eye.lens().axis);
+  EXPECT_NEAR(angle_between(axis, left_eye.direction({0.31F, 0.5F})), std::atan(seen), 1e-6);
+}
+
+// The area of triangles between neighbouring directions against the stated one.
+TEST(Viewport, SolidAnglePerAreaIsThatOfSmallPatches) {
+  const float h = 1e-3F;
+  for (const Vec2 plane : {Vec2(0.56F, 0.5F), Vec2(0.1F, 0.8F), Vec2(0.95F, 0.05F)}) {
+    const DVec3 across(left_eye.direction(plane + Vec2(h, 0)) -
+                       left_eye.direction(plane - Vec2(h, 0)));
+    const DVec3 down(left_eye.direction(plane + Vec2(0, h)) -
+                     left_eye.direction(plane - Vec2(0, h)));
+    const double expected = glm::length(glm::cross(across, down)) / (4.0 * h * h);
+    EXPECT_NEAR(left_eye.sr_per_area(plane), expected, 1e-3 * expected);
+  }
+}
+
+TEST(Viewport, ALensThatFoldsTheDisplayIsRefused) {
+  EXPECT_THROW(Viewport(head_orientation({}), 1.5, 1.5, {.k1 = -0.9F}), Error);
+  EXPECT_THROW(Viewport(head_orientation({}), 1.5, 1.5, {.k1 = std::nanf("")}), Error);
+}
+
 TEST(Viewport, RefusesWhatCannotBeShownFlat) {
   for (const double fov_deg : {0.0, -10.0, 180.0, 200.0, std::nan("")}) {
     EXPECT_THROW(Viewport(head_orientation({}), radians(fov_deg), 1.0), Error);

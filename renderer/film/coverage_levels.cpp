@@ -1,0 +1,70 @@
+#include "renderer/film/coverage_levels.h"
+
+#include <algorithm>
+
+namespace foveola {
+
+CoverageLevels::CoverageLevels(int width, int height, int most_levels) {
+  for (;;) {
+    const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    levels_.push_back({width, height, std::vector<Coverage>(cells), std::vector<bool>(cells)});
+    if ((width == 1 && height == 1) || count() >= most_levels) {
+      return;
+    }
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+  }
+}
+
+Coverage CoverageLevels::mean_below(std::size_t level, int x, int y) const {
+  const Level& below = levels_[level - 1];
+  const auto cell = [&](int column, int row) {
+    const bool inside = column < below.width && row < below.height;
+    return inside ? below.cells[static_cast<std::size_t>(row * below.width + column)] : Coverage{};
+  };
+  return mean_of(cell(2 * x, 2 * y), cell(2 * x + 1, 2 * y), cell(2 * x, 2 * y + 1),
+                 cell(2 * x + 1, 2 * y + 1));
+}
+
+void CoverageLevels::refresh(std::span<const std::uint32_t> changed) {
+  std::vector<std::uint32_t> cells(changed.begin(), changed.end());
+  std::vector<std::uint32_t> parents;
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    Level& at = levels_[level];
+    const int width_below = levels_[level - 1].width;
+    parents.clear();
+    for (const std::uint32_t cell : cells) {
+      const int x = static_cast<int>(cell) % width_below / 2;
+      const int y = static_cast<int>(cell) / width_below / 2;
+      const auto parent = static_cast<std::uint32_t>(y * at.width + x);
+      if (!at.changed[parent]) {
+        at.changed[parent] = true;
+        parents.push_back(parent);
+        at.cells[parent] = mean_below(level, x, y);
+      }
+    }
+    for (const std::uint32_t parent : parents) {
+      at.changed[parent] = false;
+    }
+    cells.swap(parents);
+  }
+}
+
+void CoverageLevels::refresh_all() {
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    Level& at = levels_[level];
+    for (int y = 0; y < at.height; ++y) {
+      for (int x = 0; x < at.width; ++x) {
+        at.cells[static_cast<std::size_t>(y * at.width + x)] = mean_below(level, x, y);
+      }
+    }
+  }
+}
+
+void CoverageLevels::clear() {
+  for (Level& level : levels_) {
+    std::fill(level.cells.begin(), level.cells.end(), Coverage{});
+  }
+}
+
+}  // namespace foveola

@@ -1,0 +1,49 @@
+// A pyramid of averages.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "renderer/film/coverage.h"
+
+namespace foveola {
+
+/// Levels of cells, each of which averages four of the level below.
+class CoverageLevels {
+ public:
+  /// The finest level, number 0, is width x height cells, both positive. There are `most_levels`
+  /// at most: all levels end in a single cell.
+  CoverageLevels(int width, int height, int most_levels = all);
+  static constexpr int all = std::numeric_limits<int>::max();
+
+  int count() const { return static_cast<int>(levels_.size()); }
+  int width(int level) const { return levels_[static_cast<std::size_t>(level)].width; }
+  int height(int level) const { return levels_[static_cast<std::size_t>(level)].height; }
+  const Coverage& cell(int level, int x, int y) const {
+    const Level& at = levels_[static_cast<std::size_t>(level)];
+    return at.cells[static_cast<std::size_t>(y * at.width + x)];
+  }
+  /// Of the finest level, row by row; different cells may be written at the same time.
+  Coverage& finest(std::uint32_t index) { return levels_.front().cells[index]; }
+
+  /// Averages anew what lies above these cells of the finest level.
+  void refresh(std::span<const std::uint32_t> changed);
+  void refresh_all();
+  void clear();
+
+ private:
+  struct Level {
+    int width;
+    int height;
+    std::vector<Coverage> cells;
+    std::vector<bool> changed;  ///< all false between calls
+  };
+
+  Coverage mean_below(std::size_t level, int x, int y) const;
+
+  std::vector<Level> levels_;
+};
+
+}  // namespace foveola
