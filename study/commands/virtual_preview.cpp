@@ -13,6 +13,9 @@ PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage)
   settings.view_height = protocol.display.view_height;
   settings.horizontal_fov_deg = protocol.display.fov_deg;
   settings.vertical_fov_deg = protocol.display.fov_deg;
+  settings.lens = protocol.display.lens;
+  settings.unsampled =
+      protocol.display.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
   settings.viewpoint = stage.viewpoint();
   settings.exposure_stops = stage.source().exposure_stops;
   settings.trace.max_depth = protocol.film.max_depth;

@@ -51,11 +51,32 @@ MachineModel read_machine(TomlReader reader) {
   return machine;
 }
 
+RadialLens read_lens(TomlReader reader, double fov_deg) {
+  constexpr double strongest = 100.0;
+  RadialLens lens;
+  double k1 = 0.0;
+  double k2 = 0.0;
+  reader.read("axis", lens.axis, 0.0, 1.0);
+  reader.read("k1", k1, -strongest, strongest);
+  reader.read("k2", k2, -strongest, strongest);
+  lens.k1 = static_cast<float>(k1);
+  lens.k2 = static_cast<float>(k2);
+  try {
+    Viewport(head_orientation({}), radians(fov_deg), radians(fov_deg), lens);
+  } catch (const Error& error) {
+    reader.fail(reader.source(), error.what(), "measure the headset's profile anew");
+  }
+  reader.reject_unknown_keys();
+  return lens;
+}
+
 DisplaySettings read_display(TomlReader reader) {
   DisplaySettings display;
   reader.read("view_width", display.view_width, 8, largest_view_side);
   reader.read("view_height", display.view_height, 8, largest_view_side);
   reader.read("fov_deg", display.fov_deg, 1.0, 170.0);
+  reader.read("fill_unsampled", display.fill_unsampled);
+  display.lens = read_lens(reader.table("lens"), display.fov_deg);
   reader.reject_unknown_keys();
   return display;
 }

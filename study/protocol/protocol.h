@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola::study {
 
@@ -33,7 +34,9 @@ struct MachineModel {
 struct DisplaySettings {
   int view_width = 112;  ///< pixels
   int view_height = 112;
-  double fov_deg = 100.0;  ///< horizontally and vertically
+  double fov_deg = 100.0;  ///< horizontally and vertically, without the lens
+  RadialLens lens;
+  bool fill_unsampled = false;  ///< from the film's pyramid; the published study left them black
 };
 
 struct FilmSettings {

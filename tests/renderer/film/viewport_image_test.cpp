@@ -1,5 +1,7 @@
 #include "renderer/film/viewport_image.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,20 +27,38 @@ RgbImage panorama_of_smooth(int width, int height) {
   return panorama;
 }
 
-class Heading : public testing::TestWithParam<std::pair<double, double>> {};
+constexpr RadialLens headset{.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F};
+
+class Heading : public testing::TestWithParam<std::pair<double, double>> {
+ protected:
+  /// The view's largest error against the function that the panorama shows.
+  float largest_error(const RgbImage& panorama, double fov_deg, const RadialLens& lens) const {
+    constexpr int width = 90;
+    constexpr int height = 70;
+    const auto [azimuth_deg, elevation_deg] = GetParam();
+    const Viewport viewport(head_orientation({.azimuth_rad = radians(azimuth_deg),
+                                              .elevation_rad = radians(elevation_deg)}),
+                            radians(fov_deg), radians(0.8 * fov_deg), lens);
+    const RgbImage view = viewport_image(panorama, viewport, width, height);
+    float largest = 0.0F;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const Vec2 plane((static_cast<float>(x) + 0.5F) / width,
+                         (static_cast<float>(y) + 0.5F) / height);
+        largest =
+            std::max(largest, glm::distance(view.at(x, y), smooth(viewport.direction(plane))));
+      }
+    }
+    return largest;
+  }
+};
 
 TEST_P(Heading, ASmoothPanoramaIsShownAsItIs) {
   const RgbImage panorama = panorama_of_smooth(512, 256);
-  const auto [azimuth_deg, elevation_deg] = GetParam();
-  const Viewport viewport(head_orientation({.azimuth_rad = radians(azimuth_deg),
-                                            .elevation_rad = radians(elevation_deg)}),
-                          radians(100.0), radians(80.0));
-  const RgbImage view = viewport_image(panorama, viewport, 90, 70);
-  for (int y = 0; y < 70; ++y) {
-    for (int x = 0; x < 90; ++x) {
-      const Rgb expected = smooth(viewport.direction(
-          {(static_cast<float>(x) + 0.5F) / 90.0F, (static_cast<float>(y) + 0.5F) / 70.0F}));
-      ASSERT_LT(glm::distance(view.at(x, y), expected), 1e-3F) << x << ", " << y;
+  for (const double fov_deg : {40.0, 100.0}) {
+    for (const RadialLens& lens : {RadialLens{}, headset, mirrored(headset)}) {
+      EXPECT_LT(largest_error(panorama, fov_deg, lens), 1e-3F)
+          << fov_deg << " degrees, k1 " << lens.k1;
     }
   }
 }

@@ -69,6 +69,11 @@ max_depth = 3
 view_width = 20
 view_height = 30
 fov_deg = 60
+fill_unsampled = true
+[display.lens]
+axis = [0.55, 0.5]
+k1 = 0.25
+k2 = -0.125
 [tracker]
 rate_hz = 250
 latency_s = 0.005
@@ -96,6 +101,8 @@ text = "Used to it?"
   EXPECT_EQ(protocol.display.view_width, 20);
   EXPECT_EQ(protocol.display.view_height, 30);
   EXPECT_EQ(protocol.display.fov_deg, 60.0);
+  EXPECT_TRUE(protocol.display.fill_unsampled);
+  EXPECT_EQ(protocol.display.lens, (RadialLens{.axis = {0.55F, 0.5F}, .k1 = 0.25F, .k2 = -0.125F}));
   EXPECT_EQ(protocol.tracker.rate_hz, 250.0);
   EXPECT_EQ(protocol.tracker.latency_s, 0.005);
   EXPECT_EQ(protocol.tracker.precision_deg, 0.3);
@@ -166,6 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"infinite_rate", minimal + "[machine]\nframe_rate_hz = inf\n", "6:17",
               "frame_rate_hz"},
         Fault{"flat_view", minimal + "[display]\nfov_deg = 180\n", "6:11", "fov_deg"},
+        Fault{"folding_lens", minimal + "[display]\n[display.lens]\nk1 = -3\n", "6:1", "fold"},
         Fault{"table_is_a_number", minimal + "film = 3\n", "5:8", "film"},
         Fault{"question_without_text", minimal + "[[background]]\nid = \"age\"\n", "5:1", "text"},
         Fault{"question_twice",
