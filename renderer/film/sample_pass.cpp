@@ -12,7 +12,7 @@ constexpr std::size_t point_block = 4096;
 
 std::vector<DroppedSample> SamplePass::run(const ViewSampler& sampler, const SobolRange& points,
                                            const Trace& trace, EquirectFilm& film,
-                                           const Workers& workers) {
+                                           const Workers& workers, const Adjust& adjust) {
   points_.resize(points.count);
   samples_.resize(points.count);
   workers.for_each_block(points.count, point_block, [&](std::size_t begin, std::size_t end) {
@@ -22,6 +22,9 @@ std::vector<DroppedSample> SamplePass::run(const ViewSampler& sampler, const Sob
     sampler.sample(std::span(points_).subspan(begin, end - begin),
                    std::span(samples_).subspan(begin, end - begin));
   });
+  if (adjust) {
+    adjust(samples_);
+  }
   film.number(samples_, batch_, workers);
   radiance_.resize(batch_.jobs.size());
   trace(batch_.jobs, radiance_);

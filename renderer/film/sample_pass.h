@@ -25,10 +25,15 @@ class SamplePass {
   /// Writes the radiance of each job, as PathTracer::trace.
   using Trace = std::function<void(std::span<const SampleJob> jobs, std::span<Rgb> radiance)>;
 
+  /// May move view samples, or take some away, before they are traced.
+  using Adjust = std::function<void(std::vector<ViewSample>& samples)>;
+
   /// Sends `points` through an aimed sampler and `trace` into the film; returns what the film
-  /// dropped. Neither the number of threads nor how a range is cut into passes changes the film.
+  /// dropped. Neither the number of threads nor, without `adjust`, how a range is cut into passes
+  /// changes the film.
   std::vector<DroppedSample> run(const ViewSampler& sampler, const SobolRange& points,
-                                 const Trace& trace, EquirectFilm& film, const Workers& workers);
+                                 const Trace& trace, EquirectFilm& film, const Workers& workers,
+                                 const Adjust& adjust = {});
 
  private:
   std::vector<Vec2> points_;

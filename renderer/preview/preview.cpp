@@ -27,7 +27,8 @@ Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeT
       eye_(&eye),
       head_(&head),
       workers_(&workers),
-      film_(settings.film_width, settings.film_height),
+      film_(settings.film_width, settings.film_height,
+            settings.spare_done ? FilmStatistics::mean_and_variance : FilmStatistics::mean),
       viewport_(viewport_for(settings, {})) {}
 
 Preview::~Preview() = default;
@@ -43,8 +44,8 @@ void Preview::restart(std::string_view method, std::uint32_t seed) {
 
 FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
   FrameReport report = aim(now);
-  report.samples = samples;
   const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    report.samples = jobs.size();
     report.rays =
         tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_).total();
   };
@@ -57,7 +58,11 @@ std::optional<SampleJob> Preview::find_job(Nanoseconds now, std::uint64_t sample
   std::optional<SampleJob> found;
   aim(now);
   add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+    if (settings_.spare_done) {
+      tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_);
+    } else {
+      std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+    }
     const auto job = std::find_if(jobs.begin(), jobs.end(), [&](const SampleJob& candidate) {
       return candidate.pixel == pixel && candidate.sample_number == sample_number;
     });
@@ -71,7 +76,16 @@ std::optional<SampleJob> Preview::find_job(Nanoseconds now, std::uint64_t sample
 void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace) {
   const SobolRange points = {
       .first = next_point_, .count = samples, .seed = mix(settings_.trace.seed, view_stream)};
-  const std::vector<DroppedSample> dropped = pass_.run(*sampler_, points, trace, film_, *workers_);
+  SamplePass::Adjust adjust;
+  if (settings_.spare_done) {
+    adjust = [&](std::vector<ViewSample>& view_samples) {
+      const auto frame = static_cast<std::uint32_t>(next_frame_);
+      spare_done_pixels(film_, last_gaze_, *settings_.spare_done, mix(points.seed, frame),
+                        view_samples, *workers_);
+    };
+  }
+  const std::vector<DroppedSample> dropped =
+      pass_.run(*sampler_, points, trace, film_, *workers_, adjust);
   dropped_.insert(dropped_.end(), dropped.begin(), dropped.end());
   next_point_ += samples;
 }

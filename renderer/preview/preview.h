@@ -10,6 +10,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
+#include "renderer/film/spare_done.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
@@ -28,6 +29,8 @@ struct PreviewSettings {
   Vec3 viewpoint{0.0F};
   RadialLens lens;
   UnsampledPixels unsampled = UnsampledPixels::black;
+  /// Sends samples away from pixels whose noise is no longer seen. Off in the published study.
+  std::optional<VisibleNoise> spare_done;
   double exposure_stops = 0.0;
   TraceSettings trace;
 };
@@ -63,8 +66,9 @@ class Preview {
   /// the caller to know (a budget, a model of a machine).
   FrameReport render_frame(Nanoseconds now, std::uint64_t samples);
 
-  /// As render_frame, but traces nothing, and adds black to the film: returns the job that numbers
-  /// `sample_number` of `pixel`, if it is among the frame's.
+  /// As render_frame, but returns the job that numbers `sample_number` of `pixel`, if it is among
+  /// the frame's. Traces nothing and adds black to the film, unless what the samples bring decides
+  /// where the next ones go.
   std::optional<SampleJob> find_job(Nanoseconds now, std::uint64_t samples, std::uint32_t pixel,
                                     std::uint32_t sample_number);
 
