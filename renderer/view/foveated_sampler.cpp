@@ -15,12 +15,7 @@ void FoveatedSampler::sample(std::span<const Vec2> points, std::span<ViewSample>
   const auto polar = [this](const Vec2& point) {
     return Vec2(eccentricity_turns_(point.x), point.y);
   };
-  const auto direction_of = [frame = around_](const Vec2& turns) {
-    const auto [radius, ahead] = sine_cosine_of_turns(turns.x);
-    const auto [sine, cosine] = sine_cosine_of_turns(turns.y);
-    return frame.to_world({radius * cosine, radius * sine, ahead});
-  };
-  sample_blocks(points, polar, direction_of, samples);
+  sample_around(around_, points, polar, samples);
 }
 
 double FoveatedSampler::density_per_sr(const Vec3& direction) const {

@@ -1,20 +1,28 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "renderer/base/error.h"
+#include "renderer/base/angles.h"
 #include "renderer/view/foveated_sampler.h"
 #include "renderer/view/image_samplers.h"
+#include "renderer/view/map_sampler.h"
+#include "renderer/view/mask_sampler.h"
 #include "renderer/view/method_text.h"
 #include "renderer/view/mixture_sampler.h"
+#include "renderer/view/pointer_sampler.h"
 #include "renderer/view/radial_distribution.h"
 #include "renderer/view/view_sampler.h"
+#include "renderer/view/watson_sampler.h"
+#include "renderer/view/weight_image.h"
 
 namespace foveola {
 namespace {
+
+constexpr std::string_view pointer_name = "pointer";
 
 AcuityModel read_acuity(MethodText& method, const std::string& name) {
   if (name == "guenter") {
@@ -41,18 +49,26 @@ AcuityModel read_acuity(MethodText& method, const std::string& name) {
   return reddy_model();
 }
 
+Eyes read_eyes(MethodText& method) {
+  const std::string eye = method.word("eye", "both", {"left", "right", "both"});
+  return eye == "both" ? Eyes::both : eye == "left" ? Eyes::left : Eyes::right;
+}
+
 std::unique_ptr<ViewSampler> make_foveated(MethodText& method) {
-  const std::string acuity =
-      method.word("acuity", "reddy", {"reddy", "guenter", "linear", "weier1", "weier2", "weier3"});
+  const std::string acuity = method.word(
+      "acuity", "reddy", {"reddy", "guenter", "linear", "weier1", "weier2", "weier3", "watson"});
   AcuityModel model = read_acuity(method, acuity);
   const double exponent = method.number("exponent", model.default_exponent, 0.01, 10.0);
   const double cutoff_deg = method.number("cutoff", 80.0, 0.1, 179.0);
   const bool is_planar = method.word("measure", "planar", {"planar", "solid-angle"}) == "planar";
+  const EccentricityMeasure measure =
+      is_planar ? EccentricityMeasure::planar : EccentricityMeasure::solid_angle;
+  if (acuity == "watson") {
+    return std::make_unique<WatsonSampler>(read_eyes(method), exponent, cutoff_deg, measure);
+  }
   if (acuity == "reddy" && exponent == 1.0 && is_planar) {
     return std::make_unique<FoveatedSampler>(std::make_unique<ReddyDistribution>(cutoff_deg));
   }
-  const EccentricityMeasure measure =
-      is_planar ? EccentricityMeasure::planar : EccentricityMeasure::solid_angle;
   return std::make_unique<FoveatedSampler>(
       std::make_unique<AcuityDistribution>(std::move(model), exponent, cutoff_deg, measure));
 }
@@ -72,53 +88,65 @@ std::unique_ptr<ViewSampler> make_crop(MethodText& method) {
                                  .v_end = std::min(v + height / half_turn_deg, 1.0)});
 }
 
-constexpr std::string_view hybrid_prefix = "hybrid:";
+std::unique_ptr<ViewSampler> make_map(MethodText& method) {
+  WeightImage image = read_weights(method.required("file", "the image of the map"));
+  return std::make_unique<MapSampler>(std::move(image), method.number("extent", 80.0, 0.1, 179.0));
+}
 
-/// parts: "WEIGHT*METHOD+WEIGHT*METHOD".
-std::unique_ptr<ViewSampler> make_hybrid(std::string_view method) {
-  const auto fail = [&](const std::string& what) -> Error {
-    return {fmt::format("method '{}'", method), what, "write for instance hybrid:0.9*fv+0.1*od"};
-  };
-  std::vector<MixtureSampler::Part> parts;
-  std::string_view rest = method.substr(hybrid_prefix.size());
-  while (!rest.empty()) {
-    const std::string_view part = rest.substr(0, rest.find('+'));
-    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
-    const std::size_t star = part.find('*');
-    if (star == std::string_view::npos) {
-      throw fail(fmt::format("'{}' is no WEIGHT*METHOD", part));
-    }
-    double weight = 0.0;
-    const auto [stop, failure] = std::from_chars(part.data(), part.data() + star, weight);
-    if (failure != std::errc() || stop != part.data() + star || !(weight > 0.0) ||
-        !std::isfinite(weight)) {
-      throw fail(fmt::format("'{}' is no positive weight", part.substr(0, star)));
-    }
-    parts.push_back({weight, make_view_sampler(part.substr(star + 1))});
+std::unique_ptr<ViewSampler> make_mask(MethodText& method) {
+  const std::string file = method.required("file", "the image of the mask");
+  return std::make_unique<MaskSampler>(file, method.number("floor", 0.0, 0.0, 1e6));
+}
+
+std::unique_ptr<ViewSampler> make_pointer(MethodText& method) {
+  const double radius_deg = method.number("radius", 10.0, 0.01, 180.0);
+  const double cutoff_deg = method.number("cutoff", 80.0, 0.1, 179.0);
+  const std::optional<double> azimuth_deg = method.number("azimuth", -180.0, 180.0);
+  const std::optional<double> elevation_deg = method.number("elevation", -90.0, 90.0);
+  std::optional<Vec3> fixed;
+  if (azimuth_deg || elevation_deg) {
+    fixed = direction_from({.azimuth_rad = radians(azimuth_deg.value_or(0.0)),
+                            .elevation_rad = radians(elevation_deg.value_or(0.0))});
   }
-  if (parts.empty()) {
-    throw fail("there are no parts");
+  return std::make_unique<PointerSampler>(radius_deg, cutoff_deg, fixed);
+}
+
+std::unique_ptr<ViewSampler> make_hybrid(std::string_view method) {
+  std::vector<MixtureSampler::Part> parts;
+  for (const HybridPart& part : hybrid_parts(method)) {
+    parts.push_back({part.weight, make_view_sampler(part.method)});
   }
   return std::make_unique<MixtureSampler>(std::move(parts));
 }
 
-std::unique_ptr<ViewSampler> make_plain(MethodText& method) {
-  if (method.name() == "od") {
-    return make_rectangle_sampler({});
+struct NamedMaker {
+  std::string_view name;
+  std::unique_ptr<ViewSampler> (*make)(MethodText& settings);
+  bool reads_a_file = false;
+};
+
+constexpr NamedMaker makers[] = {
+    {"od", [](MethodText&) { return make_rectangle_sampler({}); }},
+    {"vp", [](MethodText&) { return make_viewport_sampler(); }},
+    {"vp-rect", [](MethodText&) { return make_viewport_rectangle_sampler(); }},
+    {"fv", make_foveated},
+    {"fv-map", make_map, true},
+    {"mask", make_mask, true},
+    {pointer_name, make_pointer},
+    {"crop", make_crop}};
+
+const NamedMaker& maker_of(const MethodText& method) {
+  const auto* const found =
+      std::find_if(std::begin(makers), std::end(makers),
+                   [&](const NamedMaker& maker) { return maker.name == method.name(); });
+  if (found == std::end(makers)) {
+    std::string names;
+    for (const NamedMaker& maker : makers) {
+      names += fmt::format("{}, ", maker.name);
+    }
+    method.fail("there is no such method", fmt::format("choose one of {}hybrid:...", names));
   }
-  if (method.name() == "vp") {
-    return make_viewport_sampler();
-  }
-  if (method.name() == "vp-rect") {
-    return make_viewport_rectangle_sampler();
-  }
-  if (method.name() == "fv") {
-    return make_foveated(method);
-  }
-  if (method.name() == "crop") {
-    return make_crop(method);
-  }
-  method.fail("there is no such method", "choose one of od, vp, vp-rect, fv, crop, hybrid:...");
+  return *found;
 }
 
 }  // namespace
@@ -129,13 +157,42 @@ const std::vector<std::string>& published_methods() {
 }
 
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method) {
-  if (method.starts_with(hybrid_prefix)) {
+  if (is_hybrid(method)) {
     return make_hybrid(method);
   }
   MethodText text(method);
-  std::unique_ptr<ViewSampler> sampler = make_plain(text);
+  std::unique_ptr<ViewSampler> sampler = maker_of(text).make(text);
   text.reject_unknown_settings();
   return sampler;
+}
+
+bool reads_files(std::string_view method) {
+  if (!is_hybrid(method)) {
+    return maker_of(MethodText(method)).reads_a_file;
+  }
+  const std::vector<HybridPart> parts = hybrid_parts(method);
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const HybridPart& part) { return reads_files(part.method); });
+}
+
+std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {
+  if (is_hybrid(method)) {
+    std::string result;
+    const char* copied = method.data();
+    for (const HybridPart& part : hybrid_parts(method)) {
+      result.append(copied, part.method.data());
+      result += with_pointer(part.method, pointer);
+      copied = part.method.data() + part.method.size();
+    }
+    return result.append(copied, method.data() + method.size());
+  }
+  if (MethodText(method).name() != pointer_name) {
+    return std::string(method);
+  }
+  constexpr double full_turn_deg = 360.0;
+  return fmt::format("{}{}azimuth={},elevation={}", method, method == pointer_name ? ":" : ",",
+                     std::remainder(degrees(pointer.azimuth_rad), full_turn_deg),
+                     degrees(pointer.elevation_rad));
 }
 
 }  // namespace foveola

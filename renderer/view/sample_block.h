@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "renderer/base/angles.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/view_sampler.h"
 
@@ -50,6 +51,19 @@ void sample_blocks(std::span<const Vec2> points, const Prepare& prepare,
     sample_block(std::span<const Vec2>(prepared).first(count), direction_of,
                  samples.subspan(begin, count));
   }
+}
+
+/// sample_blocks around `frame.normal`: `polar` maps each point to its eccentricity and azimuth,
+/// both in turns.
+template <typename Polar>
+void sample_around(const Frame& frame, std::span<const Vec2> points, const Polar& polar,
+                   std::span<ViewSample> samples) {
+  const auto direction_of = [frame](const Vec2& turns) {
+    const auto [radius, ahead] = sine_cosine_of_turns(turns.x);
+    const auto [sine, cosine] = sine_cosine_of_turns(turns.y);
+    return frame.to_world({radius * cosine, radius * sine, ahead});
+  };
+  sample_blocks(points, polar, direction_of, samples);
 }
 
 }  // namespace foveola
