@@ -1,9 +1,12 @@
 #include "renderer/commands/bench_sampling.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -12,13 +15,45 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "renderer/film/equirect_film.h"
+#include "renderer/image/image_file.h"
 
 namespace foveola {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double field_of_view_deg = 100.0;
+
+/// An image of weights for the methods that read one; gone at the end of the scope.
+class WeightFile {
+ public:
+  WeightFile() {
+    std::string name = (fs::temp_directory_path() / "foveola-bench-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw Error(name, "cannot be made", "set TMPDIR to a folder that can be written");
+    }
+    folder_ = name;
+    RgbImage image(1024, 512);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      image.pixels[i] = Rgb(unit_float(mix(static_cast<std::uint32_t>(i))));
+    }
+    write_image(path(), image, 0.0);
+  }
+  ~WeightFile() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  WeightFile(const WeightFile&) = delete;
+  WeightFile& operator=(const WeightFile&) = delete;
+
+  fs::path path() const { return folder_ / "weights.exr"; }
+
+ private:
+  fs::path folder_;
+};
 
 struct Measured {
   std::string name;
@@ -83,8 +118,26 @@ Measured film_cost(int width, int height, const Workers& workers) {
           fmt::format("ms for {} samples, {} threads", batch_size, workers.threads())};
 }
 
+std::vector<Measured> cost_of_each() {
+  std::vector<Measured> measured;
+  for (const char* method : {"od", "vp", "vp-rect", "fv", "fv:acuity=guenter", "fv:acuity=watson",
+                             "pointer", "crop", "hybrid:0.9*fv+0.1*od"}) {
+    measured.push_back(sampler_cost(method));
+  }
+  const WeightFile weights;
+  for (const std::string method : {"fv-map", "mask"}) {
+    measured.push_back(sampler_cost(fmt::format("{}:file={}", method, weights.path().string())));
+    measured.back().name = method + " of 1024x512 pixels";
+  }
+  return measured;
+}
+
+/// methods: none for one of each.
 void run(const std::vector<std::string>& methods, bool as_json) {
   std::vector<Measured> measured;
+  if (methods.empty()) {
+    measured = cost_of_each();
+  }
   for (const std::string& method : methods) {
     measured.push_back(sampler_cost(method));
   }
@@ -111,8 +164,7 @@ void run(const std::vector<std::string>& methods, bool as_json) {
 }  // namespace
 
 void add_bench_sampling(CLI::App& bench) {
-  const auto methods = std::make_shared<std::vector<std::string>>(std::vector<std::string>{
-      "od", "vp", "vp-rect", "fv", "fv:acuity=guenter", "crop", "hybrid:0.9*fv+0.1*od"});
+  const auto methods = std::make_shared<std::vector<std::string>>();
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
       "sampling", "What view samples cost before they are traced, and the film after: medians");

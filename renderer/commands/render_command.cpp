@@ -26,6 +26,7 @@ struct RenderArguments {
   std::string camera;
   std::string head;
   std::string gaze;
+  std::string pointer;
   double fov_deg = 100.0;
   double samples_per_pixel = 0.0;
   std::int64_t samples = 0;
@@ -80,10 +81,22 @@ void require_method(const std::string& method) {
   }
 }
 
+/// The method, with its pointer held where --pointer says.
+std::string method_from(const RenderArguments& arguments) {
+  require_method(arguments.method);
+  if (arguments.pointer.empty()) {
+    return arguments.method;
+  }
+  const std::string method =
+      with_pointer(arguments.method, parse_azimuth_elevation("--pointer", arguments.pointer));
+  require(method != arguments.method, "--pointer", "needs the method pointer, or a hybrid of it");
+  require_method(method);
+  return method;
+}
+
 RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
   RenderSettings settings;
-  require_method(arguments.method);
-  settings.method = arguments.method;
+  settings.method = method_from(arguments);
   settings.size = parse_size("--size", arguments.size);
   if (!arguments.camera.empty()) {
     settings.camera = parse_vec3("--camera", arguments.camera);
@@ -302,8 +315,9 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                       "An .exr (R, G, B, samples) or .png file to write");
   command
       ->add_option("--method", arguments->method,
-                   "Where the samples go: od, vp, vp-rect, fv, crop or a hybrid such as "
-                   "hybrid:0.9*fv+0.1*od; with settings as in fv:acuity=guenter,cutoff=60")
+                   "Where the samples go: od, vp, vp-rect, fv, fv-map, mask, pointer, crop or a "
+                   "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
+                   "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Of the image, in pixels")->capture_default_str();
   command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
@@ -311,6 +325,9 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                       "azimuth,elevation in degrees; azimuth from -Z towards +X");
   command->add_option("--gaze", arguments->gaze,
                       "azimuth,elevation in degrees, world (default: the head's)");
+  command->add_option("--pointer", arguments->pointer,
+                      "azimuth,elevation in degrees, world: where the method pointer points "
+                      "(default: the gaze)");
   command->add_option("--fov", arguments->fov_deg, "The viewport's field of view in degrees")
       ->capture_default_str();
   CLI::Option_group* budget = command->add_option_group("budget", "How much to render");

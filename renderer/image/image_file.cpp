@@ -166,6 +166,18 @@ void require_sensible(const fs::path& path, const OIIO::ImageSpec& spec) {
   }
 }
 
+std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+  if (!fs::is_regular_file(path)) {
+    throw Error(path.string(), fs::exists(path) ? "is no file" : "no such file", "check the path");
+  }
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
+  if (!input) {
+    throw Error(path.string(), "cannot be read as an image: " + OIIO::geterror());
+  }
+  require_sensible(path, input->spec());
+  return input;
+}
+
 }  // namespace
 
 void require_image_extension(const fs::path& path) {
@@ -185,16 +197,14 @@ void write_image(const fs::path& path, const RgbImage& image, double exposure_st
   write(path, image, nullptr, exposure_stops);
 }
 
+IVec2 image_size(const fs::path& path) {
+  const OIIO::ImageSpec spec = open_image(path)->spec();
+  return {spec.width, spec.height};
+}
+
 FilmImage read_film_image(const fs::path& path) {
-  if (!fs::is_regular_file(path)) {
-    throw Error(path.string(), fs::exists(path) ? "is no file" : "no such file", "check the path");
-  }
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) {
-    throw Error(path.string(), "cannot be read as an image: " + OIIO::geterror());
-  }
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(path);
   const OIIO::ImageSpec& spec = input->spec();
-  require_sensible(path, spec);
   const ChannelReader reader(path, *input);
   FilmImage image{.color = read_color(reader, spec), .samples = {}};
   image.samples = read_samples(reader, image.color.pixels.size());

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "renderer/base/vec.h"
 #include "renderer/image/image.h"
 
 namespace foveola {
@@ -17,6 +18,9 @@ void write_film_image(const std::filesystem::path& path, const FilmImage& image,
 
 /// A linear image as .exr (R, G, B) or .png (as write_film_image).
 void write_image(const std::filesystem::path& path, const RgbImage& image, double exposure_stops);
+
+/// Width and height in pixels, without reading them. Throws Error as read_film_image.
+IVec2 image_size(const std::filesystem::path& path);
 
 /// Reads any image that OpenImageIO knows as linear colours: 8-bit files are taken as sRGB. The
 /// counts come from a channel `samples`, or are 1 where there is none. Throws Error if it cannot

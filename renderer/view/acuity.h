@@ -34,4 +34,14 @@ AcuityModel linear_resolution_model(double slope);
 /// least in (0, 1].
 AcuityModel linear_fall_off_model(double inner_deg, double outer_deg, double least);
 
+/// The four half-meridians of one eye's visual field. Temporal is away from the nose: to the right
+/// of the gaze for the right eye.
+enum class Meridian { temporal, superior, nasal, inferior };
+
+/// Receptive fields of midget ganglion cells per square degree along a meridian, over those at the
+/// gaze, of which there are 2 x 14804.6 (Watson 2014, "A formula for human retinal ganglion cell
+/// receptive field density as a function of visual field location", eq. 8 with table 1): 1 at the
+/// gaze, falling. eccentricity_deg >= 0. Already per area: its exponent is 1.
+double watson_density(Meridian meridian, double eccentricity_deg);
+
 }  // namespace foveola

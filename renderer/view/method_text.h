@@ -1,6 +1,7 @@
 // View methods as people write them: in protocols, on the command line, in records.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,7 +9,8 @@
 
 namespace foveola {
 
-/// Reads "NAME" or "NAME:KEY=VALUE,KEY=VALUE", setting by setting.
+/// Reads "NAME" or "NAME:KEY=VALUE,KEY=VALUE", setting by setting. A value that has a comma or a
+/// plus in it stands in double quotes.
 class MethodText {
  public:
   /// Throws Error where a setting is no KEY=VALUE or is given twice.
@@ -18,6 +20,10 @@ class MethodText {
 
   /// A number in [minimum, maximum]. Throws Error if the value is none.
   double number(std::string_view key, double fallback, double minimum, double maximum);
+  /// A number as above, or empty where the setting is absent.
+  std::optional<double> number(std::string_view key, double minimum, double maximum);
+  /// A value that must be given: throws Error, calling it a `what`, if it is not.
+  std::string required(std::string_view key, std::string_view what);
   /// One of `known`. Throws Error if the value is none of them.
   std::string word(std::string_view key, std::string_view fallback,
                    const std::vector<std::string>& known);
@@ -36,5 +42,15 @@ class MethodText {
   std::vector<std::pair<std::string, std::string>> settings_;
   std::vector<std::string> asked_;
 };
+
+/// A part of "hybrid:WEIGHT*METHOD+WEIGHT*METHOD".
+struct HybridPart {
+  double weight = 1.0;      ///< positive
+  std::string_view method;  ///< points into the whole text
+};
+
+bool is_hybrid(std::string_view method);
+/// At least one; empty weights and methods are refused. method: a hybrid. Throws Error.
+std::vector<HybridPart> hybrid_parts(std::string_view method);
 
 }  // namespace foveola

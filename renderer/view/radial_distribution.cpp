@@ -29,20 +29,23 @@ double log_plus_reciprocal(double eccentricity_deg) {
   return std::log(y) + 1.0 / y;
 }
 
-/// A density per planar square degree as one per steradian: the ring of 2 pi e de square degrees
-/// has 2 pi sin(e) de steradians.
-double per_steradian(double per_square_degree, double eccentricity_deg) {
-  const double e_rad = radians(eccentricity_deg);
-  const double e_over_sine = e_rad > 1e-8 ? e_rad / std::sin(e_rad) : 1.0;
-  return per_square_degree * e_over_sine * degrees(1.0) * degrees(1.0);
-}
-
 std::vector<double> inside(std::vector<double> knees_deg, double cutoff_deg) {
   std::erase_if(knees_deg, [&](double knee) { return knee <= 0.0 || knee >= cutoff_deg; });
   return knees_deg;
 }
 
 }  // namespace
+
+double density_per_sr(double per_square_degree, double eccentricity_deg,
+                      EccentricityMeasure measure) {
+  const double per_sr = per_square_degree * degrees(1.0) * degrees(1.0);
+  const double e_rad = radians(eccentricity_deg);
+  if (measure == EccentricityMeasure::solid_angle || e_rad < 1e-8) {
+    return per_sr;
+  }
+  // A ring of 2 pi e de planar square degrees has 2 pi sin(e) de steradians.
+  return per_sr * e_rad / std::sin(e_rad);
+}
 
 ReddyDistribution::ReddyDistribution(double cutoff_deg)
     : cutoff_deg_(cutoff_deg), total_(integral(cutoff_deg)) {}
@@ -80,7 +83,8 @@ double ReddyDistribution::eccentricity_deg(double u) const {
 double ReddyDistribution::density_per_sr(double eccentricity_deg) const {
   return eccentricity_deg > cutoff_deg_
              ? 0.0
-             : per_steradian(reddy_acuity(eccentricity_deg) / total_, eccentricity_deg);
+             : foveola::density_per_sr(reddy_acuity(eccentricity_deg) / total_, eccentricity_deg,
+                                       EccentricityMeasure::planar);
 }
 
 AcuityDistribution::AcuityDistribution(AcuityModel model, double exponent, double cutoff_deg,
@@ -154,9 +158,8 @@ double AcuityDistribution::density_per_sr(double eccentricity_deg) const {
   if (eccentricity_deg > cutoff_deg_) {
     return 0.0;
   }
-  const double relative = std::pow(model_.at(eccentricity_deg), exponent_) / sums_.back();
-  return measure_ == EccentricityMeasure::planar ? per_steradian(relative, eccentricity_deg)
-                                                 : relative * degrees(1.0) * degrees(1.0);
+  return foveola::density_per_sr(std::pow(model_.at(eccentricity_deg), exponent_) / total(),
+                                 eccentricity_deg, measure_);
 }
 
 }  // namespace foveola

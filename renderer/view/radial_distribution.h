@@ -12,6 +12,10 @@ namespace foveola {
 /// the density per solid angle. They differ by e / sin(e): 1.42 at 80 degrees.
 enum class EccentricityMeasure { planar, solid_angle };
 
+/// A density per square degree of `measure` as one per steradian. eccentricity_deg in [0, 180).
+double density_per_sr(double per_square_degree, double eccentricity_deg,
+                      EccentricityMeasure measure);
+
 /// A probability distribution of eccentricity on [0, cut-off]; the azimuth around the gaze is
 /// uniform.
 class RadialDistribution {
@@ -61,6 +65,9 @@ class AcuityDistribution final : public RadialDistribution {
   double cumulative(double eccentricity_deg) const override;
   double eccentricity_deg(double u) const override;
   double density_per_sr(double eccentricity_deg) const override;
+
+  /// The integral of the acuity to its power over the field, in square degrees of the measure.
+  double total() const { return sums_.back(); }
 
  private:
   /// The density per degree of eccentricity, not normalised.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ struct ViewSample {
 struct Aim {
   Viewport viewport;
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
+  std::optional<Vec3> pointer;   ///< where the user points, likewise; default: the gaze
 };
 
 /// One method of choosing directions. The virtual calls are per batch, never per sample.
@@ -39,17 +41,34 @@ class ViewSampler {
 const std::vector<std::string>& published_methods();
 
 /// A sampler by its text, "NAME" or "NAME:KEY=VALUE,KEY=VALUE". It must be aimed before use. Throws
-/// Error for a text that makes no sense. Angles are in degrees.
+/// Error for a text that makes no sense, or a file that does not. Angles are in degrees; a value
+/// with a comma or a plus in it stands in double quotes.
 ///
 /// od        uniform over the equirect image
 /// vp        uniform over the viewport's plane
 /// vp-rect   uniform over the rectangle of the image that bounds the viewport
 /// fv        following visual acuity around the gaze: acuity=reddy (default), guenter with slope,
-///           linear with inner, outer, least, or weier1, weier2, weier3; exponent (default: the
-///           model's), cutoff (80), measure=planar (default, the paper's) or solid-angle
+///           linear with inner, outer, least, weier1, weier2, weier3, or watson with eye=both
+///           (default), left, right; exponent (default: the model's), cutoff (80), measure=planar
+///           (default, the paper's) or solid-angle
+/// fv-map    an image laid around the gaze: file, extent (80; the eccentricity at half of its
+/// larger
+///           side)
+/// mask      an image painted over the equirect image, read anew when it changes: file, floor (0;
+///           what every pixel weighs more, in mean weights)
+/// pointer   a Gaussian around the pointer: radius (10; its standard deviation), cutoff (80);
+///           azimuth, elevation: a fixed place instead of the pointer
 /// crop      uniform over a fixed rectangle of the image around azimuth, elevation (0), of width
 ///           and height (30)
 /// hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share of the samples
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method);
+
+/// Whether a method depends on files, so that its text alone does not say what it did. Throws Error
+/// where there is no such method.
+bool reads_files(std::string_view method);
+
+/// `method` with its pointer, or those of its parts, held at a place in the world; unchanged if it
+/// follows no pointer. Throws Error for a text that makes no sense.
+std::string with_pointer(std::string_view method, const AzimuthElevation& pointer);
 
 }  // namespace foveola

@@ -1,0 +1,79 @@
+#include "renderer/view/image_samplers.h"
+
+#include <optional>
+
+#include "renderer/view/equirect.h"
+#include "renderer/view/sample_block.h"
+
+namespace foveola {
+namespace {
+
+class RectangleSampler : public ViewSampler {
+ public:
+  explicit RectangleSampler(const ImageRectangle& rectangle) : rectangle_(rectangle) {}
+
+  void aim(const Aim&) override {}
+
+  void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 image = rectangle_.place(points[i]);
+      samples[i] = {.direction = direction_from_equirect(image), .image = image};
+    }
+  }
+
+  double density_per_sr(const Vec3& direction) const override {
+    return rectangle_.contains(equirect_from_direction(direction))
+               ? equirect_area_per_sr(direction) / rectangle_.area()
+               : 0.0;
+  }
+
+ protected:
+  ImageRectangle rectangle_;
+};
+
+class ViewportRectangleSampler final : public RectangleSampler {
+ public:
+  ViewportRectangleSampler() : RectangleSampler({}) {}
+  void aim(const Aim& aim) override { rectangle_ = bounding_rectangle(aim.viewport); }
+};
+
+class ViewportSampler final : public ViewSampler {
+ public:
+  void aim(const Aim& aim) override { viewport_ = aim.viewport; }
+
+  void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
+    const auto direction_of = [viewport = *viewport_](const Vec2& point) {
+      return viewport.direction(point);
+    };
+    sample_blocks(
+        points, [](const Vec2& point) { return point; }, direction_of, samples);
+  }
+
+  double density_per_sr(const Vec3& direction) const override {
+    if (!viewport_->project(direction)) {
+      return 0.0;
+    }
+    // A patch of the plane at distance 1 is seen under its area times cos^3.
+    const Vec3 forward = viewport_->head() * Vec3(0.0F, 0.0F, -1.0F);
+    const double cosine = glm::dot(DVec3(forward), glm::normalize(DVec3(direction)));
+    const double plane_area = 4.0 * viewport_->half_size().x * viewport_->half_size().y;
+    return 1.0 / (plane_area * cosine * cosine * cosine);
+  }
+
+ private:
+  std::optional<Viewport> viewport_;
+};
+
+}  // namespace
+
+std::unique_ptr<ViewSampler> make_rectangle_sampler(const ImageRectangle& rectangle) {
+  return std::make_unique<RectangleSampler>(rectangle);
+}
+
+std::unique_ptr<ViewSampler> make_viewport_rectangle_sampler() {
+  return std::make_unique<ViewportRectangleSampler>();
+}
+
+std::unique_ptr<ViewSampler> make_viewport_sampler() { return std::make_unique<ViewportSampler>(); }
+
+}  // namespace foveola

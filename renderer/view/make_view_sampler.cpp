@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/view/foveated_sampler.h"
+#include "renderer/view/image_samplers.h"
+#include "renderer/view/map_sampler.h"
+#include "renderer/view/mask_sampler.h"
+#include "renderer/view/method_text.h"
+#include "renderer/view/mixture_sampler.h"
+#include "renderer/view/pointer_sampler.h"
+#include "renderer/view/radial_distribution.h"
+#include "renderer/view/view_sampler.h"
+#include "renderer/view/watson_sampler.h"
+#include "renderer/view/weight_image.h"
+
+namespace foveola {
+namespace {
+
+constexpr std::string_view pointer_name = "pointer";
+
+AcuityModel read_acuity(MethodText& method, const std::string& name) {
+  if (name == "guenter") {
+    return linear_resolution_model(method.number("slope", 0.022, 1e-4, 10.0));
+  }
+  if (name == "linear") {
+    const double inner = method.number("inner", 10.0, 0.0, 170.0);
+    const double outer = method.number("outer", 20.0, 0.1, 180.0);
+    if (inner >= outer) {
+      method.fail("inner is not below outer", "let the acuity fall from inner to outer");
+    }
+    return linear_fall_off_model(inner, outer, method.number("least", 0.05, 1e-6, 1.0));
+  }
+  // Weier et al. 2016, from memory: the three settings of their study.
+  if (name == "weier1") {
+    return linear_fall_off_model(5.0, 10.0, 0.01);
+  }
+  if (name == "weier2") {
+    return linear_fall_off_model(10.0, 20.0, 0.05);
+  }
+  if (name == "weier3") {
+    return linear_fall_off_model(15.0, 30.0, 0.1);
+  }
+  return reddy_model();
+}
+
+Eyes read_eyes(MethodText& method) {
+  const std::string eye = method.word("eye", "both", {"left", "right", "both"});
+  return eye == "both" ? Eyes::both : eye == "left" ? Eyes::left : Eyes::right;
+}
+
+std::unique_ptr<ViewSampler> make_foveated(MethodText& method) {
+  const std::string acuity = method.word(
+      "acuity", "reddy", {"reddy", "guenter", "linear", "weier1", "weier2", "weier3", "watson"});
+  AcuityModel model = read_acuity(method, acuity);
+  const double exponent = method.number("exponent", model.default_exponent, 0.01, 10.0);
+  const double cutoff_deg = method.number("cutoff", 80.0, 0.1, 179.0);
+  const bool is_planar = method.word("measure", "planar", {"planar", "solid-angle"}) == "planar";
+  const EccentricityMeasure measure =
+      is_planar ? EccentricityMeasure::planar : EccentricityMeasure::solid_angle;
+  if (acuity == "watson") {
+    return std::make_unique<WatsonSampler>(read_eyes(method), exponent, cutoff_deg, measure);
+  }
+  if (acuity == "reddy" && exponent == 1.0 && is_planar) {
+    return std::make_unique<FoveatedSampler>(std::make_unique<ReddyDistribution>(cutoff_deg));
+  }
+  return std::make_unique<FoveatedSampler>(
+      std::make_unique<AcuityDistribution>(std::move(model), exponent, cutoff_deg, measure));
+}
+
+std::unique_ptr<ViewSampler> make_crop(MethodText& method) {
+  constexpr double full_turn_deg = 360.0;
+  constexpr double half_turn_deg = 180.0;
+  const double azimuth = method.number("azimuth", 0.0, -half_turn_deg, half_turn_deg);
+  const double elevation = method.number("elevation", 0.0, -90.0, 90.0);
+  const double width = method.number("width", 30.0, 0.01, full_turn_deg);
+  const double height = method.number("height", 30.0, 0.01, half_turn_deg);
+  const double u = 0.5 + (azimuth - 0.5 * width) / full_turn_deg;
+  const double v = 0.5 - (elevation + 0.5 * height) / half_turn_deg;
+  return make_rectangle_sampler({.u_begin = u - std::floor(u),
+                                 .width = width / full_turn_deg,
+                                 .v_begin = std::max(v, 0.0),
+                                 .v_end = std::min(v + height / half_turn_deg, 1.0)});
+}
+
+std::unique_ptr<ViewSampler> make_map(MethodText& method) {
+  WeightImage image = read_weights(method.required("file", "the image of the map"));
+  return std::make_unique<MapSampler>(std::move(image), method.number("extent", 80.0, 0.1, 179.0));
+}
+
+std::unique_ptr<ViewSampler> make_mask(MethodText& method) {
+  const std::string file = method.required("file", "the image of the mask");
+  return std::make_unique<MaskSampler>(file, method.number("floor", 0.0, 0.0, 1e6));
+}
+
+std::unique_ptr<ViewSampler> make_pointer(MethodText& method) {
+  const double radius_deg = method.number("radius", 10.0, 0.01, 180.0);
+  const double cutoff_deg = method.number("cutoff", 80.0, 0.1, 179.0);
+  const std::optional<double> azimuth_deg = method.number("azimuth", -180.0, 180.0);
+  const std::optional<double> elevation_deg = method.number("elevation", -90.0, 90.0);
+  std::optional<Vec3> fixed;
+  if (azimuth_deg || elevation_deg) {
+    fixed = direction_from({.azimuth_rad = radians(azimuth_deg.value_or(0.0)),
+                            .elevation_rad = radians(elevation_deg.value_or(0.0))});
+  }
+  return std::make_unique<PointerSampler>(radius_deg, cutoff_deg, fixed);
+}
+
+std::unique_ptr<ViewSampler> make_hybrid(std::string_view method) {
+  std::vector<MixtureSampler::Part> parts;
+  for (const HybridPart& part : hybrid_parts(method)) {
+    parts.push_back({part.weight, make_view_sampler(part.method)});
+  }
+  return std::make_unique<MixtureSampler>(std::move(parts));
+}
+
+struct NamedMaker {
+  std::string_view name;
+  std::unique_ptr<ViewSampler> (*make)(MethodText& settings);
+  bool reads_a_file = false;
+};
+
+constexpr NamedMaker makers[] = {
+    {"od", [](MethodText&) { return make_rectangle_sampler({}); }},
+    {"vp", [](MethodText&) { return make_viewport_sampler(); }},
+    {"vp-rect", [](MethodText&) { return make_viewport_rectangle_sampler(); }},
+    {"fv", make_foveated},
+    {"fv-map", make_map, true},
+    {"mask", make_mask, true},
+    {pointer_name, make_pointer},
+    {"crop", make_crop}};
+
+const NamedMaker& maker_of(const MethodText& method) {
+  const auto* const found =
+      std::find_if(std::begin(makers), std::end(makers),
+                   [&](const NamedMaker& maker) { return maker.name == method.name(); });
+  if (found == std::end(makers)) {
+    std::string names;
+    for (const NamedMaker& maker : makers) {
+      names += fmt::format("{}, ", maker.name);
+    }
+    method.fail("there is no such method", fmt::format("choose one of {}hybrid:...", names));
+  }
+  return *found;
+}
+
+}  // namespace
+
+const std::vector<std::string>& published_methods() {
+  static const std::vector<std::string> names = {"od", "vp", "fv"};
+  return names;
+}
+
+std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method) {
+  if (is_hybrid(method)) {
+    return make_hybrid(method);
+  }
+  MethodText text(method);
+  std::unique_ptr<ViewSampler> sampler = maker_of(text).make(text);
+  text.reject_unknown_settings();
+  return sampler;
+}
+
+bool reads_files(std::string_view method) {
+  if (!is_hybrid(method)) {
+    return maker_of(MethodText(method)).reads_a_file;
+  }
+  const std::vector<HybridPart> parts = hybrid_parts(method);
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const HybridPart& part) { return reads_files(part.method); });
+}
+
+std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {
+  if (is_hybrid(method)) {
+    std::string result;
+    const char* copied = method.data();
+    for (const HybridPart& part : hybrid_parts(method)) {
+      result.append(copied, part.method.data());
+      result += with_pointer(part.method, pointer);
+      copied = part.method.data() + part.method.size();
+    }
+    return result.append(copied, method.data() + method.size());
+  }
+  if (MethodText(method).name() != pointer_name) {
+    return std::string(method);
+  }
+  constexpr double full_turn_deg = 360.0;
+  return fmt::format("{}{}azimuth={},elevation={}", method, method == pointer_name ? ":" : ",",
+                     std::remainder(degrees(pointer.azimuth_rad), full_turn_deg),
+                     degrees(pointer.elevation_rad));
+}
+
+}  // namespace foveola

@@ -1,0 +1,69 @@
+// Points of the unit square to samples, block by block: the loop that samplers share.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "renderer/base/angles.h"
+#include "renderer/view/equirect.h"
+#include "renderer/view/view_sampler.h"
+
+namespace foveola {
+
+inline constexpr std::size_t sample_block_size = 256;
+
+/// The samples in the directions of at most `sample_block_size` points; compilers make eight at a
+/// time of them where `direction_of` has no branch.
+template <typename DirectionOf>
+void sample_block(std::span<const Vec2> points, const DirectionOf& direction_of,
+                  std::span<ViewSample> samples) {
+  std::array<float, sample_block_size> x;
+  std::array<float, sample_block_size> y;
+  std::array<float, sample_block_size> z;
+  std::array<float, sample_block_size> u;
+  std::array<float, sample_block_size> v;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 direction = direction_of(points[i]);
+    const Vec2 image = equirect_from_direction(direction);
+    x[i] = direction.x;
+    y[i] = direction.y;
+    z[i] = direction.z;
+    u[i] = image.x;
+    v[i] = image.y;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    samples[i] = {.direction = {x[i], y[i], z[i]}, .image = {u[i], v[i]}};
+  }
+}
+
+/// The samples in the directions of any number of points. `prepare` maps each point, with whatever
+/// branches and look-ups it needs, to the one that `direction_of` gets.
+template <typename Prepare, typename DirectionOf>
+void sample_blocks(std::span<const Vec2> points, const Prepare& prepare,
+                   const DirectionOf& direction_of, std::span<ViewSample> samples) {
+  std::array<Vec2, sample_block_size> prepared;
+  for (std::size_t begin = 0; begin < points.size(); begin += sample_block_size) {
+    const std::size_t count = std::min(sample_block_size, points.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      prepared[i] = prepare(points[begin + i]);
+    }
+    sample_block(std::span<const Vec2>(prepared).first(count), direction_of,
+                 samples.subspan(begin, count));
+  }
+}
+
+/// sample_blocks around `frame.normal`: `polar` maps each point to its eccentricity and azimuth,
+/// both in turns.
+template <typename Polar>
+void sample_around(const Frame& frame, std::span<const Vec2> points, const Polar& polar,
+                   std::span<ViewSample> samples) {
+  const auto direction_of = [frame](const Vec2& turns) {
+    const auto [radius, ahead] = sine_cosine_of_turns(turns.x);
+    const auto [sine, cosine] = sine_cosine_of_turns(turns.y);
+    return frame.to_world({radius * cosine, radius * sine, ahead});
+  };
+  sample_blocks(points, polar, direction_of, samples);
+}
+
+}  // namespace foveola

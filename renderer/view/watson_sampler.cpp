@@ -1,0 +1,125 @@
+#include "renderer/view/watson_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/angles.h"
+#include "renderer/view/equirect.h"
+
+namespace foveola {
+namespace {
+
+constexpr float largest_below_one = 0x1.fffffep-1F;
+
+struct Quadrant {
+  Meridian across;
+  Meridian upright;
+};
+/// In the order in which the azimuth runs from the temple over the head's up.
+constexpr std::array<Quadrant, 4> sides{{{Meridian::temporal, Meridian::superior},
+                                         {Meridian::nasal, Meridian::superior},
+                                         {Meridian::nasal, Meridian::inferior},
+                                         {Meridian::temporal, Meridian::inferior}}};
+
+}  // namespace
+
+WatsonSampler::WatsonSampler(Eyes eyes, double exponent, double cutoff_deg,
+                             EccentricityMeasure measure)
+    : eyes_(eyes), exponent_(exponent), cutoff_deg_(cutoff_deg), measure_(measure) {
+  for (std::size_t i = 0; i < quadrants; ++i) {
+    const auto [across, upright] = sides[i];
+    const AcuityModel mean{
+        .at =
+            [across, upright](double e) {
+              return std::sqrt(watson_density(across, e) * watson_density(upright, e));
+            },
+        .knees_deg = {}};
+    const AcuityDistribution distribution(mean, exponent, cutoff_deg, measure);
+    eccentricity_turns_.emplace_back(distribution);
+    shares_[i] = distribution.total() / quadrants;
+    total_ += shares_[i];
+  }
+  for (double& share : shares_) {
+    share /= total_;
+  }
+  const double each = eyes == Eyes::both ? 0.5 : 1.0;
+  if (eyes != Eyes::left) {
+    add_eye(true, 0.0, each);
+  }
+  if (eyes != Eyes::right) {
+    add_eye(false, 1.0 - each, each);
+  }
+}
+
+void WatsonSampler::add_eye(bool is_right, double first, double share) {
+  double begin = first;
+  for (std::size_t i = 0; i < quadrants; ++i) {
+    const double height = share * shares_[i];
+    const bool is_temporal = sides[i].across == Meridian::temporal;
+    stripes_.push_back({.quadrant = i,
+                        .sign_x = is_temporal == is_right ? 1.0F : -1.0F,
+                        .begin = static_cast<float>(begin),
+                        .height = static_cast<float>(height),
+                        .is_clockwise = i % 2 == 1});
+    begin += height;
+  }
+}
+
+void WatsonSampler::aim(const Aim& aim) {
+  gaze_ = GazeFrame(glm::normalize(aim.gaze), aim.viewport.head());
+}
+
+double WatsonSampler::meridian_density(Meridian meridian, double eccentricity_deg) const {
+  const double density = watson_density(meridian, eccentricity_deg);
+  return exponent_ == 1.0 ? density : std::pow(density, exponent_);
+}
+
+Vec3 WatsonSampler::local_direction(const Vec2& point) const {
+  const auto above = std::upper_bound(stripes_.begin() + 1, stripes_.end(), point.y,
+                                      [](float y, const Stripe& s) { return y < s.begin; });
+  const Stripe& stripe = *(above - 1);
+  const float within = std::min((point.y - stripe.begin) / stripe.height, largest_below_one);
+  const auto [across, upright] = sides[stripe.quadrant];
+  const float turns = eccentricity_turns_[stripe.quadrant](point.x);
+  constexpr double degrees_per_turn = 360.0;
+  const double e = degrees_per_turn * turns;
+  const auto t = sine_cosine_of_turns(0.25F * (stripe.is_clockwise ? 1.0F - within : within));
+  const auto ratio =
+      static_cast<float>(std::sqrt(meridian_density(upright, e) / meridian_density(across, e)));
+  const float y = ratio * t.sine;
+  const float scale = 1.0F / std::sqrt(t.cosine * t.cosine + y * y);
+  const auto [radius, ahead] = sine_cosine_of_turns(turns);
+  const float sign_y = upright == Meridian::superior ? 1.0F : -1.0F;
+  return {radius * scale * stripe.sign_x * t.cosine, radius * scale * sign_y * y, ahead};
+}
+
+void WatsonSampler::sample(std::span<const Vec2> points, std::span<ViewSample> samples) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 direction = gaze_.to_world(local_direction(points[i]));
+    samples[i] = {.direction = direction, .image = equirect_from_direction(direction)};
+  }
+}
+
+double WatsonSampler::eye_density(double towards_temple, double up, double eccentricity_deg) const {
+  const Meridian across = towards_temple > 0.0 ? Meridian::temporal : Meridian::nasal;
+  const Meridian upright = up > 0.0 ? Meridian::superior : Meridian::inferior;
+  return 1.0 / (towards_temple * towards_temple / meridian_density(across, eccentricity_deg) +
+                up * up / meridian_density(upright, eccentricity_deg));
+}
+
+double WatsonSampler::density_per_sr(const Vec3& direction) const {
+  const double e = degrees(angle_between(direction, gaze_.ahead));
+  if (e > cutoff_deg_) {
+    return 0.0;
+  }
+  const DVec3 local(gaze_.to_local(direction));
+  const double radius = std::hypot(local.x, local.y);
+  const double x = radius > 0.0 ? local.x / radius : 1.0;
+  const double y = radius > 0.0 ? local.y / radius : 0.0;
+  const double right = eyes_ == Eyes::left ? 0.0 : eye_density(x, y, e);
+  const double left = eyes_ == Eyes::right ? 0.0 : eye_density(-x, y, e);
+  const double each = eyes_ == Eyes::both ? 0.5 : 1.0;
+  return foveola::density_per_sr(each * (right + left) / total_, e, measure_);
+}
+
+}  // namespace foveola

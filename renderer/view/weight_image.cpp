@@ -1,0 +1,50 @@
+#include "renderer/view/weight_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/image/image_file.h"
+
+namespace foveola {
+namespace {
+
+constexpr std::int64_t most_pixels = std::int64_t{64} << 20;
+
+/// Before the pixels are read: a header can promise more of them than there is memory.
+void require_moderate_size(const std::filesystem::path& path) {
+  const IVec2 size = image_size(path);
+  if (std::int64_t{size.x} * size.y > most_pixels) {
+    throw Error(path.string(), fmt::format("{} x {} pixels are too many weights", size.x, size.y),
+                fmt::format("scale it down to at most {} million pixels", most_pixels >> 20));
+  }
+}
+
+}  // namespace
+
+WeightImage read_weights(const std::filesystem::path& path) {
+  require_moderate_size(path);
+  const RgbImage color = read_film_image(path).color;
+  WeightImage image{.width = color.width, .height = color.height, .weights = {}};
+  image.weights.resize(color.pixels.size());
+  std::transform(color.pixels.begin(), color.pixels.end(), image.weights.begin(), luminance);
+  const auto bad = std::find_if(image.weights.begin(), image.weights.end(),
+                                [](float w) { return !(w >= 0.0F && std::isfinite(w)); });
+  if (bad != image.weights.end()) {
+    const std::ptrdiff_t pixel = bad - image.weights.begin();
+    throw Error(path.string(),
+                fmt::format("pixel ({}, {}) has the luminance {}", pixel % image.width,
+                            pixel / image.width, *bad),
+                "make every pixel a number that is not negative");
+  }
+  if (*std::max_element(image.weights.begin(), image.weights.end()) == 0.0F) {
+    throw Error(path.string(), "is black all over, so no sample could fall anywhere",
+                "paint what matters in lighter colours");
+  }
+  return image;
+}
+
+}  // namespace foveola

@@ -1,0 +1,20 @@
+// Images that say how much each of their pixels matters.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace foveola {
+
+struct WeightImage {
+  int width = 0;
+  int height = 0;
+  std::vector<float> weights;  ///< row by row from the top; finite, >= 0, at least one positive
+};
+
+/// The linear luminance of an image file: of 8-bit files, which are taken as sRGB, mid-grey (128)
+/// weighs 0.22 of white. Throws Error if it cannot be read, has more than 64 x 2^20 pixels, a pixel
+/// that is negative or not finite, or no weight at all.
+WeightImage read_weights(const std::filesystem::path& path);
+
+}  // namespace foveola

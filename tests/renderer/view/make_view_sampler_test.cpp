@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "renderer/view/view_sampler.h"
+#include "tests/renderer/view/test_images.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola {
+namespace {
+
+/// What is wrong with a method's text; empty if nothing.
+std::string complaint(const std::string& method) {
+  try {
+    make_view_sampler(method);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
+  EXPECT_THAT(complaint("xyz"), testing::HasSubstr("od, vp, vp-rect, fv"));
+  EXPECT_THAT(complaint(""), testing::HasSubstr("no such method"));
+  EXPECT_THAT(complaint("fv:acuity=cat"), testing::HasSubstr("reddy, guenter"));
+  EXPECT_THAT(complaint("fv:acuty=reddy"), testing::HasSubstr("there are acuity, exponent"));
+  EXPECT_THAT(complaint("fv:cutoff=0"), testing::HasSubstr("cutoff lies in"));
+  EXPECT_THAT(complaint("fv:cutoff=nan"), testing::HasSubstr("cutoff lies in"));
+  EXPECT_THAT(complaint("fv:cutoff"), testing::HasSubstr("KEY=VALUE"));
+  EXPECT_THAT(complaint("fv:cutoff=60,cutoff=70"), testing::HasSubstr("set twice"));
+  EXPECT_THAT(complaint("fv:slope=0.02"), testing::HasSubstr("no setting 'slope'"));
+  EXPECT_THAT(complaint("fv:acuity=linear,inner=20,outer=10"), testing::HasSubstr("below outer"));
+  EXPECT_THAT(complaint("od:width=3"), testing::HasSubstr("od has none"));
+  EXPECT_THAT(complaint("fv:acuity=watson,eye=third"), testing::HasSubstr("left, right, both"));
+  EXPECT_THAT(complaint("fv:eye=left"), testing::HasSubstr("no setting 'eye'"));
+  EXPECT_THAT(complaint("mask:floor=1"), testing::HasSubstr("image of the mask is missing"));
+  EXPECT_THAT(complaint("fv-map"), testing::HasSubstr("image of the map is missing"));
+  EXPECT_THAT(complaint("mask:file=/no/such.png"), testing::HasSubstr("no such file"));
+  EXPECT_THAT(complaint("mask:file=\"/no/such"), testing::HasSubstr("KEY=VALUE"));
+  EXPECT_THAT(complaint("pointer:radius=0"), testing::HasSubstr("radius lies in"));
+  EXPECT_THAT(complaint("hybrid:fv"), testing::HasSubstr("WEIGHT*METHOD"));
+  EXPECT_THAT(complaint("hybrid:0*fv"), testing::HasSubstr("positive weight"));
+  EXPECT_THAT(complaint("hybrid:"), testing::HasSubstr("no parts"));
+  EXPECT_THAT(complaint("hybrid:1*xyz"), testing::HasSubstr("no such method"));
+}
+
+// The plus and the comma of a path are not those between methods and settings.
+TEST(MakeViewSampler, APathInQuotesMayHoldAnything) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "a+0.5*od,floor=b.exr";
+  test::write_weights(path, 2, 1, [](double x, double) { return x < 0.5 ? 1.0 : 0.0; });
+  const auto mask = make_view_sampler("mask:file=\"" + path.string() + "\",floor=0");
+  EXPECT_GT(mask->density_per_sr({-1.0F, 0.0F, 0.0F}), 0.0);
+  EXPECT_EQ(mask->density_per_sr({1.0F, 0.0F, 0.0F}), 0.0);
+  const auto both =
+      make_view_sampler("hybrid:0.5*mask:file=\"" + path.string() + "\"+0.5*crop:azimuth=90");
+  EXPECT_GT(both->density_per_sr({-1.0F, 0.0F, 0.0F}), 0.0);
+  EXPECT_GT(both->density_per_sr({1.0F, 0.0F, 0.0F}), 0.0);
+}
+
+TEST(ReadsFiles, IsTrueOfMethodsThatTheirTextDoesNotDescribe) {
+  EXPECT_FALSE(reads_files("od"));
+  EXPECT_FALSE(reads_files("fv:acuity=watson"));
+  EXPECT_FALSE(reads_files("hybrid:0.5*fv+0.5*pointer"));
+  EXPECT_TRUE(reads_files("mask:file=a.png"));
+  EXPECT_TRUE(reads_files("hybrid:0.9*fv+0.1*fv-map:file=a.png,extent=40"));
+  EXPECT_THROW(reads_files("xyz"), Error);
+}
+
+TEST(WithPointer, HoldsEveryPointerInPlace) {
+  const AzimuthElevation place{.azimuth_rad = radians(270.0), .elevation_rad = radians(30.0)};
+  EXPECT_EQ(with_pointer("fv:cutoff=60", place), "fv:cutoff=60");
+  const std::string alone = with_pointer("pointer", place);
+  EXPECT_THAT(alone, testing::StartsWith("pointer:azimuth="));
+  const std::string mixed = with_pointer("hybrid:0.5*fv+0.5*pointer:radius=3", place);
+  EXPECT_THAT(mixed, testing::StartsWith("hybrid:0.5*fv+0.5*pointer:radius=3,azimuth="));
+  const Vec3 there = direction_from(place);
+  for (const std::string& method : {alone, mixed}) {
+    const auto sampler = make_view_sampler(method);
+    sampler->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+    EXPECT_GT(sampler->density_per_sr(there), 10.0 * sampler->density_per_sr(-there));
+    EXPECT_GT(sampler->density_per_sr(there), 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace foveola
