@@ -16,6 +16,8 @@ namespace {
 /// enough for neighbouring rays to be found in them. The image does not depend on their sizes.
 constexpr std::uint64_t smallest_batch = 1 << 14;
 constexpr std::uint64_t largest_batch = 1 << 20;
+/// Where each batch decides on the next, so that neither a machine's speed nor a replay matters.
+constexpr std::uint64_t spare_batch = 1 << 16;
 constexpr double batch_target_s = 0.1;
 
 /// What any renderer can show: for comparing with others.
@@ -73,6 +75,9 @@ PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& vie
   preview.horizontal_fov_deg = settings.fov_deg;
   preview.vertical_fov_deg = settings.fov_deg;
   preview.viewpoint = viewpoint;
+  if (settings.spare_done_contrast > 0.0) {
+    preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
+  }
   preview.trace.max_depth = settings.max_depth;
   preview.trace.largest_radiance = settings.largest_radiance;
   preview.trace.pixel_angle_rad =
@@ -117,9 +122,12 @@ double fraction_done(const RenderBudget& budget, std::uint64_t samples, double e
   return std::min(fraction, 1.0);
 }
 
-std::uint64_t next_batch(const RenderBudget& budget, std::uint64_t samples, double elapsed_s) {
+std::uint64_t next_batch(const RenderSettings& settings, std::uint64_t samples, double elapsed_s) {
+  const RenderBudget& budget = settings.budget;
   std::uint64_t batch = smallest_batch;
-  if (elapsed_s > 0.0) {
+  if (settings.spare_done_contrast > 0.0) {
+    batch = spare_batch;
+  } else if (elapsed_s > 0.0) {
     const double rate = static_cast<double>(samples) / elapsed_s;
     double aim_s = batch_target_s;
     if (budget.seconds > 0.0) {
@@ -148,13 +156,15 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
   Progress progress("rendering");
   const Nanoseconds start = clock.now();
   double fraction = 0.0;
+  std::uint64_t sent = 0;  // more than are traced, where some are spared
   while (fraction < 1.0 && !stop.stop_requested()) {
-    const std::uint64_t batch = next_batch(settings.budget, report.samples, report.seconds);
+    const std::uint64_t batch = next_batch(settings, sent, report.seconds);
     const FrameReport frame = stage.preview.render_frame(clock.now(), batch);
+    sent += batch;
     report.samples += frame.samples;
     report.rays += frame.rays;
     report.seconds = seconds(clock.now() - start);
-    fraction = fraction_done(settings.budget, report.samples, report.seconds);
+    fraction = fraction_done(settings.budget, sent, report.seconds);
     progress.update(fraction);
   }
   report.stopped = fraction < 1.0;
@@ -172,7 +182,8 @@ ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
     if (stop.stop_requested()) {
       throw Error("--replay", "stopped before the sample was found");
     }
-    const std::uint64_t batch = std::min(largest_batch, settings.budget.samples - sought);
+    const std::uint64_t most = settings.spare_done_contrast > 0.0 ? spare_batch : largest_batch;
+    const std::uint64_t batch = std::min(most, settings.budget.samples - sought);
     job = stage.preview.find_job(clock.now(), batch, address.pixel, address.sample_number);
     sought += batch;
     progress.update(static_cast<double>(sought) / static_cast<double>(settings.budget.samples));

@@ -41,6 +41,7 @@ struct RenderArguments {
   double sun_radius_deg = 0.0;
   bool diffuse = false;
   double largest_radiance = std::numeric_limits<double>::infinity();
+  double spare_done_contrast = 0.0;
   std::string replay;
   bool json = false;
 };
@@ -118,6 +119,9 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
           "must lie between 0 (every core) and 1024");
   settings.threads = arguments.threads;
   require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
+  require(arguments.spare_done_contrast >= 0.0 && arguments.spare_done_contrast < 1.0,
+          "--spare-done", "must lie between 0 (off) and 1");
+  settings.spare_done_contrast = arguments.spare_done_contrast;
   settings.diffuse = arguments.diffuse;
   settings.largest_radiance = static_cast<float>(arguments.largest_radiance);
   return settings;
@@ -180,6 +184,7 @@ nlohmann::json json_report(const RenderReport& report, const RenderSettings& set
   return {{"scene", arguments.scene},
           {"output", arguments.output},
           {"clamp", clamp},
+          {"spare_done_contrast", settings.spare_done_contrast},
           {"method", settings.method},
           {"width", settings.size.x},
           {"height", settings.size.y},
@@ -356,6 +361,9 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                     "Show every material as Lambertian in its base colour, to compare renderers");
   command->add_option("--clamp", arguments->largest_radiance,
                       "Cut each sample's radiance to this: less noise, too dark a picture");
+  command->add_option("--spare-done", arguments->spare_done_contrast,
+                      "Send samples away from pixels whose noise is below this contrast at the "
+                      "gaze, for instance 0.01, and below more elsewhere, as acuity falls");
   command->add_option("--replay", arguments->replay,
                       "x,y,sample: trace that path of this render again and print its vertices");
   command->add_flag("--json", arguments->json, "Print the result as JSON");

@@ -30,7 +30,8 @@ WeightImage read_weights(const std::filesystem::path& path) {
   const RgbImage color = read_film_image(path).color;
   WeightImage image{.width = color.width, .height = color.height, .weights = {}};
   image.weights.resize(color.pixels.size());
-  std::transform(color.pixels.begin(), color.pixels.end(), image.weights.begin(), luminance);
+  std::transform(color.pixels.begin(), color.pixels.end(), image.weights.begin(),
+                 [](const Rgb& pixel) { return luminance(pixel); });
   const auto bad = std::find_if(image.weights.begin(), image.weights.end(),
                                 [](float w) { return !(w >= 0.0F && std::isfinite(w)); });
   if (bad != image.weights.end()) {
