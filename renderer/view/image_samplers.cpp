@@ -50,14 +50,8 @@ class ViewportSampler final : public ViewSampler {
   }
 
   double density_per_sr(const Vec3& direction) const override {
-    if (!viewport_->project(direction)) {
-      return 0.0;
-    }
-    // A patch of the plane at distance 1 is seen under its area times cos^3.
-    const Vec3 forward = viewport_->head() * Vec3(0.0F, 0.0F, -1.0F);
-    const double cosine = glm::dot(DVec3(forward), glm::normalize(DVec3(direction)));
-    const double plane_area = 4.0 * viewport_->half_size().x * viewport_->half_size().y;
-    return 1.0 / (plane_area * cosine * cosine * cosine);
+    const std::optional<Vec2> plane = viewport_->project(direction);
+    return plane ? 1.0 / viewport_->sr_per_area(*plane) : 0.0;
   }
 
  private:

@@ -196,5 +196,34 @@ TEST(EccentricityTable, IsWithinAMillionthOfTheExactInverse) {
   }
 }
 
+// From one float to the next across the knee at u = 0.0964 the radius grows by what the density
+// says, nowhere by a ring that gets no samples.
+TEST(EccentricityTable, HasNoGapAtTheKnee) {
+  const ReddyDistribution distribution(80.0);
+  const EccentricityTable table(distribution);
+  const auto knee = static_cast<float>(distribution.cumulative(5.79));
+  const double step =
+      distribution.eccentricity_deg(knee + 1e-6) - distribution.eccentricity_deg(knee);
+  float u = knee - 2e-4F;
+  for (int i = 0; i < 50'000; ++i) {
+    const float next = std::nextafter(u, 1.0F);
+    // Per float of u the exact radius grows by the float's width; the table adds its own rounding.
+    const double widest = 360.0 * 4e-9 + step * (next - u) / 1e-6;
+    ASSERT_LE(360.0 * std::abs(table(next) - table(u)), widest) << u;
+    u = next;
+  }
+  EXPECT_GT(u, knee + 1e-4F);
+}
+
+TEST(EccentricityTable, ReachesBothEnds) {
+  for (const auto& [name, distribution] : distributions()) {
+    const EccentricityTable table(*distribution);
+    EXPECT_EQ(table(0.0F), 0.0F) << name;
+    EXPECT_NEAR(360.0 * table(1.0F), distribution->cutoff_deg(), 1e-4) << name;
+    const float last = 0x1.fffffep-1F;
+    EXPECT_NEAR(360.0 * table(last) / distribution->eccentricity_deg(last), 1.0, 1e-6) << name;
+  }
+}
+
 }  // namespace
 }  // namespace foveola

@@ -54,6 +54,23 @@ Aim aim_at(const Looking& looking) {
           .pointer = direction_from(heading)};
 }
 
+std::vector<Vec3> random_directions(const ViewSampler& sampler) {
+  Pcg32 generator(11);
+  std::vector<Vec2> points(200'000);
+  for (Vec2& point : points) {
+    const float x = unit_float(generator.next());
+    point = {x, unit_float(generator.next())};
+  }
+  std::vector<ViewSample> samples(points.size());
+  sampler.sample(points, samples);
+  std::vector<Vec3> directions;
+  directions.reserve(samples.size());
+  for (const ViewSample& sample : samples) {
+    directions.push_back(sample.direction);
+  }
+  return directions;
+}
+
 class EverySampler : public testing::TestWithParam<std::tuple<std::string, Looking>> {
  protected:
   void SetUp() override {
@@ -77,22 +94,8 @@ class EverySampler : public testing::TestWithParam<std::tuple<std::string, Looki
 // Independent points, since the test supposes independence. With 85 tests Sidak's correction of a
 // 1 % level is 1 - 0.99^(1/85) = 0.000118.
 TEST_P(EverySampler, FollowsItsDensity) {
-  Pcg32 generator(11);
-  std::vector<Vec2> points(200'000);
-  for (Vec2& point : points) {
-    const double x = generator.uniform();
-    const double y = generator.uniform();
-    point = glm::min(Vec2(x, y), Vec2(0x1.fffffep-1F));
-  }
-  std::vector<ViewSample> samples(points.size());
-  sampler_->sample(points, samples);
-  std::vector<Vec3> directions;
-  directions.reserve(samples.size());
-  for (const ViewSample& sample : samples) {
-    directions.push_back(sample.direction);
-  }
   const double p = test::chi_squared_p_value(
-      directions, [this](const Vec3& d) { return density(d); }, middle());
+      random_directions(*sampler_), [this](const Vec3& d) { return density(d); }, middle());
   EXPECT_GT(p, 0.000118);
 }
 
@@ -150,6 +153,17 @@ TEST(ViewportSampler, CentralDensityIs3Point5TimesThatOfOd) {
   EXPECT_NEAR(vp->density_per_sr(aim.gaze) / od->density_per_sr(aim.gaze), 3.475, 0.005);
 }
 
+// Uniform over the display, whatever its lens makes of it.
+TEST(ViewportSampler, FollowsItsDensityThroughALens) {
+  const Vec3 middle(0.0F, 0.0F, -1.0F);
+  const auto vp = make_view_sampler("vp");
+  vp->aim({.viewport = Viewport(head_orientation({}), radians(90.0), radians(100.0),
+                                {.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F})});
+  const auto density = [&](const Vec3& d) { return vp->density_per_sr(d); };
+  EXPECT_GT(test::chi_squared_p_value(random_directions(*vp), density, middle), 0.01);
+  EXPECT_NEAR(test::integral_over_sphere(density, middle), 1.0, 0.005);
+}
+
 TEST(ViewportSampler, NothingFallsOutsideTheView) {
   const Aim aim{.viewport = Viewport(head_orientation({}), radians(60.0), radians(40.0))};
   const auto vp = make_view_sampler("vp");
@@ -158,6 +172,25 @@ TEST(ViewportSampler, NothingFallsOutsideTheView) {
   EXPECT_EQ(vp->density_per_sr(direction_from({.azimuth_rad = radians(31.0)})), 0.0);
   EXPECT_GT(vp->density_per_sr(direction_from({.azimuth_rad = radians(29.0)})), 0.0);
   EXPECT_EQ(vp->density_per_sr(direction_from({.elevation_rad = radians(21.0)})), 0.0);
+}
+
+TEST(PointerSampler, FollowsThePointerOrElseTheGaze) {
+  const auto pointer = make_view_sampler("pointer:radius=5");
+  Aim aim = aim_at(places[1]);
+  const Vec3 elsewhere(1.0F, 0.0F, 0.0F);
+  aim.pointer = elsewhere;
+  pointer->aim(aim);
+  // 1 / (2 pi 5^2) a square degree in the middle, and exp(-2) of it two standard deviations away.
+  const double peak = degrees(1.0) * degrees(1.0) / (2.0 * 3.14159265358979 * 25.0);
+  EXPECT_NEAR(pointer->density_per_sr(elsewhere) / peak, 1.0, 1e-6);
+  const Vec3 ten_degrees_up =
+      direction_from({.azimuth_rad = radians(90.0), .elevation_rad = radians(10.0)});
+  EXPECT_NEAR(pointer->density_per_sr(ten_degrees_up) / peak,
+              std::exp(-2.0) * radians(10.0) / std::sin(radians(10.0)), 1e-5);
+  EXPECT_LT(pointer->density_per_sr(aim.gaze), 1e-6);
+  aim.pointer.reset();
+  pointer->aim(aim);
+  EXPECT_NEAR(pointer->density_per_sr(aim.gaze) / peak, 1.0, 1e-6);
 }
 
 // A sample of a mixture could have come from any of its parts.
