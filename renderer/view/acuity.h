@@ -35,7 +35,9 @@ AcuityModel linear_resolution_model(double slope);
 AcuityModel linear_fall_off_model(double inner_deg, double outer_deg, double least);
 
 /// The four half-meridians of one eye's visual field. Temporal is away from the nose: to the right
-/// of the gaze for the right eye.
+/// of the gaze for the right eye. The names are those of Watson's table 1, taken as parts of the
+/// field. (His superior is denser than his inferior, as in Curcio and Allen's 1990 counts the
+/// superior retina is, which sees the lower field: compare before building on this pair.)
 enum class Meridian { temporal, superior, nasal, inferior };
 
 /// Receptive fields of midget ganglion cells per square degree along a meridian, over those at the

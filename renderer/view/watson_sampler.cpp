@@ -27,11 +27,10 @@ WatsonSampler::WatsonSampler(Eyes eyes, double exponent, double cutoff_deg,
                              EccentricityMeasure measure)
     : eyes_(eyes), exponent_(exponent), cutoff_deg_(cutoff_deg), measure_(measure) {
   for (std::size_t i = 0; i < quadrants; ++i) {
-    const auto [across, upright] = sides[i];
     const AcuityModel mean{
         .at =
-            [across, upright](double e) {
-              return std::sqrt(watson_density(across, e) * watson_density(upright, e));
+            [side = sides[i]](double e) {
+              return std::sqrt(watson_density(side.across, e) * watson_density(side.upright, e));
             },
         .knees_deg = {}};
     const AcuityDistribution distribution(mean, exponent, cutoff_deg, measure);
