@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "renderer/base/angles.h"
 
@@ -35,6 +36,22 @@ void add_arc(const DVec3& a, const DVec3& b, double& low_rad, double& high_rad) 
   }
 }
 
+/// Directions along the view's edge, clockwise from its top left corner. From one to the next lead
+/// great circles; under a lens edges are bowed, and many short ones stand for them.
+std::vector<DVec3> outline(const Viewport& viewport) {
+  const int steps = viewport.lens() == RadialLens{} ? 1 : 256;
+  constexpr std::array<Vec2, 4> plane{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  std::vector<DVec3> directions;
+  for (std::size_t edge = 0; edge < plane.size(); ++edge) {
+    for (int i = 0; i < steps; ++i) {
+      const Vec2 along = glm::mix(plane[edge], plane[(edge + 1) % plane.size()],
+                                  static_cast<float>(i) / static_cast<float>(steps));
+      directions.push_back(glm::normalize(DVec3(viewport.direction(along))));
+    }
+  }
+  return directions;
+}
+
 }  // namespace
 
 Vec2 ImageRectangle::place(const Vec2& point) const {
@@ -51,20 +68,16 @@ bool ImageRectangle::contains(const Vec2& image) const {
 }
 
 ImageRectangle bounding_rectangle(const Viewport& viewport) {
-  std::array<DVec3, 4> corners{};
-  constexpr std::array<Vec2, 4> plane{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = glm::normalize(DVec3(viewport.direction(plane[i])));
-  }
+  const std::vector<DVec3> corners = outline(viewport);
   double low_rad = pi / 2.0;
   double high_rad = -pi / 2.0;
   // Azimuths relative to the first corner. Along an edge they change by less than half a turn.
   double azimuth_rad = 0.0;
   double left_rad = 0.0;
   double right_rad = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     const DVec3& a = corners[i];
-    const DVec3& b = corners[(i + 1) % 4];
+    const DVec3& b = corners[(i + 1) % corners.size()];
     add_arc(a, b, low_rad, high_rad);
     azimuth_rad += std::atan2(b.x * -a.z + b.z * a.x, a.x * b.x + a.z * b.z);
     left_rad = std::min(left_rad, azimuth_rad);

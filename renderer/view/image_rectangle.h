@@ -17,7 +17,8 @@ struct ImageRectangle {
   bool contains(const Vec2& image) const;
 };
 
-/// The smallest that holds all of the viewport: all around where the viewport holds a pole.
+/// The smallest that holds all of the viewport: all around where the viewport holds a pole. Under a
+/// lens, whose bowed edges count as 1024 straight ones, it may miss a sliver of less than 1e-6.
 ImageRectangle bounding_rectangle(const Viewport& viewport);
 
 }  // namespace foveola

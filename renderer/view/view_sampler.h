@@ -52,8 +52,7 @@ const std::vector<std::string>& published_methods();
 ///           (default), left, right; exponent (default: the model's), cutoff (80), measure=planar
 ///           (default, the paper's) or solid-angle
 /// fv-map    an image laid around the gaze: file, extent (80; the eccentricity at half of its
-/// larger
-///           side)
+///           larger side)
 /// mask      an image painted over the equirect image, read anew when it changes: file, floor (0;
 ///           what every pixel weighs more, in mean weights)
 /// pointer   a Gaussian around the pointer: radius (10; its standard deviation), cutoff (80);

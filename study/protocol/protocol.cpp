@@ -34,6 +34,10 @@ std::vector<std::string> read_methods(TomlReader& reader) {
   std::vector<std::string> methods;
   for (const TomlReader::Text& method : reader.require_texts("methods")) {
     try {
+      if (reads_files(method.value)) {
+        throw Error(fmt::format("method '{}'", method.value),
+                    "reads a file that no record would describe", "choose one without file=");
+      }
       make_view_sampler(method.value);
     } catch (const Error& error) {
       reader.fail(method.source, error.what(), "see foveola render --help");

@@ -68,6 +68,17 @@ TEST(BoundingRectangle, IsAllAroundWhereTheViewHoldsAPole) {
   }
 }
 
+// A lens bows the edges of the view outwards or inwards.
+TEST(BoundingRectangle, HoldsTheViewThroughALens) {
+  for (const RadialLens& lens :
+       {RadialLens{.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F}, RadialLens{.k1 = -0.1F}}) {
+    for (const double elevation_deg : {0.0, 30.0, 85.0}) {
+      const Viewport straight = looking(170.0, elevation_deg, 90.0, 80.0);
+      expect_bounds(Viewport(straight.head(), radians(90.0), radians(80.0), lens));
+    }
+  }
+}
+
 TEST(BoundingRectangle, IsNarrowJustBelowAPole) { expect_bounds(looking(20, 50, 60, 70)); }
 
 TEST(ImageRectangle, PlacesStayInTheImage) {
