@@ -100,8 +100,10 @@ Measured sampler_cost(const std::string& method) {
   return {method, ns_per_s * time_s / static_cast<double>(square.size()), "ns a sample, one core"};
 }
 
-/// Numbering and adding a batch of FV's samples.
-Measured film_cost(int width, int height, const Workers& workers) {
+enum class FilmUse { continued, cleared_first };
+
+/// Numbering and adding a batch of FV's samples, pyramid included.
+Measured film_cost(int width, int height, FilmUse use, const Workers& workers) {
   constexpr std::size_t batch_size = 10'000;
   const std::vector<Vec2> square = points(batch_size);
   std::vector<ViewSample> samples(batch_size);
@@ -110,11 +112,16 @@ Measured film_cost(int width, int height, const Workers& workers) {
   EquirectFilm film(width, height);
   NumberedBatch batch;
   const double time_s = median_s([&] {
+    if (use == FilmUse::cleared_first) {
+      film.clear();
+    }
     film.number(samples, batch, workers);
     film.add(batch, radiance, workers);
   });
   constexpr double ms_per_s = 1e3;
-  return {fmt::format("film of {}x{}", width, height), ms_per_s * time_s,
+  return {fmt::format("film of {}x{}{}", width, height,
+                      use == FilmUse::cleared_first ? ", cleared" : ""),
+          ms_per_s * time_s,
           fmt::format("ms for {} samples, {} threads", batch_size, workers.threads())};
 }
 
@@ -142,8 +149,11 @@ void run(const std::vector<std::string>& methods, bool as_json) {
     measured.push_back(sampler_cost(method));
   }
   const Workers workers;
-  measured.push_back(film_cost(1024, 512, workers));
-  measured.push_back(film_cost(4096, 2048, workers));
+  for (const int width : {1024, 4096, 8192}) {
+    for (const FilmUse use : {FilmUse::continued, FilmUse::cleared_first}) {
+      measured.push_back(film_cost(width, width / 2, use, workers));
+    }
+  }
   if (!as_json) {
     for (const Measured& figure : measured) {
       fmt::print("{:<32} {:8.2f} {}\n", figure.name, figure.median, figure.unit);
