@@ -30,34 +30,47 @@ FilmTile::Pixel& FilmTile::touch(int x, int y, bool with_squares) {
   std::unique_ptr<Block>& block = blocks_[index];
   if ((alive_ >> index & 1U) == 0) {
     alive_ |= 1U << index;
-    if (block) {
-      block->pixels.fill({});
-      block->level1.fill({});
-      block->level2.fill({});
-    } else {
-      block = std::make_unique<Block>();
-    }
-    if (with_squares) {
-      if (!block->squares) {
-        block->squares = std::make_unique<std::array<double, Block::pixel_count>>();
+    if (!block) {
+      block = std::make_unique_for_overwrite<Block>();
+      if (with_squares) {
+        block->squares = std::make_unique_for_overwrite<std::array<double, Block::pixel_count>>();
       }
-      block->squares->fill(0.0);
+    }
+    block->touched = 0;
+    block->averaged = 0;
+  }
+  const std::size_t pixel = index_in_block(x, y);
+  if (!block->is_touched(pixel)) {
+    block->touched |= std::uint64_t{1} << pixel;
+    block->pixels[pixel] = {};
+    if (block->squares) {
+      (*block->squares)[pixel] = 0.0;
     }
   }
-  return block->pixels[index_in_block(x, y)];
+  return block->pixels[pixel];
 }
 
 const FilmTile::Pixel* FilmTile::find(int x, int y) const {
   const Block* block = living_block(x, y);
-  return block != nullptr ? &block->pixels[index_in_block(x, y)] : nullptr;
+  const std::size_t pixel = index_in_block(x, y);
+  return block != nullptr && block->is_touched(pixel) ? &block->pixels[pixel] : nullptr;
 }
 
 std::optional<double> FilmTile::find_squares(int x, int y) const {
   const Block* block = living_block(x, y);
-  if (block == nullptr || !block->squares) {
+  const std::size_t pixel = index_in_block(x, y);
+  if (block == nullptr || !block->squares || !block->is_touched(pixel)) {
     return std::nullopt;
   }
-  return (*block->squares)[index_in_block(x, y)];
+  return (*block->squares)[pixel];
+}
+
+Coverage FilmTile::Block::level2_cell(std::size_t cell) const {
+  constexpr std::size_t across = squares_across;
+  // Two neighbouring cells of level 1 in each of two rows.
+  constexpr std::uint32_t below = 3U | 3U << across;
+  const bool is_averaged = (averaged >> (cell / 2 * 2 * across + cell % 2 * 2) & below) != 0;
+  return is_averaged ? level2[cell] : Coverage{};
 }
 
 void FilmTile::Block::refresh(std::uint32_t squares_touched) {
@@ -66,14 +79,16 @@ void FilmTile::Block::refresh(std::uint32_t squares_touched) {
   for_each_bit(squares_touched, [&](std::size_t square) {
     const std::size_t x = square % across;
     const std::size_t y = square / across;
-    const Pixel* corner = &pixels[2 * y * block_size + 2 * x];
-    level1[square] = mean_of(corner[0].coverage(), corner[1].coverage(),
-                             corner[block_size].coverage(), corner[block_size + 1].coverage());
+    const std::size_t corner = 2 * y * block_size + 2 * x;
+    level1[square] = mean_of(coverage(corner), coverage(corner + 1), coverage(corner + block_size),
+                             coverage(corner + block_size + 1));
     touched2 |= 1U << (y / 2 * (across / 2) + x / 2);
   });
+  averaged |= squares_touched;
   for_each_bit(touched2, [&](std::size_t cell) {
-    const Coverage* corner = &level1[cell / 2 * 2 * across + cell % 2 * 2];
-    level2[cell] = mean_of(corner[0], corner[1], corner[across], corner[across + 1]);
+    const std::size_t corner = cell / 2 * 2 * across + cell % 2 * 2;
+    level2[cell] = mean_of(level1_cell(corner), level1_cell(corner + 1),
+                           level1_cell(corner + across), level1_cell(corner + across + 1));
   });
 }
 
@@ -83,7 +98,9 @@ void FilmTile::refresh(const Touched& touched) {
   for (std::size_t block = 0; block < block_count; ++block) {
     if (touched.squares_[block] != 0) {
       blocks_[block]->refresh(touched.squares_[block]);
-      level3_[block] = blocks_[block]->mean();
+      const Block& averaged = *blocks_[block];
+      level3_[block] = mean_of(averaged.level2_cell(0), averaged.level2_cell(1),
+                               averaged.level2_cell(2), averaged.level2_cell(3));
       touched4 |= 1U << (block / across / 2 * (across / 2) + block % across / 2);
     }
   }
@@ -109,9 +126,9 @@ Coverage FilmTile::cell(int level, int x, int y) const {
   }
   const int across = block_size >> level;
   const std::size_t cell = index(x % across, y % across, across);
-  return level == 0   ? block->pixels[cell].coverage()
-         : level == 1 ? block->level1[cell]
-                      : block->level2[cell];
+  return level == 0   ? block->coverage(cell)
+         : level == 1 ? block->level1_cell(cell)
+                      : block->level2_cell(cell);
 }
 
 }  // namespace foveola

@@ -31,9 +31,9 @@ class alignas(cache_line) FilmTile {
   static constexpr int levels = 5;  ///< of the pyramid above the pixels; the last is one cell
 
   struct Pixel {
-    DVec3 sum{0.0};
-    std::uint32_t count = 0;     ///< samples in the sum
-    std::uint32_t numbered = 0;  ///< samples given a number
+    DVec3 sum;
+    std::uint32_t count;     ///< samples in the sum
+    std::uint32_t numbered;  ///< samples given a number
 
     Rgb mean() const { return count > 0 ? Rgb(sum / static_cast<double>(count)) : Rgb(0.0F); }
     Coverage coverage() const { return count > 0 ? Coverage{mean(), 1.0F} : Coverage{}; }
@@ -60,11 +60,11 @@ class alignas(cache_line) FilmTile {
   Pixel& touch(int x, int y, bool with_squares);
   /// A pixel that was touched.
   Pixel& at(int x, int y) { return block_of(x, y)->pixels[index_in_block(x, y)]; }
-  /// Null where nothing was sampled nearby.
+  /// Null if it was not touched.
   const Pixel* find(int x, int y) const;
   /// The sum of the squared luminances of a pixel that was touched with squares.
   double& squares(int x, int y) { return (*block_of(x, y)->squares)[index_in_block(x, y)]; }
-  /// None where no squares are kept, or nothing was sampled nearby.
+  /// None where no squares are kept, or if it was not touched.
   std::optional<double> find_squares(int x, int y) const;
 
   /// Averages anew what lies above `touched`.
@@ -77,14 +77,25 @@ class alignas(cache_line) FilmTile {
   /// its updates take as long as its memory does.
   struct alignas(cache_line) Block {
     static constexpr std::size_t pixel_count = std::size_t{block_size} * block_size;
-    std::array<Pixel, pixel_count> pixels{};
-    std::array<Coverage, pixel_count / 4> level1{};
-    std::array<Coverage, pixel_count / 16> level2{};
+    // Memory is not worth clearing for the few pixels that a first frame touches: what the bits
+    // below do not vouch for is void.
+    std::array<Pixel, pixel_count> pixels;
+    std::array<Coverage, pixel_count / 4> level1;
+    std::array<Coverage, pixel_count / 16> level2;
     std::unique_ptr<std::array<double, pixel_count>> squares;
+    std::uint64_t touched = 0;   ///< a bit for each pixel
+    std::uint32_t averaged = 0;  ///< a bit for each cell of level 1
 
+    bool is_touched(std::size_t pixel) const { return (touched >> pixel & 1U) != 0; }
+    Coverage coverage(std::size_t pixel) const {
+      return is_touched(pixel) ? pixels[pixel].coverage() : Coverage{};
+    }
+    Coverage level1_cell(std::size_t cell) const {
+      return (averaged >> cell & 1U) != 0 ? level1[cell] : Coverage{};
+    }
+    Coverage level2_cell(std::size_t cell) const;
     /// Averages anew what lies above the squares whose bits are set.
     void refresh(std::uint32_t squares_touched);
-    Coverage mean() const { return mean_of(level2[0], level2[1], level2[2], level2[3]); }
   };
 
   static std::size_t index_in_block(int x, int y) {
