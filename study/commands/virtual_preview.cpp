@@ -16,6 +16,9 @@ PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage)
   settings.lens = protocol.display.lens;
   settings.unsampled =
       protocol.display.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
+  if (protocol.film.spare_done_contrast > 0.0) {
+    settings.spare_done = VisibleNoise{.contrast = protocol.film.spare_done_contrast};
+  }
   settings.viewpoint = stage.viewpoint();
   settings.exposure_stops = stage.source().exposure_stops;
   settings.trace.max_depth = protocol.film.max_depth;

@@ -43,6 +43,8 @@ struct FilmSettings {
   int width = 320;  ///< pixels of the 360-degree image
   int height = 160;
   int max_depth = 4;  ///< surface vertices
+  /// VisibleNoise::contrast of pixels that get no more samples; 0, as published: all get them.
+  double spare_done_contrast = 0.0;
 };
 
 struct TrackerProfile {
