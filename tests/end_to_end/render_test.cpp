@@ -162,7 +162,7 @@ TEST(Bench, SamplingMeasuresEveryMethodAskedFor) {
   const ProgramResult result = run_foveola({"bench", "sampling", "od", "fv:cutoff=40", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const nlohmann::json figures = nlohmann::json::parse(result.output).at("figures");
-  ASSERT_EQ(figures.size(), 4U);  // two of the film
+  ASSERT_EQ(figures.size(), 8U);  // six of the film
   EXPECT_EQ(figures[1].at("name"), "fv:cutoff=40");
   for (const nlohmann::json& figure : figures) {
     EXPECT_GT(figure.at("median"), 0.0);
