@@ -133,4 +133,17 @@ void write_file(const fs::path& path, std::string_view content) {
   });
 }
 
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "foveola-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw Error(name, "no temporary folder can be made", "set TMPDIR to a folder with space");
+  }
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
 }  // namespace foveola

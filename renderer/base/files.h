@@ -38,4 +38,20 @@ void replace_file(const std::filesystem::path& path,
 /// replace_file with the bytes of `content`.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// A new, empty folder among the system's temporary ones. It goes, with all that is in it, at the
+/// end of the scope.
+class ScratchFolder {
+ public:
+  /// Throws Error if none can be made.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 }  // namespace foveola

@@ -1,12 +1,10 @@
 #include "renderer/commands/bench_sampling.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -15,7 +13,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/image/image_file.h"
@@ -23,37 +21,16 @@
 namespace foveola {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double field_of_view_deg = 100.0;
 
-/// An image of weights for the methods that read one; gone at the end of the scope.
-class WeightFile {
- public:
-  WeightFile() {
-    std::string name = (fs::temp_directory_path() / "foveola-bench-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw Error(name, "cannot be made", "set TMPDIR to a folder that can be written");
-    }
-    folder_ = name;
-    RgbImage image(1024, 512);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-      image.pixels[i] = Rgb(unit_float(mix(static_cast<std::uint32_t>(i))));
-    }
-    write_image(path(), image, 0.0);
+/// Writes an image of weights for the methods that read one.
+void write_weights(const std::filesystem::path& path) {
+  RgbImage image(1024, 512);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = Rgb(unit_float(mix(static_cast<std::uint32_t>(i))));
   }
-  ~WeightFile() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  WeightFile(const WeightFile&) = delete;
-  WeightFile& operator=(const WeightFile&) = delete;
-
-  fs::path path() const { return folder_ / "weights.exr"; }
-
- private:
-  fs::path folder_;
-};
+  write_image(path, image, 0.0);
+}
 
 struct Measured {
   std::string name;
@@ -131,9 +108,11 @@ std::vector<Measured> cost_of_each() {
                              "pointer", "crop", "hybrid:0.9*fv+0.1*od"}) {
     measured.push_back(sampler_cost(method));
   }
-  const WeightFile weights;
+  const ScratchFolder folder;
+  const std::filesystem::path weights = folder / "weights.exr";
+  write_weights(weights);
   for (const std::string method : {"fv-map", "mask"}) {
-    measured.push_back(sampler_cost(fmt::format("{}:file={}", method, weights.path().string())));
+    measured.push_back(sampler_cost(fmt::format("{}:file={}", method, weights.string())));
     measured.back().name = method + " of 1024x512 pixels";
   }
   return measured;

@@ -26,14 +26,13 @@ Coverage CoverageLevels::mean_below(std::size_t level, int x, int y) const {
                  cell(2 * x + 1, 2 * y + 1));
 }
 
-void CoverageLevels::refresh(std::span<const std::uint32_t> changed) {
-  std::vector<std::uint32_t> cells(changed.begin(), changed.end());
+void CoverageLevels::refresh(std::vector<std::uint32_t> changed) {
   std::vector<std::uint32_t> parents;
   for (std::size_t level = 1; level < levels_.size(); ++level) {
     Level& at = levels_[level];
     const int width_below = levels_[level - 1].width;
     parents.clear();
-    for (const std::uint32_t cell : cells) {
+    for (const std::uint32_t cell : changed) {
       const int x = static_cast<int>(cell) % width_below / 2;
       const int y = static_cast<int>(cell) / width_below / 2;
       const auto parent = static_cast<std::uint32_t>(y * at.width + x);
@@ -46,7 +45,7 @@ void CoverageLevels::refresh(std::span<const std::uint32_t> changed) {
     for (const std::uint32_t parent : parents) {
       at.changed[parent] = false;
     }
-    cells.swap(parents);
+    changed.swap(parents);
   }
 }
 

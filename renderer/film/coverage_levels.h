@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "renderer/film/coverage.h"
@@ -29,7 +28,7 @@ class CoverageLevels {
   Coverage& finest(std::uint32_t index) { return levels_.front().cells[index]; }
 
   /// Averages anew what lies above these cells of the finest level.
-  void refresh(std::span<const std::uint32_t> changed);
+  void refresh(std::vector<std::uint32_t> changed);
   void refresh_all();
   void clear();
 

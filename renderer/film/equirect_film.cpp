@@ -26,9 +26,8 @@ int checked(int width, int height) {
   return width;
 }
 
-std::uint32_t pixel_coordinate(float position, int size) {
-  return static_cast<std::uint32_t>(
-      std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1));
+int pixel_coordinate(float position, int size) {
+  return std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1);
 }
 
 double squared_luminance(const Rgb& radiance) {
@@ -55,16 +54,20 @@ EquirectFilm::EquirectFilm(int width, int height, FilmStatistics statistics)
       tiles_(static_cast<std::size_t>(tiles_along(width)) * tiles_along(height)),
       coarse_(tiles_along(width), tiles_along(height)) {}
 
-EquirectFilm::Place EquirectFilm::place(std::uint32_t x, std::uint32_t y) const {
-  constexpr std::uint32_t size = tile_size;
-  return {.tile = y / size * tiles_across_ + x / size,
-          .x = static_cast<int>(x % size),
-          .y = static_cast<int>(y % size)};
+IVec2 EquirectFilm::pixel_at(const Vec2& image) const {
+  return {pixel_coordinate(image.x, width_), pixel_coordinate(image.y, height_)};
+}
+
+EquirectFilm::Place EquirectFilm::place(int x, int y) const {
+  return {.tile = static_cast<std::uint32_t>(y / tile_size) * tiles_across_ +
+                  static_cast<std::uint32_t>(x / tile_size),
+          .x = x % tile_size,
+          .y = y % tile_size};
 }
 
 EquirectFilm::Place EquirectFilm::place(std::uint32_t pixel) const {
   const auto width = static_cast<std::uint32_t>(width_);
-  return place(pixel % width, pixel / width);
+  return place(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
 }
 
 const FilmTile* EquirectFilm::find_tile(std::uint32_t tile) const {
@@ -87,10 +90,10 @@ void EquirectFilm::sort_by_tile(std::span<const ViewSample> samples, NumberedBat
   std::vector<std::uint32_t> tiles(samples.size());
   std::vector<std::size_t> begins(tiles_.size() + 1, 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const std::uint32_t x = pixel_coordinate(samples[i].image.x, width_);
-    const std::uint32_t y = pixel_coordinate(samples[i].image.y, height_);
-    pixels[i] = y * static_cast<std::uint32_t>(width_) + x;
-    tiles[i] = place(x, y).tile;
+    const IVec2 pixel = pixel_at(samples[i].image);
+    pixels[i] = static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(width_) +
+                static_cast<std::uint32_t>(pixel.x);
+    tiles[i] = place(pixel.x, pixel.y).tile;
     ++begins[tiles[i] + 1];
   }
   batch.tiles.clear();
@@ -168,32 +171,29 @@ void EquirectFilm::clear() {
 
 FilmPixel EquirectFilm::pixel(int x, int y) const {
   assert(x >= 0 && x < width_ && y >= 0 && y < height_);
-  const Place at = place(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+  const Place at = place(x, y);
   const FilmTile* tile = find_tile(at.tile);
   const FilmTile::Pixel* pixel = tile != nullptr ? tile->find(at.x, at.y) : nullptr;
   return pixel != nullptr ? FilmPixel{.mean = pixel->mean(), .samples = pixel->count} : FilmPixel{};
 }
 
 std::optional<double> EquirectFilm::luminance_variance(int x, int y) const {
-  const Place at = place(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+  const Place at = place(x, y);
   const FilmTile* tile = find_tile(at.tile);
-  const std::optional<double> squares =
-      tile != nullptr ? tile->find_squares(at.x, at.y) : std::nullopt;
-  if (!squares || tile->find(at.x, at.y)->count < 2) {
+  const FilmTile::Pixel* pixel = tile != nullptr ? tile->find(at.x, at.y) : nullptr;
+  if (!with_squares_ || pixel == nullptr || pixel->count < 2) {
     return std::nullopt;
   }
-  const FilmTile::Pixel& pixel = *tile->find(at.x, at.y);
-  const double n = pixel.count;
-  const double mean = luminance(pixel.sum) / n;
-  return std::max(0.0, (*squares / n - mean * mean) * n / (n - 1.0));
+  const double n = pixel->count;
+  const double mean = luminance(pixel->sum) / n;
+  return std::max(0.0, (tile->squares(at.x, at.y) / n - mean * mean) * n / (n - 1.0));
 }
 
 Coverage EquirectFilm::cell(int level, int x, int y) const {
   if (level >= FilmTile::levels) {
     return coarse_.cell(level - FilmTile::levels, x, y);
   }
-  const Place at =
-      place(static_cast<std::uint32_t>(x << level), static_cast<std::uint32_t>(y << level));
+  const Place at = place(x << level, y << level);
   const FilmTile* tile = find_tile(at.tile);
   return tile != nullptr ? tile->cell(level, at.x >> level, at.y >> level) : Coverage{};
 }

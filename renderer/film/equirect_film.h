@@ -68,6 +68,8 @@ class EquirectFilm {
   /// Forgets everything; the next samples are numbered from 0.
   void clear();
 
+  /// The pixel that holds an image position.
+  IVec2 pixel_at(const Vec2& image) const;
   FilmPixel pixel(int x, int y) const;
   Rgb mean(int x, int y) const { return pixel(x, y).mean; }
   std::uint32_t sample_count(int x, int y) const { return pixel(x, y).samples; }
@@ -95,7 +97,7 @@ class EquirectFilm {
     int y;
   };
 
-  Place place(std::uint32_t x, std::uint32_t y) const;
+  Place place(int x, int y) const;
   Place place(std::uint32_t pixel) const;
   /// Null where nothing was sampled since the film was cleared.
   const FilmTile* find_tile(std::uint32_t tile) const;

@@ -56,15 +56,6 @@ const FilmTile::Pixel* FilmTile::find(int x, int y) const {
   return block != nullptr && block->is_touched(pixel) ? &block->pixels[pixel] : nullptr;
 }
 
-std::optional<double> FilmTile::find_squares(int x, int y) const {
-  const Block* block = living_block(x, y);
-  const std::size_t pixel = index_in_block(x, y);
-  if (block == nullptr || !block->squares || !block->is_touched(pixel)) {
-    return std::nullopt;
-  }
-  return (*block->squares)[pixel];
-}
-
 Coverage FilmTile::Block::level2_cell(std::size_t cell) const {
   constexpr std::size_t across = squares_across;
   // Two neighbouring cells of level 1 in each of two rows.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "renderer/film/coverage.h"
 
@@ -64,8 +63,7 @@ class alignas(cache_line) FilmTile {
   const Pixel* find(int x, int y) const;
   /// The sum of the squared luminances of a pixel that was touched with squares.
   double& squares(int x, int y) { return (*block_of(x, y)->squares)[index_in_block(x, y)]; }
-  /// None where no squares are kept, or if it was not touched.
-  std::optional<double> find_squares(int x, int y) const;
+  double squares(int x, int y) const { return (*block_of(x, y)->squares)[index_in_block(x, y)]; }
 
   /// Averages anew what lies above `touched`.
   void refresh(const Touched& touched);

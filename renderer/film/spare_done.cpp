@@ -1,8 +1,8 @@
 #include "renderer/film/spare_done.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
@@ -14,15 +14,6 @@ namespace {
 
 /// Samples that one task looks after.
 constexpr std::size_t sample_block = 1024;
-
-/// A pixel of the film; x may lie beyond the seam.
-IVec2 pixel_of(const EquirectFilm& film, const Vec2& image) {
-  return {static_cast<int>(std::floor(image.x * static_cast<float>(film.width()))),
-          std::clamp(static_cast<int>(image.y * static_cast<float>(film.height())), 0,
-                     film.height() - 1)};
-}
-
-int wrapped(int x, int width) { return ((x % width) + width) % width; }
 
 /// What the eight pixels around one say about its noise. Rows beyond a pole are left out.
 struct Neighbourhood {
@@ -40,7 +31,7 @@ std::optional<Neighbourhood> look_around(const EquirectFilm& film, const IVec2& 
       if (dx == 0 && y == pixel.y) {
         continue;
       }
-      const int x = wrapped(pixel.x + dx, film.width());
+      const int x = (pixel.x + dx + film.width()) % film.width();
       const FilmPixel neighbour = film.pixel(x, y);
       const std::optional<double> variance = film.luminance_variance(x, y);
       if (neighbour.samples < least_samples || !variance) {
@@ -61,7 +52,7 @@ class Judge {
       : film_(film), gaze_(gaze), noise_(noise) {}
 
   bool is_done(const IVec2& pixel) const {
-    const std::uint32_t samples = film_.sample_count(wrapped(pixel.x, film_.width()), pixel.y);
+    const std::uint32_t samples = film_.sample_count(pixel.x, pixel.y);
     if (samples < noise_.least_samples) {
       return false;
     }
@@ -98,7 +89,7 @@ ViewSample moved(const EquirectFilm& film, const ViewSample& sample, const IVec2
 /// Tries pixels in squares that grow around the sample's own. Returns false if all are done.
 bool find_work(const Judge& judge, const EquirectFilm& film, std::uint32_t random,
                ViewSample& sample) {
-  if (!judge.is_done(pixel_of(film, sample.image))) {
+  if (!judge.is_done(film.pixel_at(sample.image))) {
     return true;
   }
   for (const int reach : {1, 2, 4, 8, 16}) {
@@ -107,7 +98,7 @@ bool find_work(const Judge& judge, const EquirectFilm& film, std::uint32_t rando
     const IVec2 offset(static_cast<int>(random % side) - reach,
                        static_cast<int>(random / side % side) - reach);
     const ViewSample candidate = moved(film, sample, offset);
-    if (!judge.is_done(pixel_of(film, candidate.image))) {
+    if (!judge.is_done(film.pixel_at(candidate.image))) {
       sample = candidate;
       return true;
     }

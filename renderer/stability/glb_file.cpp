@@ -3,15 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
 
@@ -19,29 +16,6 @@ namespace foveola {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Goes, with all that is in it, at the end of the scope.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "foveola-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw Error(name, "no temporary folder can be made", "set TMPDIR to a folder with space");
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path file(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string bytes_of(const void* data, std::size_t size) {
   return {static_cast<const char*>(data), size};
@@ -162,8 +136,8 @@ std::string glb_of(const Scene& scene, const Vec3& viewpoint, const DVec3& trans
 }
 
 Scene through_gltf(const Scene& scene, const Vec3& viewpoint, const DVec3& translation_m) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder.file("scene.glb");
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "scene.glb";
   write_file(file, glb_of(scene, viewpoint, translation_m));
   return load_gltf(file);
 }

@@ -227,6 +227,38 @@ TEST_F(PreviewTest, HoldsTheLastValidGazeThroughABlink) {
   EXPECT_EQ(blink.gaze_age, 3 * frame_time);
 }
 
+// Where a sample goes then depends on those before it, which the search has to trace again.
+TEST_F(PreviewTest, ASampleIsFoundAgainWhereDonePixelsAreSpared) {
+  PreviewSettings settings = small_settings();
+  settings.spare_done = VisibleNoise{.contrast = 0.9, .least_samples = 2};
+  constexpr int frames = 6;
+  constexpr std::uint64_t samples = 4000;
+  Preview rendered(tracer_, settings, ahead_, still_, workers_);
+  rendered.restart("fv", 1);
+  std::uint64_t traced = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    traced += rendered.render_frame(frame * frame_time, samples).samples;
+  }
+  EXPECT_LT(traced, frames * samples);
+  const auto width = static_cast<std::uint32_t>(rendered.film().width());
+  const std::uint32_t middle =
+      width * static_cast<std::uint32_t>(rendered.film().height()) / 2 + width / 2;
+  const std::uint32_t count = rendered.film().sample_count(static_cast<int>(middle % width),
+                                                           static_cast<int>(middle / width));
+  ASSERT_GT(count, 1U);
+  const auto is_found = [&](std::uint32_t sample_number) {
+    Preview searched(tracer_, settings, ahead_, still_, workers_);
+    searched.restart("fv", 1);
+    bool found = false;
+    for (int frame = 0; frame < frames; ++frame) {
+      found = found || searched.find_job(frame * frame_time, samples, middle, sample_number);
+    }
+    return found;
+  };
+  EXPECT_TRUE(is_found(count - 1));
+  EXPECT_FALSE(is_found(count));
+}
+
 TEST_F(PreviewTest, AHeldGazeStaysWhereItIsInTheWorld) {
   ScriptedHeadTracker head({{.time = frame_time, .heading = {}},
                             {.time = 2 * frame_time, .heading = {.azimuth_rad = 1.0}}});

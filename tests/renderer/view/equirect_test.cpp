@@ -181,6 +181,20 @@ TEST(Viewport, SolidAnglePerAreaIsThatOfSmallPatches) {
   }
 }
 
+TEST(Viewport, SolidAngleThroughALensIsThatOfTheDirectionsThatItShows) {
+  constexpr int count = 200'000;
+  int shown = 0;
+  for (int i = 0; i < count; ++i) {  // spherical Fibonacci points
+    const double y = 1.0 - (2.0 * i + 1.0) / count;
+    const Vec3 direction =
+        direction_from({.azimuth_rad = 2.0 * std::numbers::pi * i / std::numbers::phi,
+                        .elevation_rad = std::asin(y)});
+    shown += left_eye.project(direction) ? 1 : 0;
+  }
+  const double expected = 4.0 * std::numbers::pi * shown / count;
+  EXPECT_NEAR(left_eye.solid_angle_sr(), expected, 2e-3 * expected);
+}
+
 TEST(Viewport, ALensThatFoldsTheDisplayIsRefused) {
   EXPECT_THROW(Viewport(head_orientation({}), 1.5, 1.5, {.k1 = -0.9F}), Error);
   EXPECT_THROW(Viewport(head_orientation({}), 1.5, 1.5, {.k1 = std::nanf("")}), Error);
