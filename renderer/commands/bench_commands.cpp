@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/bench_sampling.h"
+#include "renderer/commands/bench_tracing.h"
 #include "renderer/stability/stability.h"
 
 namespace foveola {
@@ -164,6 +165,7 @@ void add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
   bench->require_subcommand(1);
   add_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);
+  add_bench_tracing(*bench, find_scene);
 }
 
 }  // namespace foveola

@@ -1,13 +1,12 @@
 #include "renderer/commands/render.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/stage.h"
 #include "renderer/preview/preview.h"
-#include "renderer/scene/load_scene.h"
 
 namespace foveola {
 namespace {
@@ -20,54 +19,6 @@ constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr std::uint64_t spare_batch = 1 << 16;
 constexpr double batch_target_s = 0.1;
 
-/// What any renderer can show: for comparing with others.
-void make_diffuse(Material& material) {
-  material.metallic = 0.0F;
-  material.specular = 0.0F;
-  material.transmission = 0.0F;
-  material.clearcoat = 0.0F;
-  material.sheen_color = Rgb(0.0F);
-  material.normal_texture = {};
-}
-
-Scene load(const SceneSource& source, const RenderSettings& settings) {
-  Scene scene = load_scene(source);
-  if (settings.diffuse) {
-    std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
-  }
-  return scene;
-}
-
-CameraView choose_camera(const SceneSource& source, const Scene& scene,
-                         const RenderSettings& settings) {
-  CameraView view;
-  if (source.camera_position) {
-    view = {.name = "",
-            .position = scene.from_file(*source.camera_position),
-            .heading = source.heading};
-  } else if (!scene.cameras.empty()) {
-    view = scene.cameras.front();
-  } else {
-    const Bounds bounds = scene.bounds();
-    view.position = 0.5F * (bounds.lower + bounds.upper);
-  }
-  if (settings.camera) {
-    view.position = scene.from_file(*settings.camera);
-  }
-  view.heading = settings.head.value_or(view.heading);
-  return view;
-}
-
-/// How long one of `steps` takes.
-template <typename Step>
-auto timed(double& elapsed_s, const Step& step) {
-  const SteadyClock clock;
-  const Nanoseconds start = clock.now();
-  auto result = step();
-  elapsed_s = seconds(clock.now() - start);
-  return result;
-}
-
 PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint) {
   PreviewSettings preview;
   preview.film_width = settings.size.x;
@@ -78,35 +29,23 @@ PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& vie
   if (settings.spare_done_contrast > 0.0) {
     preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
   }
-  preview.trace.max_depth = settings.max_depth;
-  preview.trace.largest_radiance = settings.largest_radiance;
-  preview.trace.pixel_angle_rad =
-      static_cast<float>(2.0 * std::numbers::pi / static_cast<double>(settings.size.x));
+  preview.trace = trace_settings(settings);
   return preview;
 }
 
-/// A scene on the stage: loaded, built, with a head and an eye that hold still.
-struct Stage {
-  double load_seconds = 0.0;
-  double build_seconds = 0.0;
-  Workers workers;
-  Scene scene;
-  PathTracer tracer;
-  CameraView camera;
-  AzimuthElevation gaze;
+/// A preview of a stage, seen by a head and an eye that hold still.
+struct StillPreview {
+  Stage stage;
   ScriptedHeadTracker head;
   FixedEyeTracker eye;
   Preview preview;
 
-  Stage(const SceneSource& source, const RenderSettings& settings)
-      : workers(settings.threads),
-        scene(timed(load_seconds, [&] { return load(source, settings); })),
-        tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
-        camera(choose_camera(source, scene, settings)),
-        gaze(settings.gaze.value_or(camera.heading)),
-        head({{.time = Nanoseconds(0), .heading = camera.heading}}),
-        eye(glm::conjugate(head_orientation(camera.heading)) * direction_from(gaze)),
-        preview(tracer, preview_settings(settings, camera.position), eye, head, workers) {
+  StillPreview(const SceneSource& source, const RenderSettings& settings)
+      : stage(source, settings),
+        head({{.time = Nanoseconds(0), .heading = stage.camera.heading}}),
+        eye(glm::conjugate(head_orientation(stage.camera.heading)) * direction_from(stage.gaze)),
+        preview(stage.tracer, preview_settings(settings, stage.camera.position), eye, head,
+                stage.workers) {
     preview.restart(settings.method, settings.seed);
   }
 };
@@ -141,7 +80,8 @@ std::uint64_t next_batch(const RenderSettings& settings, std::uint64_t samples, 
 }  // namespace
 
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop) {
-  Stage stage(source, settings);
+  StillPreview still(source, settings);
+  const Stage& stage = still.stage;
   RenderReport report;
   report.threads = stage.workers.threads();
   report.load_seconds = stage.load_seconds;
@@ -159,7 +99,7 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
   std::uint64_t sent = 0;  // more than are traced, where some are spared
   while (fraction < 1.0 && !stop.stop_requested()) {
     const std::uint64_t batch = next_batch(settings, sent, report.seconds);
-    const FrameReport frame = stage.preview.render_frame(clock.now(), batch);
+    const FrameReport frame = still.preview.render_frame(clock.now(), batch);
     sent += batch;
     report.samples += frame.samples;
     report.rays += frame.rays;
@@ -168,13 +108,14 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
     progress.update(fraction);
   }
   report.stopped = fraction < 1.0;
-  report.non_finite = stage.preview.dropped();
-  return {.image = stage.preview.film().resolve(), .report = std::move(report)};
+  report.non_finite = still.preview.dropped();
+  return {.image = still.preview.film().resolve(), .report = std::move(report)};
 }
 
 ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
                     const SampleAddress& address, std::stop_token stop) {
-  Stage stage(source, settings);
+  StillPreview still(source, settings);
+  const Stage& stage = still.stage;
   const SteadyClock clock;
   std::optional<SampleJob> job;
   Progress progress("searching");
@@ -184,7 +125,7 @@ ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
     }
     const std::uint64_t most = settings.spare_done_contrast > 0.0 ? spare_batch : largest_batch;
     const std::uint64_t batch = std::min(most, settings.budget.samples - sought);
-    job = stage.preview.find_job(clock.now(), batch, address.pixel, address.sample_number);
+    job = still.preview.find_job(clock.now(), batch, address.pixel, address.sample_number);
     sought += batch;
     progress.update(static_cast<double>(sought) / static_cast<double>(settings.budget.samples));
   }
@@ -194,7 +135,7 @@ ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
   }
   ReplayedPath path{
       .job = *job,
-      .record = stage.tracer.replay(stage.camera.position, *job, stage.preview.settings().trace),
+      .record = stage.tracer.replay(stage.camera.position, *job, still.preview.settings().trace),
       .object_names = {}};
   for (const PathVertex& vertex : path.record.vertices) {
     path.object_names.push_back(vertex.object ? stage.scene.object_name(*vertex.object) : "");

@@ -118,6 +118,9 @@ bool BlockTracer::advance(std::size_t index) {
   for (int windows = 0; windows < most_windows; ++windows) {
     const Hit hit = traced_.rays.closest_hit(path.ray);
     ++(vertex_ == 1 ? counts_.primary : counts_.bounce);
+    if (notes_.rays != nullptr) {
+      (vertex_ == 1 ? notes_.rays->primary : notes_.rays->bounce).push_back(path.ray);
+    }
     if (hit.missed()) {
       add_environment(path);
       note(path, hit);
@@ -255,6 +258,10 @@ bool BlockTracer::survives_roulette(Path& path, float u) const {
 }
 
 void BlockTracer::add_unblocked_light() {
+  if (notes_.rays != nullptr) {
+    auto& log = notes_.rays->shadow;
+    log.insert(log.end(), shadow_rays_.begin(), shadow_rays_.end());
+  }
   traced_.rays.find_blocked(shadow_rays_);
   counts_.shadow += shadow_rays_.size();
   const bool has_windows = traced_.rays.has_windows();
@@ -271,11 +278,15 @@ void BlockTracer::add_unblocked_light() {
   shadow_rays_.clear();
 }
 
-Rgb BlockTracer::window_transmittance(Ray ray) const {
+Rgb BlockTracer::window_transmittance(Ray ray) {
   Rgb transmittance(1.0F);
   const Vec3 direction = glm::normalize(ray.direction);
   for (int windows = 0; windows < most_windows; ++windows) {
     const Hit hit = traced_.rays.closest_hit(ray);
+    ++counts_.window;
+    if (notes_.rays != nullptr) {
+      notes_.rays->window.push_back(ray);
+    }
     if (hit.missed()) {
       return transmittance;
     }
@@ -297,7 +308,7 @@ float BlockTracer::width_at(const Path& path, const Hit& hit) const {
 }
 
 void BlockTracer::note(const Path& path, const Hit& hit) const {
-  if (record_ == nullptr) {
+  if (notes_.vertices == nullptr) {
     return;
   }
   PathVertex vertex{.number = vertex_,
@@ -311,7 +322,7 @@ void BlockTracer::note(const Path& path, const Hit& hit) const {
     vertex.position = path.ray.origin + hit.t * path.ray.direction;
     vertex.normal = surface_point(traced_.scene, hit, path.ray.direction).shading_normal;
   }
-  record_->push_back(vertex);
+  notes_.vertices->push_back(vertex);
 }
 
 }  // namespace foveola

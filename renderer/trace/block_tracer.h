@@ -37,13 +37,18 @@ struct TracedScene {
   TracedScene(const Scene& source, const Workers& workers);
 };
 
+/// Where to note what was traced; null for what need not be noted.
+struct TraceNotes {
+  std::vector<PathVertex>* vertices = nullptr;
+  RayLog* rays = nullptr;
+};
+
 /// Traces one block of jobs. renderer/MATERIALS.md says what happens at each kind of surface.
 class BlockTracer {
  public:
-  /// record: where to note each vertex, or null. All must outlive this object.
-  BlockTracer(const TracedScene& traced, const TraceSettings& settings,
-              std::vector<PathVertex>* record = nullptr)
-      : traced_(traced), settings_(settings), record_(record) {}
+  /// All must outlive this object.
+  BlockTracer(const TracedScene& traced, const TraceSettings& settings, TraceNotes notes = {})
+      : traced_(traced), settings_(settings), notes_(notes) {}
 
   /// To be called once.
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance);
@@ -89,13 +94,13 @@ class BlockTracer {
   bool survives_roulette(Path& path, float u) const;
   void add_unblocked_light();
   /// The tint of the windows on an unblocked shadow ray.
-  Rgb window_transmittance(Ray ray) const;
+  Rgb window_transmittance(Ray ray);
   float width_at(const Path& path, const Hit& hit) const;
   void note(const Path& path, const Hit& hit) const;
 
   const TracedScene& traced_;
   const TraceSettings& settings_;
-  std::vector<PathVertex>* record_;
+  TraceNotes notes_;
   int vertex_ = 0;  ///< the one that the active paths are on their way to; the first is 1
   std::vector<Path> paths_;
   std::vector<std::size_t> active_;

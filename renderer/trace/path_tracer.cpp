@@ -46,6 +46,7 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
   std::atomic<std::uint64_t> primary{0};
   std::atomic<std::uint64_t> bounce{0};
   std::atomic<std::uint64_t> shadow{0};
+  std::atomic<std::uint64_t> window{0};
   const std::size_t block = block_size(jobs.size(), workers.threads());
   workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
     BlockTracer tracer(traced, settings);
@@ -54,14 +55,32 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
     primary += counts.primary;
     bounce += counts.bounce;
     shadow += counts.shadow;
+    window += counts.window;
   });
-  return {.primary = primary, .bounce = bounce, .shadow = shadow};
+  return {.primary = primary, .bounce = bounce, .shadow = shadow, .window = window};
 }
+
+RayLog PathTracer::log_rays(const Vec3& viewpoint, std::span<const SampleJob> jobs,
+                            const TraceSettings& settings) const {
+  RayLog log;
+  std::vector<Rgb> radiance(largest_block);
+  const Workers alone(1);  // flushes denormals as trace() does
+  alone.for_each_block(1, 1, [&](std::size_t, std::size_t) {
+    for (std::size_t begin = 0; begin < jobs.size(); begin += largest_block) {
+      const auto block = jobs.subspan(begin, std::min(largest_block, jobs.size() - begin));
+      BlockTracer tracer(implementation_->traced, settings, {.rays = &log});
+      tracer.trace(viewpoint, block, std::span(radiance).first(block.size()));
+    }
+  });
+  return log;
+}
+
+const RayScene& PathTracer::ray_scene() const { return implementation_->traced.rays; }
 
 PathRecord PathTracer::replay(const Vec3& viewpoint, const SampleJob& job,
                               const TraceSettings& settings) const {
   PathRecord record;
-  BlockTracer tracer(implementation_->traced, settings, &record.vertices);
+  BlockTracer tracer(implementation_->traced, settings, {.vertices = &record.vertices});
   const Workers alone(1);  // flushes denormals as trace() does
   alone.for_each_block(1, 1, [&](std::size_t, std::size_t) {
     tracer.trace(viewpoint, {&job, 1}, {&record.radiance, 1});

@@ -11,6 +11,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/ray_scene.h"
 
 namespace foveola {
 
@@ -28,7 +29,16 @@ struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t bounce = 0;
   std::uint64_t shadow = 0;
-  std::uint64_t total() const { return primary + bounce + shadow; }
+  std::uint64_t window = 0;  ///< along shadow rays, for the tints of the windows on them
+  std::uint64_t total() const { return primary + bounce + shadow + window; }
+};
+
+/// The rays themselves, of each kind in the order of their tracing.
+struct RayLog {
+  std::vector<Ray> primary;
+  std::vector<Ray> bounce;
+  std::vector<Ray> shadow;
+  std::vector<Ray> window;
 };
 
 /// What a ray from the gaze meets first.
@@ -76,6 +86,13 @@ class PathTracer {
   /// One job again, with all its vertices; its radiance is that of trace(), to the bit.
   PathRecord replay(const Vec3& viewpoint, const SampleJob& job,
                     const TraceSettings& settings) const;
+
+  /// The rays that trace() asks Embree about, block after block of the jobs.
+  RayLog log_rays(const Vec3& viewpoint, std::span<const SampleJob> jobs,
+                  const TraceSettings& settings) const;
+
+  /// What the rays are traced against.
+  const RayScene& ray_scene() const;
 
   /// The first surface along a ray; empty if there is none.
   std::optional<Picked> pick(const Vec3& origin, const Vec3& direction) const;

@@ -227,6 +227,8 @@ Hit RayScene::closest_hit(const Ray& ray) const {
 
 bool RayScene::has_windows() const { return embree_->has_windows; }
 
+RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
+
 void RayScene::find_blocked(std::span<Ray> rays) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

@@ -10,6 +10,8 @@
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 
+struct RTCSceneTy;
+
 namespace foveola {
 
 /// The points origin + t * direction for t in (t_min, t_max). Laid out as Embree's single ray, so
@@ -67,6 +69,9 @@ class RayScene {
 
   /// Whether there are windows, which tint the rays that find_blocked() lets pass.
   bool has_windows() const;
+
+  /// Embree's own, for measuring it alone.
+  RTCSceneTy* embree_scene() const;
 
  private:
   struct Embree;

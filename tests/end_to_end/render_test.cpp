@@ -158,6 +158,26 @@ TEST_F(Render, SheetShowsScenesBelowEachOther) {
   EXPECT_GT(luminance(sheet.at(72 + 31, 40 + 31)), 0.0F);
 }
 
+TEST(Bench, TracingIsMeasuredAgainstEmbreeAlone) {
+  const ProgramResult result =
+      run_foveola({"bench", "tracing", "studio-car", "--paths", "20000", "--rounds", "1",
+                   "--threads", "1,2", "--size", "256x128", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  ASSERT_EQ(json["runs"].size(), 2U);
+  for (const auto& run : json["runs"]) {
+    EXPECT_EQ(run["rays"], json["runs"][0]["rays"]);
+    EXPECT_GE(run["rays"]["primary"], 20000);
+    EXPECT_GT(run["rays_per_second"]["shadow"], 0.0);
+    EXPECT_GT(run["embree_seconds"], 0.0);
+    EXPECT_GT(run["ratio_to_embree"], 0.0);
+    for (const char* kind : {"primary", "bounce", "shadow"}) {
+      EXPECT_EQ(run["embree"][kind]["seconds"].size(), 5U) << kind;
+      EXPECT_TRUE(run["embree"][kind]["seconds"].contains(run["embree"][kind]["fastest"])) << kind;
+    }
+  }
+}
+
 TEST(Bench, SamplingMeasuresEveryMethodAskedFor) {
   const ProgramResult result = run_foveola({"bench", "sampling", "od", "fv:cutoff=40", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;

@@ -79,6 +79,32 @@ Scene busy_scene() {
   return scene;
 }
 
+TEST(PathTracerTest, TheLoggedRaysAreThoseThatWereTraced) {
+  Scene scene = busy_scene();
+  scene.materials.push_back(dielectric(0.9F));
+  scene.materials.back().transmission = 1.0F;
+  scene.materials.back().roughness = 0.0F;
+  scene.meshes.push_back(quad(Vec3(-2, 0, -1), Vec3(4, 0, 0), Vec3(0, 0.2F, 2),
+                              static_cast<int>(scene.materials.size()) - 1));
+  const PathTracer tracer(scene, workers());
+  const std::vector<SampleJob> jobs = jobs_all_around(3000);
+  std::vector<Rgb> radiance(jobs.size());
+  const TraceSettings settings{.max_depth = 5, .seed = 1};
+  const RayCounts counts = tracer.trace(Vec3(0.0F), jobs, radiance, settings, workers());
+  const RayLog log = tracer.log_rays(Vec3(0.0F), jobs, settings);
+  EXPECT_EQ(log.primary.size(), counts.primary);
+  EXPECT_EQ(log.bounce.size(), counts.bounce);
+  EXPECT_EQ(log.shadow.size(), counts.shadow);
+  EXPECT_EQ(log.window.size(), counts.window);
+  EXPECT_GT(counts.window, 0U);
+  // A job's ray comes again behind each window that it passes.
+  std::size_t seen = 0;
+  for (const Ray& ray : log.primary) {
+    seen += seen < jobs.size() && ray.direction == jobs[seen].direction ? 1 : 0;
+  }
+  EXPECT_EQ(seen, jobs.size());
+}
+
 TEST(PathTracerTest, RadianceDependsOnTheJobAlone) {
   const Scene scene = busy_scene();
   const Vec3 viewpoint(0.1F, 0.2F, 1.5F);

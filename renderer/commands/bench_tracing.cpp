@@ -1,0 +1,316 @@
+#include "renderer/commands/bench_tracing.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/error.h"
+#include "renderer/commands/stage.h"
+#include "renderer/film/sample_pass.h"
+#include "renderer/trace/embree_alone.h"
+
+namespace foveola {
+namespace {
+
+/// Paths that are sampled, traced and filmed in one go; as many as a render's batches hold.
+constexpr std::uint64_t pass_points = 1 << 16;
+
+struct TracingArguments {
+  std::string scene;
+  std::string method = "od";
+  std::string size = "2048x1024";
+  std::string camera;
+  std::vector<int> threads;
+  std::uint64_t paths = 1 << 18;
+  int max_depth = 8;
+  int rounds = 5;
+  bool diffuse = false;
+  bool json = false;
+};
+
+/// A kind of ray, and how often it was asked for.
+struct RayKind {
+  const char* name;
+  std::uint64_t RayCounts::*count;
+  std::vector<Ray> RayLog::*rays;
+  RayQuery query;
+};
+constexpr std::array<RayKind, 4> ray_kinds{
+    {{"primary", &RayCounts::primary, &RayLog::primary, RayQuery::closest_hit},
+     {"bounce", &RayCounts::bounce, &RayLog::bounce, RayQuery::closest_hit},
+     {"shadow", &RayCounts::shadow, &RayLog::shadow, RayQuery::is_blocked},
+     {"window", &RayCounts::window, &RayLog::window, RayQuery::closest_hit}}};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Embree's time for the rays of one kind, by each entry point: a median of the rounds.
+struct EmbreeRound {
+  std::vector<std::vector<double>> seconds;  ///< by entry point, then by round
+  std::vector<std::string> entry_points;
+
+  void add(const std::vector<EmbreeTime>& times) {
+    seconds.resize(times.size());
+    entry_points.resize(times.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      entry_points[i] = times[i].entry_point;
+      seconds[i].push_back(times[i].seconds);
+    }
+  }
+};
+
+struct EmbreeFigure {
+  std::string kind;
+  std::string entry_point;  ///< the fastest
+  double seconds = 0.0;
+  std::vector<EmbreeTime> all;
+};
+
+struct TracingFigures {
+  int threads = 0;
+  double seconds = 0.0;  ///< for all paths: sampled, traced and filmed
+  RayCounts rays;
+  std::vector<EmbreeFigure> embree;
+
+  double embree_seconds() const {
+    double sum_s = 0.0;
+    for (const EmbreeFigure& figure : embree) {
+      sum_s += figure.seconds;
+    }
+    return sum_s;
+  }
+};
+
+EmbreeFigure fastest_of(const char* kind, const EmbreeRound& rounds) {
+  EmbreeFigure figure{.kind = kind, .entry_point = "", .all = {}};
+  for (std::size_t i = 0; i < rounds.entry_points.size(); ++i) {
+    figure.all.push_back({rounds.entry_points[i], median(rounds.seconds[i])});
+  }
+  const auto best =
+      std::min_element(figure.all.begin(), figure.all.end(),
+                       [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  figure.entry_point = best->entry_point;
+  figure.seconds = best->seconds;
+  return figure;
+}
+
+/// The paths of a render, over and over.
+class Course {
+ public:
+  Course(const Stage& stage, const RenderSettings& settings)
+      : stage_(stage), settings_(settings), sampler_(make_view_sampler(settings.method)) {
+    const double fov_rad = radians(settings.fov_deg);
+    sampler_->aim({.viewport = Viewport(head_orientation(stage.camera.heading), fov_rad, fov_rad),
+                   .gaze = direction_from(stage.gaze)});
+  }
+
+  /// Once through, from the first sample to the film. Returns the seconds.
+  double render(RayCounts& rays) const {
+    rays = {};
+    return run([&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+      const RayCounts counts = stage_.tracer.trace(stage_.camera.position, jobs, radiance,
+                                                   trace_settings(settings_), stage_.workers);
+      for (const RayKind& kind : ray_kinds) {
+        rays.*kind.count += counts.*kind.count;
+      }
+    });
+  }
+
+  /// The rays of all that.
+  RayLog log_rays() const {
+    RayLog log;
+    run([&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+      const RayLog more =
+          stage_.tracer.log_rays(stage_.camera.position, jobs, trace_settings(settings_));
+      for (const RayKind& kind : ray_kinds) {
+        std::vector<Ray>& rays = log.*kind.rays;
+        rays.insert(rays.end(), (more.*kind.rays).begin(), (more.*kind.rays).end());
+      }
+      std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+    });
+    return log;
+  }
+
+ private:
+  double run(const SamplePass::Trace& trace) const {
+    EquirectFilm film(settings_.size.x, settings_.size.y);
+    SamplePass pass;
+    const SteadyClock clock;
+    const Nanoseconds start = clock.now();
+    for (std::uint64_t first = 0; first < settings_.budget.samples; first += pass_points) {
+      const std::uint64_t count = std::min(pass_points, settings_.budget.samples - first);
+      pass.run(*sampler_, {.first = first, .count = count, .seed = settings_.seed}, trace, film,
+               stage_.workers);
+    }
+    return seconds(clock.now() - start);
+  }
+
+  const Stage& stage_;
+  const RenderSettings& settings_;
+  std::unique_ptr<ViewSampler> sampler_;
+};
+
+/// Full renders and Embree alone take turns, so that a busy machine slows both.
+TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int rounds) {
+  const Stage stage(source, settings);
+  const Course course(stage, settings);
+  const RayLog log = course.log_rays();
+  TracingFigures figures{.threads = stage.workers.threads(), .rays = {}, .embree = {}};
+  std::vector<double> render_s;
+  std::array<EmbreeRound, ray_kinds.size()> embree;
+  for (int round = 0; round < rounds; ++round) {
+    render_s.push_back(course.render(figures.rays));
+    for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
+      embree[i].add(time_embree(stage.tracer.ray_scene(), log.*ray_kinds[i].rays,
+                                ray_kinds[i].query, stage.workers));
+    }
+  }
+  figures.seconds = median(render_s);
+  for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
+    figures.embree.push_back(fastest_of(ray_kinds[i].name, embree[i]));
+  }
+  return figures;
+}
+
+nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t paths) {
+  nlohmann::ordered_json rays;
+  nlohmann::ordered_json rays_per_second;
+  for (const RayKind& kind : ray_kinds) {
+    rays[kind.name] = figures.rays.*kind.count;
+    rays_per_second[kind.name] = static_cast<double>(figures.rays.*kind.count) / figures.seconds;
+  }
+  nlohmann::ordered_json embree;
+  for (const EmbreeFigure& figure : figures.embree) {
+    nlohmann::ordered_json all;
+    for (const EmbreeTime& time : figure.all) {
+      all[time.entry_point] = time.seconds;
+    }
+    embree[figure.kind] = {{"fastest", figure.entry_point}, {"seconds", all}};
+  }
+  return {{"threads", figures.threads},
+          {"seconds", figures.seconds},
+          {"paths_per_second", static_cast<double>(paths) / figures.seconds},
+          {"rays", rays},
+          {"rays_per_second", rays_per_second},
+          {"embree_seconds", figures.embree_seconds()},
+          {"ratio_to_embree", figures.seconds / figures.embree_seconds()},
+          {"embree", embree}};
+}
+
+void print_json(const std::vector<TracingFigures>& runs, const TracingArguments& arguments,
+                const RenderSettings& settings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TracingFigures& figures : runs) {
+    list.push_back(json_of(figures, settings.budget.samples));
+  }
+  const nlohmann::ordered_json json = {{"version", build_info().version},
+                                       {"compiler", build_info().compiler},
+                                       {"processor", machine_info().processor},
+                                       {"scene", arguments.scene},
+                                       {"method", settings.method},
+                                       {"width", settings.size.x},
+                                       {"height", settings.size.y},
+                                       {"max_depth", settings.max_depth},
+                                       {"paths", settings.budget.samples},
+                                       {"rounds", arguments.rounds},
+                                       {"runs", list}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
+  constexpr double per_mega = 1e-6;
+  for (const TracingFigures& figures : runs) {
+    fmt::print(
+        "{} thread{}: {:.0f} paths a second, {:.2f} times Embree alone, {:.2f} times as fast "
+        "as the first\n",
+        figures.threads, figures.threads == 1 ? "" : "s",
+        static_cast<double>(paths) / figures.seconds, figures.seconds / figures.embree_seconds(),
+        runs.front().seconds / figures.seconds);
+    for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
+      const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
+      if (rays > 0.0) {
+        fmt::print(
+            "  {:<8} {:6.2f} rays a path, {:6.2f} M rays a second; Embree alone {:6.2f} by {}\n",
+            ray_kinds[i].name, rays / static_cast<double>(paths), per_mega * rays / figures.seconds,
+            per_mega * rays / figures.embree[i].seconds, figures.embree[i].entry_point);
+      }
+    }
+  }
+}
+
+RenderSettings settings_from(const TracingArguments& arguments) {
+  RenderSettings settings;
+  settings.method = arguments.method;
+  settings.size = parse_size("--size", arguments.size);
+  if (!arguments.camera.empty()) {
+    settings.camera = parse_vec3("--camera", arguments.camera);
+  }
+  settings.budget.samples = arguments.paths;
+  settings.max_depth = arguments.max_depth;
+  settings.seed = 1;
+  settings.diffuse = arguments.diffuse;
+  return settings;
+}
+
+/// One thread, and all cores.
+std::vector<int> usual_threads() {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return cores == 1 ? std::vector{1} : std::vector{1, cores};
+}
+
+void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
+  const SceneSource source = find_scene(arguments.scene);
+  RenderSettings settings = settings_from(arguments);
+  std::vector<TracingFigures> runs;
+  for (const int threads : arguments.threads.empty() ? usual_threads() : arguments.threads) {
+    settings.threads = threads;
+    runs.push_back(measure(source, settings, arguments.rounds));
+  }
+  arguments.json ? print_json(runs, arguments, settings)
+                 : print_table(runs, settings.budget.samples);
+}
+
+}  // namespace
+
+void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
+  const auto arguments = std::make_shared<TracingArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "tracing", "What a path costs, beside what Embree alone takes for the same rays");
+  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
+      ->required();
+  command->add_option("--method", arguments->method, "As render's")->capture_default_str();
+  command->add_option("--size", arguments->size, "Of the film, WIDTHxHEIGHT")
+      ->capture_default_str();
+  command->add_option("--camera", arguments->camera, "Where to stand: x,y,z in the file's metres");
+  command->add_option("--threads", arguments->threads, "One measurement each (default: 1 and all)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--paths", arguments->paths, "Paths a round")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22))
+      ->capture_default_str();
+  command->add_option("--rounds", arguments->rounds, "Of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--max-depth", arguments->max_depth, "Surface vertices of a path")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  command->add_flag("--diffuse", arguments->diffuse, "Every material Lambertian, as render's");
+  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
+  command->callback([arguments, find_scene] { run(*arguments, find_scene); });
+}
+
+}  // namespace foveola

@@ -1,0 +1,77 @@
+#include "renderer/commands/stage.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "renderer/base/clock.h"
+#include "renderer/scene/load_scene.h"
+
+namespace foveola {
+namespace {
+
+/// What any renderer can show: for comparing with others.
+void make_diffuse(Material& material) {
+  material.metallic = 0.0F;
+  material.specular = 0.0F;
+  material.transmission = 0.0F;
+  material.clearcoat = 0.0F;
+  material.sheen_color = Rgb(0.0F);
+  material.normal_texture = {};
+}
+
+Scene load(const SceneSource& source, const RenderSettings& settings) {
+  Scene scene = load_scene(source);
+  if (settings.diffuse) {
+    std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
+  }
+  return scene;
+}
+
+CameraView choose_camera(const SceneSource& source, const Scene& scene,
+                         const RenderSettings& settings) {
+  CameraView view;
+  if (source.camera_position) {
+    view = {.name = "",
+            .position = scene.from_file(*source.camera_position),
+            .heading = source.heading};
+  } else if (!scene.cameras.empty()) {
+    view = scene.cameras.front();
+  } else {
+    const Bounds bounds = scene.bounds();
+    view.position = 0.5F * (bounds.lower + bounds.upper);
+  }
+  if (settings.camera) {
+    view.position = scene.from_file(*settings.camera);
+  }
+  view.heading = settings.head.value_or(view.heading);
+  return view;
+}
+
+/// How long one of `steps` takes.
+template <typename Step>
+auto timed(double& elapsed_s, const Step& step) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  auto result = step();
+  elapsed_s = seconds(clock.now() - start);
+  return result;
+}
+
+}  // namespace
+
+Stage::Stage(const SceneSource& source, const RenderSettings& settings)
+    : workers(settings.threads),
+      scene(timed(load_seconds, [&] { return load(source, settings); })),
+      tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
+      camera(choose_camera(source, scene, settings)),
+      gaze(settings.gaze.value_or(camera.heading)) {}
+
+TraceSettings trace_settings(const RenderSettings& settings) {
+  const double pixel_angle_rad = 2.0 * std::numbers::pi / static_cast<double>(settings.size.x);
+  return {.max_depth = settings.max_depth,
+          .seed = settings.seed,
+          .pixel_angle_rad = static_cast<float>(pixel_angle_rad),
+          .largest_radiance = settings.largest_radiance};
+}
+
+}  // namespace foveola

@@ -1,0 +1,27 @@
+// A scene ready to be seen: loaded, built, with a camera and a gaze chosen for it.
+#pragma once
+
+#include "renderer/base/parallel.h"
+#include "renderer/commands/render.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/path_tracer.h"
+
+namespace foveola {
+
+struct Stage {
+  double load_seconds = 0.0;
+  double build_seconds = 0.0;
+  Workers workers;
+  Scene scene;
+  PathTracer tracer;
+  CameraView camera;
+  AzimuthElevation gaze;
+
+  /// Throws Error for what is wrong with the scene.
+  Stage(const SceneSource& source, const RenderSettings& settings);
+};
+
+/// What a render with these settings asks of the tracer.
+TraceSettings trace_settings(const RenderSettings& settings);
+
+}  // namespace foveola
