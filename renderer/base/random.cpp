@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-std::uint32_t reverse_bits(std::uint32_t x) {
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   x = (x >> 16) | (x << 16);
   x = ((x & 0x00ff00ffU) << 8) | ((x & 0xff00ff00U) >> 8);
   x = ((x & 0x0f0f0f0fU) << 4) | ((x & 0xf0f0f0f0U) >> 4);
@@ -16,7 +16,7 @@ std::uint32_t reverse_bits(std::uint32_t x) {
 
 /// Each bit is flipped by a hash of the bits below it only, which on reversed bits is a nested
 /// uniform scramble (constants of Vegdahl 2021, "Building a Better LK Hash").
-std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
+constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
   x *= (seed >> 16) | 1U;
@@ -26,14 +26,14 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
 }
 
 /// The same for numbers whose highest bit comes first.
-std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
+constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse_bits(laine_karras(reverse_bits(x), seed));
 }
 
 /// The second Sobol dimension with its bits reversed (the first, reversed, is the index itself).
 /// Its generator matrix is Pascal's triangle modulo 2, so bit j is the sum of the bits i whose
 /// binary digits contain those of j (Lucas 1878): a transform over the five digits of i.
-std::uint32_t reversed_sobol_dimension_1(std::uint32_t index) {
+constexpr std::uint32_t reversed_sobol_dimension_1(std::uint32_t index) {
   index ^= (index & 0xaaaaaaaaU) >> 1;
   index ^= (index & 0xccccccccU) >> 2;
   index ^= (index & 0xf0f0f0f0U) >> 4;
@@ -44,8 +44,17 @@ std::uint32_t reversed_sobol_dimension_1(std::uint32_t index) {
 
 /// An Owen scramble of the number in [0, 1) whose first binary digit is the lowest bit of
 /// `reversed`.
-float scrambled(std::uint32_t reversed, std::uint32_t seed) {
+constexpr float scrambled(std::uint32_t reversed, std::uint32_t seed) {
   return unit_float(reverse_bits(laine_karras(reversed, seed)));
+}
+
+/// The numbers of the dimension, or pair of dimensions, that `key` stands for.
+constexpr float point_1d(std::uint32_t key, std::uint32_t sample_number) {
+  return scrambled(owen_scramble(sample_number, key), mix(key));
+}
+constexpr float point_y(std::uint32_t key, std::uint32_t sample_number) {
+  const std::uint32_t index = owen_scramble(sample_number, key);
+  return scrambled(reversed_sobol_dimension_1(index), mix(mix(key)));
 }
 
 constexpr std::uint64_t pcg_multiplier = 6364136223846793005ULL;
@@ -59,16 +68,37 @@ Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed) {
   return {scrambled(i, mix(key, 0)), scrambled(reversed_sobol_dimension_1(i), mix(key, 1))};
 }
 
-float SampleStream::next_1d() {
-  const std::uint32_t key = mix(key_, dimension_++);
-  return scrambled(owen_scramble(sample_number_, key), mix(key));
-}
+float SampleStream::next_1d() { return point_1d(mix(key_, dimension_++), sample_number_); }
 
 Vec2 SampleStream::next_2d() {
   const std::uint32_t key = mix(key_, dimension_++);
-  const std::uint32_t index = owen_scramble(sample_number_, key);
-  const std::uint32_t key_x = mix(key);
-  return {scrambled(index, key_x), scrambled(reversed_sobol_dimension_1(index), mix(key_x))};
+  return {point_1d(key, sample_number_), point_y(key, sample_number_)};
+}
+
+void SampleStreams::put(std::size_t i, const SampleStream& stream) {
+  key_[i] = stream.key_;
+  sample_number_[i] = stream.sample_number_;
+  dimension_[i] = stream.dimension_;
+}
+
+void SampleStreams::next_1d(Floats& numbers) {
+  for (std::size_t i = 0; i < size; ++i) {
+    numbers[i] = point_1d(mix(key_[i], dimension_[i]++), sample_number_[i]);
+  }
+}
+
+void SampleStreams::next_2d(Pairs& numbers) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint32_t key = mix(key_[i], dimension_[i]++);
+    numbers.x[i] = point_1d(key, sample_number_[i]);
+    numbers.y[i] = point_y(key, sample_number_[i]);
+  }
+}
+
+void SampleStreams::next_bits(Bits& numbers) {
+  for (std::size_t i = 0; i < size; ++i) {
+    numbers[i] = mix(mix(key_[i], dimension_[i]++), sample_number_[i]);
+  }
 }
 
 Pcg32::Pcg32(std::uint64_t seed, std::uint64_t stream) : increment_((stream << 1) | 1U) {

@@ -1,6 +1,8 @@
 // Random numbers that are functions of a key, so that a result never depends on threads or order.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -47,9 +49,38 @@ class SampleStream {
   std::uint32_t next_bits() { return mix(mix(key_, dimension_++), sample_number_); }
 
  private:
+  friend class SampleStreams;
+
   std::uint32_t key_;
   std::uint32_t sample_number_;
   std::uint32_t dimension_ = 0;
+};
+
+/// A few streams side by side, drawn from in step: each gives the numbers that it would give
+/// alone, but the processor works on all of them at once.
+class SampleStreams {
+ public:
+  static constexpr std::size_t size = 16;
+  using Floats = std::array<float, size>;
+  using Bits = std::array<std::uint32_t, size>;
+  struct Pairs {
+    Floats x;
+    Floats y;
+  };
+
+  /// Puts a stream into place i; how far it has been drawn from goes back with take().
+  void put(std::size_t i, const SampleStream& stream);
+  void take(std::size_t i, SampleStream& stream) const { stream.dimension_ = dimension_[i]; }
+
+  /// Places without a stream give any number.
+  void next_1d(Floats& numbers);
+  void next_2d(Pairs& numbers);
+  void next_bits(Bits& numbers);
+
+ private:
+  Bits key_{};
+  Bits sample_number_{};
+  Bits dimension_{};
 };
 
 /// A small generator with a stated algorithm (PCG-XSH-RR 64/32, O'Neill 2014), for everything that

@@ -1,6 +1,7 @@
 #include "renderer/trace/block_tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -72,7 +73,38 @@ struct BlockTracer::VertexNumbers {
     shadow_key = random.next_bits();
     next_key = random.next_bits();
   }
+
+  /// Those of place i in a group.
+  VertexNumbers(const GroupNumbers& group, std::size_t i);
 };
+
+/// The same for a group of paths.
+struct BlockTracer::GroupNumbers {
+  SampleStreams::Floats light_kind, lobe, roulette;
+  SampleStreams::Pairs light_choice, light_point, scattering;
+  SampleStreams::Bits shadow_key, next_key;
+
+  explicit GroupNumbers(SampleStreams& random) {
+    random.next_1d(light_kind);
+    random.next_2d(light_choice);
+    random.next_2d(light_point);
+    random.next_1d(lobe);
+    random.next_2d(scattering);
+    random.next_1d(roulette);
+    random.next_bits(shadow_key);
+    random.next_bits(next_key);
+  }
+};
+
+BlockTracer::VertexNumbers::VertexNumbers(const GroupNumbers& group, std::size_t i)
+    : light_kind(group.light_kind[i]),
+      lobe(group.lobe[i]),
+      roulette(group.roulette[i]),
+      light_choice(group.light_choice.x[i], group.light_choice.y[i]),
+      light_point(group.light_point.x[i], group.light_point.y[i]),
+      scattering(group.scattering.x[i], group.scattering.y[i]),
+      shadow_key(group.shadow_key[i]),
+      next_key(group.next_key[i]) {}
 
 TracedScene::TracedScene(const Scene& source, const Workers& workers)
     : scene(source), rays(source, workers), lights(source), tables(source.materials, workers) {
@@ -89,7 +121,7 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
                              std::span<Rgb> radiance) {
   start(viewpoint, jobs);
   for (vertex_ = 1; !active_.empty(); ++vertex_) {
-    std::erase_if(active_, [this](std::size_t path) { return !advance(path); });
+    advance_all();
     add_unblocked_light();
   }
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -113,14 +145,46 @@ void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) 
   }
 }
 
-bool BlockTracer::advance(std::size_t index) {
+void BlockTracer::advance_all() {
+  std::size_t kept = 0;
+  for (std::size_t begin = 0; begin < active_.size(); begin += SampleStreams::size) {
+    const std::size_t count = std::min(SampleStreams::size, active_.size() - begin);
+    SampleStreams random;
+    for (std::size_t i = 0; i < count; ++i) {
+      random.put(i, paths_[active_[begin + i]].random);
+    }
+    const GroupNumbers numbers(random);
+    std::array<Hit, SampleStreams::size> hits;
+    for (std::size_t i = 0; i < count; ++i) {
+      Path& path = paths_[active_[begin + i]];
+      random.take(i, path.random);
+      hits[i] = closest_hit(path.ray);
+      prefetch_triangle(traced_.scene, hits[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      prefetch_vertices(traced_.scene, hits[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t path = active_[begin + i];
+      if (advance(path, hits[i], VertexNumbers(numbers, i))) {
+        active_[kept++] = path;
+      }
+    }
+  }
+  active_.resize(kept);
+}
+
+Hit BlockTracer::closest_hit(const Ray& ray) {
+  ++(vertex_ == 1 ? counts_.primary : counts_.bounce);
+  if (notes_.rays != nullptr) {
+    (vertex_ == 1 ? notes_.rays->primary : notes_.rays->bounce).push_back(ray);
+  }
+  return traced_.rays.closest_hit(ray);
+}
+
+bool BlockTracer::advance(std::size_t index, Hit hit, VertexNumbers numbers) {
   Path& path = paths_[index];
   for (int windows = 0; windows < most_windows; ++windows) {
-    const Hit hit = traced_.rays.closest_hit(path.ray);
-    ++(vertex_ == 1 ? counts_.primary : counts_.bounce);
-    if (notes_.rays != nullptr) {
-      (vertex_ == 1 ? notes_.rays->primary : notes_.rays->bounce).push_back(path.ray);
-    }
     if (hit.missed()) {
       add_environment(path);
       note(path, hit);
@@ -139,11 +203,13 @@ bool BlockTracer::advance(std::size_t index) {
     if (vertex_ > settings_.max_depth && !traits.is_window) {
       return false;
     }
-    const Step step = scatter(index, hit, traits);
+    const Step step = scatter(index, hit, traits, numbers);
     if (step != Step::passed) {
       return step == Step::scattered;
     }
+    numbers = VertexNumbers(path.random);
     path.ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
+    hit = closest_hit(path.ray);
   }
   return false;
 }
@@ -172,13 +238,12 @@ void BlockTracer::add_emission(Path& path, const Hit& hit) const {
 }
 
 BlockTracer::Step BlockTracer::scatter(std::size_t index, const Hit& hit,
-                                       const MaterialTraits& traits) {
+                                       const MaterialTraits& traits, const VertexNumbers& numbers) {
   Path& path = paths_[index];
   const SurfacePoint point =
       surface_point(traced_.scene, hit, path.ray.direction, width_at(path, hit));
   const Frame frame(point.shading_normal);
   const Bsdf bsdf(point.reflectance, frame.to_local(-path.ray.direction), traced_.tables);
-  const VertexNumbers numbers(path.random);
   const auto sample = bsdf.sample(numbers.lobe, numbers.scattering);
   const bool is_vertex = vertex_ <= settings_.max_depth;
   if (is_vertex) {

@@ -75,16 +75,21 @@ class BlockTracer {
   };
 
   struct VertexNumbers;
+  struct GroupNumbers;
   enum class Step : std::uint8_t { ended, scattered, passed };
 
   void start(const Vec3& viewpoint, std::span<const SampleJob> jobs);
-  /// Takes a path to its next vertex and gathers light there. False if it ends there.
-  bool advance(std::size_t index);
+  /// Takes every active path to its next vertex.
+  void advance_all();
+  Hit closest_hit(const Ray& ray);
+  /// Gathers light where a path has arrived, and sends it on. False if it ends there.
+  bool advance(std::size_t index, Hit hit, VertexNumbers numbers);
   void attenuate(Path& path, const Hit& hit) const;
   void add_environment(Path& path) const;
   void add_emission(Path& path, const Hit& hit) const;
   /// Estimates the light that arrives at the vertex, and sends the path on.
-  Step scatter(std::size_t index, const Hit& hit, const MaterialTraits& traits);
+  Step scatter(std::size_t index, const Hit& hit, const MaterialTraits& traits,
+               const VertexNumbers& numbers);
   void queue_light(std::size_t index, const SurfacePoint& point, const Frame& frame,
                    const Bsdf& bsdf, const VertexNumbers& numbers);
   /// False if the direction has no origin: it lies on one side of the shading normal and on the

@@ -8,6 +8,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/ray_scene.h"
 
 namespace foveola {
 
@@ -21,6 +22,29 @@ Value interpolate(const std::vector<Value>& attribute, const std::array<std::uin
                   const Vec2& barycentric) {
   return (1.0F - barycentric.x - barycentric.y) * attribute[triangle[0]] +
          barycentric.x * attribute[triangle[1]] + barycentric.y * attribute[triangle[2]];
+}
+
+/// Fetches into the cache where the hit triangle's vertices are; nothing for a miss.
+inline void prefetch_triangle(const Scene& scene, const Hit& hit) {
+  if (!hit.missed()) {
+    __builtin_prefetch(&scene.mesh_of(hit.object).triangles[hit.triangle]);
+  }
+}
+
+/// Fetches what the mesh says of them.
+inline void prefetch_vertices(const Scene& scene, const Hit& hit) {
+  if (hit.missed()) {
+    return;
+  }
+  const Mesh& mesh = scene.mesh_of(hit.object);
+  for (const std::uint32_t vertex : mesh.triangles[hit.triangle]) {
+    __builtin_prefetch(&mesh.positions[vertex]);
+    __builtin_prefetch(mesh.normals.data() + vertex);
+    __builtin_prefetch(mesh.tangents.data() + vertex);
+    for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
+      __builtin_prefetch(&uvs[vertex]);
+    }
+  }
 }
 
 struct MeshPoint {

@@ -97,6 +97,34 @@ TEST(SampleStream, DependsOnEveryPartOfItsKey) {
 }
 
 // Whatever pixel and dimension: the scrambles keep the sequence's stratification.
+TEST(SampleStreams, GiveWhatEachStreamGivesAlone) {
+  std::vector<SampleStream> alone;
+  SampleStreams together;
+  for (std::uint32_t i = 0; i < SampleStreams::size; ++i) {
+    SampleStream stream(7, 1000 * i, 3 * i);
+    for (std::uint32_t skipped = 0; skipped < i; ++skipped) {
+      stream.next_bits();
+    }
+    together.put(i, stream);
+    alone.push_back(stream);
+  }
+  SampleStreams::Floats numbers;
+  SampleStreams::Pairs pairs;
+  SampleStreams::Bits bits;
+  together.next_1d(numbers);
+  together.next_2d(pairs);
+  together.next_bits(bits);
+  for (std::size_t i = 0; i < SampleStreams::size; ++i) {
+    EXPECT_EQ(numbers[i], alone[i].next_1d());
+    EXPECT_EQ(Vec2(pairs.x[i], pairs.y[i]), alone[i].next_2d());
+    EXPECT_EQ(bits[i], alone[i].next_bits());
+    SampleStream continued(7, 1000 * static_cast<std::uint32_t>(i),
+                           3 * static_cast<std::uint32_t>(i));
+    together.take(i, continued);
+    EXPECT_EQ(continued.next_1d(), alone[i].next_1d());
+  }
+}
+
 TEST(SampleStream, EveryAlignedRunOfSampleNumbersIsANet) {
   for (const std::uint32_t start : {0U, 64U * 12345U}) {
     std::vector<SampleStream> streams;
