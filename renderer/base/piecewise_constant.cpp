@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "renderer/base/unit_interval.h"
+
 namespace foveola {
 namespace {
 
@@ -30,15 +32,25 @@ struct Interval {
   float fraction;  ///< of the way through it
 };
 
+/// How many of the leading elements are not above u, at most all but the last. Without branches:
+/// where u falls cannot be predicted.
+std::size_t count_not_above(std::span<const float> running, float u) {
+  std::size_t begin = 0;
+  for (std::size_t left = running.size(); left > 1;) {
+    const std::size_t half = left / 2;
+    begin += running[begin + half - 1] <= u ? half : 0;
+    left -= half;
+  }
+  return begin;
+}
+
 /// The interval of `running` that holds u; never one of zero width.
 Interval find_interval(std::span<const float> running, float u) {
-  const auto found = std::upper_bound(running.begin(), running.end(), u);
-  const auto index = static_cast<std::size_t>(
-      std::min(found - running.begin(), static_cast<std::ptrdiff_t>(running.size()) - 1));
+  const std::size_t index = count_not_above(running, u);
   const float lower = index == 0 ? 0.0F : running[index - 1];
   const float width = running[index] - lower;
   const float fraction = width > 0.0F ? (u - lower) / width : 0.5F;
-  return {index, std::min(fraction, 0x1.fffffep-1F)};
+  return {index, std::min(fraction, largest_below_one)};
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ double watson_density(Meridian meridian, double eccentricity_deg) {
     double r2_deg;
     double re_deg;
   };
+  // In the order of Meridian, which is that of the table: temporal, superior, nasal, inferior.
   static constexpr std::array<Coefficients, 4> table{{{0.9851, 1.058, 22.14},
                                                       {0.9935, 1.035, 16.35},
                                                       {0.9729, 1.084, 7.633},

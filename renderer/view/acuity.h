@@ -25,8 +25,9 @@ double reddy_acuity(double eccentricity_deg);
 AcuityModel reddy_model();
 
 /// The linear model of the minimum angle of resolution, omega_0 + slope e with omega_0 = 1/48
-/// degree (Guenter et al. 2012, "Foveated 3D graphics", section 3): its inverse, relative to the
-/// gaze. slope: degrees per degree, positive; they found 0.0220 to 0.0275.
+/// degree (Guenter et al. 2012, "Foveated 3D graphics", section 3, which is not in public text:
+/// 1/48 and its place are from memory, unchecked): its inverse, relative to the gaze. slope:
+/// degrees per degree, positive; they found 0.0220 to 0.0275.
 AcuityModel linear_resolution_model(double slope);
 
 /// 1 up to `inner_deg`, falling in a straight line to `least` at `outer_deg`, constant beyond
@@ -35,10 +36,16 @@ AcuityModel linear_resolution_model(double slope);
 AcuityModel linear_fall_off_model(double inner_deg, double outer_deg, double least);
 
 /// The four half-meridians of one eye's visual field. Temporal is away from the nose: to the right
-/// of the gaze for the right eye. The names are those of Watson's table 1, taken as parts of the
-/// field. (His superior is denser than his inferior, as in Curcio and Allen's 1990 counts the
-/// superior retina is, which sees the lower field: compare before building on this pair.)
-enum class Meridian { temporal, superior, nasal, inferior };
+/// of the gaze for the right eye.
+///
+/// Watson's table 1 calls its rows temporal, superior, nasal and inferior. Its temporal and nasal
+/// are those of the field, but its superior and inferior those of the retina, which sees upside
+/// down: the row superior has more cells than the row inferior, and it is the superior retina that
+/// exceeds the inferior, by 60 % in the periphery (Curcio and Allen 1990, "Topography of ganglion
+/// cells in human retina", abstract). So Kupers et al. (2022, "Asymmetries around the visual
+/// field", fig. 2) plot his superior row as the lower visual field, and people see better below the
+/// gaze than above it.
+enum class Meridian { temporal, lower, nasal, upper };
 
 /// Receptive fields of midget ganglion cells per square degree along a meridian, over those at the
 /// gaze, of which there are 2 x 14804.6 (Watson 2014, "A formula for human retinal ganglion cell

@@ -1,7 +1,5 @@
 #include "renderer/view/eccentricity_table.h"
 
-#include <limits>
-
 namespace foveola {
 namespace {
 
@@ -17,10 +15,13 @@ std::array<float, 4> cubic_through(const std::array<double, 4>& v) {
 /// a float can tell.
 constexpr double smallest_s = 1e-8;
 
+/// The largest s that a float u has.
+const double largest_s = std::sqrt(static_cast<double>(largest_below_one));
+
 constexpr double turns_per_degree = 1.0 / 360.0;
 
 double eccentricity_over_s(const RadialDistribution& distribution, double s) {
-  const double s_in_range = std::clamp(s, smallest_s, 1.0);
+  const double s_in_range = std::clamp(s, smallest_s, largest_s);
   return turns_per_degree * distribution.eccentricity_deg(s_in_range * s_in_range) / s_in_range;
 }
 
@@ -31,19 +32,23 @@ EccentricityTable::EccentricityTable(const RadialDistribution& distribution) {
   for (const double knee_deg : distribution.knees_deg()) {
     ends.push_back(std::sqrt(distribution.cumulative(knee_deg)));
   }
-  ends.push_back(1.0);
+  ends.push_back(largest_s);
   double begin = 0.0;
   for (const double end : ends) {
-    add_pieces(distribution, begin, end, 0);
-    begin = end;
+    // Beyond a far knee there may be less than a float can tell.
+    if (end > begin && end <= largest_s) {
+      add_pieces(distribution, begin, end, 0);
+      begin = end;
+    }
   }
-  pieces_.back().end = std::numeric_limits<double>::infinity();
 }
 
 void EccentricityTable::add_pieces(const RadialDistribution& distribution, double begin, double end,
                                    int halvings) {
   constexpr double largest_error = 2e-7;  // relative, of the cubics alone
-  constexpr int most_halvings = 12;
+  // At the end even of a tail that thins out by twenty powers of ten, cells are then a hundredth of
+  // what two floats below 1 are apart.
+  constexpr int most_halvings = 26;
   const double cell = (end - begin) / cells_in_piece;
   std::vector<Cubic> cubics;
   for (int i = 0; i < cells_in_piece; ++i) {

@@ -36,7 +36,8 @@ AcuityModel read_acuity(MethodText& method, const std::string& name) {
     }
     return linear_fall_off_model(inner, outer, method.number("least", 0.05, 1e-6, 1.0));
   }
-  // Weier et al. 2016, from memory: the three settings of their study.
+  // Weier et al. 2016, the three settings of their study: from memory, unchecked, since the paper's
+  // text is not public.
   if (name == "weier1") {
     return linear_fall_off_model(5.0, 10.0, 0.01);
   }

@@ -6,13 +6,12 @@
 #include <system_error>
 #include <utility>
 
+#include "renderer/base/unit_interval.h"
 #include "renderer/view/equirect.h"
 #include "renderer/view/weight_image.h"
 
 namespace foveola {
 namespace {
-
-constexpr float largest_below_one = 0x1.fffffep-1F;
 
 /// The pixel of `count` over [0, 1] that holds `position`.
 std::size_t pixel_at(float position, int count) {

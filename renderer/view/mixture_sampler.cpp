@@ -4,13 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "renderer/base/unit_interval.h"
+
 namespace foveola {
-namespace {
-
-constexpr float largest_below_one = 0x1.fffffep-1F;
-
-}  // namespace
-
 MixtureSampler::MixtureSampler(std::vector<Part> parts) : parts_(std::move(parts)) {
   double total = 0.0;
   for (const Part& part : parts_) {

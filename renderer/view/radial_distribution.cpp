@@ -132,6 +132,10 @@ double AcuityDistribution::cumulative(double eccentricity_deg) const {
 
 double AcuityDistribution::eccentricity_deg(double u) const {
   const double target = u * sums_.back();
+  if (target >= sums_.back()) {
+    // The last panels may hold less than a double can tell.
+    return cutoff_deg_;
+  }
   const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);
   const auto panel = static_cast<std::size_t>(above - sums_.begin()) - 1;
   // Newton's steps, kept in the panel: the weight is positive but at 0, where the root is known.

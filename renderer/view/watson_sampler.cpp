@@ -4,22 +4,21 @@
 #include <cmath>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/unit_interval.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {
 namespace {
-
-constexpr float largest_below_one = 0x1.fffffep-1F;
 
 struct Quadrant {
   Meridian across;
   Meridian upright;
 };
 /// In the order in which the azimuth runs from the temple over the head's up.
-constexpr std::array<Quadrant, 4> sides{{{Meridian::temporal, Meridian::superior},
-                                         {Meridian::nasal, Meridian::superior},
-                                         {Meridian::nasal, Meridian::inferior},
-                                         {Meridian::temporal, Meridian::inferior}}};
+constexpr std::array<Quadrant, 4> sides{{{Meridian::temporal, Meridian::upper},
+                                         {Meridian::nasal, Meridian::upper},
+                                         {Meridian::nasal, Meridian::lower},
+                                         {Meridian::temporal, Meridian::lower}}};
 
 }  // namespace
 
@@ -88,7 +87,7 @@ Vec3 WatsonSampler::local_direction(const Vec2& point) const {
   const float y = ratio * t.sine;
   const float scale = 1.0F / std::sqrt(t.cosine * t.cosine + y * y);
   const auto [radius, ahead] = sine_cosine_of_turns(turns);
-  const float sign_y = upright == Meridian::superior ? 1.0F : -1.0F;
+  const float sign_y = upright == Meridian::upper ? 1.0F : -1.0F;
   return {radius * scale * stripe.sign_x * t.cosine, radius * scale * sign_y * y, ahead};
 }
 
@@ -101,7 +100,7 @@ void WatsonSampler::sample(std::span<const Vec2> points, std::span<ViewSample> s
 
 double WatsonSampler::eye_density(double towards_temple, double up, double eccentricity_deg) const {
   const Meridian across = towards_temple > 0.0 ? Meridian::temporal : Meridian::nasal;
-  const Meridian upright = up > 0.0 ? Meridian::superior : Meridian::inferior;
+  const Meridian upright = up > 0.0 ? Meridian::upper : Meridian::lower;
   return 1.0 / (towards_temple * towards_temple / meridian_density(across, eccentricity_deg) +
                 up * up / meridian_density(upright, eccentricity_deg));
 }

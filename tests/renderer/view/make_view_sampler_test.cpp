@@ -44,6 +44,22 @@ TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
   EXPECT_THAT(complaint("hybrid:1*xyz"), testing::HasSubstr("no such method"));
 }
 
+// Densities that fall by more than a double can hold beside the fovea's.
+TEST(MakeViewSampler, TakesEveryExponentAndCutOff) {
+  for (const std::string acuity : {"reddy", "guenter,slope=10", "watson", "linear,least=0.000001",
+                                   "linear,inner=0,outer=0.1,least=0.000001", "weier1"}) {
+    for (const char* measure : {"planar", "solid-angle"}) {
+      for (const char* cutoff : {"0.1", "179"}) {
+        for (const char* exponent : {"0.01", "10"}) {
+          EXPECT_EQ(complaint("fv:acuity=" + acuity + ",exponent=" + exponent +
+                              ",cutoff=" + cutoff + ",measure=" + measure),
+                    "");
+        }
+      }
+    }
+  }
+}
+
 // The plus and the comma of a path are not those between methods and settings.
 TEST(MakeViewSampler, APathInQuotesMayHoldAnything) {
   const test::TemporaryFolder folder;

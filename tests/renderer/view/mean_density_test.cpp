@@ -152,7 +152,7 @@ double watson(double r, double azimuth) {
   const double x = std::cos(azimuth);
   const double y = std::sin(azimuth);
   return 1.0 / (x * x / watson_meridian(x > 0.0 ? 0 : 2, r) +
-                y * y / watson_meridian(y > 0.0 ? 1 : 3, r));
+                y * y / watson_meridian(y > 0.0 ? 3 : 1, r));
 }
 
 class FoveatedMeanDensity : public testing::TestWithParam<int> {};

@@ -1,9 +1,13 @@
 #include "renderer/view/radial_distribution.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
@@ -182,7 +186,7 @@ TEST(EccentricityTable, IsWithinAMillionthOfTheExactInverse) {
   for (const auto& [name, distribution] : distributions()) {
     const EccentricityTable table(*distribution);
     double worst = 0.0;
-    for (int i = 1; i <= 50'000; ++i) {
+    for (int i = 1; i < 50'000; ++i) {
       const float u = static_cast<float>(i) / 50'000.0F;
       const double exact = distribution->eccentricity_deg(u) / 360.0;
       worst = std::max(worst, std::abs(table(u) - exact) / exact);
@@ -215,14 +219,124 @@ TEST(EccentricityTable, HasNoGapAtTheKnee) {
   EXPECT_GT(u, knee + 1e-4F);
 }
 
+/// A relative density per square degree as published, written out anew, beside the distribution
+/// that should follow it.
+struct Published {
+  std::string name;
+  std::function<double(double e)> density;
+  std::vector<double> knees_deg;
+  AcuityModel model;
+  double exponent = 1.0;
+};
+
+std::vector<Published> published() {
+  const auto reddy = [](double e) { return e <= 5.79 ? 1.0 : 7.49 / std::pow(0.3 * e + 1.0, 2); };
+  const auto linear = [](double inner, double outer, double least) {
+    return [=](double e) {
+      return e < inner ? 1.0 : e > outer ? least : 1 + (least - 1) * (e - inner) / (outer - inner);
+    };
+  };
+  std::vector<Published> all;
+  for (const double exponent : {1.0, 4.0, 5.0, 10.0}) {
+    all.push_back({"Reddy", reddy, {5.79}, reddy_model(), exponent});
+  }
+  for (const double exponent : {2.0, 10.0}) {
+    all.push_back({"Guenter",
+                   [](double e) { return 1.0 / (1.0 + 48.0 * 0.022 * e); },
+                   {},
+                   linear_resolution_model(0.022),
+                   exponent});
+  }
+  all.push_back({"linear to next to nothing",
+                 linear(10.0, 20.0, 1e-6),
+                 {10.0, 20.0},
+                 linear_fall_off_model(10.0, 20.0, 1e-6),
+                 3.0});
+  all.push_back({"Weier's first",
+                 linear(5.0, 10.0, 0.01),
+                 {5.0, 10.0},
+                 linear_fall_off_model(5.0, 10.0, 0.01),
+                 1.0});
+  // Watson 2014, eq. 8 with the rows temporal and superior of table 1, and their geometric mean.
+  const auto watson = [](double e) {
+    const double temporal =
+        0.9851 * std::pow(1.0 + e / 1.058, -2) + (1.0 - 0.9851) * std::exp(-e / 22.14);
+    const double superior =
+        0.9935 * std::pow(1.0 + e / 1.035, -2) + (1.0 - 0.9935) * std::exp(-e / 16.35);
+    return std::sqrt(temporal * superior) / (1.0 + e / 41.03);
+  };
+  const AcuityModel watson_model{.at =
+                                     [](double e) {
+                                       return std::sqrt(watson_density(Meridian::temporal, e) *
+                                                        watson_density(Meridian::lower, e));
+                                     },
+                                 .knees_deg = {}};
+  for (const double exponent : {1.0, 2.0, 3.0, 5.0}) {
+    all.push_back({"Watson", watson, {}, watson_model, exponent});
+  }
+  return all;
+}
+
+/// Of `f` from one eccentricity to another by adaptive Gauss-Kronrod quadrature between the knees
+/// and the powers of ten.
+double adaptive_integral(const std::function<double(double e)>& f, double from, double to,
+                         const std::vector<double>& knees_deg) {
+  std::vector<double> ends{1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0, 40.0, to};
+  ends.insert(ends.end(), knees_deg.begin(), knees_deg.end());
+  std::sort(ends.begin(), ends.end());
+  double sum = 0.0;
+  for (const double end : ends) {
+    if (end > from && end <= to) {
+      sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, end, 12, 1e-13);
+      from = end;
+    }
+  }
+  return sum;
+}
+
+// At u = 1 - 2^-k, down to the last float below 1: the samples beyond must be 2^-k of all, but for
+// an error of the radius of a millionth.
+TEST(EccentricityTable, HoldsToTheLastFloatBelowOne) {
+  for (const Published& setting : published()) {
+    for (const auto measure : {EccentricityMeasure::planar, EccentricityMeasure::solid_angle}) {
+      for (const double cutoff_deg : {80.0, 179.0}) {
+        const bool is_planar = measure == EccentricityMeasure::planar;
+        SCOPED_TRACE(fmt::format("{} to the {}, {}, {} degrees", setting.name, setting.exponent,
+                                 is_planar ? "planar" : "solid angle", cutoff_deg));
+        const auto weight = [&](double e) {
+          return (is_planar ? radians(e) : std::sin(radians(e))) *
+                 std::pow(setting.density(e), setting.exponent);
+        };
+        const double total = adaptive_integral(weight, 0.0, cutoff_deg, setting.knees_deg);
+        const EccentricityTable table(
+            AcuityDistribution(setting.model, setting.exponent, cutoff_deg, measure));
+        for (int k = 1; k <= 24; ++k) {
+          const double beyond = std::exp2(-k);
+          const double e = 360.0 * table(static_cast<float>(1.0 - beyond));
+          const double found = adaptive_integral(weight, e, cutoff_deg, setting.knees_deg) / total;
+          const double of_a_millionth = 1e-6 * e * weight(e) / total;
+          EXPECT_NEAR(found, beyond, of_a_millionth + 1e-9 * beyond) << "1 - 2^-" << k;
+        }
+      }
+    }
+  }
+}
+
 TEST(EccentricityTable, ReachesBothEnds) {
   for (const auto& [name, distribution] : distributions()) {
     const EccentricityTable table(*distribution);
     EXPECT_EQ(table(0.0F), 0.0F) << name;
-    EXPECT_NEAR(360.0 * table(1.0F), distribution->cutoff_deg(), 1e-4) << name;
     const float last = 0x1.fffffep-1F;
     EXPECT_NEAR(360.0 * table(last) / distribution->eccentricity_deg(last), 1.0, 1e-6) << name;
+    EXPECT_EQ(table(1.0F), table(last)) << name;
   }
+}
+
+// The tail beyond 40 degrees holds less than a double can tell from nothing.
+TEST(AcuityDistribution, EndsAtTheCutOffHoweverThinTheTail) {
+  const AcuityDistribution distribution(reddy_model(), 10.0, 80.0, EccentricityMeasure::planar);
+  EXPECT_EQ(distribution.eccentricity_deg(1.0), 80.0);
+  EXPECT_LT(distribution.eccentricity_deg(std::nextafter(1.0, 0.0)), 80.0);
 }
 
 }  // namespace

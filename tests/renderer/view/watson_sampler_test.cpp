@@ -19,12 +19,13 @@ double cells(int k, double r) {
          (a[k] * std::pow(1.0 + r / r2[k], -2.0) + (1.0 - a[k]) * std::exp(-r / re[k]));
 }
 
-/// At (x, y) degrees to the right of and above the gaze: the spacings of a quadrant's two meridians
-/// are the half-axes of an ellipse.
+/// At (x, y) degrees to the right of and above the gaze, where the rows called superior (1) and
+/// inferior (3) are of the retina, which sees the lower and the upper field: the spacings of a
+/// quadrant's two meridians are the half-axes of an ellipse.
 double right_eye(double x, double y) {
   const double r = std::hypot(x, y);
   const double spacing_x = 1.0 / std::sqrt(cells(x >= 0.0 ? 0 : 2, r));
-  const double spacing_y = 1.0 / std::sqrt(cells(y >= 0.0 ? 1 : 3, r));
+  const double spacing_y = 1.0 / std::sqrt(cells(y >= 0.0 ? 3 : 1, r));
   const double spacing = std::sqrt(std::pow(x * spacing_x, 2) + std::pow(y * spacing_y, 2)) / r;
   return 1.0 / (spacing * spacing);
 }
@@ -61,6 +62,23 @@ TEST(WatsonDensity, IsThePapersRelativeToTheGaze) {
   }
   // By hand at 10 degrees towards the temple: (0.9851 / 10.4518^2 + 0.0149 e^-0.45167) / 1.24372.
   EXPECT_NEAR(watson_density(Meridian::temporal, 10.0), 0.01487673, 2e-8);
+}
+
+// In the periphery the superior retina has 60 % more ganglion cells than the inferior (Curcio and
+// Allen 1990), and sees the lower visual field (Kupers et al. 2022, fig. 2). So samples fall below
+// the gaze rather than above it; Watson's formula has 1.2 to 1.6 times as many from 10 to 40
+// degrees.
+TEST(WatsonSampler, LooksDownBetterThanUp) {
+  for (const Eyes eyes : {Eyes::right, Eyes::left, Eyes::both}) {
+    WatsonSampler sampler(eyes, 1.0, 80.0, EccentricityMeasure::planar);
+    sampler.aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+    for (const double e : {10.0, 15.0, 20.0, 30.0, 40.0}) {
+      const double below = sampler.density_per_sr(direction_from({.elevation_rad = -radians(e)}));
+      const double above = sampler.density_per_sr(direction_from({.elevation_rad = radians(e)}));
+      EXPECT_GT(below / above, 1.2) << e;
+      EXPECT_LT(below / above, 1.7) << e;
+    }
+  }
 }
 
 constexpr Eyes all_eyes[] = {Eyes::right, Eyes::left, Eyes::both};
