@@ -221,11 +221,9 @@ void BlockTracer::attenuate(Path& path, const Hit& hit) const {
 }
 
 void BlockTracer::add_environment(Path& path) const {
-  const Rgb radiance = traced_.lights.environment_radiance(path.ray.direction);
-  if (max_component(radiance) > 0.0F) {
-    const float weight =
-        power_heuristic(path.pdf, traced_.lights.environment_pdf(path.ray.direction));
-    path.radiance += path.throughput * radiance * weight;
+  const DistantLight light = traced_.lights.distant_light(path.ray.direction);
+  if (max_component(light.radiance) > 0.0F) {
+    path.radiance += path.throughput * light.radiance * power_heuristic(path.pdf, light.pdf);
   }
 }
 

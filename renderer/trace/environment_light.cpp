@@ -12,14 +12,20 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float uniform_sphere_pdf = 0.25F * std::numbers::inv_pi_v<float>;
 
+/// The second coordinate of map_position().
+float map_row(const Environment& environment, const Vec3& direction) {
+  const float horizontal = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+  const float elevation = std::atan2(direction.y, horizontal);
+  return (0.5F - elevation / pi) * static_cast<float>(environment.map_height) - 0.5F;
+}
+
 /// Where the map shows a direction, which is in the map's own frame: in texels, counted from the
 /// centre of texel (0, 0); x in [-1/2, W - 1/2], y in [-1/2, H - 1/2].
 Vec2 map_position(const Environment& environment, const Vec3& direction) {
-  const float horizontal = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-  const float azimuth = horizontal > 0.0F ? std::atan2(direction.x, -direction.z) : 0.0F;
-  const float elevation = std::atan2(direction.y, horizontal);
+  const bool is_pole = direction.x == 0.0F && direction.z == 0.0F;
+  const float azimuth = is_pole ? 0.0F : std::atan2(direction.x, -direction.z);
   return {(azimuth / (2.0F * pi) + 0.5F) * static_cast<float>(environment.map_width) - 0.5F,
-          (0.5F - elevation / pi) * static_cast<float>(environment.map_height) - 0.5F};
+          map_row(environment, direction)};
 }
 
 /// The cell between texel centres that holds a position. Its column is that of the texels to its
@@ -74,9 +80,12 @@ float mean_luminance(const Environment& environment, const Corners& c) {
   return std::isfinite(value) ? std::max(value, 0.0F) : 0.0F;
 }
 
-Vec3 direction_at(double azimuth, double sine_elevation) {
-  const double horizontal = std::sqrt(std::max(0.0, 1.0 - sine_elevation * sine_elevation));
-  return {horizontal * std::sin(azimuth), sine_elevation, -horizontal * std::cos(azimuth)};
+/// sine: of the elevation, in double: near the poles its square is nearly 1.
+Vec3 direction_at(double azimuth_rad, double sine) {
+  const auto horizontal = static_cast<float>(std::sqrt(std::max(0.0, 1.0 - sine * sine)));
+  const auto azimuth = static_cast<float>(azimuth_rad);
+  return {horizontal * std::sin(azimuth), static_cast<float>(sine),
+          -horizontal * std::cos(azimuth)};
 }
 
 }  // namespace
@@ -101,6 +110,9 @@ EnvironmentLight::EnvironmentLight(const Environment& environment)
                         mean_luminance(environment, Corners(environment, column, row)));
     }
   }
+  for (std::size_t row = 0; row < rows; ++row) {
+    cells_per_sr_.push_back(static_cast<float>(1.0 / cell_solid_angle(row)));
+  }
   cells_.emplace(width, rows, weights);
   total_luminance_ = cells_->total();
 }
@@ -115,21 +127,30 @@ Vec3 EnvironmentLight::map_from_world(const Vec3& direction) const {
           rotation_cosine_ * direction.z - rotation_sine_ * direction.x};
 }
 
-Rgb EnvironmentLight::radiance(const Vec3& direction) const {
+Rgb EnvironmentLight::radiance_in(std::size_t column, std::size_t row, const Vec2& within) const {
+  const Corners c(environment_, column, row);
+  return environment_.radiance * glm::mix(glm::mix(c.top_left, c.top_right, within.x),
+                                          glm::mix(c.bottom_left, c.bottom_right, within.x),
+                                          within.y);
+}
+
+float EnvironmentLight::pdf_in(std::size_t row, float probability) const {
+  return probability * cells_per_sr_[row];
+}
+
+DistantLight EnvironmentLight::at(const Vec3& direction) const {
   if (!cells_) {
-    return environment_.radiance;
+    return {.radiance = environment_.radiance, .pdf = uniform_sphere_pdf};
   }
   const Cell cell = cell_at(environment_, map_position(environment_, map_from_world(direction)));
-  const Corners c(environment_, cell.column, cell.row);
-  return environment_.radiance * glm::mix(glm::mix(c.top_left, c.top_right, cell.within.x),
-                                          glm::mix(c.bottom_left, c.bottom_right, cell.within.x),
-                                          cell.within.y);
+  return {.radiance = radiance_in(cell.column, cell.row, cell.within),
+          .pdf = pdf_in(cell.row, cells_->probability(cell.column, cell.row))};
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(const Vec2& u) const {
   if (!cells_) {
     return {.direction = direction_at(2.0 * std::numbers::pi * u.x, 1.0 - 2.0 * u.y),
-            .pdf = uniform_sphere_pdf};
+            .light = {.radiance = environment_.radiance, .pdf = uniform_sphere_pdf}};
   }
   const PiecewiseConstant2D::Point point = cells_->sample(u);
   const double x = static_cast<double>(point.column) + 0.5 + point.within.x;
@@ -137,17 +158,13 @@ EnvironmentLight::Sample EnvironmentLight::sample(const Vec2& u) const {
       (x / environment_.map_width - 0.5) * 2.0 * std::numbers::pi + environment_.rotation_rad;
   const double upper = border_sines_[point.row];
   const double lower = border_sines_[point.row + 1];
-  return {.direction = direction_at(azimuth, upper + point.within.y * (lower - upper)),
-          .pdf = static_cast<float>(point.probability / cell_solid_angle(point.row))};
-}
-
-float EnvironmentLight::pdf(const Vec3& direction) const {
-  if (!cells_) {
-    return uniform_sphere_pdf;
-  }
-  const Cell cell = cell_at(environment_, map_position(environment_, map_from_world(direction)));
-  return static_cast<float>(cells_->probability(cell.column, cell.row) /
-                            cell_solid_angle(cell.row));
+  const Vec3 direction = direction_at(azimuth, upper + point.within.y * (lower - upper));
+  const Cell cell = cell_at(environment_, {0.0F, map_row(environment_, direction)});
+  // point.within is uniform in solid angle, but the radiance is interpolated in elevation.
+  const float within_row = cell.row == point.row ? cell.within.y : std::round(point.within.y);
+  return {.direction = direction,
+          .light = {.radiance = radiance_in(point.column, point.row, {point.within.x, within_row}),
+                    .pdf = pdf_in(point.row, point.probability)}};
 }
 
 }  // namespace foveola

@@ -7,6 +7,7 @@
 
 #include "renderer/base/piecewise_constant.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/distant_light.h"
 
 namespace foveola {
 
@@ -21,14 +22,13 @@ class EnvironmentLight {
   explicit EnvironmentLight(const Environment& environment);
 
   /// direction: unit length.
-  Rgb radiance(const Vec3& direction) const;
+  DistantLight at(const Vec3& direction) const;
 
   struct Sample {
     Vec3 direction{0.0F};
-    float pdf = 0.0F;  ///< per steradian
+    DistantLight light;
   };
   Sample sample(const Vec2& u) const;
-  float pdf(const Vec3& direction) const;
 
   /// The luminance summed over all directions, in the unit of radiance times steradian.
   double total_luminance() const { return total_luminance_; }
@@ -36,6 +36,9 @@ class EnvironmentLight {
  private:
   /// Of each cell in a row.
   double cell_solid_angle(std::size_t row) const;
+  /// In a cell, `within` it.
+  Rgb radiance_in(std::size_t column, std::size_t row, const Vec2& within) const;
+  float pdf_in(std::size_t row, float probability) const;
 
   /// Undoes the rotation, without a trip through angles: at rotation 0 nothing is rounded.
   Vec3 map_from_world(const Vec3& direction) const;
@@ -45,6 +48,7 @@ class EnvironmentLight {
   float rotation_sine_;
   std::optional<PiecewiseConstant2D> cells_;  ///< empty: constant
   std::vector<double> border_sines_;          ///< of the elevations between the rows of cells
+  std::vector<float> cells_per_sr_;           ///< in each row
   double total_luminance_;
 };
 

@@ -62,7 +62,7 @@ std::optional<LightSample> Lights::sample(const Receiver& receiver, float u_kind
   const bool only_distant = local_.empty();
   if (environment_ && (u_kind < environment_probability_ || (only_distant && suns_.empty()))) {
     const EnvironmentLight::Sample sky = environment_->sample(u);
-    return sample_distant(receiver, sky.direction, sky.pdf, {});
+    return sample_distant(receiver, sky.direction, sky.light, {});
   }
   if (!suns_.empty() && (u_kind < environment_probability_ + suns_probability_ || only_distant)) {
     return sample_suns(receiver, u_choice, u);
@@ -95,8 +95,8 @@ std::optional<LightSample> Lights::sample_suns(const Receiver& receiver, const V
                                                const Vec2& u) const {
   const Suns::Sample sample = suns_.sample(u_choice, u);
   if (!sample.is_delta) {
-    const float sky_pdf = environment_ ? environment_->pdf(sample.direction) : 0.0F;
-    return sample_distant(receiver, sample.direction, sky_pdf, sample.sun);
+    const DistantLight sky = environment_ ? environment_->at(sample.direction) : DistantLight{};
+    return sample_distant(receiver, sample.direction, sky, sample.sun);
   }
   LightSample light{.direction = sample.direction,
                     .pdf = suns_probability_ * sample.probability,
@@ -109,14 +109,13 @@ std::optional<LightSample> Lights::sample_suns(const Receiver& receiver, const V
 }
 
 std::optional<LightSample> Lights::sample_distant(const Receiver& receiver, const Vec3& direction,
-                                                  float sky_pdf, Sun known) const {
-  LightSample light{.direction = direction,
-                    .pdf = distant_pdf(direction, sky_pdf, known),
-                    .radiance = distant_radiance(direction, known),
-                    .shadow_ray = {}};
-  if (!(light.pdf > 0.0F)) {
+                                                  const DistantLight& sky, Sun known) const {
+  const DistantLight distant = with_suns(sky, direction, known);
+  if (!(distant.pdf > 0.0F)) {
     return std::nullopt;
   }
+  LightSample light{
+      .direction = direction, .pdf = distant.pdf, .radiance = distant.radiance, .shadow_ray = {}};
   light.shadow_ray.origin = receiver.position;
   light.shadow_ray.direction = direction;
   return light;
@@ -129,22 +128,18 @@ float Lights::triangle_pdf(const Receiver& receiver, const Hit& hit, float dista
              : 0.0F;
 }
 
-Rgb Lights::distant_radiance(const Vec3& direction, Sun known) const {
-  const Rgb sky = environment_ ? environment_->radiance(direction) : Rgb(0.0F);
-  return suns_.empty() ? sky : sky + suns_.radiance(direction, known);
+DistantLight Lights::with_suns(const DistantLight& sky, const Vec3& direction, Sun known) const {
+  const DistantLight both{.radiance = sky.radiance, .pdf = environment_probability_ * sky.pdf};
+  if (suns_.empty()) {
+    return both;
+  }
+  const DistantLight suns = suns_.at(direction, known);
+  return {.radiance = both.radiance + suns.radiance,
+          .pdf = both.pdf + suns_probability_ * suns.pdf};
 }
 
-float Lights::distant_pdf(const Vec3& direction, float sky_pdf, Sun known) const {
-  const float sky = environment_probability_ * sky_pdf;
-  return suns_.empty() ? sky : sky + suns_probability_ * suns_.pdf(direction, known);
-}
-
-Rgb Lights::environment_radiance(const Vec3& direction) const {
-  return distant_radiance(direction, {});
-}
-
-float Lights::environment_pdf(const Vec3& direction) const {
-  return distant_pdf(direction, environment_ ? environment_->pdf(direction) : 0.0F, {});
+DistantLight Lights::distant_light(const Vec3& direction) const {
+  return with_suns(environment_ ? environment_->at(direction) : DistantLight{}, direction, {});
 }
 
 }  // namespace foveola

@@ -48,25 +48,23 @@ class Lights {
   float triangle_pdf(const Receiver& receiver, const Hit& hit, float distance, float cosine) const;
 
   /// What arrives from infinity: environment and discs of suns. direction: unit length.
-  Rgb environment_radiance(const Vec3& direction) const;
-  /// With which density per steradian sample() would have drawn this direction.
-  float environment_pdf(const Vec3& direction) const;
+  DistantLight distant_light(const Vec3& direction) const;
 
  private:
   using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn
 
   void set_probabilities(const Scene& scene);
-  Rgb distant_radiance(const Vec3& direction, Sun known) const;
-  float distant_pdf(const Vec3& direction, float sky_pdf, Sun known) const;
+  /// sky: what the environment alone says of the direction. known: see Suns::at().
+  DistantLight with_suns(const DistantLight& sky, const Vec3& direction, Sun known) const;
 
   std::optional<LightSample> sample_local(const Receiver& receiver, const Vec2& u_choice,
                                           const Vec2& u) const;
   std::optional<LightSample> sample_suns(const Receiver& receiver, const Vec2& u_choice,
                                          const Vec2& u) const;
-  /// sky_pdf: of the environment alone; it comes with a drawn direction, because asked anew, across
-  /// a cell's border, it may be off by any factor.
+  /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its
+  /// density may be off by any factor.
   std::optional<LightSample> sample_distant(const Receiver& receiver, const Vec3& direction,
-                                            float sky_pdf, Sun known) const;
+                                            const DistantLight& sky, Sun known) const;
 
   std::optional<EnvironmentLight> environment_;  ///< empty where it gives no light
   Suns suns_;

@@ -28,11 +28,10 @@ Suns::Sun::Sun(const PunctualLight& light)
       disc{-glm::normalize(light.direction),
            one_minus_cosine(std::min(light.angular_radius_rad, 0.5F * std::numbers::pi_v<float>))},
       is_delta(!(light.angular_radius_rad >= smallest_disc_rad)),
-      radiance(0.0F),
       probability(0.0F) {
   if (!is_delta) {
     const float squared_sine = disc.one_minus_cosine * (2.0F - disc.one_minus_cosine);
-    radiance = irradiance / (std::numbers::pi_v<float> * squared_sine);
+    shine.radiance = irradiance / (std::numbers::pi_v<float> * squared_sine);
   }
 }
 
@@ -56,7 +55,9 @@ Suns::Suns(const Scene& scene) {
   }
   choice_.emplace(weights);
   for (std::size_t i = 0; i < suns_.size(); ++i) {
-    suns_[i].probability = static_cast<float>(weights[i] / irradiance_);
+    Sun& sun = suns_[i];
+    sun.probability = static_cast<float>(weights[i] / irradiance_);
+    sun.shine.pdf = sun.is_delta ? 0.0F : sun.probability / sun.disc.solid_angle();
   }
 }
 
@@ -70,22 +71,12 @@ Suns::Sample Suns::sample(const Vec2& u_choice, const Vec2& u) const {
           .irradiance = sun.irradiance};
 }
 
-Rgb Suns::radiance(const Vec3& direction, std::optional<std::size_t> known) const {
-  Rgb sum(0.0F);
+DistantLight Suns::at(const Vec3& direction, std::optional<std::size_t> known) const {
+  DistantLight sum;
   for (std::size_t i = 0; i < suns_.size(); ++i) {
     if (known == i || suns_[i].covers(direction)) {
-      sum += suns_[i].radiance;
-    }
-  }
-  return sum;
-}
-
-float Suns::pdf(const Vec3& direction, std::optional<std::size_t> known) const {
-  float sum = 0.0F;
-  for (std::size_t i = 0; i < suns_.size(); ++i) {
-    const Sun& sun = suns_[i];
-    if (!sun.is_delta && (known == i || sun.covers(direction))) {
-      sum += sun.probability / sun.disc.solid_angle();
+      sum.radiance += suns_[i].shine.radiance;
+      sum.pdf += suns_[i].shine.pdf;
     }
   }
   return sum;

@@ -8,6 +8,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/trace/alias_table.h"
 #include "renderer/trace/direction_cone.h"
+#include "renderer/trace/distant_light.h"
 
 namespace foveola {
 
@@ -37,17 +38,15 @@ class Suns {
 
   /// Of the discs in `direction`. known: a sun from which the direction was drawn, if any. Rounding
   /// at its disc's rim is then of no matter.
-  Rgb radiance(const Vec3& direction, std::optional<std::size_t> known = {}) const;
-  /// With which density per steradian sample() draws a direction in these discs.
-  float pdf(const Vec3& direction, std::optional<std::size_t> known = {}) const;
+  DistantLight at(const Vec3& direction, std::optional<std::size_t> known = {}) const;
 
  private:
   struct Sun {
     Rgb irradiance;
     DirectionCone disc;
     bool is_delta;
-    Rgb radiance;       ///< black for a delta sun
-    float probability;  ///< of being drawn
+    float probability;   ///< of being drawn
+    DistantLight shine;  ///< of the disc; none of a delta sun
 
     explicit Sun(const PunctualLight& light);
     bool covers(const Vec3& direction) const;

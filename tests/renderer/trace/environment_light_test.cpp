@@ -57,7 +57,7 @@ TEST(EnvironmentLightTest, TexelCentresHaveTheirTexelsRadiance) {
   const EnvironmentLight light(environment);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 8; ++x) {
-      const Rgb radiance = light.radiance(centre_of_texel(environment, x, y));
+      const Rgb radiance = light.at(centre_of_texel(environment, x, y)).radiance;
       EXPECT_NEAR(radiance.r, 0.5 * (8 * y + x), 1e-3) << x << ' ' << y;
       EXPECT_NEAR(radiance.b, 6.0, 1e-4);
     }
@@ -68,17 +68,17 @@ TEST(EnvironmentLightTest, CentreOfTheImageIsMinusZAndItsRightIsPlusX) {
   Environment environment = map_of(4, 2, Rgb(0.0F));
   environment.map[2] = environment.map[6] = Rgb(1.0F);  // the column right of the centre
   const EnvironmentLight light(environment);
-  EXPECT_GT(light.radiance(glm::normalize(Vec3(1, 0, -1))).r, 0.99F);
-  EXPECT_LT(light.radiance(glm::normalize(Vec3(-1, 0, -1))).r, 0.01F);
-  EXPECT_NEAR(light.radiance(Vec3(0, 0, -1)).r, 0.5, 1e-5);
+  EXPECT_GT(light.at(glm::normalize(Vec3(1, 0, -1))).radiance.r, 0.99F);
+  EXPECT_LT(light.at(glm::normalize(Vec3(-1, 0, -1))).radiance.r, 0.01F);
+  EXPECT_NEAR(light.at(Vec3(0, 0, -1)).radiance.r, 0.5, 1e-5);
 }
 
 TEST(EnvironmentLightTest, IsContinuousAcrossTheSeam) {
   const Environment environment = uneven_map();
   const EnvironmentLight light(environment);
   for (const float y : {-0.5F, 0.1F, 0.4F}) {
-    const Rgb left = light.radiance(glm::normalize(Vec3(-1e-6F, y, 1.0F)));
-    const Rgb right = light.radiance(glm::normalize(Vec3(1e-6F, y, 1.0F)));
+    const Rgb left = light.at(glm::normalize(Vec3(-1e-6F, y, 1.0F))).radiance;
+    const Rgb right = light.at(glm::normalize(Vec3(1e-6F, y, 1.0F))).radiance;
     EXPECT_NEAR(left.r, right.r, 1e-3F * (1.0F + left.r));
   }
 }
@@ -87,8 +87,8 @@ TEST(EnvironmentLightTest, PolesAreFinite) {
   const Environment environment = uneven_map();
   const EnvironmentLight light(environment);
   for (const float y : {1.0F, -1.0F}) {
-    EXPECT_TRUE(is_finite(light.radiance(Vec3(0, y, 0))));
-    EXPECT_GT(light.pdf(Vec3(0, y, 0)), 0.0F);
+    EXPECT_TRUE(is_finite(light.at(Vec3(0, y, 0)).radiance));
+    EXPECT_GT(light.at(Vec3(0, y, 0)).pdf, 0.0F);
   }
 }
 
@@ -118,7 +118,7 @@ Histograms histograms_of(const EnvironmentLight& light, int draws) {
     for (int k = 0; k < sectors * points; ++k) {
       const double azimuth = ((k + 0.5) / (sectors * points) - 0.5) * 2.0 * pi;
       const Vec3 w(horizontal * std::sin(azimuth), y, -horizontal * std::cos(azimuth));
-      const double probability = light.pdf(w) * solid_angle;
+      const double probability = light.at(w).pdf * solid_angle;
       h.expected[static_cast<std::size_t>(i / points * sectors + k / points)] +=
           draws * probability;
       h.integral += probability;
@@ -141,15 +141,16 @@ TEST(EnvironmentLightTest, ConstantIsSampledUniformly) {
   EXPECT_GT(chi_squared_p_value(h.observed, h.expected), 1e-3);
 }
 
-TEST(EnvironmentLightTest, SamplesCarryTheDensityOfTheirDirection) {
+TEST(EnvironmentLightTest, SamplesCarryTheLightOfTheirDirection) {
   const Environment environment = uneven_map();
   const EnvironmentLight light(environment);
   Pcg32 random(6);
   int differing = 0;
   for (int i = 0; i < 10000; ++i) {
     const auto sample = light.sample(unit_square(random));
-    const float pdf = light.pdf(sample.direction);
-    differing += std::abs(pdf - sample.pdf) > 1e-3F * sample.pdf ? 1 : 0;
+    const DistantLight asked = light.at(sample.direction);
+    differing += std::abs(asked.pdf - sample.light.pdf) > 1e-3F * sample.light.pdf ? 1 : 0;
+    EXPECT_NEAR(asked.radiance.g, sample.light.radiance.g, 2e-3F);
   }
   EXPECT_LT(differing, 10);  // rounding across a cell's border
 }
@@ -171,8 +172,8 @@ TEST(EnvironmentLightTest, IrradianceOfAKnownMap) {
   Pcg32 random(8);
   for (int i = 0; i < 50000; ++i) {
     const auto sample = light.sample(unit_square(random));
-    irradiance.add(light.radiance(sample.direction).r * std::max(0.0F, sample.direction.y) /
-                   sample.pdf);
+    irradiance.add(light.at(sample.direction).radiance.r * std::max(0.0F, sample.direction.y) /
+                   sample.light.pdf);
   }
   expect_mean(irradiance, 2.0 * pi / 3.0, 1e-4, 0.005);
   EXPECT_NEAR(light.total_luminance(), pi, 1e-3);
@@ -188,14 +189,14 @@ TEST(EnvironmentLightTest, RotationMovesTheMapTowardsPlusX) {
     for (const double azimuth : {-3.1, -1.0, 0.0, 0.7, 3.1}) {
       const Vec3 here = direction_from({.azimuth_rad = azimuth, .elevation_rad = 0.4});
       const Vec3 there = direction_from({.azimuth_rad = azimuth + rotation, .elevation_rad = 0.4});
-      EXPECT_NEAR(light.radiance(there).r, straight.radiance(here).r, 2e-4);
+      EXPECT_NEAR(light.at(there).radiance.r, straight.at(here).radiance.r, 2e-4);
     }
   }
   // A quarter turn brings the image's centre from -Z to +X.
   environment = map_of(4, 2, Rgb(0.0F));
   environment.map[1] = environment.map[2] = Rgb(1.0F);
   environment.rotation_rad = 0.5 * pi;
-  EXPECT_GT(EnvironmentLight(environment).radiance(glm::normalize(Vec3(1, 1, 0))).r, 0.99F);
+  EXPECT_GT(EnvironmentLight(environment).at(glm::normalize(Vec3(1, 1, 0))).radiance.r, 0.99F);
 }
 
 TEST(EnvironmentLightTest, RotatedMapIsSampledByItsDensity) {
@@ -211,8 +212,8 @@ TEST(EnvironmentLightTest, RotatedMapIsSampledByItsDensity) {
     int differing = 0;
     for (int i = 0; i < 10000; ++i) {
       const auto sample = light.sample(unit_square(random));
-      const float pdf = light.pdf(sample.direction);
-      differing += std::abs(pdf - sample.pdf) > 1e-3F * sample.pdf ? 1 : 0;
+      const float pdf = light.at(sample.direction).pdf;
+      differing += std::abs(pdf - sample.light.pdf) > 1e-3F * sample.light.pdf ? 1 : 0;
     }
     EXPECT_LT(differing, 10);
   }
@@ -227,8 +228,8 @@ TEST(EnvironmentLightTest, EveryNumberGivesAFiniteDirection) {
     for (const Vec2& u : {Vec2(0.0F), Vec2(largest), Vec2(0.0F, largest), Vec2(largest, 0.0F)}) {
       const auto sample = light.sample(u);
       EXPECT_NEAR(glm::length(sample.direction), 1.0, 1e-5);
-      EXPECT_GT(sample.pdf, 0.0F);
-      EXPECT_TRUE(is_finite(light.radiance(sample.direction)));
+      EXPECT_GT(sample.light.pdf, 0.0F);
+      EXPECT_TRUE(is_finite(light.at(sample.direction).radiance));
     }
   }
 }
@@ -241,7 +242,7 @@ TEST(EnvironmentLightTest, BrokenTexelsAreNotDrawn) {
   EXPECT_TRUE(std::isfinite(light.total_luminance()));
   Pcg32 random(9);
   for (int i = 0; i < 1000; ++i) {
-    EXPECT_TRUE(is_finite(light.radiance(light.sample(unit_square(random)).direction)));
+    EXPECT_TRUE(is_finite(light.at(light.sample(unit_square(random)).direction).radiance));
   }
 }
 

@@ -173,7 +173,7 @@ TEST(KnownAnswerTest, DirectLightOfAnImageIsItsQuadrature) {
       const DVec3 w(horizontal * std::cos(azimuth), up, horizontal * std::sin(azimuth));
       // Local coordinates of the floor: x, -z, y.
       expected += reference_bsdf(material, coat, DVec3(-a, 0.0, a), DVec3(w.x, -w.z, w.y)) * up *
-                  light.radiance(Vec3(w)).g * 2.0 * pi / (rings * sectors);
+                  light.at(Vec3(w)).radiance.g * 2.0 * pi / (rings * sectors);
     }
   }
   expect_mean(mean_radiance(scene, Vec3(-1, 1, 0), Vec3(1, -1, 0), 1, 40000), expected, 2e-3);

@@ -106,7 +106,7 @@ TEST(LightsTest, DensitiesAgreeWithThoseOfSampledPoints) {
       const auto light = lights.sample(receiver, numbers.kind, numbers.choice, numbers.point);
       ASSERT_TRUE(light);
       if (std::isinf(light->shadow_ray.t_max)) {
-        EXPECT_FLOAT_EQ(lights.environment_pdf(light->direction), light->pdf);
+        EXPECT_FLOAT_EQ(lights.distant_light(light->direction).pdf, light->pdf);
         continue;
       }
       const Hit hit =
@@ -141,7 +141,7 @@ TEST(LightsTest, BlackEnvironmentIsNoLight) {
   Scene scene;
   scene.environment = constant_environment(0.0F);
   EXPECT_TRUE(Lights(scene).empty());
-  EXPECT_EQ(Lights(scene).environment_radiance(Vec3(0, 1, 0)), Rgb(0.0F));
+  EXPECT_EQ(Lights(scene).distant_light(Vec3(0, 1, 0)).radiance, Rgb(0.0F));
 }
 
 TEST(LightsTest, TexturedEmitterIsWeighedByItsTexturesMean) {
@@ -177,7 +177,7 @@ Scene visible_lights() {
 /// With which density sample() draws a direction, asked light by light of what a ray meets.
 double density_of(const Lights& lights, const RayScene& rays, const Receiver& receiver,
                   const Scene& scene, const Vec3& direction) {
-  double density = lights.environment_pdf(direction);
+  double density = lights.distant_light(direction).pdf;
   const Hit hit = rays.closest_hit({.origin = receiver.position, .direction = direction});
   if (!hit.missed()) {
     const Vec3 normal = Triangle(scene, hit.object, hit.triangle).front_normal();

@@ -41,8 +41,8 @@ TEST(SunsTest, WithoutASizeItIsOneDirection) {
   EXPECT_NEAR(glm::length(sample.direction - glm::normalize(Vec3(1, 2, 0))), 0.0, 1e-6);
   EXPECT_EQ(sample.irradiance, Rgb(3.0F));
   EXPECT_EQ(sample.probability, 1.0F);
-  EXPECT_EQ(suns.radiance(sample.direction), Rgb(0.0F));
-  EXPECT_EQ(suns.pdf(sample.direction), 0.0F);
+  EXPECT_EQ(suns.at(sample.direction).radiance, Rgb(0.0F));
+  EXPECT_EQ(suns.at(sample.direction).pdf, 0.0F);
 }
 
 TEST(SunsTest, DiscGivesItsIrradianceAcrossItsDirection) {
@@ -55,8 +55,9 @@ TEST(SunsTest, DiscGivesItsIrradianceAcrossItsDirection) {
       const Vec2 choice = unit_square(random);
       const Suns::Sample sample = suns.sample(choice, unit_square(random));
       ASSERT_FALSE(sample.is_delta);
-      irradiance.add(suns.radiance(sample.direction, sample.sun).g *
-                     glm::dot(sample.direction, towards) / suns.pdf(sample.direction, sample.sun));
+      irradiance.add(suns.at(sample.direction, sample.sun).radiance.g *
+                     glm::dot(sample.direction, towards) /
+                     suns.at(sample.direction, sample.sun).pdf);
     }
     expect_mean(irradiance, 3.0, 1e-4);
   }
@@ -66,10 +67,10 @@ TEST(SunsTest, RaysSeeTheDisc) {
   const Suns suns = suns_of({sun(2.0F, {0, 1, 0}, 0.01F)});
   const double radiance = 2.0 / (pi * std::sin(0.01) * std::sin(0.01));
   const auto at = [](double angle) { return Vec3(std::sin(angle), std::cos(angle), 0.0); };
-  EXPECT_NEAR(suns.radiance(at(0.0)).g, radiance, 1e-4 * radiance);
-  EXPECT_NEAR(suns.radiance(at(0.00999)).g, radiance, 1e-4 * radiance);
-  EXPECT_EQ(suns.radiance(at(0.01001)).g, 0.0F);
-  EXPECT_EQ(suns.radiance(at(pi)).g, 0.0F);
+  EXPECT_NEAR(suns.at(at(0.0)).radiance.g, radiance, 1e-4 * radiance);
+  EXPECT_NEAR(suns.at(at(0.00999)).radiance.g, radiance, 1e-4 * radiance);
+  EXPECT_EQ(suns.at(at(0.01001)).radiance.g, 0.0F);
+  EXPECT_EQ(suns.at(at(pi)).radiance.g, 0.0F);
 }
 
 TEST(SunsTest, OverlappingDiscsAreDrawnByTheirDensity) {
@@ -81,7 +82,7 @@ TEST(SunsTest, OverlappingDiscsAreDrawnByTheirDensity) {
     const Vec2 choice = unit_square(random);
     directions.push_back(suns.sample(choice, unit_square(random)).direction);
   }
-  const auto density = [&](const Vec3& w) { return static_cast<double>(suns.pdf(w)); };
+  const auto density = [&](const Vec3& w) { return static_cast<double>(suns.at(w).pdf); };
   EXPECT_NEAR(test::integral_over_sphere(density, pole), 1.0, 1e-3);
   EXPECT_GT(test::chi_squared_p_value(directions, density, pole), sidak_level(1));
   EXPECT_NEAR(suns.irradiance(), 7.0, 1e-5);
