@@ -5,11 +5,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace foveola {
 namespace {
-
-constexpr std::uint32_t no_leaf = ~0U;
 
 /// Below this depth lights are halved by number, so that no arrangement of them makes the tree
 /// degenerate into a list.
@@ -24,6 +23,12 @@ constexpr float slack = 1e-3F;
 /// Square metres; keeps what is divided by it finite.
 constexpr float smallest_squared_distance = 1e-20F;
 
+/// In place of the sine of a sphere's half size, seen from inside it.
+constexpr float inside = 2.0F;
+
+/// Of what a child gives beside its strongest sibling: what reaches the receiver is never nothing.
+constexpr float smallest_importance = 1e-30F;
+
 struct Angle {
   float cosine;
   float sine;
@@ -31,12 +36,12 @@ struct Angle {
 
 Angle angle_of(float cosine) { return {cosine, std::sqrt(std::max(0.0F, 1.0F - cosine * cosine))}; }
 
-/// max(0, a - b), for angles in [0, pi].
+/// max(0, a - b), for angles in [0, pi]. Without branches, for loops over lanes.
 Angle difference(const Angle& a, const Angle& b) {
-  if (a.cosine > b.cosine) {
-    return {1.0F, 0.0F};
-  }
-  return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
+  const bool is_zero = a.cosine > b.cosine;
+  const float cosine = a.cosine * b.cosine + a.sine * b.sine;
+  const float sine = a.sine * b.cosine - a.cosine * b.sine;
+  return {is_zero ? 1.0F : cosine, is_zero ? 0.0F : sine};
 }
 
 /// The surface area orientation heuristic of one side of a split: what the lights give times how
@@ -50,62 +55,99 @@ double cost_of(const LightBounds& bounds) {
 
 class LightTree::Builder {
  public:
-  Builder(LightTree& tree, std::span<const LightBounds> lights)
-      : tree_(tree), lights_(lights), leaf_of_light_(tree.leaf_of_light_) {
+  Builder(LightTree& tree, std::span<const LightBounds> lights) : tree_(tree), lights_(lights) {
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
       if (lights[i].intensity > 0.0) {
         order_.push_back(i);
-        total_intensity_ += lights[i].intensity;
       }
     }
   }
 
   void build() {
     assert(!order_.empty());
-    leaf_of_light_.assign(lights_.size(), no_leaf);
-    tree_.nodes_.reserve(2 * order_.size());
-    tree_.nodes_.resize(2);
-    tree_.parent_of_pair_.reserve(order_.size());
-    tree_.parent_of_pair_.resize(1);
-    build(0, order_, 0);
+    tree_.leaf_of_light_.assign(lights_.size(), Place{});
+    add_node(group_of(order_, 0), Place{});
   }
 
  private:
-  /// Fills node `index` with the lights of `items`, and returns their bounds.
-  LightBounds build(std::uint32_t index, std::span<std::uint32_t> items, int depth) {
-    if (items.size() == 1) {
-      leaf_of_light_[items[0]] = index;
-      fill(index, lights_[items[0]], items[0], true);
-      return lights_[items[0]];
+  /// Lights that stand together under one child.
+  struct Group {
+    std::span<std::uint32_t> lights;
+    LightBounds bounds;
+    int depth;  ///< splits that led to it
+  };
+
+  Group group_of(std::span<std::uint32_t> items, int depth) const {
+    LightBounds bounds;
+    for (const std::uint32_t light : items) {
+      bounds = merge(bounds, lights_[light]);
     }
-    const auto middle = static_cast<std::size_t>(split(items, depth) - items.begin());
-    const auto children = static_cast<std::uint32_t>(tree_.nodes_.size());
-    tree_.nodes_.resize(tree_.nodes_.size() + 2);
-    tree_.parent_of_pair_.push_back(index);
-    const LightBounds left = build(children, items.first(middle), depth + 1);
-    const LightBounds right = build(children + 1, items.subspan(middle), depth + 1);
-    const LightBounds both = merge(left, right);
-    fill(index, both, children, false);
-    return both;
+    return {items, bounds, depth};
   }
 
-  void fill(std::uint32_t index, const LightBounds& bounds, std::uint32_t refers_to, bool is_leaf) {
+  /// Adds a node for `group` and all below it; returns its index.
+  std::uint32_t add_node(const Group& group, const Place& parent) {
+    const auto index = static_cast<std::uint32_t>(tree_.nodes_.size());
+    tree_.nodes_.emplace_back();
+    tree_.parent_of_node_.push_back(parent);
+    const std::vector<Group> children = children_of(group);
+    for (std::uint32_t lane = 0; lane < children.size(); ++lane) {
+      fill(tree_.nodes_[index], lane, children[lane].bounds, group.bounds.intensity);
+      const Place place{index, lane};
+      std::uint32_t child = 0;
+      if (children[lane].lights.size() == 1) {
+        child = children[lane].lights[0];
+        tree_.leaf_of_light_[child] = place;
+        child |= leaf_flag;
+      } else {
+        child = add_node(children[lane], place);
+      }
+      tree_.nodes_[index].child[lane] = child;
+    }
+    return index;
+  }
+
+  /// Splits what costs most, until there are enough.
+  std::vector<Group> children_of(const Group& group) {
+    std::vector<Group> children{group};
+    while (children.size() < width) {
+      const auto costliest = std::max_element(
+          children.begin(), children.end(),
+          [](const Group& a, const Group& b) { return cost_to_keep(a) < cost_to_keep(b); });
+      if (costliest->lights.size() == 1) {
+        break;
+      }
+      const Group whole = *costliest;
+      const auto first =
+          static_cast<std::size_t>(split(whole.lights, whole.depth) - whole.lights.begin());
+      *costliest = group_of(whole.lights.first(first), whole.depth + 1);
+      children.push_back(group_of(whole.lights.subspan(first), whole.depth + 1));
+    }
+    return children;
+  }
+
+  /// Single lights cannot be split, and even a group that costs nothing can.
+  static double cost_to_keep(const Group& group) {
+    return group.lights.size() == 1 ? -1.0 : cost_of(group.bounds);
+  }
+
+  static void fill(Node& node, std::uint32_t lane, const LightBounds& bounds,
+                   double total_intensity) {
     const Vec3 centre(bounds.centre());
+    const Vec3 axis(bounds.axis);
     const Vec3 furthest = glm::max(glm::abs(bounds.box.lower), glm::abs(bounds.box.upper));
     const double rounding = 4.0 * std::numeric_limits<float>::epsilon() * max_component(furthest);
-    const double radius = bounds.radius() * (1.0 + 1e-5) + rounding;
-    Node& node = tree_.nodes_[index];
-    node.centre = centre;
-    node.radius = static_cast<float>(radius);
-    node.axis = Vec3(bounds.axis);
-    node.spread_cosine = static_cast<float>(std::cos(bounds.spread_rad));
-    node.spread_sine = static_cast<float>(std::sin(bounds.spread_rad));
-    node.falloff_cosine = static_cast<float>(std::cos(bounds.falloff_rad));
-    node.intensity = std::max(static_cast<float>(bounds.intensity / total_intensity_),
-                              std::numeric_limits<float>::min());
-    node.index = refers_to & ((1U << 30U) - 1U);
-    node.is_leaf = is_leaf ? 1U : 0U;
-    node.is_two_sided = bounds.two_sided ? 1U : 0U;
+    for (int i = 0; i < 3; ++i) {
+      node.centre[static_cast<std::size_t>(i)][lane] = centre[i];
+      node.axis[static_cast<std::size_t>(i)][lane] = axis[i];
+    }
+    node.radius[lane] = static_cast<float>(bounds.radius() * (1.0 + 1e-5) + rounding);
+    node.spread_cosine[lane] = static_cast<float>(std::cos(bounds.spread_rad));
+    node.spread_sine[lane] = static_cast<float>(std::sin(bounds.spread_rad));
+    node.falloff_cosine[lane] = static_cast<float>(std::cos(bounds.falloff_rad));
+    node.intensity[lane] = std::max(static_cast<float>(bounds.intensity / total_intensity),
+                                    std::numeric_limits<float>::min());
+    node.is_two_sided[lane] = bounds.two_sided ? 1U : 0U;
   }
 
   using Iterator = std::span<std::uint32_t>::iterator;
@@ -193,78 +235,102 @@ class LightTree::Builder {
 
   LightTree& tree_;
   std::span<const LightBounds> lights_;
-  std::vector<std::uint32_t>& leaf_of_light_;
   std::vector<std::uint32_t> order_;
-  double total_intensity_ = 0.0;
 };
 
 LightTree::LightTree(std::span<const LightBounds> lights) { Builder(*this, lights).build(); }
 
-double LightTree::importance(const Node& node, const Receiver& receiver) {
-  const Vec3 to_light = node.centre - receiver.position;
-  const float squared_distance = glm::dot(to_light, to_light);
-  const float squared_radius = std::max(node.radius * node.radius, smallest_squared_distance);
-  if (!(squared_distance > squared_radius)) {
-    return node.intensity / squared_radius;  // among the lights: they may be in any direction
+LightTree::Lanes LightTree::importance(const Node& node, const Receiver& receiver) {
+  const Vec3 place = receiver.position;
+  const Vec3 normal = receiver.normal;
+  Lanes squared_distance;
+  Lanes normal_cosine;
+  Lanes axis_cosine;
+  Lanes half_size_sine;
+  for (std::size_t i = 0; i < width; ++i) {
+    const float x = node.centre[0][i] - place.x;
+    const float y = node.centre[1][i] - place.y;
+    const float z = node.centre[2][i] - place.z;
+    const float squared_radius =
+        std::max(node.radius[i] * node.radius[i], smallest_squared_distance);
+    const float squared = x * x + y * y + z * z;
+    squared_distance[i] = std::max(squared, squared_radius);
+    const float inverse = 1.0F / std::sqrt(squared_distance[i]);
+    half_size_sine[i] = squared > squared_radius ? node.radius[i] * inverse : inside;
+    normal_cosine[i] = (normal.x * x + normal.y * y + normal.z * z) * inverse;
+    const float cosine =
+        -(node.axis[0][i] * x + node.axis[1][i] * y + node.axis[2][i] * z) * inverse;
+    axis_cosine[i] = node.is_two_sided[i] != 0 ? std::abs(cosine) : cosine;
   }
-  const float inverse_distance = 1.0F / std::sqrt(squared_distance);
-  const Vec3 direction = to_light * inverse_distance;
-  const float sine = node.radius * inverse_distance;
-  const Angle half_size{std::sqrt(std::max(0.0F, 1.0F - sine * sine)), sine};
-
+  if (receiver.transmits) {
+    for (float& cosine : normal_cosine) {
+      cosine = std::abs(cosine);
+    }
+  }
   // The smallest angles, over all points of the sphere around the lights, between a direction they
-  // shine to and the one to the receiver, and between the receiver's normal and the light.
-  const float axis_cosine = -glm::dot(node.axis, direction);
-  const Angle from_axis = angle_of(node.is_two_sided != 0 ? std::abs(axis_cosine) : axis_cosine);
-  const Angle spread{node.spread_cosine, node.spread_sine};
-  const Angle emission = difference(difference(from_axis, spread), half_size);
-  const float normal_cosine = glm::dot(receiver.normal, direction);
-  const Angle incidence =
-      difference(angle_of(receiver.transmits ? std::abs(normal_cosine) : normal_cosine), half_size);
-  if (emission.cosine < node.falloff_cosine - slack || incidence.cosine < -slack) {
-    return 0.0;
+  // shine to and the one to the receiver, and between the receiver's normal and the light. Inside
+  // the sphere the lights may be in any direction.
+  Lanes cosines;
+  for (std::size_t i = 0; i < width; ++i) {
+    const float sine = half_size_sine[i];
+    const Angle half_size{std::sqrt(std::max(0.0F, 1.0F - sine * sine)), sine};
+    const Angle spread{node.spread_cosine[i], node.spread_sine[i]};
+    const Angle emission = difference(difference(angle_of(axis_cosine[i]), spread), half_size);
+    const Angle incidence = difference(angle_of(normal_cosine[i]), half_size);
+    const float both = std::max(slack, emission.cosine) * std::max(slack, incidence.cosine);
+    const float emitted = emission.cosine >= node.falloff_cosine[i] - slack ? both : 0.0F;
+    const float received = incidence.cosine >= -slack ? emitted : 0.0F;
+    cosines[i] = sine == inside ? 1.0F : received;
   }
-  const double falloff = inverse_distance;
-  return node.intensity * falloff * falloff * std::max(slack, emission.cosine) *
-         std::max(slack, incidence.cosine);
+  const float nearest = *std::min_element(squared_distance.begin(), squared_distance.end());
+  Lanes result;
+  for (std::size_t i = 0; i < width; ++i) {
+    const float value = node.intensity[i] * (nearest / squared_distance[i]) * cosines[i];
+    const float given = cosines[i] > 0.0F ? std::max(value, smallest_importance) : 0.0F;
+    result[i] = node.intensity[i] > 0.0F ? given : 0.0F;
+  }
+  return result;
 }
 
 std::optional<ChosenLight> LightTree::sample(const Receiver& receiver, double u) const {
   constexpr double below_one = 1.0 - std::numeric_limits<double>::epsilon() / 2.0;
-  std::uint32_t index = 0;
+  std::uint32_t child = 0;
   double probability = 1.0;
-  while (nodes_[index].is_leaf == 0) {
-    index = nodes_[index].index;
-    const double left = importance(nodes_[index], receiver);
-    const double right = importance(nodes_[index + 1], receiver);
-    const double both = left + right;
-    if (!(both > 0.0)) {
+  do {
+    const Node& node = nodes_[child];
+    const Lanes weights = importance(node, receiver);
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    if (!(sum > 0.0)) {
       return std::nullopt;
     }
     // What is left of the random number, stretched to [0, 1), decides below.
-    u *= both;
-    const bool goes_left = u < left;
-    const double taken = goes_left ? left : right;
-    u = std::min((goes_left ? u : u - left) / taken, below_one);
-    index += goes_left ? 0 : 1;
-    probability *= taken / both;
-  }
-  return ChosenLight{nodes_[index].index, static_cast<float>(probability)};
+    u *= sum;
+    std::size_t lane = 0;
+    for (std::size_t next = 0; next < width; ++next) {
+      if (weights[next] > 0.0F) {
+        lane = next;
+        if (u < weights[next]) {
+          break;
+        }
+        u -= weights[next];
+      }
+    }
+    u = std::min(u / weights[lane], below_one);
+    probability *= weights[lane] / sum;
+    child = node.child[lane];
+  } while ((child & leaf_flag) == 0);
+  return ChosenLight{child & ~leaf_flag, static_cast<float>(probability)};
 }
 
 float LightTree::probability(const Receiver& receiver, std::size_t light) const {
-  std::uint32_t index = leaf_of_light_[light];
-  if (index == no_leaf) {
-    return 0.0F;
-  }
-  double probability = 1.0;
-  while (index != 0) {
-    const double own = importance(nodes_[index], receiver);
-    if (!(own > 0.0)) {
-      return 0.0F;
-    }
-    probability *= own / (own + importance(nodes_[index ^ 1U], receiver));
-    index = parent_of_pair_[index / 2];
+  Place place = leaf_of_light_[light];
+  double probability = place.node == nowhere ? 0.0 : 1.0;
+  while (place.node != nowhere && probability > 0.0) {
+    const Lanes weights = importance(nodes_[place.node], receiver);
+    const double own = weights[place.lane];
+    probability =
+        own > 0.0 ? probability * own / std::accumulate(weights.begin(), weights.end(), 0.0) : 0.0;
+    place = parent_of_node_[place.node];
   }
   return static_cast<float>(probability);
 }

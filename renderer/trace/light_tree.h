@@ -1,6 +1,7 @@
 // Drawing one of many lights by how much of its light a place may receive.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,10 +20,11 @@ struct ChosenLight {
   float probability;
 };
 
-/// A binary tree over lights (Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights
-/// with Adaptive Tree Splitting"; Pharr et al., Physically Based Rendering, 4th ed., section
-/// 12.6.3). A draw goes down from the root and at each node prefers the child whose bounds let it
-/// give more. A light that reaches the receiver is never given the probability 0.
+/// A tree over lights with up to eight children a node (Conty Estevez and Kulla 2018, "Importance
+/// Sampling of Many Lights with Adaptive Tree Splitting"; Pharr et al., Physically Based Rendering,
+/// 4th ed., section 12.6.3). A draw goes down from the root and at each node prefers the children
+/// whose bounds let them give more. A light that reaches the receiver is never given the
+/// probability 0.
 class LightTree {
  public:
   /// One element a light; those of intensity 0 are never drawn. At most 2^30 lights, not all of
@@ -36,29 +38,39 @@ class LightTree {
   float probability(const Receiver& receiver, std::size_t light) const;
 
  private:
-  /// What the importance needs of a subtree, in 48 bytes.
-  struct Node {
-    Vec3 centre{0.0F};
-    float radius = 0.0F;
-    Vec3 axis{0.0F};
-    float spread_cosine = 0.0F;
-    float spread_sine = 0.0F;
-    float falloff_cosine = 0.0F;
-    float intensity = 0.0F;
-    std::uint32_t index : 30;  ///< of the light, or of the first of the two children
-    std::uint32_t is_leaf : 1;
-    std::uint32_t is_two_sided : 1;
+  static constexpr std::size_t width = 8;
+  using Lanes = std::array<float, width>;
+
+  /// What the importance needs of each child's lights, side by side so that the processor works on
+  /// all children at once.
+  struct alignas(32) Node {
+    std::array<Lanes, 3> centre{};
+    Lanes radius{};
+    std::array<Lanes, 3> axis{};
+    Lanes spread_cosine{};
+    Lanes spread_sine{};
+    Lanes falloff_cosine{};
+    Lanes intensity{};  ///< over that of all children; 0 where there is no child
+    std::array<std::uint32_t, width> is_two_sided{};
+    std::array<std::uint32_t, width> child{};  ///< a node, or a light with `leaf_flag`
   };
+  static constexpr std::uint32_t leaf_flag = 1U << 31U;
+
+  /// A node's lane.
+  struct Place {
+    std::uint32_t node = nowhere;
+    std::uint32_t lane = 0;
+  };
+  static constexpr std::uint32_t nowhere = ~0U;
   class Builder;
 
-  /// Proportional to a bound on what the lights below a node may give to the receiver; 0 only if
-  /// none of them reaches it.
-  static double importance(const Node& node, const Receiver& receiver);
+  /// Proportional to bounds on what the lights below each child may give to the receiver; 0 only
+  /// where none of them reaches it.
+  static Lanes importance(const Node& node, const Receiver& receiver);
 
-  /// The root, an unused one, and then pairs of siblings: at 2 i and 2 i + 1.
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> parent_of_pair_;  ///< element i: of the siblings at 2 i and 2 i + 1
-  std::vector<std::uint32_t> leaf_of_light_;   ///< `no_leaf`: never drawn
+  std::vector<Node> nodes_;  ///< the root first
+  std::vector<Place> parent_of_node_;
+  std::vector<Place> leaf_of_light_;  ///< nowhere: never drawn
 };
 
 }  // namespace foveola
