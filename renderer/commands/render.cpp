@@ -19,7 +19,8 @@ constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr std::uint64_t spare_batch = 1 << 16;
 constexpr double batch_target_s = 0.1;
 
-PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint) {
+PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint,
+                                 double exposure_stops) {
   PreviewSettings preview;
   preview.film_width = settings.size.x;
   preview.film_height = settings.size.y;
@@ -29,6 +30,7 @@ PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& vie
   if (settings.spare_done_contrast > 0.0) {
     preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
   }
+  preview.exposure_stops = exposure_stops;
   preview.trace = trace_settings(settings);
   return preview;
 }
@@ -44,7 +46,8 @@ struct StillPreview {
       : stage(source, settings),
         head({{.time = Nanoseconds(0), .heading = stage.camera.heading}}),
         eye(glm::conjugate(head_orientation(stage.camera.heading)) * direction_from(stage.gaze)),
-        preview(stage.tracer, preview_settings(settings, stage.camera.position), eye, head,
+        preview(stage.tracer,
+                preview_settings(settings, stage.camera.position, source.exposure_stops), eye, head,
                 stage.workers) {
     preview.restart(settings.method, settings.seed);
   }

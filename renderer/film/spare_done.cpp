@@ -6,6 +6,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
+#include "renderer/base/unit_interval.h"
 #include "renderer/view/acuity.h"
 #include "renderer/view/equirect.h"
 
@@ -49,7 +50,10 @@ std::optional<Neighbourhood> look_around(const EquirectFilm& film, const IVec2& 
 class Judge {
  public:
   Judge(const EquirectFilm& film, const Vec3& gaze, const VisibleNoise& noise)
-      : film_(film), gaze_(gaze), noise_(noise) {}
+      : film_(film),
+        gaze_(gaze),
+        noise_(noise),
+        darkest_(noise.darkest * std::exp2(-noise.exposure_stops)) {}
 
   bool is_done(const IVec2& pixel) const {
     const std::uint32_t samples = film_.sample_count(pixel.x, pixel.y);
@@ -61,7 +65,7 @@ class Judge {
       return false;
     }
     const double standard_error = std::sqrt(around->variance / samples);
-    return standard_error < visible_contrast(pixel) * std::max(around->luminance, noise_.darkest);
+    return standard_error < visible_contrast(pixel) * std::max(around->luminance, darkest_);
   }
 
  private:
@@ -75,14 +79,21 @@ class Judge {
   const EquirectFilm& film_;
   Vec3 gaze_;
   VisibleNoise noise_;
+  double darkest_;  ///< luminance on the film
 };
 
-/// `sample`, `offset` pixels further: the same place in another pixel.
+/// `sample`, `offset` pixels further. What leaves the image over a pole comes back on the pole's
+/// other side, so that samples stay spread over the pixels that they fall in.
 ViewSample moved(const EquirectFilm& film, const ViewSample& sample, const IVec2& offset) {
   const Vec2 size(film.width(), film.height());
   Vec2 image = sample.image + Vec2(offset) / size;
+  if (image.y < 0.0F || image.y > 1.0F) {
+    image.y = image.y < 0.0F ? -image.y : 2.0F - image.y;
+    image.x += 0.5F;
+  }
   image.x -= std::floor(image.x);
-  image = glm::clamp(image, Vec2(0.0F), Vec2(0x1.fffffep-1F));
+  // Rounding can reach the image's end; films of fewer than 16 rows, both poles.
+  image = glm::clamp(image, Vec2(0.0F), Vec2(largest_below_one));
   return {.direction = direction_from_equirect(image), .image = image};
 }
 

@@ -14,7 +14,10 @@ namespace foveola {
 /// is smaller there.
 struct VisibleNoise {
   double contrast = 0.01;  ///< positive; Weber fractions of luminance are near 1 %
-  double darkest = 0.01;   ///< luminance that darker pixels count as: below, displays are black
+  /// Linear luminance on the display, after exposure_stops, that darker pixels count as: below,
+  /// displays are black.
+  double darkest = 0.01;
+  double exposure_stops = 0.0;
   std::uint32_t least_samples = 16;  ///< of each neighbour, before its variance is believed
 };
 
@@ -23,9 +26,9 @@ struct VisibleNoise {
 ///
 /// A rule that stops when a pixel's own samples agree prefers samples that agree: dark pixels with
 /// rare bright paths would stay too dark. Here the variances of a pixel's eight neighbours decide,
-/// and of the pixel itself only how many samples it has, so that its mean stays unbiased. (Its
-/// samples still reach its own fate through its neighbours' counts; the tests find no trace of
-/// that.)
+/// and of the pixel itself only how many samples it has. That is not strictly unbiased: a pixel's
+/// samples decide whether its neighbours are done, and so whether theirs are sent to it. The tests
+/// bound what comes of it below 0.1 % of the mean where one sample in ten is bright.
 ///
 /// seed, together with a sample's place in `samples`, decides where it goes.
 void spare_done_pixels(const EquirectFilm& film, const Vec3& gaze, const VisibleNoise& noise,

@@ -29,7 +29,11 @@ Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeT
       workers_(&workers),
       film_(settings.film_width, settings.film_height,
             settings.spare_done ? FilmStatistics::mean_and_variance : FilmStatistics::mean),
-      viewport_(viewport_for(settings, {})) {}
+      viewport_(viewport_for(settings, {})) {
+  if (settings_.spare_done) {
+    settings_.spare_done->exposure_stops = settings.exposure_stops;
+  }
+}
 
 Preview::~Preview() = default;
 

@@ -29,7 +29,8 @@ struct PreviewSettings {
   Vec3 viewpoint{0.0F};
   RadialLens lens;
   UnsampledPixels unsampled = UnsampledPixels::black;
-  /// Sends samples away from pixels whose noise is no longer seen. Off in the published study.
+  /// Sends samples away from pixels whose noise is no longer seen at the exposure below. Off in the
+  /// published study.
   std::optional<VisibleNoise> spare_done;
   double exposure_stops = 0.0;
   TraceSettings trace;

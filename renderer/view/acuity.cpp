@@ -29,7 +29,8 @@ AcuityModel linear_fall_off_model(double inner_deg, double outer_deg, double lea
                 const double t = (e - inner_deg) / (outer_deg - inner_deg);
                 return 1.0 + (least - 1.0) * std::clamp(t, 0.0, 1.0);
               },
-          .knees_deg = {inner_deg, outer_deg}};
+          .knees_deg = {inner_deg, outer_deg},
+          .reach_deg = least > 0.0 ? 180.0 : outer_deg};
 }
 
 double watson_density(Meridian meridian, double eccentricity_deg) {

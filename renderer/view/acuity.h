@@ -8,9 +8,10 @@ namespace foveola {
 
 /// Relative visual acuity around the gaze.
 struct AcuityModel {
-  /// At an eccentricity in [0, 180] degrees: 1 at the gaze, positive, falling.
+  /// At an eccentricity in [0, 180] degrees: 1 at the gaze, falling, positive within its reach.
   std::function<double(double eccentricity_deg)> at;
   std::vector<double> knees_deg;  ///< where it bends, ascending
+  double reach_deg = 180.0;       ///< it is 0 from there on
   /// Sample density is the acuity to this power. Samples per area go with the square of a linear
   /// acuity, but some models already fall as fast.
   double default_exponent = 1.0;
@@ -32,7 +33,7 @@ AcuityModel linear_resolution_model(double slope);
 
 /// 1 up to `inner_deg`, falling in a straight line to `least` at `outer_deg`, constant beyond
 /// (Vaidyanathan et al. 2014; Stengel et al. 2016; Weier et al. 2016). 0 <= inner_deg < outer_deg,
-/// least in (0, 1].
+/// least in [0, 1].
 AcuityModel linear_fall_off_model(double inner_deg, double outer_deg, double least);
 
 /// The four half-meridians of one eye's visual field. Temporal is away from the nose: to the right

@@ -34,7 +34,7 @@ AcuityModel read_acuity(MethodText& method, const std::string& name) {
     if (inner >= outer) {
       method.fail("inner is not below outer", "let the acuity fall from inner to outer");
     }
-    return linear_fall_off_model(inner, outer, method.number("least", 0.05, 1e-6, 1.0));
+    return linear_fall_off_model(inner, outer, method.number("least", 0.05, 0.0, 1.0));
   }
   // Weier et al. 2016, the three settings of their study: from memory, unchecked, since the paper's
   // text is not public.
@@ -60,7 +60,7 @@ std::unique_ptr<ViewSampler> make_foveated(MethodText& method) {
       "acuity", "reddy", {"reddy", "guenter", "linear", "weier1", "weier2", "weier3", "watson"});
   AcuityModel model = read_acuity(method, acuity);
   const double exponent = method.number("exponent", model.default_exponent, 0.01, 10.0);
-  const double cutoff_deg = method.number("cutoff", 80.0, 0.1, 179.0);
+  const double cutoff_deg = std::min(method.number("cutoff", 80.0, 0.1, 179.0), model.reach_deg);
   const bool is_planar = method.word("measure", "planar", {"planar", "solid-angle"}) == "planar";
   const EccentricityMeasure measure =
       is_planar ? EccentricityMeasure::planar : EccentricityMeasure::solid_angle;

@@ -39,8 +39,11 @@ MaskSampler::Painting MaskSampler::read() const {
   WeightImage image = read_weights(path_);
   const double mean = std::accumulate(image.weights.begin(), image.weights.end(), 0.0) /
                       static_cast<double>(image.weights.size());
-  const auto least = static_cast<float>(floor_ * mean);
-  std::for_each(image.weights.begin(), image.weights.end(), [&](float& w) { w += least; });
+  // Relative to the largest: a multiple of the mean may be more than a float holds.
+  const double largest = *std::max_element(image.weights.begin(), image.weights.end());
+  for (float& weight : image.weights) {
+    weight = static_cast<float>((weight + floor_ * mean) / largest);
+  }
   return {.width = image.width,
           .height = image.height,
           .pixels = {static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height),

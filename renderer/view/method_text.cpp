@@ -130,8 +130,9 @@ const std::string* MethodText::lookup(std::string_view key) const {
 bool is_hybrid(std::string_view method) { return method.starts_with(hybrid_prefix); }
 
 std::vector<HybridPart> hybrid_parts(std::string_view method) {
-  const auto fail = [&](const std::string& what) -> Error {
-    return {fmt::format("method '{}'", method), what, "write for instance hybrid:0.9*fv+0.1*od"};
+  const auto fail = [&](const std::string& what,
+                        const std::string& remedy = "write for instance hybrid:0.9*fv+0.1*od") {
+    return Error(fmt::format("method '{}'", method), what, remedy);
   };
   std::vector<HybridPart> parts;
   std::string_view rest = method.substr(hybrid_prefix.size());
@@ -147,7 +148,12 @@ std::vector<HybridPart> hybrid_parts(std::string_view method) {
         !std::isfinite(weight)) {
       throw fail(fmt::format("'{}' is no positive weight", part.substr(0, star)));
     }
-    parts.push_back({weight, part.substr(star + 1)});
+    const std::string_view written = part.substr(star + 1);
+    if (is_hybrid(written)) {
+      throw fail("nobody can see where the hybrid within it ends",
+                 "put it in quotes, as in hybrid:0.6*\"hybrid:0.9*fv+0.1*od\"+0.4*vp");
+    }
+    parts.push_back({weight, without_quotes(written)});
   }
   if (parts.empty()) {
     throw fail("there are no parts");

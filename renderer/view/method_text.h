@@ -43,10 +43,10 @@ class MethodText {
   std::vector<std::string> asked_;
 };
 
-/// A part of "hybrid:WEIGHT*METHOD+WEIGHT*METHOD".
+/// A part of "hybrid:WEIGHT*METHOD+WEIGHT*METHOD". A hybrid within a hybrid stands in quotes.
 struct HybridPart {
   double weight = 1.0;      ///< positive
-  std::string_view method;  ///< points into the whole text
+  std::string_view method;  ///< points into the whole text, without the quotes around it
 };
 
 bool is_hybrid(std::string_view method);

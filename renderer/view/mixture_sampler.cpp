@@ -8,8 +8,12 @@
 
 namespace foveola {
 MixtureSampler::MixtureSampler(std::vector<Part> parts) : parts_(std::move(parts)) {
+  // Relative to the largest first: the sum of weights may be more than a double holds.
+  const auto heavier = [](const Part& a, const Part& b) { return a.weight < b.weight; };
+  const double largest = std::max_element(parts_.begin(), parts_.end(), heavier)->weight;
   double total = 0.0;
-  for (const Part& part : parts_) {
+  for (Part& part : parts_) {
+    part.weight /= largest;
     total += part.weight;
   }
   double end = 0.0;

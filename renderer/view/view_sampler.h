@@ -59,7 +59,8 @@ const std::vector<std::string>& published_methods();
 ///           azimuth, elevation: a fixed place instead of the pointer
 /// crop      uniform over a fixed rectangle of the image around azimuth, elevation (0), of width
 ///           and height (30)
-/// hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share of the samples
+/// hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share of the samples; a hybrid
+///           within it stands in double quotes
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method);
 
 /// Whether a method depends on files, so that its text alone does not say what it did. Throws Error

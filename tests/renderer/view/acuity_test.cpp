@@ -28,6 +28,8 @@ TEST(LinearFallOffModel, FallsInAStraightLineBetweenItsKnees) {
   EXPECT_NEAR(model.at(15.0), 0.525, 1e-12);
   EXPECT_NEAR(model.at(20.0), 0.05, 1e-12);
   EXPECT_NEAR(model.at(90.0), 0.05, 1e-12);
+  EXPECT_EQ(model.reach_deg, 180.0);
+  EXPECT_EQ(linear_fall_off_model(10.0, 20.0, 0.0).reach_deg, 20.0);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
   EXPECT_THAT(complaint("hybrid:0*fv"), testing::HasSubstr("positive weight"));
   EXPECT_THAT(complaint("hybrid:"), testing::HasSubstr("no parts"));
   EXPECT_THAT(complaint("hybrid:1*xyz"), testing::HasSubstr("no such method"));
+  EXPECT_THAT(complaint("hybrid:0.5*hybrid:0.9*fv+0.1*od+0.4*vp"), testing::HasSubstr("in quotes"));
 }
 
 // Densities that fall by more than a double can hold beside the fovea's.
@@ -72,6 +73,40 @@ TEST(MakeViewSampler, APathInQuotesMayHoldAnything) {
       make_view_sampler("hybrid:0.5*mask:file=\"" + path.string() + "\"+0.5*crop:azimuth=90");
   EXPECT_GT(both->density_per_sr({-1.0F, 0.0F, 0.0F}), 0.0);
   EXPECT_GT(both->density_per_sr({1.0F, 0.0F, 0.0F}), 0.0);
+}
+
+// By hand: 0.6 (0.75 fv + 0.25 od) + 0.4 vp.
+TEST(MakeViewSampler, AHybridInQuotesIsAPartOfAnother) {
+  const Aim aim{.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)};
+  const auto density = [&](const std::string& method) {
+    const auto sampler = make_view_sampler(method);
+    sampler->aim(aim);
+    return sampler->density_per_sr(glm::normalize(Vec3(0.1F, 0.2F, -1.0F)));
+  };
+  EXPECT_NEAR(density("hybrid:6*\"hybrid:3*fv+1*od\"+4*vp"),
+              0.6 * (0.75 * density("fv") + 0.25 * density("od")) + 0.4 * density("vp"), 1e-12);
+  EXPECT_TRUE(reads_files("hybrid:6*\"hybrid:3*mask:file=a.png+1*od\"+4*vp"));
+  EXPECT_THAT(with_pointer("hybrid:6*\"hybrid:3*pointer+1*od\"+4*vp", {}),
+              testing::StartsWith("hybrid:6*\"hybrid:3*pointer:azimuth=0"));
+}
+
+// From 10 to 20 degrees in a straight line to nothing.
+TEST(MakeViewSampler, ALinearAcuityMayFallToNothing) {
+  const auto sampler = make_view_sampler("fv:acuity=linear,least=0,exponent=1");
+  sampler->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+  const auto density = [&](double e_deg) {
+    return sampler->density_per_sr(direction_from({.elevation_rad = radians(e_deg)})) *
+           std::sin(radians(e_deg)) / radians(e_deg);
+  };
+  EXPECT_NEAR(density(15.0) / density(5.0), 0.5, 1e-5);
+  EXPECT_NEAR(density(19.0) / density(5.0), 0.1, 1e-5);
+  EXPECT_EQ(density(20.1), 0.0);
+  std::vector<ViewSample> samples(2);
+  sampler->sample(std::vector<Vec2>{{0.5F, 0.3F}, {0x1.fffffep-1F, 0.3F}}, samples);
+  // e^2 / 2 to 10 degrees, then 50 + (e^2 - 100) - (e^3 - 1000) / 30, comes to half of its value
+  // at 20 degrees, 116.667, at 10.8353.
+  EXPECT_NEAR(degrees(angle_between(samples[0].direction, {0, 0, -1})), 10.8353, 1e-4);
+  EXPECT_LT(degrees(angle_between(samples[1].direction, {0, 0, -1})), 20.0);
 }
 
 TEST(ReadsFiles, IsTrueOfMethodsThatTheirTextDoesNotDescribe) {

@@ -69,6 +69,15 @@ TEST_F(Mask, TheFloorFeedsWhatIsBlack) {
   EXPECT_NEAR(sampler.density_per_sr(left) / sampler.density_per_sr(right), 3.0, 1e-5);
 }
 
+// A floor of 10^6 means of 0.5 x 10^38 leaves 2 parts in 10^6 between white and black.
+TEST_F(Mask, AHighFloorUnderLargeWeightsOverflowsNothing) {
+  paint([](double x, double) { return x < 0.5 ? 1e38 : 0.0; });
+  const MaskSampler sampler(path_, 1e6);
+  EXPECT_NEAR(sampler.density_per_sr(left) / sampler.density_per_sr(right), 1.0, 1e-5);
+  constexpr double pi = 3.14159265358979;
+  EXPECT_NEAR(sampler.density_per_sr(left), 1.0 / (2.0 * pi * pi), 1e-5);
+}
+
 TEST_F(Mask, IsReadAnewWhenItIsPaintedOn) {
   paint(left_half);
   MaskSampler sampler(path_, 0.0);

@@ -193,6 +193,23 @@ TEST(PointerSampler, FollowsThePointerOrElseTheGaze) {
   EXPECT_NEAR(pointer->density_per_sr(aim.gaze) / peak, 1.0, 1e-6);
 }
 
+// Their sum is more than a double holds.
+TEST(MixtureSampler, LargeWeightsAreLikeSmallOnes) {
+  const Aim aim = aim_at(places[1]);
+  const auto large = make_view_sampler("hybrid:1e308*fv+1e308*od");
+  const auto small = make_view_sampler("hybrid:1*fv+1*od");
+  const auto fv = make_view_sampler("fv");
+  const auto od = make_view_sampler("od");
+  for (const auto* sampler : {&large, &small, &fv, &od}) {
+    (*sampler)->aim(aim);
+  }
+  EXPECT_DOUBLE_EQ(large->density_per_sr(aim.gaze),
+                   0.5 * fv->density_per_sr(aim.gaze) + 0.5 * od->density_per_sr(aim.gaze));
+  const std::vector<Vec3> directions = random_directions(*large);
+  const std::vector<Vec3> expected = random_directions(*small);
+  EXPECT_EQ(directions, expected);
+}
+
 // A sample of a mixture could have come from any of its parts.
 TEST(MixtureSampler, DensityIsTheWeightedSum) {
   const Aim aim = aim_at(places[1]);
