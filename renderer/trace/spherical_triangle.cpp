@@ -4,19 +4,7 @@
 #include <cmath>
 
 namespace foveola {
-namespace {
-
-/// The unit vector of the part of `v` that is perpendicular to the unit vector `axis`; zero if
-/// there is none.
-DVec3 perpendicular_part(const DVec3& v, const DVec3& axis) {
-  const DVec3 part = v - glm::dot(v, axis) * axis;
-  const double length = glm::length(part);
-  return length > 0.0 ? part / length : DVec3(0.0);
-}
-
-double sine_of(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
-
-}  // namespace
+namespace {}  // namespace
 
 SphericalTriangle::SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint)
     : a_(DVec3(triangle.p0) - DVec3(viewpoint)),
@@ -29,36 +17,32 @@ SphericalTriangle::SphericalTriangle(const Triangle& triangle, const Vec3& viewp
   const double numerator = std::abs(glm::dot(normal_, a_));
   const double denominator = length_a_ * length_b_ * length_c_ + glm::dot(a_, b_) * length_c_ +
                              glm::dot(b_, c_) * length_a_ + glm::dot(c_, a_) * length_b_;
-  solid_angle_ = 2.0 * std::atan2(numerator, denominator);
+  solid_angle_ = 2.0F * std::atan2(static_cast<float>(numerator), static_cast<float>(denominator));
 }
 
 Vec2 SphericalTriangle::sample(const Vec2& u) const {
   const DVec3 a = a_ / length_a_;
   const DVec3 b = b_ / length_b_;
   const DVec3 c = c_ / length_c_;
-  // The angle alpha at a, between the planes of its two sides.
-  const DVec3 plane_ab = glm::cross(a, b);
-  const DVec3 plane_ac = glm::cross(a, c);
-  const double scale = 1.0 / (glm::length(plane_ab) * glm::length(plane_ac));
-  const double cos_alpha = glm::dot(plane_ab, plane_ac) * scale;
-  const double sin_alpha = std::abs(glm::dot(plane_ab, c)) * scale;
-
-  // The corner d on the side from a to c that leaves the share u.x of the area in (a, b, d).
-  const double area = u.x * solid_angle_;
-  const double sin_area = std::sin(area);
-  const double cos_area = std::cos(area);
-  const double s = sin_area * cos_alpha - cos_area * sin_alpha;
-  const double t = cos_area * cos_alpha + sin_area * sin_alpha;
-  const double p = t - cos_alpha;
-  const double q = s + sin_alpha * glm::dot(a, b);
-  const double divisor = (q * s + p * t) * sin_alpha;
-  const double cos_ad =
-      divisor == 0.0 ? 1.0 : std::clamp(((q * t - p * s) * cos_alpha - q) / divisor, -1.0, 1.0);
-  const DVec3 d = cos_ad * a + sine_of(cos_ad) * perpendicular_part(c, a);
+  // The corner d on the side from a to c that leaves the share u.x of the solid angle in (a, b, d).
+  // It is a's mirror image at some axis between a and c, x a + y c. The formula of the solid angle,
+  // with d in place of c, is linear in x and y.
+  const double triple = std::abs(glm::dot(normal_, a)) / (length_b_ * length_c_);
+  const float half_angle = 0.5F * u.x * solid_angle_;
+  const double sine = std::sin(half_angle);
+  const double cosine = std::cos(half_angle);
+  const DVec3 axis =
+      (cosine * triple - sine * glm::dot(a + b, c)) * a + sine * (1.0 + glm::dot(a, b)) * c;
+  const double squared_length = glm::dot(axis, axis);
+  const DVec3 d = squared_length > 0.0 ? (2.0 * glm::dot(axis, a) / squared_length) * axis - a : c;
 
   // On the arc from b to d, uniform in the height over b.
-  const double height = 1.0 - u.y * (1.0 - glm::dot(d, b));
-  return barycentric_of(height * b + sine_of(height) * perpendicular_part(d, b));
+  const double lowest = glm::dot(d, b);
+  const double height = 1.0 - u.y * (1.0 - lowest);
+  const double squared_sine = 1.0 - lowest * lowest;
+  const double along =
+      squared_sine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - height * height) / squared_sine) : 0.0;
+  return barycentric_of((height - along * lowest) * b + along * d);
 }
 
 Vec2 SphericalTriangle::barycentric_of(const DVec3& direction) const {

@@ -6,7 +6,8 @@
 
 namespace foveola {
 
-/// In double: a needle's angles are differences of nearly equal vectors.
+/// Vectors are doubles: a needle's angles are differences of nearly equal ones. What is computed
+/// from them is as exact as a float.
 class SphericalTriangle {
  public:
   /// Seen from `viewpoint`. All that follows is finite for every finite triangle and viewpoint.
@@ -14,10 +15,11 @@ class SphericalTriangle {
 
   /// In steradians, in [0, 2 pi]; one of the two on the plane (Van Oosterom and Strackee 1983, "The
   /// Solid Angle of a Plane Triangle").
-  double solid_angle() const { return solid_angle_; }
+  float solid_angle() const { return solid_angle_; }
 
-  /// The barycentric coordinates of a point whose direction is uniform in the solid angle (Arvo
-  /// 1995, "Stratified Sampling of Spherical Triangles"). u: in the unit square. The solid
+  /// The barycentric coordinates of a point whose direction is uniform in the solid angle (as Arvo
+  /// 1995, "Stratified Sampling of Spherical Triangles", but with Peters' formula for the divided
+  /// side: 2021, "BRDF Importance Sampling for Polygonal Lights"). u: in the unit square. The solid
   /// angle must not be 0.
   Vec2 sample(const Vec2& u) const;
 
@@ -27,7 +29,7 @@ class SphericalTriangle {
   DVec3 a_, b_, c_;  ///< the corners, from the viewpoint
   DVec3 normal_;     ///< twice the area long
   double length_a_, length_b_, length_c_;
-  double solid_angle_;
+  float solid_angle_;
 };
 
 }  // namespace foveola

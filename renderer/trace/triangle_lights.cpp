@@ -18,7 +18,7 @@ namespace {
 constexpr float near_share = 0.1F;
 
 /// Steradians; what is less is seen edge-on, and gives next to nothing.
-constexpr double smallest_solid_angle = 1e-3;
+constexpr float smallest_solid_angle = 1e-3F;
 
 /// The mean over the texels, or over a grid of 1024 of them a side, so that small bright spots are
 /// not missed.
@@ -178,7 +178,7 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
       std::copysign(std::min(emitter.triangle.rounding_error(), 0.5F * height), height_over_plane);
   return LocalLightSample{
       .to_light = to_point + off * emitter.front_normal,
-      .pdf = seen ? static_cast<float>(1.0 / seen->solid_angle())
+      .pdf = seen ? 1.0F / seen->solid_angle()
                   : density_in_area(emitter.area, distance, height / distance),
       .radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric)};
 }
@@ -190,8 +190,7 @@ float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distanc
     return 0.0F;
   }
   const auto seen = seen_from_near(emitter, place);
-  return seen ? static_cast<float>(1.0 / seen->solid_angle())
-              : density_in_area(emitter.area, distance, cosine);
+  return seen ? 1.0F / seen->solid_angle() : density_in_area(emitter.area, distance, cosine);
 }
 
 }  // namespace foveola
