@@ -1,6 +1,7 @@
 #include "renderer/film/sample_pass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -8,6 +9,9 @@
 
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
+#include "tests/renderer/view/every_method.h"
+#include "tests/renderer/view/test_images.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
@@ -70,6 +74,63 @@ TEST(SamplePass, CutsAndThreadsDoNotMatter) {
     EXPECT_EQ(image.samples, expected.samples);
   }
 }
+
+/// A colour that depends on the job alone, over so many powers of two that a sum depends on the
+/// order of its terms.
+Rgb wide_ranging(const SampleJob& job) {
+  const std::uint32_t bits = mix(mix(job.pixel), job.sample_number);
+  const float value = unit_float(bits) * std::exp2(static_cast<float>(bits % 64));
+  return {value, 0.3F * value, 1.7F * value};
+}
+
+class EveryMethod : public testing::TestWithParam<std::string> {};
+
+// 128 tiles of 32 x 32 pixels: several tasks for each thread, in numbering and in adding.
+TEST_P(EveryMethod, TheFilmIsTheSameToTheLastBitOnAnyNumberOfThreads) {
+  const test::TemporaryFolder folder;
+  const std::string method = test::with_images(GetParam(), folder.path());
+  const Vec3 gaze = direction_from({.azimuth_rad = 2.9, .elevation_rad = -0.4});
+  const auto film = [&](int threads) {
+    const Workers workers(threads);
+    const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
+    sampler->aim({.viewport = Viewport(head_orientation({.azimuth_rad = 2.5}), 1.7, 1.4),
+                  .gaze = gaze,
+                  .pointer = gaze});
+    EquirectFilm result(512, 256, FilmStatistics::mean_and_variance);
+    SamplePass pass;
+    const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+      std::transform(jobs.begin(), jobs.end(), radiance.begin(), wide_ranging);
+    };
+    constexpr std::uint64_t per_pass = 30'000;
+    for (std::uint64_t first = 0; first < 3 * per_pass; first += per_pass) {
+      pass.run(*sampler, {.first = first, .count = per_pass, .seed = 5}, trace, result, workers);
+    }
+    return result;
+  };
+  const EquirectFilm one = film(1);
+  const FilmImage expected = one.resolve();
+  for (const int threads : {2, 4}) {
+    const EquirectFilm other = film(threads);
+    const FilmImage image = other.resolve();
+    EXPECT_EQ(image.color.pixels, expected.color.pixels) << threads << " threads";
+    EXPECT_EQ(image.samples, expected.samples) << threads << " threads";
+    for (int y = 0; y < one.height(); ++y) {
+      for (int x = 0; x < one.width(); ++x) {
+        ASSERT_EQ(other.luminance_variance(x, y), one.luminance_variance(x, y));
+      }
+    }
+    for (int level = 1; level < one.levels(); ++level) {
+      for (int y = 0; y < one.height(level); ++y) {
+        for (int x = 0; x < one.width(level); ++x) {
+          ASSERT_EQ(other.cell(level, x, y).color, one.cell(level, x, y).color);
+          ASSERT_EQ(other.cell(level, x, y).weight, one.cell(level, x, y).weight);
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AnyThreads, EveryMethod, testing::ValuesIn(test::every_method));
 
 TEST(SamplePass, ReturnsWhatWasDropped) {
   const Workers workers(2);

@@ -9,6 +9,7 @@
 #include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
 #include "tests/renderer/view/chi_squared.h"
+#include "tests/renderer/view/every_method.h"
 #include "tests/renderer/view/test_images.h"
 #include "tests/temporary_folder.h"
 
@@ -26,25 +27,6 @@ constexpr Looking places[] = {{"ahead", 0.0, 0.0},
                               {"near_zenith", 30.0, 89.5},
                               {"near_nadir", -100.0, -89.5},
                               {"at_the_seam", 180.0, -10.0}};
-
-/// Every sampler, and some with settings that change their code. MAP and MASK are images.
-const std::string methods[] = {"od",
-                               "vp",
-                               "vp-rect",
-                               "fv",
-                               "fv:acuity=guenter,cutoff=120,measure=solid-angle",
-                               "fv:acuity=weier1",
-                               "fv:acuity=watson",
-                               "fv:acuity=watson,eye=left,exponent=0.5,measure=solid-angle",
-                               "fv-map:file=MAP,extent=60",
-                               "mask:file=MASK",
-                               "mask:file=MASK,floor=0.5",
-                               "pointer",
-                               "pointer:radius=25,cutoff=60",
-                               "crop:azimuth=170,elevation=50,width=60,height=50",
-                               "hybrid:3*fv+1*od",
-                               "hybrid:0.2*vp-rect+0.5*fv:exponent=2+0.3*crop",
-                               "hybrid:0.5*fv-map:file=MAP,extent=100+0.5*mask:file=MASK"};
 
 Aim aim_at(const Looking& looking) {
   const AzimuthElevation heading{.azimuth_rad = radians(looking.azimuth_deg),
@@ -124,7 +106,8 @@ TEST_P(EverySampler, SamplesAreUnitDirectionsWithTheirImagePositions) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Everywhere, EverySampler,
-                         testing::Combine(testing::ValuesIn(methods), testing::ValuesIn(places)),
+                         testing::Combine(testing::ValuesIn(test::every_method),
+                                          testing::ValuesIn(places)),
                          [](const testing::TestParamInfo<std::tuple<std::string, Looking>>& test) {
                            std::string name = std::get<0>(test.param);
                            std::replace_if(
