@@ -29,13 +29,22 @@ struct StabilityArguments {
   bool json = false;
   std::string only;
   int threads = 0;
+  std::uint64_t scene_paths = 0;
+  std::uint32_t scene_seed = 1;
 };
 
 StabilityEffort effort_of(const StabilityArguments& arguments) {
+  StabilityEffort effort = thorough_effort;
   if (arguments.quick) {
-    return quick_effort;
+    effort = quick_effort;
+  } else if (arguments.full) {
+    effort = full_effort;
   }
-  return arguments.full ? full_effort : thorough_effort;
+  effort.scene_seed = arguments.scene_seed;
+  if (arguments.scene_paths > 0) {
+    effort.scene_paths = arguments.scene_paths;
+  }
+  return effort;
 }
 
 /// All stress tests, or those whose name has `only` in it.
@@ -150,6 +159,10 @@ void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
   command->add_option("--threads", arguments->threads, "0: every core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  command->add_option("--paths", arguments->scene_paths,
+                      "Over the scenes, instead of what --quick or --full say");
+  command->add_option("--seed", arguments->scene_seed,
+                      "Of these paths: many can be traced in several goes, each with its own");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench stability --quick");
   command->callback([arguments, scenes, find_scene, stop] {

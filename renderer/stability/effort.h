@@ -19,6 +19,7 @@ struct StabilityEffort {
   int picture_samples_per_pixel = 64;        ///< of the pictures that are compared with each other
   std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
   std::uint64_t scene_paths = 1'000'000;     ///< over all given scenes
+  std::uint32_t scene_seed = 1;              ///< of these paths
   std::uint64_t film_samples = 100'000'000;  ///< into one pixel
 };
 

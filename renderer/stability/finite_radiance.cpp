@@ -14,7 +14,6 @@ constexpr int film_width = 1024;
 constexpr int film_height = 512;
 constexpr double field_of_view_rad = 1.75;
 constexpr std::uint64_t pass_points = 1 << 18;
-constexpr std::uint32_t seed = 1;
 
 Viewport viewport_of(const SceneSource& source) {
   return {head_orientation(source.heading), field_of_view_rad, field_of_view_rad};
@@ -22,6 +21,7 @@ Viewport viewport_of(const SceneSource& source) {
 
 /// What went wrong, and where to find the first case again.
 struct Faults {
+  std::uint32_t seed = 1;
   std::uint64_t count = 0;
   std::string first;
 
@@ -46,6 +46,7 @@ void trace_method(const PathTracer& tracer, const Vec3& viewpoint, const SceneSo
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
   sampler->aim(
       {.viewport = viewport_of(source), .gaze = head_orientation(source.heading) * Vec3(0, 0, -1)});
+  const std::uint32_t seed = run.effort.scene_seed;
   EquirectFilm film(film_width, film_height);
   SamplePass pass;
   const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
@@ -79,7 +80,7 @@ std::vector<StabilityFigure> check_finite_radiance(const StabilityRun& run,
     run.progress(static_cast<double>(done) /
                  static_cast<double>(paths_each * scenes.size() * methods.size()));
   };
-  Faults faults;
+  Faults faults{.seed = run.effort.scene_seed, .first = {}};
   std::string names;
   for (const SceneSource& source : scenes) {
     const Scene scene = load_scene(source);
