@@ -16,6 +16,7 @@
 #include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/scene_hash.h"
 
 namespace foveola {
 namespace {
@@ -84,6 +85,7 @@ struct ReferredFiles {
   };
   std::vector<File> files;
   std::size_t next = 0;
+  FileHashes hashes;  ///< of those that were read
 };
 
 ReferredFiles find_referred_files(const std::filesystem::path& folder,
@@ -114,6 +116,7 @@ bool read_next_referred_file(std::vector<unsigned char>* bytes, std::string* /*e
   try {
     const std::string content = read_file(file.path);
     bytes->assign(content.begin(), content.end());
+    referred.hashes[file.path] = sha256(std::string_view(content));
   } catch (const Error& error) {
     throw GltfFault(file.place, error.what());
   }
@@ -175,7 +178,8 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
   if (!loaded) {
     throw GltfFault("", disarmed(error));  // which can repeat a whole data: uri
   }
-  return {.model = model, .sha256 = sha256(content)};
+  return {.model = model,
+          .sha256 = scene_sha256(sha256(std::string_view(content)), referred.hashes)};
 }
 
 }  // namespace foveola

@@ -15,7 +15,7 @@ struct GltfFile {
   /// Every index in it is in range and every buffer view lies inside its buffer. Images that come
   /// by uri hold their encoded bytes in `image`; those in a buffer view are left there.
   std::shared_ptr<const tinygltf::Model> model;
-  std::string sha256;  ///< of the scene file
+  std::string sha256;  ///< of the file and those it refers to: see scene_hash.h
 };
 
 /// Reads a .glb or .gltf file (told apart by content) and the files in its folder that it refers

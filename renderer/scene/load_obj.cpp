@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/disarmed.h"
@@ -17,6 +18,7 @@
 #include "renderer/scene/obj_meshes.h"
 #include "renderer/scene/obj_textures.h"
 #include "renderer/scene/rebase.h"
+#include "renderer/scene/scene_hash.h"
 #include "renderer/scene/tangents.h"
 #include "renderer/scene/text_lines.h"
 #include "renderer/scene/warnings.h"
@@ -68,21 +70,24 @@ struct LibraryMaterial {
   std::string folder;  ///< of the library, as it is named from the OBJ file's: "" or "sub/folder/"
   std::string place;   ///< for messages
 };
-using Library = std::map<std::string, LibraryMaterial, std::less<>>;
+
+struct Library {
+  std::map<std::string, LibraryMaterial, std::less<>> materials;
+  std::set<fs::path> files;
+};
 
 Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFile& obj) {
   Library library;
-  std::set<fs::path> done;
   for (const std::string& statement : obj.material_libraries) {
     for (const std::string& name : library_names(folder, statement)) {
       const fs::path file = file_in(folder, name, path.string() + ": mtllib");
-      if (!done.insert(file).second) {
+      if (!library.files.insert(file).second) {
         continue;
       }
       const std::string subfolder = name.substr(0, name.find_last_of("/\\") + 1);
       for (MtlMaterial& material : read_mtl_file(file)) {
         const std::string key = material.name;
-        library.try_emplace(
+        library.materials.try_emplace(
             key, LibraryMaterial{std::move(material), subfolder,
                                  fmt::format("{}: {}", file.filename().string(), disarmed(key))});
       }
@@ -112,8 +117,8 @@ class UsedMaterials {
 
  private:
   Material read(const std::string& name) {
-    const auto found = library_.find(name);
-    if (found == library_.end()) {
+    const auto found = library_.materials.find(name);
+    if (found == library_.materials.end()) {
       if (!name.empty()) {
         warnings_.add("a material that no library describes is white", disarmed(name));
       }
@@ -158,6 +163,16 @@ std::vector<Mesh> meshes_of(const ObjFile& obj, UsedMaterials& materials, Warnin
   return meshes;
 }
 
+std::string sha256_of_all(const ObjFile& obj, std::set<fs::path> files,
+                          const ObjTextureSet& textures) {
+  files.merge(textures.files());
+  FileHashes hashes;
+  for (const fs::path& file : files) {
+    hashes[file] = sha256_of_file(file);
+  }
+  return scene_sha256(obj.sha256, hashes);
+}
+
 }  // namespace
 
 Scene load_obj(const fs::path& path) {
@@ -171,12 +186,12 @@ Scene load_obj(const fs::path& path) {
     scene.meshes = meshes_of(obj, materials, warnings);
     rebase(scene);
     scene.textures = materials.textures().decode();
+    scene.sha256 = sha256_of_all(obj, library.files, materials.textures());
     scene.materials = std::move(materials).take_materials();
     if (scene.meshes.empty()) {
       warnings.add("the scene has no triangles");
     }
     scene.warnings = warnings.lines();
-    scene.sha256 = obj.sha256;
     return scene;
   } catch (const Error&) {
     throw;

@@ -71,6 +71,15 @@ std::vector<Texture> ObjTextureSet::decode() const {
   return textures;
 }
 
+std::set<fs::path> ObjTextureSet::files() const {
+  std::set<fs::path> files;
+  for (const ObjTexture& texture : textures_) {
+    files.insert({texture.first, texture.second});
+  }
+  files.erase(fs::path());
+  return files;
+}
+
 void ObjTextureSet::require_modest_size() const {
   constexpr std::size_t most_pixels = std::size_t{1} << 29;
   std::size_t pixels = 0;

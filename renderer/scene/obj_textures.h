@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ class ObjTextureSet {
   /// All textures that were added. Throws Error if an image is none, is damaged, or all together
   /// have more than 2^29 pixels.
   std::vector<Texture> decode() const;
+
+  /// The images that the textures are made of, each once.
+  std::set<std::filesystem::path> files() const;
 
  private:
   void require_modest_size() const;

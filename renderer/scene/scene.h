@@ -146,7 +146,7 @@ struct Scene {
   std::vector<PunctualLight> lights;
   std::vector<CameraView> cameras;
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
-  std::string sha256;                 ///< of the scene file
+  std::string sha256;                 ///< of all files it was loaded from: see scene_hash.h
   /// Where this scene's (0, 0, 0) lies in the file's world. Not zero for scenes far from the file's
   /// own origin, where floats would be too coarse.
   DVec3 origin{0.0};

@@ -35,6 +35,22 @@ TEST_F(GltfFiles, KnowsTheHashOfItsFile) {
   EXPECT_EQ(load_bytes(bytes).sha256, sha256(bytes));
 }
 
+/// As `sha256sum scene.gltf a.png triangle.bin | cut -c-64 | sha256sum` has it.
+TEST_F(GltfFiles, HashCoversTheFilesBesideIt) {
+  GlbBuilder glb = one_triangle();
+  glb.document["buffers"] = {{{"byteLength", 36}, {"uri", "triangle.bin"}}};
+  glb.add("images", {{"uri", "a.png"}});
+  const std::string text = glb.document.dump();
+  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  write("triangle.bin", glb.buffer);
+  write("a.png", image);
+  const std::string before = load_text(text).sha256;
+  EXPECT_EQ(before, sha256(sha256(text) + "\n" + sha256(image) + "\n" + sha256(glb.buffer) + "\n"));
+  glb.buffer.back() ^= 1;
+  write("triangle.bin", glb.buffer);
+  EXPECT_NE(load_text(text).sha256, before);
+}
+
 TEST_F(GltfFiles, ReadsBuffersBesideTheScene) {
   write("tri angle+1.bin", one_triangle().buffer);
   EXPECT_EQ(load_text(gltf_with_buffer("tri%20angle+1.bin")).triangle_count(), 1U);

@@ -49,6 +49,21 @@ TEST_F(LoadObj, ReadsATriangle) {
   EXPECT_TRUE(scene.materials[0].double_sided);
 }
 
+TEST_F(LoadObj, HashCoversLibrariesAndImages) {
+  const std::string text = "mtllib m.mtl\n" + corners + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
+  const std::string library = "newmtl m\nmap_Kd a.png\n";
+  const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  write("m.mtl", library);
+  write("a.png", image);
+  const std::string before = load(text).sha256;
+  EXPECT_EQ(before, sha256(sha256(text) + "\n" + sha256(image) + "\n" + sha256(library) + "\n"));
+  write("m.mtl", library + "Kd 0 1 0\n");
+  EXPECT_NE(load(text).sha256, before);
+  write("m.mtl", library);
+  write("a.png", png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 4}));
+  EXPECT_NE(load(text).sha256, before);
+}
+
 TEST_F(LoadObj, NegativeIndicesCountBackwards) {
   const Scene scene = load(corners + "f -3 -2 -1\nv 5 5 5\nf -2 -3 -1\n");
   ASSERT_EQ(scene.meshes.size(), 1U);
