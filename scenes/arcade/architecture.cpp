@@ -80,6 +80,7 @@ Shape groined_vault(double vault_half_x, double vault_half_z, double rise) {
 }  // namespace
 
 Shape ring_around_court(double inner, double outer, double bottom, double top) {
+  constexpr double overlap = 1e-3;  // edges that only touch would belong to two boxes
   Shape shape;
   for (const double side : {-1.0, 1.0}) {
     const double z0 = side * (half_z + inner);
@@ -88,8 +89,8 @@ Shape ring_around_court(double inner, double outer, double bottom, double top) {
                       {half_x + outer, top, std::max(z0, z1)}));
     const double x0 = side * (half_x + inner);
     const double x1 = side * (half_x + outer);
-    append(shape, box({std::min(x0, x1), bottom, -half_z - inner},
-                      {std::max(x0, x1), top, half_z + inner}));
+    append(shape, box({std::min(x0, x1), bottom, -half_z - inner - overlap},
+                      {std::max(x0, x1), top, half_z + inner + overlap}));
   }
   return shape;
 }

@@ -36,7 +36,8 @@ void add_tier(Candles& candles, const DVec3& middle, int arms, double reach, dou
     std::vector<DVec3> arm;
     constexpr int steps = 10;
     for (int k = 0; k <= steps; ++k) {
-      const double t = static_cast<double>(k) / steps;
+      // Arms begin inside the stem, but not in one point.
+      const double t = 0.02 + 0.98 * k / steps;
       const double dip = -0.2 * std::sin(two_pi * 0.75 * t) + 0.02 * t;
       arm.push_back(middle + around(angle, reach * t, reach * dip));
     }

@@ -235,7 +235,7 @@ void add_aisle_furniture(Model& model, const Materials& m) {
   }
   // A confessional: two compartments and the priest's between them.
   const DVec3 lower(-7.2, 0.0, aisle_z - 1.06);
-  Shape wood = box(lower + DVec3(0.0, 0.0, 0.9), lower + DVec3(2.4, 2.3, 0.98));
+  Shape wood = box(lower + DVec3(0.01, 0.0, 0.89), lower + DVec3(2.39, 2.3, 0.98));
   for (const double x : {0.0, 0.77, 1.55, 2.32}) {
     append(wood, box(lower + DVec3(x, 0.0, 0.0), lower + DVec3(x + 0.08, 2.3, 0.9)));
   }

@@ -47,7 +47,8 @@ PipeField pipe_field(int pipes, double longest, double step, double radius) {
     append(field.wood,
            moved(box(DVec3(0.08, top, 0.34)), {side * (half_width + 0.04), 0.5 * top, -0.03}));
   }
-  append(field.wood, moved(box(DVec3(2.0 * half_width, top, 0.04)), {0.0, 0.5 * top, -0.18}));
+  append(field.wood,
+         moved(box(DVec3(2.0 * half_width + 0.02, top, 0.04)), {0.0, 0.5 * top, -0.175}));
   const double cornice = 2.0 * half_width + 0.3;
   append(field.wood, moved(box(DVec3(cornice, 0.1, 0.5)), {0.0, top + 0.05, 0.0}));
   append(field.wood, moved(box(DVec3(cornice + 0.12, 0.07, 0.6)), {0.0, top + 0.135, 0.0}));

@@ -152,8 +152,9 @@ void add_floor(Model& model, const Materials& m) {
   Shape steps;
   for (int i = 0; i < 3; ++i) {
     const double height = choir_floor / 3.0;
+    const double inside_the_next = 0.02 * (2 - i);
     append(steps, box({half_length - 1.05 + 0.35 * i, i * height, -2.68},
-                      {half_length + 0.3, (i + 1) * height, 2.6}));
+                      {half_length + 0.3 + inside_the_next, (i + 1) * height, 2.6}));
   }
   append(steps, box({half_length + 0.3, 0.0, -2.68}, {half_length + wall, choir_floor, 2.64}));
   append(steps, box({half_length + wall, 0.0, -apse_radius - 0.2},

@@ -31,15 +31,20 @@ void for_each_pier(double from, double to, const Visit& visit) {
   visit(left, to);
 }
 
+/// The long walls reach into the short ones, and the lintel into the ceiling: edges that only touch
+/// would belong to two pieces.
 Shape walls() {
+  constexpr double overlap = 0.05;
+  constexpr double reach = half_x + overlap;
+  const double door_right = door_left + door_width;
   Shape shape;
   append(shape, box({half_x, 0.0, -outer_z}, {outer_x, ceiling, outer_z}));
   append(shape, box({-outer_x, 0.0, -outer_z}, {-half_x, ceiling, outer_z}));
-  append(shape, box({-half_x, 0.0, half_z}, {door_left, ceiling, outer_z}));
-  append(shape, box({door_left + door_width, 0.0, half_z}, {half_x, ceiling, outer_z}));
-  append(shape, box({door_left, door_height, half_z}, {door_left + door_width, ceiling, outer_z}));
-  append(shape, box({-half_x, 0.0, -outer_z}, {half_x, window_sill, -half_z}));
-  append(shape, box({-half_x, window_top, -outer_z}, {half_x, ceiling, -half_z}));
+  append(shape, box({-reach, 0.0, half_z}, {door_left, ceiling, outer_z}));
+  append(shape, box({door_right, 0.0, half_z}, {reach, ceiling, outer_z}));
+  append(shape, box({door_left, door_height, half_z}, {door_right, ceiling + overlap, outer_z}));
+  append(shape, box({-reach, 0.0, -outer_z}, {reach, window_sill, -half_z}));
+  append(shape, box({-reach, window_top, -outer_z}, {reach, ceiling, -half_z}));
   for_each_pier(-half_x, half_x, [&](double from, double to) {
     append(shape, box({from, window_sill, -outer_z}, {to, window_top, -half_z}));
   });

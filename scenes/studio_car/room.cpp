@@ -9,6 +9,12 @@ namespace {
 
 constexpr double backdrop_turn_deg = 50.0;  ///< the backdrop stands across the camera's view
 
+/// A bar whose ends lie inside the chords, but not in their middle, where other bars end too.
+Shape strut(const DVec3& from, const DVec3& to) {
+  const DVec3 end = 0.012 * glm::normalize(to - from);
+  return tube({from + end, to - end}, 0.01, 6);
+}
+
 /// Bars along two chords with a zigzag between them, along X through `z`.
 Shape truss_bay(double z) {
   Shape truss;
@@ -19,19 +25,16 @@ Shape truss_bay(double z) {
     }
     for (int k = 0; k < 32; ++k) {
       const double from = -half_room + 0.5 * k;
-      append(truss,
-             tube({{from, lower_chord, z + side}, {from + 0.25, lower_chord + height, z + side}},
-                  0.01, 6));
-      append(truss, tube({{from + 0.25, lower_chord + height, z + side},
-                          {from + 0.5, lower_chord, z + side}},
-                         0.01, 6));
+      const DVec3 top(from + 0.25, lower_chord + height, z + side);
+      append(truss, strut({from, lower_chord, z + side}, top));
+      append(truss, strut(top, {from + 0.5, lower_chord, z + side}));
     }
   }
   for (int k = 0; k < 32; ++k) {
     const double from = -half_room + 0.25 + 0.5 * k;
     const double lean = k % 2 == 0 ? 0.15 : -0.15;
-    append(truss, tube({{from - 0.25, lower_chord, z - lean}, {from + 0.25, lower_chord, z + lean}},
-                       0.01, 6));
+    append(truss,
+           strut({from - 0.25, lower_chord, z - lean}, {from + 0.25, lower_chord, z + lean}));
   }
   return truss;
 }
