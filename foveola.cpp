@@ -167,6 +167,8 @@ int run(int argc, char** argv) {
   } catch (const Error& error) {
     const bool stopped = signals.token().stop_requested();
     return complain(error.what(), stopped ? SignalStop::interrupted_exit_code : user_error);
+  } catch (const fs::filesystem_error& error) {
+    return complain(error.path1().string() + ": " + error.code().message(), user_error);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory; try a smaller image or scene", user_error);
   } catch (const std::exception& error) {

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -66,9 +70,24 @@ std::size_t write_builtin(const std::string& name, const fs::path& file) {
   return model.triangle_count();
 }
 
+bool is_whole_glb(const fs::path& file) {
+  constexpr std::size_t length_offset = 8;
+  std::array<char, 12> header{};
+  std::ifstream stream(file, std::ios::binary);
+  std::error_code missing;
+  const std::uintmax_t size_bytes = fs::file_size(file, missing);
+  if (missing || !stream.read(header.data(), header.size()) ||
+      !std::string_view(header.data(), header.size()).starts_with("glTF")) {
+    return false;
+  }
+  std::uint32_t announced_bytes = 0;
+  std::memcpy(&announced_bytes, header.data() + length_offset, sizeof announced_bytes);
+  return announced_bytes == size_bytes;
+}
+
 fs::path require_builtin(const std::string& name) {
   const fs::path file = cached_builtin(name);
-  if (!fs::exists(file)) {
+  if (!is_whole_glb(file)) {
     write_builtin(name, file);
   }
   return file;

@@ -34,7 +34,10 @@ std::filesystem::path cached_builtin(const std::string& name);
 /// of its triangles.
 std::size_t write_builtin(const std::string& name, const std::filesystem::path& file);
 
-/// The scene's .glb in the cache, made now if it is not there.
+/// Whether `file` is a .glb that is as long as its header says: not cut off.
+bool is_whole_glb(const std::filesystem::path& file);
+
+/// The scene's .glb in the cache, made now if it is not there or not whole.
 std::filesystem::path require_builtin(const std::string& name);
 
 }  // namespace foveola::scenes

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -25,44 +27,67 @@ namespace {
 
 /// Where a scene stands: whether it can be used, and from which file.
 struct State {
-  const char* word;  ///< "built-in", "real" or "missing"
-  std::string file;  ///< empty if missing
+  const char* word;  ///< "built-in", "real", "another file", "unreadable" or "missing"
+  std::string file;  ///< empty if there is none
 };
+
+State state_of_builtin(const std::string& name) {
+  const fs::path file = cached_builtin(name);
+  std::error_code missing;
+  return {"built-in", fs::exists(file, missing) ? file.string() : std::string()};
+}
 
 State state_of(const Descriptor& descriptor) {
   if (descriptor.is_builtin) {
-    return {"built-in", cached_builtin(descriptor.name).string()};
+    return state_of_builtin(descriptor.name);
   }
   const auto file = find_real_file(descriptor);
-  return file ? State{"real", file->string()} : State{"missing", {}};
+  if (!file) {
+    return {"missing", {}};
+  }
+  try {
+    return {is_described_file(descriptor, *file) ? "real" : "another file", file->string()};
+  } catch (const Error&) {
+    return {"unreadable", file->string()};
+  }
+}
+
+nlohmann::ordered_json json_of(const Descriptor& descriptor) {
+  const State state = state_of(descriptor);
+  return {{"name", descriptor.name},     {"title", descriptor.source.title},
+          {"author", descriptor.author}, {"licence", descriptor.licence},
+          {"origin", descriptor.origin}, {"counterpart", descriptor.counterpart},
+          {"state", state.word},         {"file", state.file}};
 }
 
 void list_as_json(const std::vector<Descriptor>& descriptors) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Descriptor& descriptor : descriptors) {
-    const State state = state_of(descriptor);
-    list.push_back({{"name", descriptor.name},
-                    {"title", descriptor.source.title},
-                    {"author", descriptor.author},
-                    {"licence", descriptor.licence},
-                    {"origin", descriptor.origin},
-                    {"counterpart", descriptor.counterpart},
-                    {"state", state.word},
-                    {"file", state.file}});
+    list.push_back(json_of(descriptor));
   }
   fmt::print("{}\n", list.dump(2));
+}
+
+/// What a person needs to know of the file, on one line; empty if there is nothing.
+std::string place_of(const Descriptor& descriptor, const State& state) {
+  if (descriptor.is_builtin) {
+    return state.file.empty() ? "made when it is first used" : state.file;
+  }
+  std::string place = state.file.empty()
+                          ? fmt::format("{}: {}", descriptor.file_name, descriptor.origin)
+                          : state.file;
+  if (!descriptor.counterpart.empty()) {
+    place += fmt::format(" (built-in counterpart: {})", descriptor.counterpart);
+  }
+  return place;
 }
 
 void list_as_text(const std::vector<Descriptor>& descriptors) {
   for (const Descriptor& descriptor : descriptors) {
     const State state = state_of(descriptor);
-    fmt::print("{:<14} {:<9} {}, by {}. Licence: {}\n", descriptor.name, state.word,
+    fmt::print("{:<14} {:<13} {}, by {}. Licence: {}\n", descriptor.name, state.word,
                descriptor.source.title, descriptor.author, descriptor.licence);
-    if (state.file.empty()) {
-      fmt::print("{:<24} {}: {}\n", "", descriptor.file_name, descriptor.origin);
-    } else {
-      fmt::print("{:<24} {}\n", "", state.file);
-    }
+    fmt::print("{:<28} {}\n", "", place_of(descriptor, state));
   }
 }
 
@@ -72,8 +97,11 @@ void add_list(CLI::App& app) {
   command->add_flag("--json", *as_json, "Print the list as JSON");
   command->footer("Example: FOVEOLA_SCENE_PATH=~/scenes foveola scene list");
   command->callback([as_json] {
-    const std::vector<Descriptor> descriptors = all_descriptors();
-    *as_json ? list_as_json(descriptors) : list_as_text(descriptors);
+    const DescriptorList list = all_descriptors();
+    for (const std::string& fault : list.faults) {
+      fmt::print(stderr, "foveola: warning: {}\n", fault);
+    }
+    *as_json ? list_as_json(list.descriptors) : list_as_text(list.descriptors);
   });
 }
 
@@ -116,14 +144,37 @@ Descriptor real_scene(const std::string& name) {
   return *descriptor;
 }
 
+/// At once, also into a pipe: what follows may take long.
 void print_terms(const Descriptor& descriptor) {
   fmt::print("{}, by {}\nLicence: {}\nFrom: {}\n", descriptor.source.title, descriptor.author,
              descriptor.licence, descriptor.origin);
+  std::fflush(stdout);
 }
 
-fs::path fetch(const Descriptor& descriptor, const std::string& from, const std::stop_token& stop) {
-  if (!from.empty()) {
-    return fetch_from_disk(descriptor, from);
+/// The command line of `fetch`, as typed.
+struct FetchArguments {
+  std::string name;
+  std::string from;
+  bool is_unverified = false;
+};
+
+void warn_of_another_file(const Descriptor& descriptor, const fs::path& file) {
+  if (!is_described_file(descriptor, file)) {
+    fmt::print(stderr,
+               "foveola: warning: taken as {} without being the described file; whatever shows or "
+               "records it will say so\n",
+               descriptor.name);
+  }
+}
+
+fs::path fetch(const Descriptor& descriptor, const FetchArguments& arguments,
+               const std::stop_token& stop) {
+  if (!arguments.from.empty()) {
+    const fs::path file =
+        fetch_from_disk(descriptor, arguments.from,
+                        arguments.is_unverified ? Accept::any_glb : Accept::described_file);
+    warn_of_another_file(descriptor, file);
+    return file;
   }
   Progress progress("downloading " + descriptor.file_name);
   return fetch_from_web(
@@ -131,16 +182,20 @@ fs::path fetch(const Descriptor& descriptor, const std::string& from, const std:
 }
 
 void add_fetch(CLI::App& app, const std::stop_token& stop) {
-  const auto name = std::make_shared<std::string>();
-  const auto from = std::make_shared<std::string>();
+  const auto arguments = std::make_shared<FetchArguments>();
   CLI::App* command = app.add_subcommand("fetch", "Get a real scene's file, and check it");
-  command->add_option("NAME", *name, "Which; see 'foveola scene list'")->required();
-  command->add_option("--from", *from, "A file or folder to take it from, in place of the web");
-  command->footer("Example: foveola scene fetch sponza --from ~/Downloads");
-  command->callback([name, from, stop] {
-    const Descriptor descriptor = real_scene(*name);
+  command->add_option("NAME", arguments->name, "Which; see 'foveola scene list'")->required();
+  CLI::Option* from = command->add_option("--from", arguments->from,
+                                          "A file or folder to take it from, in place of the web");
+  command
+      ->add_flag("--unverified", arguments->is_unverified,
+                 "Take a .glb that is not the described file, such as a conversion of your own")
+      ->needs(from);
+  command->footer("Example: foveola scene fetch sponza --from my-sponza.glb --unverified");
+  command->callback([arguments, stop] {
+    const Descriptor descriptor = real_scene(arguments->name);
     print_terms(descriptor);
-    fmt::print("{}\n", fetch(descriptor, *from, stop).string());
+    fmt::print("{}\n", fetch(descriptor, *arguments, stop).string());
   });
 }
 

@@ -5,9 +5,13 @@
 #include <initializer_list>
 #include <limits>
 #include <sstream>
+#include <system_error>
 
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/toml_reader.h"
+#include "scenes/builtin.h"
 
 namespace fs = std::filesystem;
 
@@ -24,6 +28,17 @@ bool is_axis(const Vec3& v) {
 
 bool is_digest(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+bool is_builtin_name(const std::string& name) {
+  const std::vector<std::string> names = builtin_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The name of a .glb, without any folder: nobody can be made to write elsewhere.
+bool is_plain_glb_name(const std::string& name) {
+  const fs::path path(name);
+  return path.filename() == path && path.extension() == ".glb";
 }
 
 void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
@@ -85,6 +100,22 @@ ObjectOfInterest read_object(TomlReader table) {
   return object;
 }
 
+/// Throws Error if the last object cannot be told from another, or lies in no direction.
+void require_choosable(const TomlReader& table, const SceneSource& source) {
+  constexpr float least_distance_m = 1e-3F;
+  const ObjectOfInterest& object = source.objects.back();
+  const auto same_name = [&](const ObjectOfInterest& other) { return other.name == object.name; };
+  if (std::count_if(source.objects.begin(), source.objects.end(), same_name) > 1) {
+    table.fail(table.source("name"), "two objects are called \"" + object.name + "\"",
+               "give each a name of its own");
+  }
+  if (source.camera_position &&
+      glm::distance(object.position, *source.camera_position) < least_distance_m) {
+    table.fail(table.source("position"), "the object is where the camera is",
+               "give a place to look at");
+  }
+}
+
 void read_camera(TomlReader table, SceneSource& source) {
   table.require("position");
   Vec3 position;
@@ -133,6 +164,7 @@ void read_viewpoint(TomlReader& table, SceneSource& source) {
   }
   for (const TomlReader& object : table.tables("object")) {
     source.objects.push_back(read_object(object));
+    require_choosable(object, source);
   }
 }
 
@@ -142,9 +174,13 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   table.read("origin", descriptor.origin);
   table.read("sha256", descriptor.sha256);
   table.read("address", descriptor.address);
-  int size_bytes = 0;
-  table.read("size_bytes", size_bytes, 1, std::numeric_limits<int>::max());
+  std::int64_t size_bytes = 0;
+  table.read("size_bytes", size_bytes, 1, std::numeric_limits<std::int64_t>::max());
   descriptor.size_bytes = static_cast<std::uint64_t>(size_bytes);
+  if (!descriptor.file_name.empty() && !is_plain_glb_name(descriptor.file_name)) {
+    table.fail(table.source("file"), "file must be the plain name of a .glb",
+               "for instance file = \"NAME.glb\"");
+  }
   if (!descriptor.sha256.empty() && !is_digest(descriptor.sha256)) {
     table.fail(table.source("sha256"), "sha256 must be 64 small hexadecimal digits",
                "see what sha256sum prints");
@@ -152,6 +188,17 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   if (!descriptor.address.empty() && (descriptor.sha256.empty() || size_bytes == 0)) {
     table.fail(table.source("address"), "a file from the web needs sha256 and size_bytes",
                "so that it can be checked");
+  }
+}
+
+void require_known_builtins(const TomlReader& table, const Descriptor& descriptor) {
+  if (descriptor.is_builtin && !is_builtin_name(descriptor.name)) {
+    table.fail(table.source("builtin"), "no built-in scene is called " + descriptor.name,
+               "see 'foveola scene make --help'");
+  }
+  if (!descriptor.counterpart.empty() && !is_builtin_name(descriptor.counterpart)) {
+    table.fail(table.source("counterpart"), "no built-in scene is called " + descriptor.counterpart,
+               "see 'foveola scene make --help'");
   }
 }
 
@@ -166,10 +213,12 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   table.read("builtin", descriptor.is_builtin);
   table.read("counterpart", descriptor.counterpart);
   read_file_facts(table, descriptor);
+  descriptor.source.described_sha256 = descriptor.sha256;
   if (descriptor.is_builtin == !descriptor.file_name.empty()) {
     table.fail(table.source(), "a scene is either built in or has a file",
                "give one of builtin = true and file = \"NAME.glb\"");
   }
+  require_known_builtins(table, descriptor);
   read_light_from_outside(table, descriptor.source);
   read_viewpoint(table, descriptor.source);
   table.reject_unknown_keys();
@@ -177,6 +226,18 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
 }
 
 fs::path descriptor_folder() { return resource_folder() / "scenes"; }
+
+/// In the order of their names.
+std::vector<fs::path> descriptor_files() {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(descriptor_folder())) {
+    if (entry.path().extension() == ".toml") {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
 
 /// The folders of $FOVEOLA_SCENE_PATH.
 std::vector<fs::path> search_folders() {
@@ -218,22 +279,20 @@ std::optional<Descriptor> find_descriptor(const std::string& name) {
     return std::nullopt;
   }
   const fs::path file = descriptor_folder() / (name + ".toml");
-  return fs::exists(file) ? std::optional(read_descriptor(file)) : std::nullopt;
+  std::error_code no_such_name;
+  return fs::exists(file, no_such_name) ? std::optional(read_descriptor(file)) : std::nullopt;
 }
 
-std::vector<Descriptor> all_descriptors() {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(descriptor_folder())) {
-    if (entry.path().extension() == ".toml") {
-      files.push_back(entry.path());
+DescriptorList all_descriptors() {
+  DescriptorList list;
+  for (const fs::path& file : descriptor_files()) {
+    try {
+      list.descriptors.push_back(read_descriptor(file));
+    } catch (const Error& fault) {
+      list.faults.emplace_back(fault.what());
     }
   }
-  std::sort(files.begin(), files.end());
-  std::vector<Descriptor> descriptors;
-  for (const fs::path& file : files) {
-    descriptors.push_back(read_descriptor(file));
-  }
-  return descriptors;
+  return list;
 }
 
 fs::path fetched_folder() { return data_folder() / "scenes"; }
@@ -260,6 +319,17 @@ std::optional<fs::path> find_real_file(const Descriptor& descriptor) {
     }
   }
   return std::nullopt;
+}
+
+bool is_described_file(const Descriptor& descriptor, const fs::path& file) {
+  std::error_code failure;
+  const std::uintmax_t size_bytes = fs::file_size(file, failure);
+  if (failure) {
+    throw Error(file.string(), "cannot be read: " + failure.message());
+  }
+  // Sizes first: they cost nothing.
+  return (descriptor.size_bytes == 0 || size_bytes == descriptor.size_bytes) &&
+         (descriptor.sha256.empty() || sha256_of_file(file) == descriptor.sha256);
 }
 
 }  // namespace foveola::scenes

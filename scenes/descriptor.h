@@ -15,10 +15,10 @@ struct Descriptor {
   std::string name;  ///< the file's, without .toml
   std::string author;
   std::string licence;
-  std::string origin;       ///< where a real scene can be got; empty for a built-in one
+  std::string origin;       ///< the page of a real scene; empty for a built-in one
   std::string counterpart;  ///< the built-in scene that stands in for a real one; may be empty
   bool is_builtin = false;
-  std::string file_name;  ///< of a real scene
+  std::string file_name;  ///< of a real scene: a .glb, which has all in it
   /// Of the file that the descriptor was written for; empty and 0 if not stated.
   std::string sha256;
   std::uint64_t size_bytes = 0;
@@ -27,14 +27,19 @@ struct Descriptor {
 };
 
 /// Reads one descriptor. Throws Error with file:line:column for bad TOML, an unknown key, a wrong
-/// type or a value out of range.
+/// type, a value out of range or what makes no sense.
 Descriptor read_descriptor(const std::filesystem::path& file);
 
 /// The descriptor `name` among the program's own, if there is one.
 std::optional<Descriptor> find_descriptor(const std::string& name);
 
-/// All of the program's own, by name.
-std::vector<Descriptor> all_descriptors();
+struct DescriptorList {
+  std::vector<Descriptor> descriptors;  ///< by name
+  std::vector<std::string> faults;      ///< what is wrong with those that cannot be read
+};
+
+/// All of the program's own.
+DescriptorList all_descriptors();
 
 /// Where fetched scenes are kept: scenes/ in the user's data folder.
 std::filesystem::path fetched_folder();
@@ -46,5 +51,9 @@ std::optional<std::filesystem::path> find_in_folder(const std::filesystem::path&
 /// The file of a real scene in the folders of $FOVEOLA_SCENE_PATH, their subfolders, or among what
 /// was fetched, if it is there.
 std::optional<std::filesystem::path> find_real_file(const Descriptor& descriptor);
+
+/// Whether `file` is the one that the descriptor was written for, by its size and SHA-256. Throws
+/// Error if it cannot be read.
+bool is_described_file(const Descriptor& descriptor, const std::filesystem::path& file);
 
 }  // namespace foveola::scenes

@@ -145,6 +145,14 @@ class Transfer {
   bool is_too_long_ = false;
 };
 
+constexpr long range_not_satisfiable = 416;
+
+/// Whether what the file has is no beginning of the server's: the server cannot continue, or has
+/// fewer bytes than are here. libcurl takes the latter for success.
+bool cannot_continue(CURLcode code, const Transfer& transfer) {
+  return code == CURLE_RANGE_ERROR || transfer.http_status() == range_not_satisfiable;
+}
+
 /// Throws Error unless the file is there from its first to its last byte.
 void require_complete(const std::string& address, const fs::path& file, const Transfer& transfer,
                       CURLcode code) {
@@ -191,12 +199,12 @@ void download(const std::string& address, const fs::path& file, std::uint64_t si
   {
     Transfer transfer(address, file, size_bytes, progress, stop);
     const CURLcode code = transfer.run();
-    if (code != CURLE_RANGE_ERROR) {
+    if (!cannot_continue(code, transfer)) {
       require_complete(address, file, transfer, code);
       return;
     }
   }
-  fs::remove(file);  // the server can only send all of it
+  fs::remove(file);
   Transfer transfer(address, file, size_bytes, progress, stop);
   require_complete(address, file, transfer, transfer.run());
 }

@@ -9,15 +9,21 @@
 
 namespace foveola::scenes {
 
-/// Downloads the descriptor's file into fetched_folder() and returns its path. An interrupted
-/// download is continued. Nothing takes the file's name before its size and SHA-256 are right.
-/// Throws Error if the descriptor has no address, and for whatever goes wrong.
+/// Downloads the descriptor's file into fetched_folder(), unless it is there, and returns its path.
+/// An interrupted download is continued. Nothing takes the file's name before its size and SHA-256
+/// are right. Throws Error if the descriptor has no address, and for whatever goes wrong.
 std::filesystem::path fetch_from_web(const Descriptor& descriptor,
                                      const std::function<void(double fraction)>& progress,
                                      const std::stop_token& stop);
 
+/// What fetch_from_disk takes.
+enum class Accept {
+  described_file,  ///< nothing but the file that the descriptor was written for
+  any_glb,         ///< a person's own conversion too, in its place and under its name
+};
+
 /// The same from a file, or from a folder that holds one of that name, there or one folder below.
 std::filesystem::path fetch_from_disk(const Descriptor& descriptor,
-                                      const std::filesystem::path& file_or_folder);
+                                      const std::filesystem::path& file_or_folder, Accept accept);
 
 }  // namespace foveola::scenes

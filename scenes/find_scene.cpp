@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,28 +30,29 @@ SceneSource source_of(const Descriptor& descriptor) {
     throw Error(
         descriptor.name,
         fmt::format("its file {} is in no folder of $FOVEOLA_SCENE_PATH", descriptor.file_name),
-        fmt::format("get it ({}) with 'foveola scene fetch', or set FOVEOLA_SCENE_PATH to its "
-                    "folder{}",
-                    descriptor.origin, stand_in));
+        fmt::format("see 'foveola scene fetch {}', or set FOVEOLA_SCENE_PATH to its folder{}",
+                    descriptor.name, stand_in));
   }
   source.file = *file;
   return source;
 }
 
-/// Whether `file` is the descriptor's scene, by its name.
-bool is_named_by(const Descriptor& descriptor, const fs::path& file) {
-  if (descriptor.is_builtin) {
-    return file.filename() == descriptor.name + ".glb" ||
-           file.filename() == cached_builtin(descriptor.name).filename();
+/// Whether `file` takes the descriptor's viewpoint: a conversion of a real scene under its name, or
+/// a copy of a built-in one. Anybody's church.glb is no copy of ours.
+bool is_meant_by(const Descriptor& descriptor, const fs::path& file) {
+  if (!descriptor.is_builtin) {
+    return file.filename() == descriptor.file_name;
   }
-  return file.filename() == descriptor.file_name;
+  const bool has_its_name = file.filename() == descriptor.name + ".glb" ||
+                            file.filename() == cached_builtin(descriptor.name).filename();
+  return has_its_name && is_described_file(descriptor, file);
 }
 
 SceneSource source_of_file(const fs::path& file) {
   SceneSource source;
   source.title = file.stem().string();
-  for (const Descriptor& descriptor : all_descriptors()) {
-    if (is_named_by(descriptor, file)) {
+  for (const Descriptor& descriptor : all_descriptors().descriptors) {
+    if (is_meant_by(descriptor, file)) {
       source = descriptor.source;
     }
   }
@@ -65,14 +67,19 @@ SceneSource find_scene(const std::string& name_or_path) {
   if (const std::optional<Descriptor> descriptor = find_descriptor(name_or_path)) {
     return source_of(*descriptor);
   }
-  if (fs::is_directory(name_or_path)) {
+  std::error_code no_such_name;
+  const fs::file_status status = fs::status(name_or_path, no_such_name);
+  if (fs::is_directory(status)) {
     throw Error(name_or_path, "is a folder, not a scene", "name a .glb, .gltf or .obj file in it");
   }
-  if (!fs::exists(name_or_path)) {
+  if (!fs::exists(status)) {
     throw Error(name_or_path, "no such scene or file",
                 fmt::format("the built-in scenes are {}; for the published study's own see "
                             "'foveola scene list' and set FOVEOLA_SCENE_PATH",
                             fmt::join(builtin_names(), ", ")));
+  }
+  if (!fs::is_regular_file(status)) {
+    throw Error(name_or_path, "is not a regular file", "copy the scene into a file");
   }
   return source_of_file(name_or_path);
 }

@@ -48,6 +48,9 @@ struct SceneSource {
   std::string name;  ///< what the user called it
   std::string title;
   std::filesystem::path file;  ///< .glb, .gltf or .obj
+  /// Of the file that all else here was written for; empty if it was for none. Any other file is
+  /// taken all the same, with a warning.
+  std::string described_sha256;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   double exposure_stops = 0.0;

@@ -49,13 +49,20 @@ void TomlReader::read(std::string_view key, bool& value) {
 }
 
 void TomlReader::read(std::string_view key, int& value, int minimum, int maximum) {
+  std::int64_t number = value;
+  read(key, number, minimum, maximum);
+  value = static_cast<int>(number);
+}
+
+void TomlReader::read(std::string_view key, std::int64_t& value, std::int64_t minimum,
+                      std::int64_t maximum) {
   if (const toml::node* node = find(key)) {
     const auto number = node->value_exact<std::int64_t>();
     if (!number || *number < minimum || *number > maximum) {
       fail(node->source(), full_name(key) + " is out of range",
            fmt::format("give a whole number from {} to {}", minimum, maximum));
     }
-    value = static_cast<int>(*number);
+    value = *number;
   }
 }
 

@@ -1,6 +1,7 @@
 // Reading a TOML table key by key, with the place of whatever is wrong in it.
 #pragma once
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ class TomlReader {
   void read(std::string_view key, bool& value);
   /// Within [minimum, maximum].
   void read(std::string_view key, int& value, int minimum, int maximum);
+  void read(std::string_view key, std::int64_t& value, std::int64_t minimum, std::int64_t maximum);
   /// Finite and within [minimum, maximum]; a whole number will do.
   void read(std::string_view key, double& value, double minimum, double maximum);
   /// Arrays of as many numbers as the vector has components, each of them as above.

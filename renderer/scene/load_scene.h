@@ -27,6 +27,10 @@ Scene load_scene_file(const std::filesystem::path& path);
 /// lights. Throws Error as well for what of these makes no sense.
 Scene load_scene(const SceneSource& source);
 
+/// Whether `scene` comes from another file than the one that its source was written for. load_scene
+/// warns of it; whatever shows or records the scene has to say so as well.
+bool is_another_file(const Scene& scene, const SceneSource& source);
+
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Throws Error if it cannot be read.
 Environment load_environment(const std::filesystem::path& path);
 

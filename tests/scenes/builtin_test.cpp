@@ -1,6 +1,7 @@
 #include "scenes/builtin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -137,8 +138,12 @@ INSTANTIATE_TEST_SUITE_P(Every, BuiltinScene, testing::ValuesIn(builtin_names())
                            return name;
                          });
 
-TEST_P(BuiltinScene, HasTheSameHashTwice) {
-  EXPECT_EQ(sha256(glb_from(scene(GetParam()))), sha256(glb_from(make_builtin(GetParam()))));
+/// Records name scenes by their hash. Whoever changes a scene on purpose writes its new hash, which
+/// `foveola scene make` prints, into the descriptor.
+TEST_P(BuiltinScene, HasTheStoredHashEveryTime) {
+  const std::string stored = find_descriptor(GetParam()).value().sha256;
+  EXPECT_EQ(sha256(glb_from(scene(GetParam()))), stored);
+  EXPECT_EQ(sha256(glb_from(make_builtin(GetParam()))), stored);
 }
 
 /// The sizes of the published study's scenes, each under its counterpart's name.
@@ -226,22 +231,34 @@ TEST_P(BuiltinScene, LoadsAsItWasMade) {
   EXPECT_EQ(mesh, loaded.meshes.size());
 }
 
-/// Edges that the object's triangles do not pass once in each direction: none if it is closed.
-std::size_t open_edges(const Object& object) {
+/// What it takes to have an inside.
+struct Hull {
+  std::size_t faulty_edges = 0;  ///< that are not passed exactly once in each direction
+  double volume_m3 = 0.0;        ///< positive if the front faces look out
+};
+
+Hull hull_of(const Object& object) {
   using Point = std::tuple<float, float, float>;
-  std::map<std::pair<Point, Point>, int> balance;
+  std::map<std::pair<Point, Point>, std::array<int, 2>> passes;
   const auto point = [](const Vec3& p) { return Point(p.x, p.y, p.z); };
+  Hull hull;
   for (const Surface& surface : object.surfaces) {
     for (const auto& triangle : surface.triangles) {
+      std::array<DVec3, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
+        corners[i] = surface.positions[triangle[i]];
         const Point from = point(surface.positions[triangle[i]]);
         const Point to = point(surface.positions[triangle[(i + 1) % 3]]);
-        from < to ? ++balance[{from, to}] : --balance[{to, from}];
+        from < to ? ++passes[{from, to}][0] : ++passes[{to, from}][1];
       }
+      hull.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
     }
   }
-  return static_cast<std::size_t>(std::count_if(balance.begin(), balance.end(),
-                                                [](const auto& edge) { return edge.second != 0; }));
+  hull.faulty_edges =
+      static_cast<std::size_t>(std::count_if(passes.begin(), passes.end(), [](const auto& edge) {
+        return edge.second != std::array{1, 1};
+      }));
+  return hull;
 }
 
 /// Solid things, which have an inside. Others stand open where nobody sees it: columns in the
@@ -265,7 +282,9 @@ TEST_P(BuiltinScene, SolidThingsAreClosed) {
     const auto solid = std::find_if(objects.begin(), objects.end(),
                                     [&](const Object& object) { return object.name == name; });
     ASSERT_NE(solid, objects.end()) << name;
-    EXPECT_EQ(open_edges(*solid), 0U) << name;
+    const Hull hull = hull_of(*solid);
+    EXPECT_EQ(hull.faulty_edges, 0U) << name;
+    EXPECT_GT(hull.volume_m3, 0.0) << name;
   }
 }
 
@@ -335,8 +354,24 @@ TEST(Builtin, IsMadeOnceIntoTheCache) {
   const std::filesystem::path file = require_builtin("meeting-room");
   EXPECT_EQ(file.parent_path(), cache.path() / "foveola" / "scenes");
   EXPECT_EQ(read_file(file).substr(0, 4), "glTF");
-  write_file(file, "kept");
-  EXPECT_EQ(read_file(require_builtin("meeting-room")), "kept");
+  const std::string kept = read_file(file);
+  const auto written = std::filesystem::last_write_time(file);
+  require_builtin("meeting-room");
+  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+  write_file(file, kept.substr(0, kept.size() - 1));
+  EXPECT_EQ(read_file(require_builtin("meeting-room")), kept);
+}
+
+TEST(Builtin, OnlyWholeFilesAreGlbs) {
+  const TemporaryFolder folder;
+  const std::string whole("glTF\2\0\0\0\24\0\0\0JSON{}  ", 20);
+  EXPECT_TRUE(is_whole_glb(folder.write("whole", whole)));
+  EXPECT_FALSE(is_whole_glb(folder.write("short", whole.substr(0, 19))));
+  EXPECT_FALSE(is_whole_glb(folder.write("header", whole.substr(0, 11))));
+  EXPECT_FALSE(is_whole_glb(folder.write("long", whole + " ")));
+  EXPECT_FALSE(is_whole_glb(folder.write("other", "x" + whole.substr(1))));
+  EXPECT_FALSE(is_whole_glb(folder.path() / "missing"));
+  EXPECT_FALSE(is_whole_glb(folder.path()));
 }
 
 TEST(Builtin, WritesIntoANewFolder) {

@@ -6,13 +6,30 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/digest.h"
+#include "renderer/base/error.h"
 #include "scenes/builtin.h"
 #include "tests/scenes/environment.h"
 
 namespace foveola::scenes {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
+
+/// Its file has the content "abc" (FIPS 180-4 has the hash).
+const char* const hall = R"(title = "A hall"
+author = "Somebody"
+licence = "CC BY 4.0"
+file = "hall.glb"
+sha256 = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+size_bytes = 3
+
+[camera]
+position = [1.0, 2.0, 3.0]
+azimuth_deg = 90
+elevation_deg = -10.0
+)";
 
 class SceneCommands : public testing::Test {
  protected:
@@ -21,7 +38,12 @@ class SceneCommands : public testing::Test {
     CLI::App app("test", "foveola");
     add_scene_commands(app, {});
     testing::internal::CaptureStdout();
-    app.parse(command_line);
+    try {
+      app.parse(command_line);
+    } catch (...) {
+      testing::internal::GetCapturedStdout();
+      throw;
+    }
     return testing::internal::GetCapturedStdout();
   }
 
@@ -40,11 +62,48 @@ TEST_F(SceneCommands, ListShowsEveryState) {
     EXPECT_FALSE(scene.at("licence").get<std::string>().empty());
   }
   EXPECT_EQ(states.at("arcade"), "built-in");
-  EXPECT_EQ(states.at("bmw"), "real");
+  EXPECT_EQ(states.at("bmw"), "another file");
   EXPECT_EQ(states.at("sponza"), "missing");
   const std::string text = output_of("scene list");
   EXPECT_THAT(text, HasSubstr((folder.path() / "real" / "bmw.glb").string()));
   EXPECT_THAT(text, HasSubstr("Arcade"));
+  EXPECT_THAT(text, HasSubstr("made when it is first used"));
+  EXPECT_THAT(text, Not(HasSubstr(cached_builtin("arcade").string())));
+  EXPECT_THAT(text, HasSubstr("(built-in counterpart: studio-car)"));
+}
+
+/// With a descriptor of its own, since nobody may ship the originals.
+TEST_F(SceneCommands, ListKnowsTheDescribedFile) {
+  const EnvironmentVariable resources("FOVEOLA_RESOURCES", (folder.path() / "share").string());
+  folder.write("share/protocols/none.toml", "");
+  folder.write("share/scenes/hall.toml", hall);
+  folder.write("real/hall.glb", "abc");
+  EXPECT_THAT(output_of("scene list"), HasSubstr("hall           real "));
+  folder.write("real/hall.glb", "abd");
+  EXPECT_THAT(output_of("scene list"), HasSubstr("hall           another file "));
+}
+
+TEST_F(SceneCommands, ABrokenDescriptorDoesNotBreakTheList) {
+  const EnvironmentVariable resources("FOVEOLA_RESOURCES", (folder.path() / "share").string());
+  folder.write("share/protocols/none.toml", "");
+  folder.write("share/scenes/broken.toml", "title = 7\n");
+  folder.write("share/scenes/hall.toml", hall);
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(output_of("scene list"), HasSubstr("hall           missing "));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              AllOf(HasSubstr("foveola: warning: "), HasSubstr("broken.toml:1:9")));
+}
+
+TEST_F(SceneCommands, FetchTakesAConversionOnlyWhenAskedForAndWarns) {
+  const EnvironmentVariable data_home("XDG_DATA_HOME", (folder.path() / "data").string());
+  const std::string glb("glTF\2\0\0\0\24\0\0\0JSON{}  ", 20);
+  const std::string own = folder.write("own.glb", glb).string();
+  EXPECT_THROW(output_of("scene fetch sponza --from " + own), Error);
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(output_of("scene fetch sponza --unverified --from " + own),
+              HasSubstr("Licence: CC BY 3.0"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("foveola: warning: "));
+  EXPECT_THROW(output_of("scene fetch sponza --unverified"), CLI::RequiresError);
 }
 
 TEST_F(SceneCommands, MakeWritesFilesAndPrintsTheirHash) {

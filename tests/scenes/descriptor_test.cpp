@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -144,6 +145,63 @@ TEST(Descriptor, WrongTypesAndValuesAreNamedWithTheirPlace) {
               HasSubstr("hall.toml:19:17"));
 }
 
+TEST(Descriptor, FilesArePlainNamesOfGlbs) {
+  for (const char* const name : {"../hall.glb", "halls/hall.glb", "/hall.glb", "..", "hall.obj"}) {
+    EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", fmt::format("file = \"{}\"", name))),
+                AllOf(HasSubstr("hall.toml:4:8"), HasSubstr("plain name")))
+        << name;
+  }
+}
+
+TEST(Descriptor, SizesMayExceedAnInt) {
+  const TemporaryFolder folder;
+  const std::string text = std::string("size_bytes = 5000000000\n") + good;
+  EXPECT_EQ(read_descriptor(folder.write("hall.toml", text)).size_bytes, 5'000'000'000U);
+  EXPECT_THAT(error_of(std::string("size_bytes = 0\n") + good),
+              HasSubstr("size_bytes is out of range"));
+}
+
+TEST(Descriptor, ObjectsHaveNamesAndDirectionsOfTheirOwn) {
+  const std::string again =
+      "\n[[object]]\nname = \"Organ\"\nposition = [1, 2, 0]\nradius_deg = 4\n";
+  EXPECT_THAT(error_of(good + again),
+              AllOf(HasSubstr("hall.toml:27:8"), HasSubstr("two objects are called \"Organ\"")));
+  EXPECT_THAT(error_of(with(good, "position = [4.0, 2.0, -3.0]", "position = [1.0, 2.0, 3.0]")),
+              AllOf(HasSubstr("hall.toml:23:12"), HasSubstr("where the camera is")));
+}
+
+TEST(Descriptor, BuiltinScenesThatDoNotExistAreRefused) {
+  EXPECT_THAT(error_of(with(good, "counterpart = \"church\"", "counterpart = \"castle\"")),
+              AllOf(HasSubstr("hall.toml:6:15"), HasSubstr("no built-in scene is called castle")));
+  EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", "builtin = true")),
+              AllOf(HasSubstr("hall.toml:4:11"), HasSubstr("no built-in scene is called hall")));
+}
+
+TEST(Descriptor, OneThatCannotBeReadDoesNotHideTheOthers) {
+  const TemporaryFolder folder;
+  const EnvironmentVariable resources("FOVEOLA_RESOURCES", folder.path().string());
+  folder.write("protocols/none.toml", "");
+  folder.write("scenes/broken.toml", "title = 7\n");
+  folder.write("scenes/hall.toml", good);
+  const DescriptorList list = all_descriptors();
+  ASSERT_EQ(list.descriptors.size(), 1U);
+  EXPECT_EQ(list.descriptors[0].name, "hall");
+  EXPECT_THAT(list.faults, testing::ElementsAre(HasSubstr("broken.toml:1:9")));
+  EXPECT_TRUE(find_descriptor("hall").has_value());
+  EXPECT_THROW(find_descriptor("broken"), Error);
+}
+
+TEST(Descriptor, TheDescribedFileIsToldFromOthers) {
+  const TemporaryFolder folder;
+  Descriptor hall;
+  hall.size_bytes = 3;
+  hall.sha256 = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";  // FIPS 180-4
+  EXPECT_TRUE(is_described_file(hall, folder.write("right", "abc")));
+  EXPECT_FALSE(is_described_file(hall, folder.write("longer", "abcd")));
+  EXPECT_FALSE(is_described_file(hall, folder.write("as long", "abd")));
+  EXPECT_THROW(is_described_file(hall, folder.path() / "missing"), Error);
+}
+
 TEST(Descriptor, MissingKeysAreNamed) {
   EXPECT_THAT(error_of(with(good, "author = \"Somebody\"\n", "")), HasSubstr("author is missing"));
   EXPECT_THAT(error_of(with(good, "radius_deg = 6.5\n", "")), HasSubstr("radius_deg is missing"));
@@ -162,7 +220,9 @@ TEST(Descriptor, BrokenTomlIsNamedWithItsPlace) {
 
 TEST(Descriptor, EveryBuiltinSceneHasOneAndEveryBuiltinOneHasAScene) {
   std::vector<std::string> names;
-  for (const Descriptor& descriptor : all_descriptors()) {
+  const DescriptorList list = all_descriptors();
+  EXPECT_THAT(list.faults, testing::IsEmpty());
+  for (const Descriptor& descriptor : list.descriptors) {
     if (descriptor.is_builtin) {
       names.push_back(descriptor.name);
     }
@@ -190,6 +250,7 @@ TEST(Descriptor, NamesThatAreNoNamesHaveNone) {
   for (const char* const name : {"", ".", "..", "../scenes/arcade", "./arcade", "castle"}) {
     EXPECT_FALSE(find_descriptor(name).has_value()) << name;
   }
+  EXPECT_FALSE(find_descriptor(std::string(300, 'x')).has_value());
 }
 
 TEST(Descriptor, RealFilesAreFoundInFoldersAndTheirSubfolders) {

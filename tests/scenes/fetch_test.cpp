@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
@@ -60,9 +61,10 @@ class FetchTest : public ::testing::Test {
     }
     return {};
   }
-  std::string fetch_from(const Descriptor& descriptor, const fs::path& path) {
+  std::string fetch_from(const Descriptor& descriptor, const fs::path& path,
+                         Accept accept = Accept::described_file) {
     try {
-      EXPECT_EQ(fetch_from_disk(descriptor, path), target());
+      EXPECT_EQ(fetch_from_disk(descriptor, path, accept), target());
     } catch (const Error& error) {
       return error.what();
     }
@@ -148,6 +150,29 @@ TEST_F(FetchTest, TooLongABeginningIsThrownAway) {
   expect_fetched();
 }
 
+TEST_F(FetchTest, ABeginningThatTheServerDoesNotKnowIsThrownAway) {
+  const HttpServer server([&](const std::string& request) {
+    return first_byte_wanted(request) == 0 ? ok(document_) : status("416 Range Not Satisfiable");
+  });
+  fs::create_directories(part().parent_path());
+  write_file(part(), std::string(1000, 'x'));
+  EXPECT_EQ(fetch(hall_at(server.address("/hall.glb"))), "");
+  expect_fetched();
+  EXPECT_EQ(server.requests(), 2);
+}
+
+TEST_F(FetchTest, AFileThatIsThereAndRightIsNotDownloadedAgain) {
+  const HttpServer server([&](const std::string&) { return ok(document_); });
+  const Descriptor hall = hall_at(server.address("/hall.glb"));
+  EXPECT_EQ(fetch(hall), "");
+  EXPECT_EQ(fetch(hall), "");
+  EXPECT_EQ(server.requests(), 1);
+  write_file(target(), "damaged");
+  EXPECT_EQ(fetch(hall), "");
+  EXPECT_EQ(server.requests(), 2);
+  expect_fetched();
+}
+
 TEST_F(FetchTest, AnotherFileOfTheSameSizeIsRefusedAndForgotten) {
   std::string other = document_;
   other.back() ^= 1;
@@ -211,11 +236,39 @@ TEST_F(FetchTest, ComesFromAFileOrAFolderToo) {
 
 TEST_F(FetchTest, OtherFilesOfTheDiskAreRefused) {
   const Descriptor hall = hall_at("");
-  EXPECT_THAT(fetch_from(hall, folder_.write("hall.glb", "another")), HasSubstr("SHA-256"));
+  EXPECT_THAT(fetch_from(hall, folder_.write("hall.glb", "another")),
+              AllOf(HasSubstr("SHA-256"), HasSubstr("--unverified")));
   EXPECT_THAT(fetch_from(hall, folder_ / "missing"), HasSubstr("no such file"));
   fs::create_directories(folder_ / "empty");
   EXPECT_THAT(fetch_from(hall, folder_ / "empty"), HasSubstr("has no hall.glb"));
   EXPECT_FALSE(fs::exists(target()));
+}
+
+/// A glTF binary of 20 bytes, by its header; `more` follows.
+std::string small_glb(const std::string& more) {
+  return std::string("glTF\2\0\0\0\24\0\0\0", 12) + "JSON{}  " + more;
+}
+
+TEST_F(FetchTest, OnesOwnConversionIsTakenWhenAskedFor) {
+  const fs::path own = folder_.write("own.glb", small_glb(""));
+  EXPECT_THAT(fetch_from(hall_at(""), own), HasSubstr("SHA-256"));
+  EXPECT_EQ(fetch_from(hall_at(""), own, Accept::any_glb), "");
+  EXPECT_EQ(read_file(target()), small_glb(""));
+  EXPECT_FALSE(is_described_file(hall_at(""), target()));
+}
+
+TEST_F(FetchTest, WhatIsNoWholeGlbIsNoConversion) {
+  EXPECT_THAT(fetch_from(hall_at(""), folder_.write("a.glb", "another"), Accept::any_glb),
+              HasSubstr("is no glTF binary"));
+  EXPECT_THAT(fetch_from(hall_at(""), folder_.write("b.glb", small_glb("more")), Accept::any_glb),
+              HasSubstr("is no glTF binary"));
+  EXPECT_FALSE(fs::exists(target()));
+}
+
+TEST_F(FetchTest, PipesAreRefused) {
+  const fs::path pipe = folder_ / "pipe.glb";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(fetch_from(hall_at(""), pipe), HasSubstr("is not a regular file"));
 }
 
 }  // namespace

@@ -2,9 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "scenes/builtin.h"
+#include "scenes/descriptor.h"
 #include "tests/scenes/environment.h"
 
 namespace foveola::scenes {
@@ -62,11 +66,25 @@ TEST_F(FindScene, PathTakesTheViewpointOfTheDescriptorThatNamesTheFile) {
 }
 
 TEST_F(FindScene, CopiesOfBuiltinScenesKeepTheirViewpoint) {
-  const std::string made = folder.write("mine/arcade.glb", "x").string();
-  EXPECT_EQ(find_scene(made).title, "Arcade");
+  const std::string glb = read_file(require_builtin("meeting-room"));
+  const std::string made = folder.write("mine/meeting-room.glb", glb).string();
+  EXPECT_EQ(find_scene(made).title, "Meeting room");
   const std::string cached =
-      folder.write("mine/" + cached_builtin("arcade").filename().string(), "x").string();
-  EXPECT_EQ(find_scene(cached).title, "Arcade");
+      folder.write("mine/" + cached_builtin("meeting-room").filename().string(), glb).string();
+  EXPECT_EQ(find_scene(cached).title, "Meeting room");
+}
+
+TEST_F(FindScene, OtherFilesOfABuiltinScenesNameAreNoCopies) {
+  const SceneSource source = find_scene(folder.write("fake/church.glb", "x").string());
+  EXPECT_EQ(source.title, "church");
+  EXPECT_FALSE(source.camera_position.has_value());
+}
+
+TEST_F(FindScene, KnowsTheHashOfTheDescribedFile) {
+  EXPECT_EQ(find_scene("meeting-room").described_sha256,
+            sha256_of_file(require_builtin("meeting-room")));
+  folder.write("real/bmw.glb", "x");
+  EXPECT_EQ(find_scene("bmw").described_sha256, find_descriptor("bmw")->sha256);
 }
 
 TEST_F(FindScene, OtherFilesHaveNoViewpoint) {
@@ -89,6 +107,19 @@ TEST_F(FindScene, UnknownNameListsTheBuiltinScenes) {
 
 TEST_F(FindScene, FolderIsRefused) {
   EXPECT_THAT(error_of(folder.path().string()), HasSubstr("is a folder"));
+}
+
+TEST_F(FindScene, WhatIsNoFileIsRefused) {
+  const std::string pipe = (folder.path() / "pipe.glb").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(error_of(pipe), HasSubstr("is not a regular file"));
+}
+
+TEST_F(FindScene, NamesThatNoFileCanHaveAreUnknown) {
+  EXPECT_THAT(error_of(std::string(300, 'x')), HasSubstr("no such scene or file"));
+  const std::filesystem::path loop = folder.path() / "loop.glb";
+  std::filesystem::create_symlink(loop, loop);
+  EXPECT_THAT(error_of(loop.string()), HasSubstr("no such scene or file"));
 }
 
 }  // namespace
