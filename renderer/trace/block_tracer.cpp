@@ -327,12 +327,11 @@ void BlockTracer::add_unblocked_light() {
   }
   traced_.rays.find_blocked(shadow_rays_);
   counts_.shadow += shadow_rays_.size();
-  const bool has_windows = traced_.rays.has_windows();
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (shadow_rays_[i].is_blocked()) {
       continue;
     }
-    if (has_windows) {
+    if (shadow_rays_[i].met_window()) {
       pending_[i].radiance *= window_transmittance(shadow_rays_[i]);
     }
     paths_[pending_[i].path].radiance += pending_[i].radiance;

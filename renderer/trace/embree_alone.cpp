@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/clock.h"
+#include "renderer/trace/ray_query.h"
 
 namespace foveola {
 namespace {
@@ -86,7 +87,7 @@ class Replay {
   EmbreeTime one_by_one() const {
     std::vector<typename Query::Single> singles = all_singles();
     const double time_s = timed(singles.size(), task_rays, [&](std::size_t begin, std::size_t end) {
-      RTCIntersectContext context = context_for(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+      RayQueryContext context;
       for (std::size_t i = begin; i < end; ++i) {
         Query::trace_one(scene_, &context, &singles[i]);
       }
@@ -102,7 +103,7 @@ class Replay {
     }
     const double time_s =
         timed(count, task_rays / packet_size, [&](std::size_t begin, std::size_t end) {
-          RTCIntersectContext context = context_for(flags);
+          RayQueryContext context(flags);
           for (std::size_t i = begin; i < end; ++i) {
             alignas(32) std::array<int, packet_size> valid{};
             std::fill_n(valid.begin(), std::min(packet_size, rays_.size() - i * packet_size), -1);
@@ -115,7 +116,7 @@ class Replay {
   EmbreeTime in_streams(std::size_t length, RTCIntersectContextFlags flags) const {
     std::vector<typename Query::Single> singles = all_singles();
     const double time_s = timed(singles.size(), task_rays, [&](std::size_t begin, std::size_t end) {
-      RTCIntersectContext context = context_for(flags);
+      RayQueryContext context(flags);
       for (std::size_t i = begin; i < end; i += length) {
         Query::trace_many(scene_, &context, &singles[i],
                           static_cast<unsigned>(std::min(length, end - i)),
@@ -128,13 +129,6 @@ class Replay {
  private:
   static const char* name_of(RTCIntersectContextFlags flags) {
     return flags == RTC_INTERSECT_CONTEXT_FLAG_COHERENT ? "coherent" : "incoherent";
-  }
-
-  static RTCIntersectContext context_for(RTCIntersectContextFlags flags) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = flags;
-    return context;
   }
 
   std::vector<typename Query::Single> all_singles() const {

@@ -1,9 +1,11 @@
 #include "renderer/trace/ray_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -12,6 +14,7 @@
 #include "renderer/base/random.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
+#include "renderer/trace/ray_query.h"
 
 namespace foveola {
 namespace {
@@ -44,8 +47,9 @@ std::uint32_t object_of(unsigned instance, unsigned geometry) {
   return instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance;
 }
 
-/// Calls `passes(sieve, key, hit)` for each hit that Embree asks about, and takes back those that
-/// it is true for. Embree may ask about the same hit more than once, so the answer must not change.
+/// Calls `passes(sieve, ray id, hit)` for each hit that Embree asks about, and takes back those
+/// that it is true for. Embree may ask about the same hit more than once, so the answer must not
+/// change.
 template <typename Passes>
 void take_back_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
   const auto& sieve = *static_cast<const Sieve*>(arguments->geometryUserPtr);
@@ -71,12 +75,26 @@ bool passes_opacity(const Sieve& sieve, std::uint32_t key, const Hit& hit) {
   return opaque < 1.0F && unit_float(mix(mix(key, hit.object), hit.triangle)) >= opaque;
 }
 
-void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
-  take_back_hits(arguments, passes_opacity);
+const RayQueryContext& context_of(const RTCFilterFunctionNArguments* arguments) {
+  return *static_cast<const RayQueryContext*>(arguments->context);
 }
 
+void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
+  const std::uint32_t* keys = context_of(arguments).keys;
+  take_back_hits(arguments, [keys](const Sieve& sieve, std::uint32_t id, const Hit& hit) {
+    return passes_opacity(sieve, keys != nullptr ? keys[id] : id, hit);
+  });
+}
+
+/// Of a window with holes too: what it tints is found out later, by closest hits.
 void filter_windows(const RTCFilterFunctionNArguments* arguments) {
-  take_back_hits(arguments, [](const Sieve&, std::uint32_t, const Hit&) { return true; });
+  std::uint32_t* met_window = context_of(arguments).met_window;
+  take_back_hits(arguments, [met_window](const Sieve&, std::uint32_t id, const Hit&) {
+    if (met_window != nullptr) {
+      met_window[id] = 1;
+    }
+    return true;
+  });
 }
 
 void keep_first_error(void* text, RTCError, const char* message) {
@@ -146,6 +164,12 @@ struct RayScene::Embree {
     return empty;
   }
 
+  void find_blocked(std::span<Ray> rays, RayQueryContext& context) const {
+    // Embree's ray and ours are the same bytes (asserted above).
+    rtcOccluded1M(scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
+                  static_cast<unsigned>(rays.size()), sizeof(Ray));
+  }
+
   void commit(RTCScene ready, const Workers& workers) const {
     workers.for_each_block(1, 1, [&](std::size_t, std::size_t) { rtcCommitScene(ready); });
     throw_if_failed();
@@ -213,8 +237,7 @@ Hit RayScene::closest_hit(const Ray& ray) const {
                ray.t_max,       ray.mask,        ray.key,         0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  RayQueryContext context;
   rtcIntersect1(embree_->scene.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
     return {};
@@ -225,17 +248,32 @@ Hit RayScene::closest_hit(const Ray& ray) const {
           .triangle = query.hit.primID};
 }
 
-bool RayScene::has_windows() const { return embree_->has_windows; }
-
 RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
 
 void RayScene::find_blocked(std::span<Ray> rays) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  // Embree's ray and ours are the same bytes (asserted above).
-  rtcOccluded1M(embree_->scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
-                static_cast<unsigned>(rays.size()), sizeof(Ray));
+  if (!embree_->has_windows) {
+    RayQueryContext context;
+    embree_->find_blocked(rays, context);
+    return;
+  }
+  // The filters note windows by the ray's number, so that takes the place of its key.
+  constexpr std::size_t most = 512;
+  std::array<std::uint32_t, most> keys;
+  for (; !rays.empty(); rays = rays.subspan(std::min(most, rays.size()))) {
+    const std::span<Ray> some = rays.first(std::min(most, rays.size()));
+    std::array<std::uint32_t, most> met_window{};
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      keys[i] = std::exchange(some[i].key, static_cast<std::uint32_t>(i));
+    }
+    RayQueryContext context;
+    context.keys = keys.data();
+    context.met_window = met_window.data();
+    embree_->find_blocked(some, context);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      some[i].key = keys[i];
+      some[i].flags = met_window[i];
+    }
+  }
 }
 
 }  // namespace foveola

@@ -23,10 +23,11 @@ struct alignas(16) Ray {
   float time = 0.0F;
   float t_max = std::numeric_limits<float>::infinity();
   std::uint32_t mask = ~0U;
-  std::uint32_t key = 0;  ///< random; decides which blended surfaces the ray meets
-  std::uint32_t flags = 0;
+  std::uint32_t key = 0;    ///< random; decides which blended surfaces the ray meets
+  std::uint32_t flags = 0;  ///< of find_blocked(): whether it met a window
 
   bool is_blocked() const { return t_max < 0.0F; }
+  bool met_window() const { return flags != 0; }
 };
 
 /// Where a ray met a triangle: at (1 - u - v) * p0 + u * p1 + v * p2 with barycentric = (u, v).
@@ -63,12 +64,9 @@ class RayScene {
     return closest_hit(Ray{.origin = origin, .direction = direction});
   }
 
-  /// Marks the rays that meet a triangle as blocked; windows (see opacity.h) do not block. Their
-  /// order is of no importance.
+  /// Marks the rays that meet a triangle as blocked. Windows (see opacity.h) do not block but tint,
+  /// so the rays that met one are marked too. Their order is of no importance.
   void find_blocked(std::span<Ray> rays) const;
-
-  /// Whether there are windows, which tint the rays that find_blocked() lets pass.
-  bool has_windows() const;
 
   /// Embree's own, for measuring it alone.
   RTCSceneTy* embree_scene() const;

@@ -157,11 +157,37 @@ TEST(RaySceneTest, WindowsAreMetButDoNotBlock) {
   scene.materials[0].transmission = 1.0F;
   scene.materials[0].roughness = 0.0F;
   const RayScene rays(scene, workers());
-  EXPECT_TRUE(rays.has_windows());
   EXPECT_FALSE(rays.closest_hit(Vec3(0.0F), Vec3(0.1F, 0.2F, -1.0F)).missed());
-  std::vector<Ray> stream{{.direction = Vec3(0.1F, 0.2F, -1.0F)}};
+  std::vector<Ray> stream{{.direction = Vec3(0.1F, 0.2F, -1.0F)},
+                          {.direction = Vec3(0.0F, 0.0F, 1.0F)}};
   rays.find_blocked(stream);
   EXPECT_FALSE(stream[0].is_blocked());
+  EXPECT_TRUE(stream[0].met_window());
+  EXPECT_FALSE(stream[1].is_blocked());
+  EXPECT_FALSE(stream[1].met_window());
+}
+
+TEST(RaySceneTest, BehindAWindowTheRaysOwnKeysDecide) {
+  Scene scene = one_quad();
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  scene.materials[0].alpha = 0.5F;
+  const RayScene bare(scene, workers());
+  scene.materials.push_back(dielectric(0.5F));
+  scene.materials[1].transmission = 1.0F;
+  scene.materials[1].roughness = 0.0F;
+  scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 1));
+  const RayScene glazed(scene, workers());
+  std::vector<Ray> stream;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    stream.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = mix(i)});
+  }
+  std::vector<Ray> through = stream;
+  bare.find_blocked(stream);
+  glazed.find_blocked(through);
+  for (std::uint32_t i = 0; i < stream.size(); ++i) {
+    EXPECT_EQ(through[i].is_blocked(), stream[i].is_blocked());
+    EXPECT_EQ(through[i].key, mix(i));
+  }
 }
 
 TEST(RaySceneTest, InstancesAreMetWhereTheyStand) {

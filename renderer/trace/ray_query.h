@@ -1,0 +1,23 @@
+// What Embree hands through to the filters of a query.
+#pragma once
+
+#include <cstdint>
+
+#include <embree3/rtcore.h>
+
+namespace foveola {
+
+/// Every query goes with one of these: the filters rely on it.
+struct RayQueryContext : RTCIntersectContext {
+  /// By the rays' ids; null: a ray's id is its key itself.
+  const std::uint32_t* keys = nullptr;
+  std::uint32_t* met_window = nullptr;  ///< by the rays' ids, set where a ray met one; or null
+
+  explicit RayQueryContext(RTCIntersectContextFlags wanted = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT)
+      : RTCIntersectContext{} {
+    rtcInitIntersectContext(this);
+    flags = wanted;
+  }
+};
+
+}  // namespace foveola
