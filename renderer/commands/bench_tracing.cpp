@@ -14,7 +14,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/error.h"
+#include "renderer/base/random.h"
 #include "renderer/commands/stage.h"
 #include "renderer/film/sample_pass.h"
 #include "renderer/trace/embree_alone.h"
@@ -81,9 +81,13 @@ struct EmbreeFigure {
 
 struct TracingFigures {
   int threads = 0;
-  double seconds = 0.0;  ///< for all paths: sampled, traced and filmed
+  double seconds = 0.0;           ///< for all paths: sampled, traced and filmed
+  double sampling_seconds = 0.0;  ///< of them, for points and directions, on one thread
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
+
+  /// Of the time of all threads, the part that draws directions.
+  double sampling_share() const { return sampling_seconds / (threads * seconds); }
 
   double embree_seconds() const {
     double sum_s = 0.0;
@@ -129,6 +133,22 @@ class Course {
     });
   }
 
+  /// What of that it takes to draw the directions, on one thread. Returns the seconds.
+  double draw_directions() const {
+    std::vector<Vec2> points(pass_points);
+    std::vector<ViewSample> samples(pass_points);
+    const SteadyClock clock;
+    const Nanoseconds start = clock.now();
+    for (std::uint64_t first = 0; first < settings_.budget.samples; first += pass_points) {
+      const std::uint64_t count = std::min(pass_points, settings_.budget.samples - first);
+      for (std::uint64_t i = 0; i < count; ++i) {
+        points[i] = sobol_2d(first + i, settings_.seed);
+      }
+      sampler_->sample(std::span(points).first(count), std::span(samples).first(count));
+    }
+    return seconds(clock.now() - start);
+  }
+
   /// The rays of all that.
   RayLog log_rays() const {
     RayLog log;
@@ -170,15 +190,18 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   const RayLog log = course.log_rays();
   TracingFigures figures{.threads = stage.workers.threads(), .rays = {}, .embree = {}};
   std::vector<double> render_s;
+  std::vector<double> sampling_s;
   std::array<EmbreeRound, ray_kinds.size()> embree;
   for (int round = 0; round < rounds; ++round) {
     render_s.push_back(course.render(figures.rays));
+    sampling_s.push_back(course.draw_directions());
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       embree[i].add(time_embree(stage.tracer.ray_scene(), log.*ray_kinds[i].rays,
                                 ray_kinds[i].query, stage.workers));
     }
   }
   figures.seconds = median(render_s);
+  figures.sampling_seconds = median(sampling_s);
   for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
     figures.embree.push_back(fastest_of(ray_kinds[i].name, embree[i]));
   }
@@ -205,6 +228,8 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
           {"paths_per_second", static_cast<double>(paths) / figures.seconds},
           {"rays", rays},
           {"rays_per_second", rays_per_second},
+          {"sampling_ns_per_path", 1e9 * figures.sampling_seconds / static_cast<double>(paths)},
+          {"sampling_share", figures.sampling_share()},
           {"embree_seconds", figures.embree_seconds()},
           {"ratio_to_embree", figures.seconds / figures.embree_seconds()},
           {"embree", embree}};
@@ -239,6 +264,9 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
         figures.threads, figures.threads == 1 ? "" : "s",
         static_cast<double>(paths) / figures.seconds, figures.seconds / figures.embree_seconds(),
         runs.front().seconds / figures.seconds);
+    fmt::print("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
+               1e9 * figures.sampling_seconds / static_cast<double>(paths),
+               100.0 * figures.sampling_share());
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
       if (rays > 0.0) {
