@@ -159,13 +159,6 @@ void resize_lights(Scene& scene, const SceneSource& source) {
   }
 }
 
-std::string another_file_warning(const SceneSource& source) {
-  return fmt::format(
-      "{} is not the file that the descriptor of \"{}\" means: its SHA-256 differs, and camera, "
-      "lights and objects may not fit; say so wherever it is shown",
-      source.file.filename().string(), source.title);
-}
-
 }  // namespace
 
 Scene load_scene_file(const std::filesystem::path& path) {
@@ -175,15 +168,21 @@ Scene load_scene_file(const std::filesystem::path& path) {
   return extension == ".obj" ? load_obj(path) : load_gltf(path);
 }
 
-bool is_another_file(const Scene& scene, const SceneSource& source) {
-  return !source.described_sha256.empty() && scene.sha256 != source.described_sha256;
+std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source) {
+  if (source.described_sha256.empty() || scene.sha256 == source.described_sha256) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "{} is not the file that the descriptor of \"{}\" means: its SHA-256 differs, and camera, "
+      "lights and objects may not fit; say so wherever it is shown",
+      source.file.filename().string(), source.title);
 }
 
 Scene load_scene(const SceneSource& source) {
   require_valid(source);
   Scene scene = load_scene_file(source.file);
-  if (is_another_file(scene, source)) {
-    scene.warnings.insert(scene.warnings.begin(), another_file_warning(source));
+  if (const std::optional<std::string> warning = warning_of_another_file(scene, source)) {
+    scene.warnings.insert(scene.warnings.begin(), *warning);
   }
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     add_light(scene, source.lights[i], i + 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "renderer/base/scene_source.h"
@@ -27,9 +28,9 @@ Scene load_scene_file(const std::filesystem::path& path);
 /// lights. Throws Error as well for what of these makes no sense.
 Scene load_scene(const SceneSource& source);
 
-/// Whether `scene` comes from another file than the one that its source was written for. load_scene
-/// warns of it; whatever shows or records the scene has to say so as well.
-bool is_another_file(const Scene& scene, const SceneSource& source);
+/// What to say of a scene that comes from another file than the one that its source was written
+/// for, if it does. It is the first of the warnings of what load_scene returns.
+std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source);
 
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Throws Error if it cannot be read.
 Environment load_environment(const std::filesystem::path& path);

@@ -8,7 +8,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
+#include "renderer/scene/load_scene.h"
 #include "study/commands/participant_code.h"
+#include "study/commands/scene_files.h"
 #include "study/commands/scene_stage.h"
 #include "study/commands/seeds.h"
 #include "study/commands/session_runner.h"
@@ -75,6 +77,15 @@ std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
                      .sha256 = stage->scene().sha256});
   }
   return shown;
+}
+
+/// Whoever runs a study has to know; whoever reads its record can compare the hashes.
+void warn_of_other_files(const SceneStages& stages) {
+  for (const auto& [name, stage] : stages) {
+    if (const auto warning = warning_of_another_file(stage->scene(), stage->source())) {
+      fmt::print(stderr, "foveola: warning: {}: {}\n", name, *warning);
+    }
+  }
 }
 
 int scene_index(const Protocol& protocol, const std::string& name) {
@@ -188,6 +199,10 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   require_usable(settings.database, protocol);
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
+  warn_of_other_files(stages);
+  if (fs::exists(settings.database)) {
+    require_same_files(settings.database, shown_scenes(stages));
+  }
   render_references(stages, protocol, workers, stop);
   SimulateReport report;
   if (!stop.stop_requested()) {

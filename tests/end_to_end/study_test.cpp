@@ -1,4 +1,5 @@
 // From a protocol to a report, with the built program, and the results read back.
+#include <cstring>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -107,6 +108,110 @@ TEST(Study, TheSameSeedGivesTheSameMarks) {
   const auto first = marks("a.sqlite", "5", "1");
   EXPECT_EQ(first, marks("b.sqlite", "5", "2"));
   EXPECT_NE(first, marks("c.sqlite", "6", "2"));
+}
+
+const char* const hall_protocol = R"(
+name = "hall"
+title = "A study of a hall"
+scenes = ["hall"]
+methods = ["od"]
+
+[machine]
+samples_per_second = 3845
+
+[film]
+width = 32
+height = 16
+max_depth = 2
+
+[display]
+view_width = 16
+view_height = 16
+
+[timing]
+mark_timeout_s = 5
+
+[reference]
+samples_per_pixel = 4
+samples_per_object = 100
+)";
+
+/// With no SHA-256.
+const char* const hall_descriptor = R"(
+title = "A hall"
+author = "Somebody"
+licence = "CC0"
+file = "hall.glb"
+
+[camera]
+position = [0.0, 1.0, 0.0]
+azimuth_deg = 0.0
+elevation_deg = 0.0
+
+[[object]]
+name = "Wall"
+position = [0.0, 1.0, -1.0]
+radius_deg = 5.0
+)";
+
+/// room_gltf() as a .glb of its JSON alone.
+std::string room_glb() {
+  std::string json = room_gltf();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto word = [](std::size_t value) {
+    const auto bits = static_cast<std::uint32_t>(value);
+    std::string bytes(4, '\0');
+    std::memcpy(bytes.data(), &bits, 4);
+    return bytes;
+  };
+  return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
+}
+
+class StudyOfAHall : public testing::Test {
+ protected:
+  StudyOfAHall() {
+    folder.write("share/protocols/hall.toml", hall_protocol);
+    folder.write("real/hall.glb", room_glb());
+    digest = run_program({"sha256sum", (folder / "real/hall.glb").string()}).output.substr(0, 64);
+    const std::string top = "sha256 = \"" + digest + "\"\n";
+    folder.write("share/scenes/hall.toml", top + hall_descriptor);
+  }
+
+  ProgramResult simulate(const std::string& database) const {
+    return run_foveola(
+        {"study", "simulate", "hall", "--db", (folder / database).string(), "--participants", "1"},
+        {{"FOVEOLA_RESOURCES", (folder / "share").string()},
+         {"FOVEOLA_SCENE_PATH", (folder / "real").string()},
+         {"XDG_CACHE_HOME", (folder / "cache").string()}});
+  }
+  std::string recorded_digest(const std::string& database) const {
+    return query(folder / database, "SELECT file_sha256 FROM session_scene");
+  }
+
+  TemporaryFolder folder;
+  std::string digest;  ///< of hall.glb, by coreutils
+};
+
+TEST_F(StudyOfAHall, RecordsTheHashOfTheFileThatWasShown) {
+  const ProgramResult simulated = simulate("study.sqlite");
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  EXPECT_THAT(simulated.errors, testing::Not(HasSubstr("warning")));
+  EXPECT_EQ(recorded_digest("study.sqlite"), digest);
+}
+
+TEST_F(StudyOfAHall, AnotherFileIsWarnedOfAndNotMixedIn) {
+  ASSERT_EQ(simulate("study.sqlite").exit_code, 0);
+  std::string other = room_glb();
+  other.replace(other.find("room"), 4, "hall");
+  folder.write("real/hall.glb", other);
+  const ProgramResult mixed = simulate("study.sqlite");
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.errors, HasSubstr("its sessions saw another file as hall"));
+  EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
+  const ProgramResult alone = simulate("other.sqlite");
+  ASSERT_EQ(alone.exit_code, 0) << alone.errors;
+  EXPECT_THAT(alone.errors, HasSubstr("hall.glb is not the file that the descriptor"));
+  EXPECT_NE(recorded_digest("other.sqlite"), digest);
 }
 
 }  // namespace
