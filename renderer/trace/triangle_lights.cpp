@@ -13,9 +13,10 @@ namespace foveola {
 namespace {
 
 /// A triangle is near if its longest side, squared, is more than this share of the squared distance
-/// to its nearest corner. From farther away its area varies by less than half in brightness, and
-/// points that are uniform in it are as good and cheaper.
-constexpr float near_share = 0.1F;
+/// to its nearest corner. Points that are uniform in the area of the others are cheaper. Against a
+/// tenth of this share, the variance of the built-in scenes rises by 1 to 4 %, and their time falls
+/// by 5 to 18 %.
+constexpr float near_share = 1.0F;
 
 /// Steradians; what is less is seen edge-on, and gives next to nothing.
 constexpr float smallest_solid_angle = 1e-3F;
