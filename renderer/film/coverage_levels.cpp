@@ -60,9 +60,15 @@ void CoverageLevels::refresh_all() {
   }
 }
 
-void CoverageLevels::clear() {
-  for (Level& level : levels_) {
-    std::fill(level.cells.begin(), level.cells.end(), Coverage{});
+void CoverageLevels::clear(std::span<const std::uint32_t> filled) {
+  for (const std::uint32_t cell : filled) {
+    int x = static_cast<int>(cell) % levels_.front().width;
+    int y = static_cast<int>(cell) / levels_.front().width;
+    for (Level& level : levels_) {
+      level.cells[static_cast<std::size_t>(y * level.width + x)] = {};
+      x /= 2;
+      y /= 2;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "renderer/film/coverage.h"
@@ -30,7 +31,8 @@ class CoverageLevels {
   /// Averages anew what lies above these cells of the finest level.
   void refresh(std::vector<std::uint32_t> changed);
   void refresh_all();
-  void clear();
+  /// Empties these cells of the finest level, and what lies above them.
+  void clear(std::span<const std::uint32_t> filled);
 
  private:
   struct Level {

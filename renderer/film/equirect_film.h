@@ -25,6 +25,7 @@ struct NumberedBatch {
     std::size_t end = 0;
   };
   std::vector<SampleJob> jobs;
+  std::vector<FilmTile::Place> places;  ///< of each job, in its tile
   std::vector<TileRange> tiles;
 };
 
@@ -91,19 +92,41 @@ class EquirectFilm {
   FilmImage resolve() const;
 
  private:
-  struct Place {
-    std::uint32_t tile;
-    int x;  ///< within the tile
-    int y;
+  /// Of the tiles' array.
+  struct Slot {
+    FilmTile* tile = nullptr;
+    std::uint32_t epoch = 0;  ///< that the tile is of: those of others are void
+  };
+  /// Buffers of sort_by_tile.
+  struct Sorting {
+    std::vector<std::uint32_t> counts;  ///< of each tile; all 0 between calls
+    std::vector<std::uint32_t> tiles;   ///< of each sample
+    std::vector<IVec2> pixels;          ///< likewise
   };
 
-  Place place(int x, int y) const;
-  Place place(std::uint32_t pixel) const;
+  std::uint32_t tile_of(int x, int y) const {
+    return static_cast<std::uint32_t>(y / tile_size) * tiles_across_ +
+           static_cast<std::uint32_t>(x / tile_size);
+  }
+  static FilmTile::Place place(int x, int y) { return {x % tile_size, y % tile_size}; }
   /// Null where nothing was sampled since the film was cleared.
-  const FilmTile* find_tile(std::uint32_t tile) const;
-  /// Fills batch.jobs, their numbers still missing, and batch.tiles.
-  void sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch) const;
+  const FilmTile* find_tile(std::uint32_t tile) const {
+    const Slot& slot = tiles_[tile];
+    return slot.epoch == epoch_ ? slot.tile : nullptr;
+  }
+  const FilmTile::Pixel* find_pixel(int x, int y) const {
+    const FilmTile* tile = find_tile(tile_of(x, y));
+    return tile != nullptr ? tile->find(place(x, y)) : nullptr;
+  }
+  /// Fills all of the batch but the jobs' numbers.
+  void sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch);
   void number_tile(const NumberedBatch::TileRange& range, NumberedBatch& batch);
+  /// Calls `work(range)` for every tile of the batch, and asks for the memory of those to come.
+  template <typename Work>
+  void for_each_tile(const NumberedBatch& batch, const Workers& workers, const Work& work) const;
+  /// Calls `visit(tile, place)` for a tile of the batch, if there is one yet, and its first jobs.
+  template <typename Visit>
+  void visit_tile(const NumberedBatch& batch, std::size_t range, const Visit& visit) const;
   void add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
                 std::span<const Rgb> radiance);
 
@@ -111,9 +134,12 @@ class EquirectFilm {
   int height_;
   bool with_squares_;
   std::uint32_t tiles_across_;
-  std::vector<std::unique_ptr<FilmTile>> tiles_;
+  std::unique_ptr<FilmTile::Memory> memory_;
+  std::vector<Slot> tiles_;
+  std::vector<std::uint32_t> living_tiles_;  ///< those of this epoch
+  Sorting sorting_;
   CoverageLevels coarse_;  ///< of a cell a tile, and up
-  /// Of the samples since the last clear. A tile of another epoch holds what was forgotten.
+  /// Of the samples since the last clear.
   std::uint32_t epoch_ = 1;
   std::uint64_t total_samples_ = 0;
 };

@@ -13,113 +13,108 @@ void for_each_bit(std::uint32_t word, const Visit& visit) {
   }
 }
 
+/// Of four cells in a row.
+Coverage mean_of_four(const Coverage* cells) {
+  return mean_of(cells[0], cells[1], cells[2], cells[3]);
+}
+
 }  // namespace
 
-void FilmTile::enter(std::uint32_t epoch) {
-  if (epoch_ != epoch) {
-    epoch_ = epoch;
-    alive_ = 0;
-    level3_.fill({});
-    level4_.fill({});
-    level5_ = {};
+void FilmTile::Memory::reserve(std::size_t samples) {
+  tiles_.reserve(samples);
+  blocks_.reserve(samples);
+  if (with_squares_) {
+    quads_with_squares_.reserve(samples);
+  } else {
+    quads_.reserve(samples);
   }
 }
 
-FilmTile::Pixel& FilmTile::touch(int x, int y, bool with_squares) {
-  const std::size_t index = block_index(x, y);
-  std::unique_ptr<Block>& block = blocks_[index];
-  if ((alive_ >> index & 1U) == 0) {
-    alive_ |= 1U << index;
-    if (!block) {
-      block = std::make_unique_for_overwrite<Block>();
-      if (with_squares) {
-        block->squares = std::make_unique_for_overwrite<std::array<double, Block::pixel_count>>();
-      }
-    }
-    block->touched = 0;
-    block->averaged = 0;
+void FilmTile::Memory::clear() {
+  tiles_.clear();
+  blocks_.clear();
+  quads_.clear();
+  quads_with_squares_.clear();
+}
+
+FilmTile::Pixel& FilmTile::touch(Place place, Memory& memory) {
+  Block*& block = blocks_[place.block()];
+  if (block == nullptr) {
+    block = memory.take_block();
   }
-  const std::size_t pixel = index_in_block(x, y);
-  if (!block->is_touched(pixel)) {
-    block->touched |= std::uint64_t{1} << pixel;
-    block->pixels[pixel] = {};
-    if (block->squares) {
-      (*block->squares)[pixel] = 0.0;
-    }
+  Quad*& quad = block->quads[place.quad()];
+  if (quad == nullptr) {
+    quad = memory.take_quad();
   }
-  return block->pixels[pixel];
+  return quad->pixels[place.pixel()];
 }
 
-const FilmTile::Pixel* FilmTile::find(int x, int y) const {
-  const Block* block = living_block(x, y);
-  const std::size_t pixel = index_in_block(x, y);
-  return block != nullptr && block->is_touched(pixel) ? &block->pixels[pixel] : nullptr;
-}
-
-Coverage FilmTile::Block::level2_cell(std::size_t cell) const {
-  constexpr std::size_t across = squares_across;
-  // Two neighbouring cells of level 1 in each of two rows.
-  constexpr std::uint32_t below = 3U | 3U << across;
-  const bool is_averaged = (averaged >> (cell / 2 * 2 * across + cell % 2 * 2) & below) != 0;
-  return is_averaged ? level2[cell] : Coverage{};
-}
-
-void FilmTile::Block::refresh(std::uint32_t squares_touched) {
-  constexpr std::size_t across = squares_across;
-  std::uint32_t touched2 = 0;
-  for_each_bit(squares_touched, [&](std::size_t square) {
-    const std::size_t x = square % across;
-    const std::size_t y = square / across;
-    const std::size_t corner = 2 * y * block_size + 2 * x;
-    level1[square] = mean_of(coverage(corner), coverage(corner + 1), coverage(corner + block_size),
-                             coverage(corner + block_size + 1));
-    touched2 |= 1U << (y / 2 * (across / 2) + x / 2);
-  });
-  averaged |= squares_touched;
-  for_each_bit(touched2, [&](std::size_t cell) {
-    const std::size_t corner = cell / 2 * 2 * across + cell % 2 * 2;
-    level2[cell] = mean_of(level1_cell(corner), level1_cell(corner + 1),
-                           level1_cell(corner + across), level1_cell(corner + across + 1));
-  });
+const FilmTile::Pixel* FilmTile::find(Place place) const {
+  const Block* block = blocks_[place.block()];
+  const Quad* quad = block != nullptr ? block->quads[place.quad()] : nullptr;
+  return quad != nullptr ? &quad->pixels[place.pixel()] : nullptr;
 }
 
 void FilmTile::refresh(const Touched& touched) {
-  constexpr std::size_t across = blocks_across;
   std::uint32_t touched4 = 0;
-  for (std::size_t block = 0; block < block_count; ++block) {
-    if (touched.squares_[block] != 0) {
-      blocks_[block]->refresh(touched.squares_[block]);
-      const Block& averaged = *blocks_[block];
-      level3_[block] = mean_of(averaged.level2_cell(0), averaged.level2_cell(1),
-                               averaged.level2_cell(2), averaged.level2_cell(3));
-      touched4 |= 1U << (block / across / 2 * (across / 2) + block % across / 2);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (touched.quads_[i] == 0) {
+      continue;
     }
+    Block& block = *blocks_[i];
+    std::uint32_t touched2 = 0;
+    for_each_bit(touched.quads_[i], [&](std::size_t quad) {
+      const std::array<Pixel, 4>& pixels = block.quads[quad]->pixels;
+      block.level1[quad] = mean_of(pixels[0].coverage(), pixels[1].coverage(), pixels[2].coverage(),
+                                   pixels[3].coverage());
+      touched2 |= 1U << quad / 4;
+    });
+    for_each_bit(touched2, [&](std::size_t cell) {
+      block.level2[cell] = mean_of_four(&block.level1[4 * cell]);
+    });
+    level3_[i] = mean_of_four(block.level2.data());
+    touched4 |= 1U << (i / 8 * 2 + i % 4 / 2);
   }
   for_each_bit(touched4, [&](std::size_t cell) {
-    const Coverage* corner = &level3_[cell / 2 * 2 * across + cell % 2 * 2];
-    level4_[cell] = mean_of(corner[0], corner[1], corner[across], corner[across + 1]);
+    const Coverage* corner = &level3_[cell / 2 * 8 + cell % 2 * 2];
+    level4_[cell] = mean_of(corner[0], corner[1], corner[4], corner[5]);
   });
-  level5_ = mean_of(level4_[0], level4_[1], level4_[2], level4_[3]);
+  level5_ = mean_of_four(level4_.data());
 }
 
 Coverage FilmTile::cell(int level, int x, int y) const {
-  const auto index = [](int column, int row, int across) {
-    return static_cast<std::size_t>(row * across + column);
-  };
   if (level >= 3) {
-    return level == 3   ? level3_[index(x, y, blocks_across)]
-           : level == 4 ? level4_[index(x, y, blocks_across / 2)]
-                        : level5_;
+    const auto index = static_cast<std::size_t>(y * (size >> level) + x);
+    return level == 3 ? level3_[index] : level == 4 ? level4_[index] : level5_;
   }
-  const Block* block = living_block(x << level, y << level);
+  const Place place(x << level, y << level);
+  if (level == 0) {
+    const Pixel* pixel = find(place);
+    return pixel != nullptr ? pixel->coverage() : Coverage{};
+  }
+  const Block* block = blocks_[place.block()];
   if (block == nullptr) {
     return {};
   }
-  const int across = block_size >> level;
-  const std::size_t cell = index(x % across, y % across, across);
-  return level == 0   ? block->coverage(cell)
-         : level == 1 ? block->level1_cell(cell)
-                      : block->level2_cell(cell);
+  return level == 1 ? block->level1[place.quad()] : block->level2[place.quad() / 4];
+}
+
+void FilmTile::prefetch_block(Place place) const {
+  const Block* block = blocks_[place.block()];
+  if (block != nullptr) {
+    __builtin_prefetch(&block->quads[place.quad()]);
+    __builtin_prefetch(&block->level1[place.quad()]);
+    __builtin_prefetch(&block->level2);
+  }
+}
+
+void FilmTile::prefetch_pixel(Place place) const {
+  const Block* block = blocks_[place.block()];
+  if (block != nullptr && block->quads[place.quad()] != nullptr) {
+    const Quad* quad = block->quads[place.quad()];
+    __builtin_prefetch(quad);
+    __builtin_prefetch(&quad->pixels[2]);
+  }
 }
 
 }  // namespace foveola

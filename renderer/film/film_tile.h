@@ -3,30 +3,20 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 
 #include "renderer/film/coverage.h"
+#include "renderer/film/item_pool.h"
 
 namespace foveola {
 
 inline constexpr std::size_t cache_line = 64;  ///< bytes
 
-/// Its blocks of 8 x 8 pixels come to life when first sampled: even a first frame whose samples lie
-/// far apart touches little memory.
+/// Blocks of 8 x 8 pixels, made of quads of 2 x 2, come to life when first sampled: at a film's
+/// usual sizes its updates take as long as its memory does, so samples that lie far apart must
+/// touch little of it.
 class alignas(cache_line) FilmTile {
-  // Touched needs these.
-
-  static constexpr int block_size = 8;
-  static constexpr int blocks_across = 4;
-  static constexpr std::size_t block_count = std::size_t{blocks_across} * blocks_across;
-  static constexpr int squares_across = block_size / 2;
-
-  static std::size_t block_index(int x, int y) {
-    return static_cast<std::size_t>(y / block_size * blocks_across + x / block_size);
-  }
-
  public:
-  static constexpr int size = blocks_across * block_size;  ///< pixels along a side: 32
+  static constexpr int size = 32;   ///< pixels along a side
   static constexpr int levels = 5;  ///< of the pyramid above the pixels; the last is one cell
 
   struct Pixel {
@@ -38,80 +28,108 @@ class alignas(cache_line) FilmTile {
     Coverage coverage() const { return count > 0 ? Coverage{mean(), 1.0F} : Coverage{}; }
   };
 
-  /// A set of pixels, or rather of the squares of 2 x 2 pixels that they lie in.
+  /// A pixel of a tile: its block (of 16, row by row), its quad in the block (of 16, along a
+  /// Z-order curve so that the four under a cell of level 2 are neighbours), itself in the quad.
+  class Place {
+   public:
+    Place() = default;
+    /// x and y in [0, size).
+    Place(int x, int y)
+        : code_(static_cast<std::uint16_t>((y >> 3) << 8 | (x >> 3) << 6 | bit(y, 2) << 5 |
+                                           bit(x, 2) << 4 | bit(y, 1) << 3 | bit(x, 1) << 2 |
+                                           bit(y, 0) << 1 | bit(x, 0))) {}
+    std::size_t block() const { return code_ >> 6; }
+    std::size_t quad() const { return code_ >> 2 & 15U; }
+    std::size_t pixel() const { return code_ & 3U; }
+
+   private:
+    static int bit(int number, int index) { return number >> index & 1; }
+
+    std::uint16_t code_ = 0;
+  };
+
+  /// Quads that samples fell in.
   class Touched {
    public:
-    void add(int x, int y) {
-      const int square = y % block_size / 2 * squares_across + x % block_size / 2;
-      squares_[block_index(x, y)] |= 1U << square;
-    }
+    void add(Place place) { quads_[place.block()] |= 1U << place.quad(); }
 
    private:
     friend class FilmTile;
-    std::array<std::uint32_t, block_count> squares_{};  ///< of each block, a bit for each
+    std::array<std::uint32_t, 16> quads_{};  ///< of each block, a bit for each
   };
 
-  /// Forgets all samples if they are from before `epoch`.
-  void enter(std::uint32_t epoch);
-  std::uint32_t epoch() const { return epoch_; }
+ private:
+  struct alignas(cache_line) Quad {
+    std::array<Pixel, 4> pixels;
+  };
+  struct QuadWithSquares : Quad {
+    std::array<double, 4> squares;
+  };
+  struct alignas(cache_line) Block {
+    std::array<Quad*, 16> quads;
+    std::array<Coverage, 16> level1;
+    std::array<Coverage, 4> level2;
+  };
 
-  /// x and y in [0, size). Brings the pixel's block to life, with squares of luminance if asked.
-  Pixel& touch(int x, int y, bool with_squares);
+ public:
+  /// Where the parts of a film's tiles come from.
+  class Memory {
+   public:
+    /// with_squares: keep the squares of luminances too.
+    explicit Memory(bool with_squares) : with_squares_(with_squares) {}
+    /// For what `samples` samples may bring to life.
+    void reserve(std::size_t samples);
+    FilmTile* take_tile() { return tiles_.take(); }
+    /// All tiles are void from now on.
+    void clear();
+
+   private:
+    friend class FilmTile;
+    Block* take_block() { return blocks_.take(); }
+    Quad* take_quad() { return with_squares_ ? quads_with_squares_.take() : quads_.take(); }
+
+    bool with_squares_;
+    ItemPool<FilmTile> tiles_;
+    ItemPool<Block> blocks_;
+    ItemPool<Quad> quads_;
+    ItemPool<QuadWithSquares> quads_with_squares_;
+  };
+
+  /// Brings the pixel to life.
+  Pixel& touch(Place place, Memory& memory);
   /// A pixel that was touched.
-  Pixel& at(int x, int y) { return block_of(x, y)->pixels[index_in_block(x, y)]; }
+  Pixel& at(Place place) { return quad_at(place)->pixels[place.pixel()]; }
   /// Null if it was not touched.
-  const Pixel* find(int x, int y) const;
-  /// The sum of the squared luminances of a pixel that was touched with squares.
-  double& squares(int x, int y) { return (*block_of(x, y)->squares)[index_in_block(x, y)]; }
-  double squares(int x, int y) const { return (*block_of(x, y)->squares)[index_in_block(x, y)]; }
+  const Pixel* find(Place place) const;
+  /// The sum of the squared luminances of a pixel that was touched, in memory with squares.
+  double& squares(Place place) {
+    return static_cast<QuadWithSquares*>(quad_at(place))->squares[place.pixel()];
+  }
+  double squares(Place place) const {
+    return static_cast<const QuadWithSquares*>(quad_at(place))->squares[place.pixel()];
+  }
 
   /// Averages anew what lies above `touched`.
   void refresh(const Touched& touched);
   /// level in [0, levels], 0 being the pixels; x and y in [0, size >> level).
   Coverage cell(int level, int x, int y) const;
 
+  /// Ask for the memory that the next step, or touching and averaging a pixel, will need. In this
+  /// order, each a while after the other, since each looks into what the one before asked for.
+  void prefetch() const {
+    __builtin_prefetch(this);
+    __builtin_prefetch(&blocks_[8]);
+  }
+  void prefetch_block(Place place) const;
+  void prefetch_pixel(Place place) const;
+
  private:
-  /// Aligned so that no pixel and no four cells straddle two cache lines: at a film's usual sizes
-  /// its updates take as long as its memory does.
-  struct alignas(cache_line) Block {
-    static constexpr std::size_t pixel_count = std::size_t{block_size} * block_size;
-    // Memory is not worth clearing for the few pixels that a first frame touches: what the bits
-    // below do not vouch for is void.
-    std::array<Pixel, pixel_count> pixels;
-    std::array<Coverage, pixel_count / 4> level1;
-    std::array<Coverage, pixel_count / 16> level2;
-    std::unique_ptr<std::array<double, pixel_count>> squares;
-    std::uint64_t touched = 0;   ///< a bit for each pixel
-    std::uint32_t averaged = 0;  ///< a bit for each cell of level 1
+  Quad* quad_at(Place place) const { return blocks_[place.block()]->quads[place.quad()]; }
 
-    bool is_touched(std::size_t pixel) const { return (touched >> pixel & 1U) != 0; }
-    Coverage coverage(std::size_t pixel) const {
-      return is_touched(pixel) ? pixels[pixel].coverage() : Coverage{};
-    }
-    Coverage level1_cell(std::size_t cell) const {
-      return (averaged >> cell & 1U) != 0 ? level1[cell] : Coverage{};
-    }
-    Coverage level2_cell(std::size_t cell) const;
-    /// Averages anew what lies above the squares whose bits are set.
-    void refresh(std::uint32_t squares_touched);
-  };
-
-  static std::size_t index_in_block(int x, int y) {
-    return static_cast<std::size_t>(y % block_size * block_size + x % block_size);
-  }
-  const std::unique_ptr<Block>& block_of(int x, int y) const { return blocks_[block_index(x, y)]; }
-  /// Null where it is not alive.
-  const Block* living_block(int x, int y) const {
-    const std::size_t index = block_index(x, y);
-    return (alive_ >> index & 1U) != 0 ? blocks_[index].get() : nullptr;
-  }
-
-  std::array<std::unique_ptr<Block>, block_count> blocks_;
-  std::array<Coverage, block_count> level3_{};
-  std::array<Coverage, block_count / 4> level4_{};
+  std::array<Block*, 16> blocks_{};
+  std::array<Coverage, 16> level3_{};
+  std::array<Coverage, 4> level4_{};
   Coverage level5_;
-  std::uint32_t epoch_ = 0;
-  std::uint32_t alive_ = 0;  ///< a bit for each block
 };
 
 }  // namespace foveola

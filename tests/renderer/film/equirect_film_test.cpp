@@ -233,6 +233,40 @@ TEST(EquirectFilm, PyramidIsClearedToo) {
   }
 }
 
+// Its memory comes back in another order, in other tiles.
+TEST(EquirectFilm, AClearedFilmIsLikeANewOne) {
+  const Workers workers(2);
+  for (const FilmStatistics statistics :
+       {FilmStatistics::mean, FilmStatistics::mean_and_variance}) {
+    EquirectFilm cleared(300, 140, statistics);
+    for (const std::uint64_t begin : {0U, 20'000U, 50'000U}) {
+      add_samples(sobol_samples(begin, 9000), cleared, workers);
+      add_samples(in_pixel(77, 99, cleared, 50), cleared, workers);
+      cleared.clear();
+    }
+    EquirectFilm fresh(300, 140, statistics);
+    for (EquirectFilm* film : {&cleared, &fresh}) {
+      add_samples(sobol_samples(70'000, 3000), *film, workers);
+      add_samples(sobol_samples(90'000, 5000), *film, workers);
+    }
+    EXPECT_EQ(cleared.total_samples(), fresh.total_samples());
+    for (int level = 0; level < fresh.levels(); ++level) {
+      for (int y = 0; y < fresh.height(level); ++y) {
+        for (int x = 0; x < fresh.width(level); ++x) {
+          ASSERT_EQ(cleared.cell(level, x, y).color, fresh.cell(level, x, y).color);
+          ASSERT_EQ(cleared.cell(level, x, y).weight, fresh.cell(level, x, y).weight);
+        }
+      }
+    }
+    for (int y = 0; y < fresh.height(); ++y) {
+      for (int x = 0; x < fresh.width(); ++x) {
+        ASSERT_EQ(cleared.sample_count(x, y), fresh.sample_count(x, y));
+        ASSERT_EQ(cleared.luminance_variance(x, y), fresh.luminance_variance(x, y));
+      }
+    }
+  }
+}
+
 TEST(EquirectFilm, KeepsVariancesWhereAsked) {
   const Workers workers(2);
   EquirectFilm film(64, 32, FilmStatistics::mean_and_variance);
