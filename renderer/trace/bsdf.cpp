@@ -46,12 +46,27 @@ bool has_covers(const Reflectance& reflectance) {
          (reflectance.clearcoat > 0.0F || max_component(reflectance.sheen_color) > 0.0F);
 }
 
+/// Whether nothing but the Lambertian layer reflects.
+bool is_matte(const Reflectance& reflectance) {
+  return reflectance.metallic == 0.0F && reflectance.specular == 0.0F &&
+         reflectance.transmission == 0.0F && !has_covers(reflectance);
+}
+
 }  // namespace
 
 Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
-    : outgoing_(raised_above_grazing(outgoing)),
-      microfacets_(reflectance.roughness, outgoing_),
-      albedo_(tables.ggx().row(reflectance.roughness)) {
+    : outgoing_(raised_above_grazing(outgoing)) {
+  if (is_matte(reflectance)) {
+    diffuse_ = inverse_pi * reflectance.base_color;
+    diffuse_probability_ = max_component(reflectance.base_color) > 0.0F ? 1.0F : 0.0F;
+  } else {
+    set_layers(reflectance, tables);
+  }
+}
+
+void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables) {
+  microfacets_ = MicrofacetLobe(reflectance.roughness, outgoing_);
+  albedo_ = tables.ggx().row(reflectance.roughness);
   const SchlickAlbedo lobe = albedo_.at(outgoing_.z);
   const float dielectric = 1.0F - reflectance.metallic;
   const float opaque = dielectric * (1.0F - reflectance.transmission);
@@ -72,6 +87,7 @@ Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const Scatterin
       layer /= below_coat;
       layer_f0_ = coat_f0;
       layer_f90_ = coat_f90;
+      has_coat_ = coat_f0 > 0.0F || coat_f90 > 0.0F;
     }
     diffuse_ = (opaque * layer) * reflectance.base_color;
     const float share = reflectance.is_solid ? opaque : dielectric;
@@ -151,7 +167,7 @@ BsdfValue Bsdf::eval(const Vec3& incoming) const {
 
 BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
   BsdfValue value;
-  if (!microfacets_.is_smooth() && specular_probability_ + glass_share_ > 0.0F) {
+  if (specular_probability_ + glass_share_ > 0.0F && !microfacets_.is_smooth()) {
     const MicrofacetLobe::Facets facets = microfacets_.facets(incoming);
     const Rgb fresnel =
         glm::mix(specular_normal_, specular_grazing_, schlick_weight(facets.cosine));
@@ -164,7 +180,7 @@ BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
     }
   }
   if (diffuse_probability_ > 0.0F) {
-    const float coat_albedo = albedo_.at(incoming.z).with(layer_f0_, layer_f90_);
+    const float coat_albedo = has_coat_ ? albedo_.at(incoming.z).with(layer_f0_, layer_f90_) : 0.0F;
     value.times_cosine += diffuse_ * (std::max(0.0F, 1.0F - coat_albedo) * incoming.z);
     value.pdf += diffuse_probability_ * incoming.z * inverse_pi;
   }

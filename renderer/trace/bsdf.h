@@ -35,6 +35,7 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
+  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
   void add_transmission(const Reflectance& reflectance, float coat_albedo, float lobe_albedo,
                         const ScatteringTables& tables);
   float choose_probabilities(float specular_albedo, float diffuse_albedo);
@@ -47,7 +48,7 @@ class Bsdf {
   BsdfSample specular(const Vec3& incoming, const Rgb& share, float probability) const;
 
   Vec3 outgoing_;
-  MicrofacetLobe microfacets_;
+  MicrofacetLobe microfacets_;  ///< as albedo_, not of a surface that is only diffuse
   GgxAlbedo::Row albedo_;
   // Of metal and the dielectric's coat together, Schlick's reflectance.
   Rgb specular_normal_{0.0F};
@@ -55,6 +56,7 @@ class Bsdf {
   // Of the coat over the diffuse layer, the strongest channel.
   float layer_f0_ = 0.0F;
   float layer_f90_ = 0.0F;
+  bool has_coat_ = false;
   Rgb diffuse_{0.0F};  ///< the Lambertian layer's BSDF but for (1 - E(incoming))
   std::optional<ThinWall> wall_;
   std::optional<GlassInterface> glass_;

@@ -11,6 +11,9 @@ namespace foveola {
 
 class MicrofacetLobe {
  public:
+  /// To be assigned to.
+  MicrofacetLobe() = default;
+
   /// outgoing: unit length, z > 0. roughness: perceptual, in [0, 1].
   MicrofacetLobe(float roughness, const Vec3& outgoing)
       : is_smooth_(roughness < smallest_roughness),
@@ -52,13 +55,13 @@ class MicrofacetLobe {
   Vec3 mirrored() const { return {-outgoing_.x, -outgoing_.y, outgoing_.z}; }
 
  private:
-  bool is_smooth_;
-  Ggx ggx_;
-  Vec3 outgoing_;
-  float lambda_outgoing_;
-  float masking_outgoing_;
-  float inverse_alpha_squared_;
-  float density_scale_;
+  bool is_smooth_ = true;
+  Ggx ggx_{};
+  Vec3 outgoing_{0.0F};
+  float lambda_outgoing_ = 0.0F;
+  float masking_outgoing_ = 0.0F;
+  float inverse_alpha_squared_ = 0.0F;
+  float density_scale_ = 0.0F;
 };
 
 }  // namespace foveola

@@ -1,6 +1,7 @@
 // The triangles of a scene, ready for rays. Everything that is Embree's stays behind this header.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -67,6 +68,9 @@ class RayScene {
   /// Marks the rays that meet a triangle as blocked. Windows (see opacity.h) do not block but tint,
   /// so the rays that met one are marked too. Their order is of no importance.
   void find_blocked(std::span<Ray> rays) const;
+
+  /// What Embree keeps: its hierarchy and its copy of the vertices.
+  std::size_t memory_bytes() const;
 
   /// Embree's own, for measuring it alone.
   RTCSceneTy* embree_scene() const;
