@@ -146,7 +146,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
   const bool is_back = facing < 0.0F;
   const Vec3 geometric_normal = is_back ? -front_normal : front_normal;
   MeshPoint point{.mesh = mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
-  if (ray_width_m > 0.0F) {
+  if (ray_width_m > 0.0F && !mesh.uv_sets.empty()) {
     // The ray's width along the surface, between its narrow and its long axis.
     const float double_area =
         glm::length(glm::cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0));
