@@ -1,6 +1,7 @@
 // What a mesh's vertices and its material's textures say about one of its points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -38,12 +39,15 @@ inline void prefetch_vertices(const Scene& scene, const Hit& hit) {
   }
   const Mesh& mesh = scene.mesh_of(hit.object);
   for (const std::uint32_t vertex : mesh.triangles[hit.triangle]) {
-    __builtin_prefetch(&mesh.positions[vertex]);
-    __builtin_prefetch(mesh.normals.data() + vertex);
-    __builtin_prefetch(mesh.tangents.data() + vertex);
-    for (const std::vector<Vec2>& uvs : mesh.uv_sets) {
-      __builtin_prefetch(&uvs[vertex]);
-    }
+    const auto prefetch = [vertex](const auto& attribute) {
+      if (!attribute.empty()) {
+        __builtin_prefetch(&attribute[vertex]);
+      }
+    };
+    prefetch(mesh.positions);
+    prefetch(mesh.normals);
+    prefetch(mesh.tangents);
+    std::for_each(mesh.uv_sets.begin(), mesh.uv_sets.end(), prefetch);
   }
 }
 
