@@ -35,6 +35,7 @@ class TomlReader {
   void read(std::string_view key, Vec3& value, double minimum, double maximum);
 
   bool has(std::string_view key) const { return table_->contains(key); }
+  bool is_array(std::string_view key) const { return has(key) && table_->get(key)->is_array(); }
   /// Throws Error if the key is absent.
   void require(std::string_view key) const;
 

@@ -106,7 +106,7 @@ FrameReport Preview::aim(Nanoseconds now) {
   viewport_ = viewport_for(settings_, head.heading);
   const Vec3 gaze = held_gaze_.value_or(glm::normalize(viewport_.head() * used.direction));
   last_gaze_ = gaze;
-  sampler_->aim({.viewport = viewport_, .gaze = gaze});
+  sampler_->aim({.viewport = viewport_, .gaze = gaze, .pointer = pointer_});
   return {.frame = next_frame_++,
           .time = now,
           .head = head.heading,

@@ -77,6 +77,10 @@ class Preview {
   /// lets go of it. Before the first frame that is straight ahead at azimuth 0.
   void hold_gaze(bool held);
 
+  /// Where the user points from now on, unit length, world; without, methods that follow the
+  /// pointer follow the gaze. A restart keeps it.
+  void point_at(const std::optional<Vec3>& pointer) { pointer_ = pointer; }
+
   /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
   RgbImage present() const;
   /// The view of the last frame.
@@ -105,6 +109,7 @@ class Preview {
   std::optional<GazeSample> last_valid_gaze_;
   Vec3 last_gaze_{0.0F, 0.0F, -1.0F};  ///< world
   std::optional<Vec3> held_gaze_;      ///< world
+  std::optional<Vec3> pointer_;        ///< world
   std::vector<DroppedSample> dropped_;
   SamplePass pass_;
 };

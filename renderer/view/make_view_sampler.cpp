@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -99,17 +100,21 @@ std::unique_ptr<ViewSampler> make_mask(MethodText& method) {
   return std::make_unique<MaskSampler>(file, method.number("floor", 0.0, 0.0, 1e6));
 }
 
+/// Where the text holds the pointer, if it does.
+std::optional<Vec3> fixed_pointer(MethodText& method) {
+  const std::optional<double> azimuth_deg = method.number("azimuth", -180.0, 180.0);
+  const std::optional<double> elevation_deg = method.number("elevation", -90.0, 90.0);
+  if (!azimuth_deg && !elevation_deg) {
+    return std::nullopt;
+  }
+  return direction_from({.azimuth_rad = radians(azimuth_deg.value_or(0.0)),
+                         .elevation_rad = radians(elevation_deg.value_or(0.0))});
+}
+
 std::unique_ptr<ViewSampler> make_pointer(MethodText& method) {
   const double radius_deg = method.number("radius", 10.0, 0.01, 180.0);
   const double cutoff_deg = method.number("cutoff", 80.0, 0.1, 179.0);
-  const std::optional<double> azimuth_deg = method.number("azimuth", -180.0, 180.0);
-  const std::optional<double> elevation_deg = method.number("elevation", -90.0, 90.0);
-  std::optional<Vec3> fixed;
-  if (azimuth_deg || elevation_deg) {
-    fixed = direction_from({.azimuth_rad = radians(azimuth_deg.value_or(0.0)),
-                            .elevation_rad = radians(elevation_deg.value_or(0.0))});
-  }
-  return std::make_unique<PointerSampler>(radius_deg, cutoff_deg, fixed);
+  return std::make_unique<PointerSampler>(radius_deg, cutoff_deg, fixed_pointer(method));
 }
 
 std::unique_ptr<ViewSampler> make_hybrid(std::string_view method) {
@@ -150,6 +155,17 @@ const NamedMaker& maker_of(const MethodText& method) {
   return *found;
 }
 
+/// Whether `is_so` of a method, or of any part of a hybrid.
+bool any_part(std::string_view method, const std::function<bool(MethodText& part)>& is_so) {
+  if (!is_hybrid(method)) {
+    MethodText text(method);
+    return is_so(text);
+  }
+  const std::vector<HybridPart> parts = hybrid_parts(method);
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const HybridPart& part) { return any_part(part.method, is_so); });
+}
+
 }  // namespace
 
 const std::vector<std::string>& published_methods() {
@@ -168,12 +184,12 @@ std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method) {
 }
 
 bool reads_files(std::string_view method) {
-  if (!is_hybrid(method)) {
-    return maker_of(MethodText(method)).reads_a_file;
-  }
-  const std::vector<HybridPart> parts = hybrid_parts(method);
-  return std::any_of(parts.begin(), parts.end(),
-                     [](const HybridPart& part) { return reads_files(part.method); });
+  return any_part(method, [](MethodText& part) { return maker_of(part).reads_a_file; });
+}
+
+bool follows_pointer(std::string_view method) {
+  return any_part(
+      method, [](MethodText& part) { return part.name() == pointer_name && !fixed_pointer(part); });
 }
 
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {

@@ -11,8 +11,8 @@ PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage)
   settings.film_height = protocol.film.height;
   settings.view_width = protocol.display.view_width;
   settings.view_height = protocol.display.view_height;
-  settings.horizontal_fov_deg = protocol.display.fov_deg;
-  settings.vertical_fov_deg = protocol.display.fov_deg;
+  settings.horizontal_fov_deg = protocol.display.horizontal_fov_deg;
+  settings.vertical_fov_deg = protocol.display.vertical_fov_deg;
   settings.lens = protocol.display.lens;
   settings.unsampled =
       protocol.display.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;

@@ -1,6 +1,7 @@
 #include "study/protocol/protocol.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -38,6 +39,11 @@ std::vector<std::string> read_methods(TomlReader& reader) {
         throw Error(fmt::format("method '{}'", method.value),
                     "reads a file that no record would describe", "choose one without file=");
       }
+      if (follows_pointer(method.value)) {
+        throw Error(fmt::format("method '{}'", method.value),
+                    "follows a pointer, and in this version nobody can point in a session",
+                    "hold it in place with azimuth= and elevation=, or choose another method");
+      }
       make_view_sampler(method.value);
     } catch (const Error& error) {
       reader.fail(method.source, error.what(), "see foveola render --help");
@@ -55,7 +61,7 @@ MachineModel read_machine(TomlReader reader) {
   return machine;
 }
 
-RadialLens read_lens(TomlReader reader, double fov_deg) {
+RadialLens read_lens(TomlReader reader, const DisplaySettings& display) {
   constexpr double strongest = 100.0;
   RadialLens lens;
   double k1 = 0.0;
@@ -65,22 +71,49 @@ RadialLens read_lens(TomlReader reader, double fov_deg) {
   reader.read("k2", k2, -strongest, strongest);
   lens.k1 = static_cast<float>(k1);
   lens.k2 = static_cast<float>(k2);
+  std::string eye = "left";
+  reader.read("eye", eye);
+  if (eye != "left" && eye != "right") {
+    reader.fail(reader.source("eye"), fmt::format("there is no eye '{}'", eye),
+                "choose left, whose lens this is, or right, before which it is mirrored");
+  }
   try {
-    Viewport(head_orientation({}), radians(fov_deg), radians(fov_deg), lens);
+    Viewport(head_orientation({}), radians(display.horizontal_fov_deg),
+             radians(display.vertical_fov_deg), lens);
   } catch (const Error& error) {
     reader.fail(reader.source(), error.what(), "measure the headset's profile anew");
   }
   reader.reject_unknown_keys();
-  return lens;
+  return eye == "right" ? mirrored(lens) : lens;
+}
+
+/// Throws Error through `reader`. The view's size must have been read.
+void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
+  constexpr double narrowest_deg = 1.0;
+  constexpr double widest_deg = 170.0;
+  if (reader.is_array("fov_deg")) {
+    Vec2 both(0.0F);
+    reader.read("fov_deg", both, narrowest_deg, widest_deg);
+    display.horizontal_fov_deg = both.x;
+    display.vertical_fov_deg = both.y;
+    return;
+  }
+  reader.read("fov_deg", display.horizontal_fov_deg, narrowest_deg, widest_deg);
+  display.vertical_fov_deg = display.horizontal_fov_deg;
+  if (display.view_width != display.view_height) {
+    const double aspect = static_cast<double>(display.view_height) / display.view_width;
+    const double half_width = std::tan(0.5 * radians(display.horizontal_fov_deg));
+    display.vertical_fov_deg = degrees(2.0 * std::atan(half_width * aspect));
+  }
 }
 
 DisplaySettings read_display(TomlReader reader) {
   DisplaySettings display;
   reader.read("view_width", display.view_width, 8, largest_view_side);
   reader.read("view_height", display.view_height, 8, largest_view_side);
-  reader.read("fov_deg", display.fov_deg, 1.0, 170.0);
+  read_fields_of_view(reader, display);
   reader.read("fill_unsampled", display.fill_unsampled);
-  display.lens = read_lens(reader.table("lens"), display.fov_deg);
+  display.lens = read_lens(reader.table("lens"), display);
   reader.reject_unknown_keys();
   return display;
 }

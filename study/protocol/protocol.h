@@ -34,8 +34,10 @@ struct MachineModel {
 struct DisplaySettings {
   int view_width = 112;  ///< pixels
   int view_height = 112;
-  double fov_deg = 100.0;  ///< horizontally and vertically, without the lens
-  RadialLens lens;
+  /// Fields of view without the lens. Unless the protocol says both, its pixels are square.
+  double horizontal_fov_deg = 100.0;
+  double vertical_fov_deg = 100.0;
+  RadialLens lens;              ///< of the eye that the protocol shows
   bool fill_unsampled = false;  ///< from the film's pyramid; the published study left them black
 };
 

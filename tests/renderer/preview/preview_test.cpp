@@ -276,6 +276,45 @@ TEST_F(PreviewTest, AHeldGazeStaysWhereItIsInTheWorld) {
   EXPECT_NEAR(angle_deg(after.gaze, before.gaze), degrees(1.0), 1e-3);
 }
 
+TEST_F(PreviewTest, SamplesGoWhereTheUserPoints) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  const Vec3 behind(0.0F, 0.0F, 1.0F);
+  const auto share_behind = [&] {
+    preview.restart("pointer:radius=5", 1);
+    preview.render_frame(frame_time, 5000);
+    return share_of_samples(preview.film(),
+                            [&](const Vec3& d) { return angle_deg(d, behind) < 30.0; });
+  };
+  EXPECT_EQ(share_behind(), 0.0);
+  preview.point_at(behind);
+  EXPECT_EQ(share_behind(), 1.0);
+  preview.point_at(std::nullopt);
+  EXPECT_EQ(share_behind(), 0.0);
+}
+
+// A 256th of the light under 8 stops more looks the same: as much is spared.
+TEST_F(PreviewTest, WhatIsSparedDependsOnWhatTheDisplayShows) {
+  const auto traced = [&](float light, double exposure_stops) {
+    Scene scene = box_room(0.2F);
+    for (Material& material : scene.materials) {
+      material.emission *= light;
+    }
+    const PathTracer tracer(scene, workers_);
+    PreviewSettings settings = small_settings();
+    settings.exposure_stops = exposure_stops;
+    settings.spare_done = VisibleNoise{.contrast = 0.01, .least_samples = 2};
+    Preview preview(tracer, settings, ahead_, still_, workers_);
+    preview.restart("fv", 1);
+    std::uint64_t samples = 0;
+    for (int frame = 0; frame < 6; ++frame) {
+      samples += preview.render_frame(frame * frame_time, 4000).samples;
+    }
+    return samples;
+  };
+  EXPECT_EQ(traced(0x1p-8F, 8.0), traced(1.0F, 0.0));
+  EXPECT_LT(traced(0x1p-8F, 0.0), traced(1.0F, 0.0));
+}
+
 TEST_F(PreviewTest, PresentsTheViewOfTheLastFrame) {
   PreviewSettings settings = small_settings();
   settings.exposure_stops = 1.0;

@@ -69,7 +69,7 @@ spare_done_contrast = 0.02
 [display]
 view_width = 20
 view_height = 30
-fov_deg = 60
+fov_deg = [60, 80]
 fill_unsampled = true
 [display.lens]
 axis = [0.55, 0.5]
@@ -102,7 +102,8 @@ text = "Used to it?"
   EXPECT_EQ(protocol.film.spare_done_contrast, 0.02);
   EXPECT_EQ(protocol.display.view_width, 20);
   EXPECT_EQ(protocol.display.view_height, 30);
-  EXPECT_EQ(protocol.display.fov_deg, 60.0);
+  EXPECT_EQ(protocol.display.horizontal_fov_deg, 60.0);
+  EXPECT_EQ(protocol.display.vertical_fov_deg, 80.0);
   EXPECT_TRUE(protocol.display.fill_unsampled);
   EXPECT_EQ(protocol.display.lens, (RadialLens{.axis = {0.55F, 0.5F}, .k1 = 0.25F, .k2 = -0.125F}));
   EXPECT_EQ(protocol.tracker.rate_hz, 250.0);
@@ -116,6 +117,33 @@ text = "Used to it?"
   EXPECT_EQ(protocol.background[0].maximum, 99);
   EXPECT_EQ(protocol.background[1].minimum, 1);
   EXPECT_EQ(protocol.background[1].maximum, 5);
+}
+
+// Square pixels: at twice the width of its height, tan(45 degrees) / 2 = tan(26.565 degrees).
+TEST_F(ProtocolFile, OneFieldOfViewMakesSquarePixels) {
+  const auto display = [&](const std::string& keys) {
+    return load(minimal + "[display]\n" + keys).display;
+  };
+  const DisplaySettings wide = display("fov_deg = 90\nview_width = 200\nview_height = 100\n");
+  EXPECT_EQ(wide.horizontal_fov_deg, 90.0);
+  EXPECT_NEAR(wide.vertical_fov_deg, 2.0 * 26.565051, 1e-5);
+  const DisplaySettings square = display("fov_deg = 100\nview_width = 64\nview_height = 64\n");
+  EXPECT_EQ(square.vertical_fov_deg, 100.0);
+}
+
+TEST_F(ProtocolFile, TheRightEyesLensIsTheLeftOnesMirrored) {
+  const auto lens = [&](const std::string& eye) {
+    return load(minimal + "[display.lens]\naxis = [0.75, 0.4]\nk1 = 0.1\n" + eye).display.lens;
+  };
+  EXPECT_EQ(lens("eye = \"left\"\n"), lens(""));
+  EXPECT_EQ(lens("eye = \"right\"\n"), (RadialLens{.axis = {0.25F, 0.4F}, .k1 = 0.1F}));
+}
+
+TEST_F(ProtocolFile, APointerHeldInPlaceNeedsNobodyToPoint) {
+  const Protocol protocol = load(
+      "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n"
+      "methods = [\"od\", \"pointer:azimuth=10\"]\n");
+  EXPECT_THAT(protocol.methods, ElementsAre("od", "pointer:azimuth=10"));
 }
 
 TEST_F(ProtocolFile, EveryShippedProtocolLoads) {
@@ -165,6 +193,11 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"method_with_a_file",
               "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"mask:file=x.png\"]\n",
               "4:12", "reads a file"},
+        Fault{"method_with_a_pointer",
+              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n"
+              "methods = [\"od\", \"hybrid:1*od+1*pointer:radius=5\"]\n",
+              "4:18", "follows a pointer"},
+        Fault{"third_eye", minimal + "[display.lens]\neye = \"third\"\n", "6:7", "no eye"},
         Fault{"no_scenes", "name = \"a\"\ntitle = \"b\"\nscenes = []\nmethods = [\"od\"]\n", "3:10",
               "scenes"},
         Fault{"scene_is_a_number",
