@@ -12,6 +12,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene_facts.h"
+#include "renderer/trace/ray_scene.h"
 
 namespace foveola {
 namespace {
@@ -21,6 +22,7 @@ struct LoadedFacts {
   std::string sha256;
   std::vector<std::string> warnings;
   double load_s = 0.0;
+  std::size_t tracing_bytes = 0;  ///< see RayScene::memory_bytes
   SceneFacts facts;
 };
 
@@ -33,6 +35,7 @@ LoadedFacts load_facts(const SceneSource& source) {
           .sha256 = scene.sha256,
           .warnings = scene.warnings,
           .load_s = load_s,
+          .tracing_bytes = RayScene(scene, Workers()).memory_bytes(),
           .facts = facts_of(scene)};
 }
 
@@ -55,6 +58,7 @@ void print_json(const LoadedFacts& loaded) {
       {"materials", facts.materials},
       {"textures", facts.textures},
       {"geometry_bytes", facts.geometry_bytes},
+      {"tracing_bytes", loaded.tracing_bytes},
       {"texture_bytes", facts.texture_bytes},
       {"environment_bytes", facts.environment_bytes},
       {"bounds", {json_of(facts.bounds.lower), json_of(facts.bounds.upper)}},
@@ -66,14 +70,15 @@ void print_json(const LoadedFacts& loaded) {
 
 double mib(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
-void print_memory(const SceneFacts& facts) {
+void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
+  const auto bytes = static_cast<double>(facts.geometry_bytes + tracing_bytes);
   const double bytes_a_triangle =
-      facts.stored_triangles == 0
-          ? 0.0
-          : static_cast<double>(facts.geometry_bytes) / static_cast<double>(facts.stored_triangles);
-  fmt::print("memory     geometry {:.1f} MiB ({:.0f} bytes a triangle), textures {:.1f} MiB\n",
-             mib(facts.geometry_bytes), bytes_a_triangle,
-             mib(facts.texture_bytes + facts.environment_bytes));
+      facts.stored_triangles == 0 ? 0.0 : bytes / static_cast<double>(facts.stored_triangles);
+  fmt::print(
+      "memory     geometry {:.1f} MiB and Embree's hierarchy {:.1f} MiB ({:.0f} bytes a triangle), "
+      "textures {:.1f} MiB\n",
+      mib(facts.geometry_bytes), mib(tracing_bytes), bytes_a_triangle,
+      mib(facts.texture_bytes + facts.environment_bytes));
 }
 
 void print_text(const LoadedFacts& loaded) {
@@ -89,7 +94,7 @@ void print_text(const LoadedFacts& loaded) {
              facts.emissive_triangles, facts.lights);
   fmt::print("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", bounds.lower.x,
              bounds.lower.y, bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
-  print_memory(facts);
+  print_memory(facts, loaded.tracing_bytes);
   fmt::print("has        {}\n", fmt::join(facts.features, ", "));
   fmt::print("has no     {}\n", fmt::join(facts.absent_features, ", "));
   for (const std::string& warning : loaded.warnings) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -104,9 +105,16 @@ void keep_first_error(void* text, RTCError, const char* message) {
   }
 }
 
+/// Embree calls it from all its threads. True: it may go on.
+bool count_bytes(void* total, ssize_t bytes, bool /*is_done*/) {
+  *static_cast<std::atomic<std::ptrdiff_t>*>(total) += bytes;
+  return true;
+}
+
 }  // namespace
 
 struct RayScene::Embree {
+  std::atomic<std::ptrdiff_t> memory_bytes = 0;
   std::string error;
   bool has_windows = false;
   std::vector<std::unique_ptr<Sieve>> sieves;  ///< Embree keeps their addresses
@@ -211,6 +219,7 @@ RayScene::RayScene(const Scene& scene, const Workers& workers)
     throw Error("ray tracing (Embree)", "cannot start on this machine");
   }
   rtcSetDeviceErrorFunction(embree.device.get(), keep_first_error, &embree.error);
+  rtcSetDeviceMemoryMonitorFunction(embree.device.get(), count_bytes, &embree.memory_bytes);
   embree.build_prototypes(scene, workers);
   embree.scene = embree.new_scene();
   unsigned object = 0;
@@ -246,6 +255,10 @@ Hit RayScene::closest_hit(const Ray& ray) const {
           .barycentric = {query.hit.u, query.hit.v},
           .object = object_of(query.hit.instID[0], query.hit.geomID),
           .triangle = query.hit.primID};
+}
+
+std::size_t RayScene::memory_bytes() const {
+  return static_cast<std::size_t>(embree_->memory_bytes);
 }
 
 RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }

@@ -252,5 +252,26 @@ TEST(RaySceneTest, OcclusionDoesNotDependOnTheStream) {
   }
 }
 
+TEST(RaySceneTest, KnowsTheMemoryOfItsHierarchy) {
+  const Workers workers(1);
+  const auto bytes_of = [&](std::size_t triangles) {
+    Scene scene;
+    scene.materials.emplace_back();
+    Mesh& mesh = scene.meshes.emplace_back();
+    for (std::size_t i = 0; i < triangles; ++i) {
+      const auto x = static_cast<float>(i);
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.insert(mesh.positions.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return RayScene(scene, workers).memory_bytes();
+  };
+  // A leaf holds at least a triangle's three vertices, beside the copy of them.
+  constexpr std::size_t triangles = 20'000;
+  const std::size_t added = bytes_of(2 * triangles) - bytes_of(triangles);
+  EXPECT_GT(added, triangles * 2 * 3 * sizeof(Vec3));
+  EXPECT_LT(added, triangles * 1000);
+}
+
 }  // namespace
 }  // namespace foveola
