@@ -236,6 +236,7 @@ TEST(Descriptor, TheStudysFiveScenesHaveOneWithObjectsInView) {
     const auto descriptor = find_descriptor(name);
     ASSERT_TRUE(descriptor.has_value());
     EXPECT_FALSE(descriptor->is_builtin);
+    EXPECT_THAT(descriptor->origin, testing::StartsWith("https://"));
     const SceneSource& source = descriptor->source;
     EXPECT_GE(source.objects.size(), 2U);
     for (const ObjectOfInterest& object : source.objects) {
