@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -86,6 +88,23 @@ RgbImage contact_sheet(const std::vector<SheetRow>& rows) {
   return sheet;
 }
 
+/// Of as many scenes as were finished before `stop`.
+std::vector<SheetRow> render_rows(const std::vector<SceneSource>& sources,
+                                  const RenderSettings& settings, const std::stop_token& stop) {
+  std::vector<SheetRow> rows;
+  for (const SceneSource& source : sources) {
+    fmt::print("scene {} of {}: {}, all around and one view\n", rows.size() + 1, sources.size(),
+               source.title);
+    std::fflush(stdout);
+    SheetRow row = render_row(source, settings, stop);
+    if (stop.stop_requested()) {
+      break;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 RenderSettings settings_from(const SheetArguments& arguments) {
   RenderSettings settings;
   settings.size = parse_size("--size", arguments.size);
@@ -105,15 +124,12 @@ void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
   for (const std::string& name : arguments.scenes) {
     sources.push_back(find_scene(name));
   }
-  std::vector<SheetRow> rows;
-  for (const SceneSource& source : sources) {
-    fmt::print("{}\n", source.title.empty() ? source.name : source.title);
-    rows.push_back(render_row(source, settings, stop));
-    if (stop.stop_requested()) {
-      return;
-    }
+  const std::vector<SheetRow> rows = render_rows(sources, settings, stop);
+  if (rows.empty()) {
+    throw Error(arguments.output, "is not written: no scene was finished", "let it run longer");
   }
   write_image(arguments.output, contact_sheet(rows), 0.0);
+  fmt::print("{}: {} of {} scenes\n", arguments.output, rows.size(), sources.size());
 }
 
 }  // namespace
