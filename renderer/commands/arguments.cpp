@@ -61,6 +61,30 @@ IVec2 parse_size(const std::string& option, const std::string& text) {
   return {size[0], size[1]};
 }
 
+FieldsOfView parse_fields_of_view(const std::string& option, const std::string& text) {
+  const bool has_both = text.find('x') != std::string::npos;
+  const std::vector<double> degrees = parse_numbers<double>(text, 'x', has_both ? 2 : 1);
+  const bool is_seen = std::all_of(degrees.begin(), degrees.end(),
+                                   [](double angle) { return angle > 0.0 && angle < 180.0; });
+  if (degrees.empty() || !is_seen) {
+    throw UsageError(option, fmt::format("'{}' is no field of view", text),
+                     "give degrees between 0 and 180, or WIDTHxHEIGHT");
+  }
+  return {.horizontal_deg = degrees[0],
+          .vertical_deg = has_both ? std::optional(degrees[1]) : std::nullopt};
+}
+
+RadialLens parse_lens(const std::string& option, const std::string& text) {
+  const std::vector<double> values = parse_finite(text, 4);
+  if (values.empty() || values[0] < 0.0 || values[0] > 1.0 || values[1] < 0.0 || values[1] > 1.0) {
+    throw UsageError(option, fmt::format("'{}' is no lens", text),
+                     "give AXIS_X,AXIS_Y,K1,K2, the axis from 0,0 (top left) to 1,1");
+  }
+  return {.axis = {static_cast<float>(values[0]), static_cast<float>(values[1])},
+          .k1 = static_cast<float>(values[2]),
+          .k2 = static_cast<float>(values[3])};
+}
+
 DVec3 parse_vec3(const std::string& option, const std::string& text) {
   const std::vector<double> values = parse_finite(text, 3);
   if (values.empty()) {

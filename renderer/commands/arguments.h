@@ -2,15 +2,27 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
 IVec2 parse_size(const std::string& option, const std::string& text);
+
+/// "WIDTH" or "WIDTHxHEIGHT" in degrees, each between 0 and 180, without those.
+struct FieldsOfView {
+  double horizontal_deg = 0.0;
+  std::optional<double> vertical_deg;
+};
+FieldsOfView parse_fields_of_view(const std::string& option, const std::string& text);
+
+/// "axis x,axis y,k1,k2", the axis in [0, 1].
+RadialLens parse_lens(const std::string& option, const std::string& text);
 
 /// "x,y,z", all finite.
 DVec3 parse_vec3(const std::string& option, const std::string& text);

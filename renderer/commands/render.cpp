@@ -25,7 +25,9 @@ PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& vie
   preview.film_width = settings.size.x;
   preview.film_height = settings.size.y;
   preview.horizontal_fov_deg = settings.fov_deg;
-  preview.vertical_fov_deg = settings.fov_deg;
+  preview.vertical_fov_deg = settings.vertical_fov_deg.value_or(settings.fov_deg);
+  preview.lens = settings.lens;
+  preview.keep_variances = settings.variance;
   preview.viewpoint = viewpoint;
   if (settings.spare_done_contrast > 0.0) {
     preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
@@ -112,7 +114,18 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
   }
   report.stopped = fraction < 1.0;
   report.non_finite = still.preview.dropped();
-  return {.image = still.preview.film().resolve(), .report = std::move(report)};
+  RgbImage view;
+  if (settings.view) {
+    view = viewport_image(still.preview.film(), still.preview.viewport(), settings.view->x,
+                          settings.view->y, settings.unsampled, stage.workers);
+  }
+  Rendering rendering{.image = still.preview.film().resolve(),
+                      .view = std::move(view),
+                      .report = std::move(report)};
+  if (!settings.variance) {
+    rendering.image.variances.clear();
+  }
+  return rendering;
 }
 
 ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,

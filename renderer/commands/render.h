@@ -11,7 +11,7 @@
 
 #include "renderer/base/scene_source.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/film/equirect_film.h"
+#include "renderer/film/viewport_image.h"
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola {
@@ -25,10 +25,15 @@ struct RenderBudget {
 struct RenderSettings {
   std::string method = "od";  ///< as make_view_sampler reads it
   IVec2 size{2048, 1024};
-  std::optional<DVec3> camera;           ///< default: the source's, the file's first, the middle
-  std::optional<AzimuthElevation> head;  ///< world; default: with the camera
-  std::optional<AzimuthElevation> gaze;  ///< world; default: where the head points
-  double fov_deg = 100.0;                ///< of the viewport, horizontally and vertically
+  std::optional<DVec3> camera;             ///< default: the source's, the file's first, the middle
+  std::optional<AzimuthElevation> head;    ///< world; default: with the camera
+  std::optional<AzimuthElevation> gaze;    ///< world; default: where the head points
+  double fov_deg = 100.0;                  ///< of the viewport, horizontally
+  std::optional<double> vertical_fov_deg;  ///< default: as horizontally
+  RadialLens lens;
+  bool variance = false;      ///< keep the variances of luminance too
+  std::optional<IVec2> view;  ///< make the display's image too, of so many pixels
+  UnsampledPixels unsampled = UnsampledPixels::black;  ///< in it
   RenderBudget budget;
   int max_depth = 8;
   std::uint32_t seed = 0;
@@ -58,6 +63,7 @@ struct RenderReport {
 
 struct Rendering {
   FilmImage image;
+  RgbImage view;  ///< linear; empty if none was asked for
   RenderReport report;
 };
 

@@ -27,7 +27,12 @@ struct RenderArguments {
   std::string head;
   std::string gaze;
   std::string pointer;
-  double fov_deg = 100.0;
+  std::string fov = "100";
+  std::string lens;
+  bool variance = false;
+  std::string view;
+  std::string view_size = "640x640";
+  bool fill_unsampled = false;
   double samples_per_pixel = 0.0;
   std::int64_t samples = 0;
   double seconds = 0.0;
@@ -95,6 +100,31 @@ std::string method_from(const RenderArguments& arguments) {
   return method;
 }
 
+/// What is seen of the sphere, and how.
+void read_view(const RenderArguments& arguments, RenderSettings& settings) {
+  const FieldsOfView fov = parse_fields_of_view("--fov", arguments.fov);
+  settings.fov_deg = fov.horizontal_deg;
+  settings.vertical_fov_deg = fov.vertical_deg;
+  if (!arguments.view.empty()) {
+    settings.view = parse_size("--view-size", arguments.view_size);
+    if (!fov.vertical_deg) {
+      const double half_width = std::tan(0.5 * radians(fov.horizontal_deg));
+      const double half_height = half_width * settings.view->y / settings.view->x;
+      settings.vertical_fov_deg = degrees(2.0 * std::atan(half_height));
+    }
+  }
+  settings.unsampled = arguments.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
+  if (!arguments.lens.empty()) {
+    settings.lens = parse_lens("--lens", arguments.lens);
+    try {
+      Viewport(head_orientation({}), radians(settings.fov_deg),
+               radians(settings.vertical_fov_deg.value_or(settings.fov_deg)), settings.lens);
+    } catch (const Error& error) {
+      throw UsageError("--lens", error.what());
+    }
+  }
+}
+
 RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
   RenderSettings settings;
   settings.method = method_from(arguments);
@@ -108,9 +138,8 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
   if (!arguments.gaze.empty()) {
     settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
   }
-  require(arguments.fov_deg > 0.0 && arguments.fov_deg < 180.0, "--fov",
-          "must lie between 0 and 180 degrees");
-  settings.fov_deg = arguments.fov_deg;
+  read_view(arguments, settings);
+  settings.variance = arguments.variance;
   settings.budget = budget_from(command, arguments, settings.size);
   require(arguments.max_depth >= 1, "--max-depth", "must be at least 1");
   settings.max_depth = arguments.max_depth;
@@ -195,7 +224,7 @@ nlohmann::json json_report(const RenderReport& report, const RenderSettings& set
           {"camera", {report.camera.x, report.camera.y, report.camera.z}},
           {"head_deg", json_angles(report.head)},
           {"gaze_deg", json_angles(report.gaze)},
-          {"fov_deg", settings.fov_deg},
+          {"fov_deg", {settings.fov_deg, settings.vertical_fov_deg.value_or(settings.fov_deg)}},
           {"samples", report.samples},
           {"seconds", report.seconds},
           {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
@@ -285,6 +314,23 @@ void run_replay(const CLI::App& command, const RenderArguments& arguments,
   }
 }
 
+std::string text_of(const AzimuthElevation& angles) {
+  return fmt::format("{:.9g},{:.9g}", degrees(angles.azimuth_rad), degrees(angles.elevation_rad));
+}
+
+/// What the image was made with, for its header.
+ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
+                    const RenderArguments& arguments) {
+  return {{"foveola:version", build_info().version},
+          {"foveola:scene", arguments.scene},
+          {"foveola:method", settings.method},
+          {"foveola:seed", std::to_string(settings.seed)},
+          {"foveola:samples", std::to_string(report.samples)},
+          {"foveola:max_depth", std::to_string(settings.max_depth)},
+          {"foveola:head_deg", text_of(report.head)},
+          {"foveola:gaze_deg", text_of(report.gaze)}};
+}
+
 void run_render(const CLI::App& command, const RenderArguments& arguments,
                 const SceneFinder& find_scene, const std::stop_token& stop) {
   RenderSettings settings = settings_from(command, arguments);
@@ -295,13 +341,21 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   require(!arguments.output.empty(), "--output", "is required");
   require_image_extension(arguments.output);
   require_writable(arguments.output);
+  if (!arguments.view.empty()) {
+    require_image_extension(arguments.view);
+    require_writable(arguments.view);
+  }
   SceneSource source = find_scene(arguments.scene);
   apply_lighting(command, arguments, source);
   const Rendering rendering = render(source, settings, stop);
   if (rendering.report.samples == 0) {
     return;
   }
-  write_film_image(arguments.output, rendering.image, source.exposure_stops);
+  write_film_image(arguments.output, rendering.image, source.exposure_stops,
+                   facts_of(rendering.report, settings, arguments));
+  if (settings.view) {
+    write_image(arguments.view, rendering.view, source.exposure_stops);
+  }
   if (arguments.json) {
     fmt::print("{}\n", json_report(rendering.report, settings, arguments).dump(2));
   } else {
@@ -333,8 +387,23 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   command->add_option("--pointer", arguments->pointer,
                       "azimuth,elevation in degrees, world: where the method pointer points "
                       "(default: the gaze)");
-  command->add_option("--fov", arguments->fov_deg, "The viewport's field of view in degrees")
+  command
+      ->add_option("--fov", arguments->fov,
+                   "The viewport's field of view in degrees, or WIDTHxHEIGHT")
       ->capture_default_str();
+  command->add_option("--lens", arguments->lens,
+                      "AXIS_X,AXIS_Y,K1,K2 of a headset's lens (see a protocol's [display.lens])");
+  CLI::Option* view = command->add_option("--view", arguments->view,
+                                          "Write what the display shows too, as .exr or .png");
+  command->add_option("--view-size", arguments->view_size, "Of that image, in pixels")
+      ->needs(view)
+      ->capture_default_str();
+  command
+      ->add_flag("--fill-unsampled", arguments->fill_unsampled,
+                 "Fill its holes from what is known around them; they are black otherwise")
+      ->needs(view);
+  command->add_flag("--variance", arguments->variance,
+                    "Add the variance of luminance of a pixel's samples to the .exr");
   CLI::Option_group* budget = command->add_option_group("budget", "How much to render");
   budget->add_option("--spp", arguments->samples_per_pixel,
                      "Samples per pixel on average over the image (default: 16)");

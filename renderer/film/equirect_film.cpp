@@ -231,13 +231,16 @@ Coverage EquirectFilm::cell(int level, int x, int y) const {
 }
 
 FilmImage EquirectFilm::resolve() const {
-  FilmImage image{.color = RgbImage(width_, height_), .samples = {}};
+  FilmImage image{.color = RgbImage(width_, height_), .samples = {}, .variances = {}};
   image.samples.reserve(image.color.pixels.size());
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
       const FilmPixel resolved = pixel(x, y);
       image.color.at(x, y) = resolved.mean;
       image.samples.push_back(resolved.samples);
+      if (with_squares_) {
+        image.variances.push_back(static_cast<float>(luminance_variance(x, y).value_or(0.0)));
+      }
     }
   }
   return image;

@@ -88,7 +88,7 @@ class EquirectFilm {
   int height(int level) const { return (height_ + (1 << level) - 1) >> level; }
   Coverage cell(int level, int x, int y) const;
 
-  /// The means and counts of the whole image.
+  /// The means and counts of the whole image, and the variances if they are kept.
   FilmImage resolve() const;
 
  private:

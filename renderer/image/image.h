@@ -27,6 +27,8 @@ struct RgbImage {
 struct FilmImage {
   RgbImage color;
   std::vector<std::uint32_t> samples;
+  /// Of each pixel's samples' luminances; 0 where there are fewer than two. Empty: not known.
+  std::vector<float> variances;
 };
 
 }  // namespace foveola

@@ -47,21 +47,33 @@ void write_pixels(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeD
   });
 }
 
+/// samples, variances: empty for no such channel.
 void write_exr(const fs::path& path, const RgbImage& image,
-               const std::vector<std::uint32_t>* samples) {
-  const int channels = samples != nullptr ? 4 : 3;
-  OIIO::ImageSpec spec(image.width, image.height, channels, OIIO::TypeDesc::FLOAT);
-  spec.channelnames = {"R", "G", "B"};
+               const std::vector<std::uint32_t>& samples, const std::vector<float>& variances,
+               const ImageFacts& facts) {
+  std::vector<std::string> names = {"R", "G", "B"};
+  if (!samples.empty()) {
+    names.emplace_back("samples");
+  }
+  if (!variances.empty()) {
+    names.emplace_back("variance");
+  }
+  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(names.size()),
+                       OIIO::TypeDesc::FLOAT);
+  spec.channelnames = names;
+  for (const auto& [name, value] : facts) {
+    spec.attribute(name, value);
+  }
   std::vector<float> values;
-  values.reserve(image.pixels.size() * static_cast<std::size_t>(channels));
+  values.reserve(image.pixels.size() * names.size());
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     values.insert(values.end(), {image.pixels[i].r, image.pixels[i].g, image.pixels[i].b});
-    if (samples != nullptr) {
-      values.push_back(static_cast<float>((*samples)[i]));
+    if (!samples.empty()) {
+      values.push_back(static_cast<float>(samples[i]));
     }
-  }
-  if (samples != nullptr) {
-    spec.channelnames.emplace_back("samples");
+    if (!variances.empty()) {
+      values.push_back(variances[i]);
+    }
   }
   write_pixels(path, spec, OIIO::TypeDesc::FLOAT, values.data());
 }
@@ -78,16 +90,6 @@ void write_png(const fs::path& path, const RgbImage& linear, double exposure_sto
     }
   }
   write_pixels(path, spec, OIIO::TypeDesc::UINT8, values.data());
-}
-
-void write(const fs::path& path, const RgbImage& image, const std::vector<std::uint32_t>* samples,
-           double exposure_stops) {
-  require_image_extension(path);
-  if (lower_extension(path) == ".exr") {
-    write_exr(path, image, samples);
-  } else {
-    write_png(path, image, exposure_stops);
-  }
 }
 
 /// Reads one channel after the other, so that a file with many of them costs no more memory.
@@ -189,12 +191,18 @@ void require_image_extension(const fs::path& path) {
   }
 }
 
-void write_film_image(const fs::path& path, const FilmImage& image, double exposure_stops) {
-  write(path, image.color, &image.samples, exposure_stops);
+void write_film_image(const fs::path& path, const FilmImage& image, double exposure_stops,
+                      const ImageFacts& facts) {
+  require_image_extension(path);
+  if (lower_extension(path) == ".exr") {
+    write_exr(path, image.color, image.samples, image.variances, facts);
+  } else {
+    write_png(path, image.color, exposure_stops);
+  }
 }
 
 void write_image(const fs::path& path, const RgbImage& image, double exposure_stops) {
-  write(path, image, nullptr, exposure_stops);
+  write_film_image(path, {.color = image, .samples = {}, .variances = {}}, exposure_stops);
 }
 
 IVec2 image_size(const fs::path& path) {
@@ -206,8 +214,13 @@ FilmImage read_film_image(const fs::path& path) {
   const std::unique_ptr<OIIO::ImageInput> input = open_image(path);
   const OIIO::ImageSpec& spec = input->spec();
   const ChannelReader reader(path, *input);
-  FilmImage image{.color = read_color(reader, spec), .samples = {}};
+  FilmImage image{.color = read_color(reader, spec), .samples = {}, .variances = {}};
   image.samples = read_samples(reader, image.color.pixels.size());
+  const int variance = reader.index("variance", -1);
+  if (variance >= 0) {
+    image.variances.resize(image.color.pixels.size());
+    reader.read(variance, image.variances.data(), 1);
+  }
   return image;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "renderer/base/vec.h"
 #include "renderer/image/image.h"
@@ -11,10 +13,14 @@ namespace foveola {
 /// Throws UsageError unless the extension is .exr or .png.
 void require_image_extension(const std::filesystem::path& path);
 
-/// .exr: float channels R, G, B and `samples`. .png: sRGB, 8 bits, after `exposure_stops`. The
-/// file appears whole or not at all. Throws Error if it cannot be written.
+/// What an .exr says of itself: names and values of its header.
+using ImageFacts = std::map<std::string, std::string>;
+
+/// .exr: float channels R, G, B, `samples` and, if they are known, `variance`, with `facts` in its
+/// header. .png: sRGB, 8 bits, after `exposure_stops`. The file appears whole or not at all. Throws
+/// Error if it cannot be written.
 void write_film_image(const std::filesystem::path& path, const FilmImage& image,
-                      double exposure_stops);
+                      double exposure_stops, const ImageFacts& facts = {});
 
 /// A linear image as .exr (R, G, B) or .png (as write_film_image).
 void write_image(const std::filesystem::path& path, const RgbImage& image, double exposure_stops);
@@ -23,8 +29,8 @@ void write_image(const std::filesystem::path& path, const RgbImage& image, doubl
 IVec2 image_size(const std::filesystem::path& path);
 
 /// Reads any image that OpenImageIO knows as linear colours: 8-bit files are taken as sRGB. The
-/// counts come from a channel `samples`, or are 1 where there is none. Throws Error if it cannot
-/// be read.
+/// counts come from a channel `samples`, or are 1 where there is none; variances from `variance`.
+/// Throws Error if it cannot be read.
 FilmImage read_film_image(const std::filesystem::path& path);
 
 }  // namespace foveola

@@ -28,7 +28,8 @@ Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeT
       head_(&head),
       workers_(&workers),
       film_(settings.film_width, settings.film_height,
-            settings.spare_done ? FilmStatistics::mean_and_variance : FilmStatistics::mean),
+            settings.spare_done || settings.keep_variances ? FilmStatistics::mean_and_variance
+                                                           : FilmStatistics::mean),
       viewport_(viewport_for(settings, {})) {
   if (settings_.spare_done) {
     settings_.spare_done->exposure_stops = settings.exposure_stops;

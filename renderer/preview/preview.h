@@ -32,6 +32,7 @@ struct PreviewSettings {
   /// Sends samples away from pixels whose noise is no longer seen at the exposure below. Off in the
   /// published study.
   std::optional<VisibleNoise> spare_done;
+  bool keep_variances = false;  ///< in the film, even if nothing is spared
   double exposure_stops = 0.0;
   TraceSettings trace;
 };

@@ -1,4 +1,5 @@
 // The render command as a user types it.
+#include <algorithm>
 #include <numeric>
 
 #include <gmock/gmock.h>
@@ -54,6 +55,80 @@ TEST_F(Render, OdGivesEveryPixelItsSamples) {
     EXPECT_TRUE(is_finite(pixel));
     EXPECT_GT(luminance(pixel), 0.0F);
   }
+}
+
+TEST_F(Render, KeepsVariancesAndSaysInTheFileWhatItDid) {
+  ASSERT_EQ(render("a.exr", {"--size", "64x32", "--samples", "3000", "--method", "fv:cutoff=70",
+                             "--seed", "11", "--gaze", "20,-5", "--variance"})
+                .exit_code,
+            0);
+  const FilmImage image = read_film_image(folder_ / "a.exr");
+  ASSERT_EQ(image.variances.size(), 64U * 32U);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < image.samples.size(); ++i) {
+    if (image.samples[i] < 2) {
+      EXPECT_EQ(image.variances[i], 0.0F);
+    }
+    sum += image.variances[i];
+  }
+  EXPECT_GT(sum, 0.0);
+  const std::string bytes = read_file(folder_ / "a.exr");
+  for (const char* fact : {"foveola:method", "fv:cutoff=70", "foveola:seed", "foveola:gaze_deg",
+                           "20,-5", "foveola:head_deg", "room.gltf"}) {
+    EXPECT_THAT(bytes, testing::HasSubstr(fact));
+  }
+  ASSERT_EQ(render("b.exr", {"--size", "64x32", "--samples", "3000"}).exit_code, 0);
+  EXPECT_TRUE(read_film_image(folder_ / "b.exr").variances.empty());
+}
+
+/// The fraction of an image's pixels that are black.
+double black_share(const RgbImage& image) {
+  const auto black = std::count(image.pixels.begin(), image.pixels.end(), Rgb(0.0F));
+  return static_cast<double>(black) / static_cast<double>(image.pixels.size());
+}
+
+TEST_F(Render, WritesWhatTheDisplayShows) {
+  const auto view = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> options = {
+        "--size",      "512x256", "--samples", "3000", "--view", (folder_ / "v.exr").string(),
+        "--view-size", "80x40",   "--head",    "30,10"};
+    options.insert(options.end(), more.begin(), more.end());
+    const ProgramResult result = render("a.exr", options);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read_film_image(folder_ / "v.exr").color;
+  };
+  const RgbImage plain = view({});
+  EXPECT_EQ(plain.width, 80);
+  EXPECT_EQ(plain.height, 40);
+  EXPECT_GT(black_share(plain), 0.3);
+  EXPECT_EQ(black_share(view({"--fill-unsampled"})), 0.0);
+  EXPECT_NE(view({"--lens", "0.5,0.5,0.3,0.1"}).pixels, plain.pixels);
+}
+
+// All samples of a view of 60 x 30 degrees lie within 15 degrees of the horizon, a pixel's height
+// aside, and some near its edges.
+TEST_F(Render, AViewHasTwoFieldsOfView) {
+  ASSERT_EQ(render("a.exr", {"--size", "128x64", "--samples", "20000", "--method", "vp", "--head",
+                             "0,0", "--fov", "60x30"})
+                .exit_code,
+            0);
+  const FilmImage image = read_film_image(folder_ / "a.exr");
+  const auto row_has_samples = [&](int y) {
+    return std::any_of(image.samples.begin() + y * 128, image.samples.begin() + (y + 1) * 128,
+                       [](std::uint32_t count) { return count > 0; });
+  };
+  // Rows are 2.8125 degrees high: 15 degrees above the horizon is in row 32 - 6 = 26.
+  EXPECT_TRUE(row_has_samples(26));
+  EXPECT_FALSE(row_has_samples(25));
+  EXPECT_FALSE(row_has_samples(38));
+  EXPECT_EQ(run_foveola({"render", (folder_ / "room.gltf").string(), "-o",
+                         (folder_ / "b.exr").string(), "--fov", "60x180"})
+                .exit_code,
+            2);
+  EXPECT_EQ(run_foveola({"render", (folder_ / "room.gltf").string(), "-o",
+                         (folder_ / "b.exr").string(), "--lens", "0.5,0.5,-5,0"})
+                .exit_code,
+            2);
 }
 
 TEST_F(Render, FvSamplesFollowTheGazeAndVpSamplesStayInTheView) {
