@@ -111,6 +111,47 @@ void add_rolling_door(Model& model, const Materials& m) {
   add_object(model, "Rolling door", {{m.aluminium, slats, 40.0}, {m.galvanised, frame, 40.0}});
 }
 
+/// The roof light's opening in the ceiling, between two trusses.
+constexpr DVec2 roof_light_lower(-4.0, -5.4);  ///< x and z
+constexpr DVec2 roof_light_upper(4.0, -3.6);
+
+/// The ceiling around the roof light, seen from below.
+Shape ceiling_with_opening() {
+  const auto piece = [](double x0, double z0, double x1, double z1) {
+    return rectangle({x0, ceiling, z0}, {x1 - x0, 0.0, 0.0}, {0.0, 0.0, z1 - z0});
+  };
+  const DVec2& lower = roof_light_lower;
+  const DVec2& upper = roof_light_upper;
+  Shape shape = piece(-half_room, -half_room, half_room, lower.y);
+  append(shape, piece(-half_room, upper.y, half_room, half_room));
+  append(shape, piece(-half_room, lower.y, lower.x, upper.y));
+  append(shape, piece(upper.x, lower.y, half_room, upper.y));
+  return shape;
+}
+
+/// The sides of the opening and the bars across it, without panes.
+void add_roof_light(Model& model, const Materials& m) {
+  constexpr double depth = 0.3;
+  const DVec2& lower = roof_light_lower;
+  const DVec3 x(roof_light_upper.x - lower.x, 0.0, 0.0);
+  const DVec3 y(0.0, depth, 0.0);
+  const DVec3 z(0.0, 0.0, roof_light_upper.y - lower.y);
+  const DVec3 corner(lower.x, ceiling, lower.y);
+  Shape sides = rectangle(corner, x, y);
+  append(sides, rectangle(corner + x + z, -x, y));
+  append(sides, rectangle(corner + z, -z, y));
+  append(sides, rectangle(corner + x, z, y));
+  Shape bars;
+  constexpr int panes = 8;
+  for (int i = 1; i < panes; ++i) {
+    append(bars, moved(rounded_box({0.05, 0.09, z.z + 0.02}, 0.01, 2),
+                       corner + (1.0 * i / panes) * x + 0.7 * y + 0.5 * z));
+  }
+  append(bars, moved(rounded_box({x.x + 0.02, 0.07, 0.05}, 0.01, 2),
+                     corner + 0.5 * x + 0.7 * y + 0.5 * z));
+  add_object(model, "Roof light", {{m.white_paint, sides}, {m.black_steel, bars, 40.0}});
+}
+
 }  // namespace
 
 void add_room(Model& model, const Materials& m) {
@@ -119,7 +160,7 @@ void add_room(Model& model, const Materials& m) {
   const DVec3 z(0.0, 0.0, 2.0 * half_room);
   const DVec3 corner(-half_room, 0.0, -half_room);
   add_object(model, "Floor", {{m.concrete, with_uv_scale(rectangle(corner + z, x, -z), 0.3)}});
-  add_object(model, "Ceiling", {{m.ceiling, with_uv_scale(rectangle(corner + y, x, z), 0.25)}});
+  add_object(model, "Ceiling", {{m.ceiling, with_uv_scale(ceiling_with_opening(), 0.25)}});
   Shape walls = rectangle(corner, x, y);
   append(walls, rectangle(corner + x + z, -x, y));
   append(walls, rectangle(corner + z, -z, y));
@@ -145,6 +186,7 @@ void add_room(Model& model, const Materials& m) {
   }
   add_object(model, "Skirting and conduits",
              {{m.black_steel, skirting, 40.0}, {m.galvanised, conduits, 45.0}});
+  add_roof_light(model, m);
   add_wall_things(model, m);
   add_rolling_door(model, m);
 }
