@@ -16,6 +16,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
+#include "renderer/commands/bench_density.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/image/image_file.h"
 
@@ -175,10 +176,20 @@ void add_bench_sampling(CLI::App& bench) {
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
       "sampling", "What view samples cost before they are traced, and the film after: medians");
+  const auto density = std::make_shared<std::string>();
+  command->add_option("--density", *density,
+                      "Print where this method's samples fall instead: counted and stated, in "
+                      "rings around the gaze");
   command->add_option("METHOD", *methods, "As render's --method (default: one of each)");
   command->add_flag("--json", *as_json, "Print the figures as JSON");
   command->footer("Example: foveola bench sampling fv fv:acuity=guenter,cutoff=60");
-  command->callback([methods, as_json] { run(*methods, *as_json); });
+  command->callback([methods, density, as_json] {
+    if (density->empty()) {
+      run(*methods, *as_json);
+    } else {
+      print_density(*density, *as_json);
+    }
+  });
 }
 
 }  // namespace foveola

@@ -131,6 +131,17 @@ TEST_F(Render, AViewHasTwoFieldsOfView) {
             2);
 }
 
+// 2^23 samples over Reddy's 1091.85 square degrees (the paper's normaliser) in the fovea.
+TEST(BenchSampling, CountsWhereSamplesFall) {
+  const ProgramResult result = run_foveola({"bench", "sampling", "--density", "fv", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json rings = nlohmann::json::parse(result.output).at("rings");
+  const nlohmann::json& ring = rings.at(1);
+  EXPECT_EQ(ring.at("to_deg"), 1.0);
+  EXPECT_NEAR(ring.at("samples_per_square_degree").get<double>(), 8388608.0 / 1091.85, 76.0);
+  EXPECT_NEAR(ring.at("stated_per_square_degree").get<double>(), 8388608.0 / 1091.85, 2.0);
+}
+
 TEST_F(Render, FvSamplesFollowTheGazeAndVpSamplesStayInTheView) {
   const std::vector<std::string> options = {"--size", "128x64", "--samples", "100000",
                                             "--head", "170,0",  "--gaze",    "-175,20",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -18,23 +19,28 @@ constexpr int sectors = 16;
 constexpr int steps_per_ring = 48;
 constexpr int steps_per_sector = 32;
 
-/// Around `pole`: rings of equal eccentricity, sectors of equal azimuth.
+/// Around `pole` up to `reach_rad`: rings of equal eccentricity, sectors of equal azimuth; all that
+/// lies beyond is one more cell, the last.
 class Cells {
  public:
-  explicit Cells(const Vec3& pole) : frame_(pole) {}
+  Cells(const Vec3& pole, double reach_rad) : frame_(pole), reach_rad_(reach_rad) {}
 
   std::size_t of(const Vec3& direction) const {
     const Vec3 local = frame_.to_local(direction);
     const double eccentricity = std::atan2(std::hypot(local.x, local.y), local.z);
     const double azimuth = std::atan2(local.y, local.x) + pi;
-    const int ring = std::min(static_cast<int>(eccentricity / pi * rings), rings - 1);
+    const int ring = static_cast<int>(eccentricity / reach_rad_ * rings);
+    if (ring >= rings && reach_rad_ < pi) {
+      return static_cast<std::size_t>(rings) * sectors;
+    }
     const int sector = std::min(static_cast<int>(azimuth / (2.0 * pi) * sectors), sectors - 1);
-    return static_cast<std::size_t>(ring) * sectors + static_cast<std::size_t>(sector);
+    return static_cast<std::size_t>(std::min(ring, rings - 1)) * sectors +
+           static_cast<std::size_t>(sector);
   }
 
   /// The integral of `density` over one cell.
   double integrate(int ring, int sector, const std::function<double(const Vec3&)>& density) const {
-    const double ring_step = pi / rings / steps_per_ring;
+    const double ring_step = reach_rad_ / rings / steps_per_ring;
     const double sector_step = 2.0 * pi / sectors / steps_per_sector;
     double sum = 0.0;
     for (int i = 0; i < steps_per_ring; ++i) {
@@ -51,6 +57,7 @@ class Cells {
 
  private:
   Frame frame_;
+  double reach_rad_;
 };
 
 std::vector<double> cell_probabilities(const std::function<double(const Vec3&)>& density,
@@ -68,13 +75,15 @@ std::vector<double> cell_probabilities(const std::function<double(const Vec3&)>&
 
 double chi_squared_p_value(std::span<const Vec3> directions,
                            const std::function<double(const Vec3&)>& density_per_sr,
-                           const Vec3& pole) {
-  const Cells cells(pole);
-  std::vector<double> observed(static_cast<std::size_t>(rings) * sectors, 0.0);
+                           const Vec3& pole, double reach_rad) {
+  const Cells cells(pole, reach_rad);
+  std::vector<double> observed(static_cast<std::size_t>(rings) * sectors + 1, 0.0);
   for (const Vec3& direction : directions) {
     observed[cells.of(direction)] += 1.0;
   }
-  const std::vector<double> probabilities = cell_probabilities(density_per_sr, cells);
+  std::vector<double> probabilities = cell_probabilities(density_per_sr, cells);
+  const double inside = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
+  probabilities.push_back(reach_rad < pi ? std::max(0.0, 1.0 - inside) : 0.0);
   double statistic = 0.0;
   double pooled_expected = 0.0;
   double pooled_observed = 0.0;
@@ -104,7 +113,7 @@ double chi_squared_p_value(std::span<const Vec3> directions,
 double integral_over_sphere(const std::function<double(const Vec3&)>& density_per_sr,
                             const Vec3& pole) {
   double sum = 0.0;
-  for (const double probability : cell_probabilities(density_per_sr, Cells(pole))) {
+  for (const double probability : cell_probabilities(density_per_sr, Cells(pole, pi))) {
     sum += probability;
   }
   return sum;

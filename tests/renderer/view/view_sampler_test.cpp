@@ -81,6 +81,19 @@ TEST_P(EverySampler, FollowsItsDensity) {
   EXPECT_GT(p, 0.000118);
 }
 
+// In rings of a sixth of a degree to 10 degrees: what the cells above hide within their first
+// three.
+TEST_P(EverySampler, FollowsItsDensityInTheFoveaToo) {
+  if (!std::get<0>(GetParam()).starts_with("fv") &&
+      !std::get<0>(GetParam()).starts_with("pointer")) {
+    GTEST_SKIP() << "no method that gathers around the gaze";
+  }
+  const double p = test::chi_squared_p_value(
+      random_directions(*sampler_), [this](const Vec3& d) { return density(d); }, middle(),
+      radians(10.0));
+  EXPECT_GT(p, 0.000118);
+}
+
 TEST_P(EverySampler, DensityIntegratesToOne) {
   // The edge of a viewport cuts cells, and OD's density is infinite at the poles: 0.5 %.
   EXPECT_NEAR(test::integral_over_sphere([this](const Vec3& d) { return density(d); }, middle()),
