@@ -171,12 +171,13 @@ TEST(RaySceneTest, BehindAWindowTheRaysOwnKeysDecide) {
   Scene scene = one_quad();
   scene.materials[0].alpha_mode = AlphaMode::blend;
   scene.materials[0].alpha = 0.5F;
+  Scene with_window = scene;
+  with_window.materials.push_back(dielectric(0.5F));
+  with_window.materials[1].transmission = 1.0F;
+  with_window.materials[1].roughness = 0.0F;
+  with_window.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 1));
   const RayScene bare(scene, workers());
-  scene.materials.push_back(dielectric(0.5F));
-  scene.materials[1].transmission = 1.0F;
-  scene.materials[1].roughness = 0.0F;
-  scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 1));
-  const RayScene glazed(scene, workers());
+  const RayScene glazed(with_window, workers());
   std::vector<Ray> stream;
   for (std::uint32_t i = 0; i < 2000; ++i) {
     stream.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = mix(i)});
