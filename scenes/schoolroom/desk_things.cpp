@@ -112,15 +112,17 @@ void add_pupils_things(std::vector<Part>& things, const Materials& m, const DVec
   const auto lay = [&](const std::vector<Part>& parts, const DVec3& offset, double turn_deg) {
     append(things, placed(parts, seat + offset, turn_deg));
   };
+  // A draw a statement: compilers disagree on the order of a call's arguments.
+  const int page = random.uniform() < 0.5 ? m.page : m.other_page;
+  const int cloth = random.uniform() < 0.5 ? m.red_cloth : m.blue_cloth;
   // Turned by -90 degrees, what lies along Z can be read from the chair.
-  lay(open_book(m, random.uniform() < 0.5 ? m.page : m.other_page), {-0.06, 0.0005, 0.0},
-      -90.0 + 16.0 * (random.uniform() - 0.5));
-  lay(pencil_case(m, random.uniform() < 0.5 ? m.red_cloth : m.blue_cloth), {0.17, 0.0, 0.06},
-      90.0 + 30.0 * (random.uniform() - 0.5));
+  lay(open_book(m, page), {-0.06, 0.0005, 0.0}, -90.0 + 16.0 * (random.uniform() - 0.5));
+  lay(pencil_case(m, cloth), {0.17, 0.0, 0.06}, 90.0 + 30.0 * (random.uniform() - 0.5));
   for (int i = 0; i < 4; ++i) {
-    lay(pencil(m, any_paint()),
-        {0.09 + 0.02 * random.uniform() + 0.012 * i, 0.0, -0.16 - 0.02 * random.uniform()},
-        90.0 + 25.0 * (random.uniform() - 0.5));
+    const int paint = any_paint();
+    const DVec3 offset{0.09 + 0.02 * random.uniform() + 0.012 * i, 0.0,
+                       -0.16 - 0.02 * random.uniform()};
+    lay(pencil(m, paint), offset, 90.0 + 25.0 * (random.uniform() - 0.5));
   }
   if (random.uniform() < 0.6) {
     double height = 0.0;

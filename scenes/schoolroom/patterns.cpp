@@ -41,9 +41,10 @@ class Slate {
   Slate(int width, int height) : canvas_(blank(width, height, {38, 62, 54})), height_(height) {
     Pcg32 random(71);
     for (int i = 0; i < 60; ++i) {
-      const DVec2 from(random.uniform() * width, random.uniform() * height);
-      const DVec2 along(height * (0.15 + 0.2 * random.uniform()),
-                        height * 0.12 * (random.uniform() - 0.5));
+      // In braces: compilers disagree on the order of a call's arguments.
+      const DVec2 from{random.uniform() * width, random.uniform() * height};
+      const DVec2 along{height * (0.15 + 0.2 * random.uniform()),
+                        height * 0.12 * (random.uniform() - 0.5)};
       canvas_.draw_lines({from, from + along}, {{{150, 165, 155}, 0.03}, 0.09 * height});
     }
   }
@@ -244,7 +245,8 @@ Image book_spines(int height) {
   const double width = static_cast<double>(canvas.width()) / spines_in_image;
   Pcg32 random(72);
   for (int i = 0; i < spines_in_image; ++i) {
-    const DVec3 cover = covers[random.below(covers.size())] * (0.8 + 0.3 * random.uniform());
+    const DVec3 paint = covers[random.below(covers.size())];
+    const DVec3 cover = paint * (0.8 + 0.3 * random.uniform());
     const bool is_light = cover.x + cover.y + cover.z > 330.0;
     const Ink print{is_light ? DVec3(45, 35, 30) : DVec3(225, 200, 140)};
     const double left = i * width;
@@ -306,12 +308,14 @@ Image drawings(int height) {
     canvas.fill_rectangle(at(0.03, 0.02), at(0.97, 0.4), {{165, 205, 235}, 0.7, 0.8});
     canvas.fill_rectangle(at(0.03, 0.74), at(0.97, 0.98), {{105, 170, 80}, 0.85, 0.6});
     draw_sun(canvas, at(0.2 + 0.6 * random.uniform(), 0.16), 0.09 * size.x);
-    draw_house(canvas, at(0.12 + 0.3 * random.uniform(), 0.8),
-               (0.28 + 0.1 * random.uniform()) * size.x, crayons[i % crayons.size()]);
+    const double house = 0.12 + 0.3 * random.uniform();
+    draw_house(canvas, at(house, 0.8), (0.28 + 0.1 * random.uniform()) * size.x,
+               crayons[i % crayons.size()]);
     draw_tree(canvas, at(0.8, 0.82), (0.3 + 0.15 * random.uniform()) * size.y);
     for (int person = 0; person < 2; ++person) {
-      draw_person(canvas, at(0.4 + 0.22 * person + 0.1 * random.uniform(), 0.93),
-                  (0.18 + 0.1 * random.uniform()) * size.y, crayons[random.below(crayons.size())]);
+      const double place = 0.4 + 0.22 * person + 0.1 * random.uniform();
+      const double tall = (0.18 + 0.1 * random.uniform()) * size.y;
+      draw_person(canvas, at(place, 0.93), tall, crayons[random.below(crayons.size())]);
     }
   });
 }

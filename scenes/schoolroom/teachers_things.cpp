@@ -20,7 +20,7 @@ std::vector<Part> pile_of_books(const Materials& m) {
     const BookSize size{
         .thickness = 0.007 + 0.004 * random.uniform(), .height = 0.21, .depth = 0.15};
     const int spine = static_cast<int>(random.below(spines_in_image));
-    const DVec3 slipped(0.014 * (random.uniform() - 0.5), height, 0.014 * (random.uniform() - 0.5));
+    const DVec3 slipped{0.014 * (random.uniform() - 0.5), height, 0.014 * (random.uniform() - 0.5)};
     append(pile, placed(lying_book(size, m, spine), slipped, 9.0 * (random.uniform() - 0.5)));
     height += size.thickness;
   }

@@ -79,8 +79,8 @@ void add_tray(Model& model, const Materials& m, double y) {
   for (int i = 0; i < 14; ++i) {
     const Shape stick =
         turned(cone(0.0055, 0.0045, 0.05 + 0.03 * random.uniform(), 12), 90.0, {0, 0, 1});
-    append(sticks, moved(turned(stick, 30.0 * (random.uniform() - 0.5)),
-                         {1.1 - 1.9 * random.uniform(), -0.02, 0.06}));
+    const double turn_deg = 30.0 * (random.uniform() - 0.5);
+    append(sticks, moved(turned(stick, turn_deg), {1.1 - 1.9 * random.uniform(), -0.02, 0.06}));
   }
   const Shape sponge = moved(rounded_box({0.14, 0.06, 0.07}, 0.015, 3), {-0.95, 0.008, 0.06});
   const auto put = [&](const Shape& shape) { return on_board_wall(moved(shape, {0.0, y, 0.0})); };
@@ -158,8 +158,8 @@ void add_notice_board(Model& model, const Materials& m) {
   Pcg32 random(640);
   for (int i = 0; i < 14; ++i) {
     const double lean_deg = 8.0 * (random.uniform() - 0.5);
-    const DVec3 top(0.2 + 0.316 * (i % 7) + 0.03 * random.uniform(),
-                    height - 0.08 - 0.47 * (i / 7) - 0.05 * random.uniform(), 0.013);
+    const DVec3 top{0.2 + 0.316 * (i % 7) + 0.03 * random.uniform(),
+                    height - 0.08 - 0.47 * (i / 7) - 0.05 * random.uniform(), 0.013};
     append(sheets, moved(turned(pinned_sheet(0.24, 0.34, static_cast<int>(random.below(8)), 0.012),
                                 lean_deg, {0, 0, 1}),
                          top));
