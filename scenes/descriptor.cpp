@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-constexpr double largest_coordinate_m = 1e6;
+/// In the file's units, which are the descriptor's.
+constexpr double largest_coordinate = 1e6;
 constexpr double largest_radiance = 1e6;
 
 bool is_axis(const Vec3& v) {
@@ -47,15 +48,20 @@ void require(const TomlReader& table, std::initializer_list<std::string_view> ke
   }
 }
 
-void read_position(TomlReader& table, std::string_view key, Vec3& position) {
-  table.read(key, position, -largest_coordinate_m, largest_coordinate_m);
+/// In metres. Throws Error if the key is absent.
+Vec3 read_position(TomlReader& table, std::string_view key, double metres_per_unit) {
+  Vec3 position;
+  table.require(key);
+  table.read(key, position, -largest_coordinate, largest_coordinate);
+  return static_cast<float>(metres_per_unit) * position;
 }
 
-RectangleLight read_light(TomlReader table) {
+RectangleLight read_light(TomlReader table, double metres_per_unit) {
   RectangleLight light;
-  require(table, {"center", "size", "normal", "radiance"});
-  read_position(table, "center", light.center);
-  table.read("size", light.size, 1e-6, largest_coordinate_m);
+  require(table, {"size", "normal", "radiance"});
+  light.center = read_position(table, "center", metres_per_unit);
+  table.read("size", light.size, 1e-6, largest_coordinate);
+  light.size *= static_cast<float>(metres_per_unit);
   table.read("normal", light.normal, -1.0, 1.0);
   table.read("radiance", light.radiance, 0.0, largest_radiance);
   if (!is_axis(light.normal)) {
@@ -88,11 +94,11 @@ Sun read_sun(TomlReader table) {
   return sun;
 }
 
-ObjectOfInterest read_object(TomlReader table) {
+ObjectOfInterest read_object(TomlReader table, double metres_per_unit) {
   ObjectOfInterest object;
-  require(table, {"name", "position", "radius_deg"});
+  require(table, {"name", "radius_deg"});
   object.name = table.require_text("name");
-  read_position(table, "position", object.position);
+  object.position = read_position(table, "position", metres_per_unit);
   double radius_deg = 0.0;
   table.read("radius_deg", radius_deg, 0.1, 90.0);
   object.radius_deg = static_cast<float>(radius_deg);
@@ -102,25 +108,22 @@ ObjectOfInterest read_object(TomlReader table) {
 
 /// Throws Error if the last object cannot be told from another, or lies in no direction.
 void require_choosable(const TomlReader& table, const SceneSource& source) {
-  constexpr float least_distance_m = 1e-3F;
+  constexpr double least_distance = 1e-3;  // in the file's units
   const ObjectOfInterest& object = source.objects.back();
   const auto same_name = [&](const ObjectOfInterest& other) { return other.name == object.name; };
   if (std::count_if(source.objects.begin(), source.objects.end(), same_name) > 1) {
     table.fail(table.source("name"), "two objects are called \"" + object.name + "\"",
                "give each a name of its own");
   }
-  if (source.camera_position &&
-      glm::distance(object.position, *source.camera_position) < least_distance_m) {
+  if (source.camera_position && glm::distance(object.position, *source.camera_position) <
+                                    least_distance * source.metres_per_unit) {
     table.fail(table.source("position"), "the object is where the camera is",
                "give a place to look at");
   }
 }
 
 void read_camera(TomlReader table, SceneSource& source) {
-  table.require("position");
-  Vec3 position;
-  read_position(table, "position", position);
-  source.camera_position = position;
+  source.camera_position = read_position(table, "position", source.metres_per_unit);
   source.heading = read_angles(table, "azimuth_deg", "elevation_deg");
   table.reject_unknown_keys();
 }
@@ -156,14 +159,15 @@ void read_light_from_outside(TomlReader& table, SceneSource& source) {
 }
 
 void read_viewpoint(TomlReader& table, SceneSource& source) {
+  table.read("metres_per_unit", source.metres_per_unit, 1e-6, 1e6);
   table.require("camera");
   read_camera(table.table("camera"), source);
   table.read("exposure_stops", source.exposure_stops, -20.0, 20.0);
   for (const TomlReader& light : table.tables("light")) {
-    source.lights.push_back(read_light(light));
+    source.lights.push_back(read_light(light, source.metres_per_unit));
   }
   for (const TomlReader& object : table.tables("object")) {
-    source.objects.push_back(read_object(object));
+    source.objects.push_back(read_object(object, source.metres_per_unit));
     require_choosable(object, source);
   }
 }

@@ -51,6 +51,8 @@ struct SceneSource {
   /// Of the file that all else here was written for; empty if it was for none. Any other file is
   /// taken all the same, with a warning.
   std::string described_sha256;
+  /// Of the file's units, for files in others than glTF's. All else here is in metres.
+  double metres_per_unit = 1.0;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   double exposure_stops = 0.0;

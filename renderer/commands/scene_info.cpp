@@ -24,6 +24,8 @@ struct LoadedFacts {
   double load_s = 0.0;
   std::size_t tracing_bytes = 0;  ///< see RayScene::memory_bytes
   SceneFacts facts;
+  DVec3 lower;  ///< of its bounds, in the file's world and metres, as --camera is
+  DVec3 upper;
 };
 
 LoadedFacts load_facts(const SceneSource& source) {
@@ -31,40 +33,43 @@ LoadedFacts load_facts(const SceneSource& source) {
   const Nanoseconds start = clock.now();
   const Scene scene = load_scene(source);
   const double load_s = seconds(clock.now() - start);
+  const Bounds bounds = scene.bounds();
   return {.source = source,
           .sha256 = scene.sha256,
           .warnings = scene.warnings,
           .load_s = load_s,
           .tracing_bytes = RayScene(scene, Workers()).memory_bytes(),
-          .facts = facts_of(scene)};
+          .facts = facts_of(scene),
+          .lower = DVec3(bounds.lower) + scene.origin,
+          .upper = DVec3(bounds.upper) + scene.origin};
 }
 
-nlohmann::json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+nlohmann::json json_of(const DVec3& v) { return {v.x, v.y, v.z}; }
 
 void print_json(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
-  const nlohmann::ordered_json json = {
-      {"name", loaded.source.name},
-      {"title", loaded.source.title},
-      {"file", loaded.source.file.string()},
-      {"sha256", loaded.sha256},
-      {"load_seconds", loaded.load_s},
-      {"objects", facts.objects},
-      {"instances", facts.instances},
-      {"triangles", facts.triangles},
-      {"stored_triangles", facts.stored_triangles},
-      {"emissive_triangles", facts.emissive_triangles},
-      {"lights", facts.lights},
-      {"materials", facts.materials},
-      {"textures", facts.textures},
-      {"geometry_bytes", facts.geometry_bytes},
-      {"tracing_bytes", loaded.tracing_bytes},
-      {"texture_bytes", facts.texture_bytes},
-      {"environment_bytes", facts.environment_bytes},
-      {"bounds", {json_of(facts.bounds.lower), json_of(facts.bounds.upper)}},
-      {"features", facts.features},
-      {"absent_features", facts.absent_features},
-      {"warnings", loaded.warnings}};
+  const nlohmann::ordered_json json = {{"name", loaded.source.name},
+                                       {"title", loaded.source.title},
+                                       {"file", loaded.source.file.string()},
+                                       {"sha256", loaded.sha256},
+                                       {"metres_per_unit", loaded.source.metres_per_unit},
+                                       {"load_seconds", loaded.load_s},
+                                       {"objects", facts.objects},
+                                       {"instances", facts.instances},
+                                       {"triangles", facts.triangles},
+                                       {"stored_triangles", facts.stored_triangles},
+                                       {"emissive_triangles", facts.emissive_triangles},
+                                       {"lights", facts.lights},
+                                       {"materials", facts.materials},
+                                       {"textures", facts.textures},
+                                       {"geometry_bytes", facts.geometry_bytes},
+                                       {"tracing_bytes", loaded.tracing_bytes},
+                                       {"texture_bytes", facts.texture_bytes},
+                                       {"environment_bytes", facts.environment_bytes},
+                                       {"bounds", {json_of(loaded.lower), json_of(loaded.upper)}},
+                                       {"features", facts.features},
+                                       {"absent_features", facts.absent_features},
+                                       {"warnings", loaded.warnings}};
   fmt::print("{}\n", json.dump(2));
 }
 
@@ -83,7 +88,6 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
 
 void print_text(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
-  const Bounds& bounds = facts.bounds;
   fmt::print("{}\n", loaded.source.title);
   fmt::print("file       {}\nsha256     {}\n", loaded.source.file.string(), loaded.sha256);
   fmt::print("loaded in  {}\n", human_duration(loaded.load_s));
@@ -92,8 +96,11 @@ void print_text(const LoadedFacts& loaded) {
   fmt::print("materials  {}, textures {}\n", facts.materials, facts.textures);
   fmt::print("light      {} emissive triangles, {} lights without geometry\n",
              facts.emissive_triangles, facts.lights);
-  fmt::print("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", bounds.lower.x,
-             bounds.lower.y, bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
+  fmt::print("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", loaded.lower.x,
+             loaded.lower.y, loaded.lower.z, loaded.upper.x, loaded.upper.y, loaded.upper.z);
+  if (loaded.source.metres_per_unit != 1.0) {
+    fmt::print("scale      the file's unit is {:g} m\n", loaded.source.metres_per_unit);
+  }
   print_memory(facts, loaded.tracing_bytes);
   fmt::print("has        {}\n", fmt::join(facts.features, ", "));
   fmt::print("has no     {}\n", fmt::join(facts.absent_features, ", "));

@@ -92,6 +92,9 @@ void require_valid(const SceneSource& source) {
   if (source.environment_radiance && !is_radiance(*source.environment_radiance)) {
     throw Error(source.name, "the radiance of the environment is negative or not finite");
   }
+  if (!(std::isfinite(source.metres_per_unit) && source.metres_per_unit > 0.0)) {
+    throw Error(source.name, "the metres of a unit are not positive");
+  }
   const auto is_size = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (!is_size(source.environment_strength)) {
     throw Error(source.name, "the strength of the environment is negative or not finite");
@@ -102,6 +105,45 @@ void require_valid(const SceneSource& source) {
   if (!is_size(source.light_radius_m.value_or(0.0F)) ||
       !is_size(source.sun_angular_radius_rad.value_or(0.0F))) {
     throw Error(source.name, "the radius of the lights is negative or not finite");
+  }
+}
+
+/// The distances grow, and with them what falls off with their squares: the picture stays.
+void scale_light(PunctualLight& light, float scale) {
+  light.position *= scale;
+  light.radius_m *= scale;
+  if (light.kind != PunctualLight::Kind::directional) {
+    light.intensity *= scale * scale;
+  }
+}
+
+void scale_placement(Instance& instance, float scale) {
+  for (int column = 0; column < 4; ++column) {
+    Vec4& image = instance.world_from_local[column];
+    image = Vec4(scale * Vec3(image), image.w);
+  }
+}
+
+/// Prototypes are scaled where they are placed.
+void scale_world(Scene& scene, double metres_per_unit) {
+  const auto scale = static_cast<float>(metres_per_unit);
+  scene.origin *= metres_per_unit;
+  for (Mesh& mesh : scene.meshes) {
+    for (Vec3& position : mesh.positions) {
+      position *= scale;
+    }
+  }
+  for (Instance& instance : scene.instances) {
+    scale_placement(instance, scale);
+  }
+  for (Material& material : scene.materials) {
+    material.attenuation_distance_m *= scale;
+  }
+  for (PunctualLight& light : scene.lights) {
+    scale_light(light, scale);
+  }
+  for (CameraView& camera : scene.cameras) {
+    camera.position *= scale;
   }
 }
 
@@ -183,6 +225,9 @@ Scene load_scene(const SceneSource& source) {
   Scene scene = load_scene_file(source.file);
   if (const std::optional<std::string> warning = warning_of_another_file(scene, source)) {
     scene.warnings.insert(scene.warnings.begin(), *warning);
+  }
+  if (source.metres_per_unit != 1.0) {
+    scale_world(scene, source.metres_per_unit);
   }
   for (std::size_t i = 0; i < source.lights.size(); ++i) {
     add_light(scene, source.lights[i], i + 1);

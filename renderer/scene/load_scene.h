@@ -24,8 +24,9 @@ Scene load_obj(const std::filesystem::path& path);
 /// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.
 Scene load_scene_file(const std::filesystem::path& path);
 
-/// load_scene_file, with the source's environment, sun and rectangle lights added and its sizes of
-/// lights. Throws Error as well for what of these makes no sense.
+/// load_scene_file, brought to metres, with the source's environment, sun and rectangle lights
+/// added and its sizes of lights. A scene in other units looks the same, only larger or smaller.
+/// Throws Error as well for what of these makes no sense.
 Scene load_scene(const SceneSource& source);
 
 /// What to say of a scene that comes from another file than the one that its source was written

@@ -147,11 +147,11 @@ struct Scene {
   std::vector<CameraView> cameras;
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
   std::string sha256;                 ///< of all files it was loaded from: see scene_hash.h
-  /// Where this scene's (0, 0, 0) lies in the file's world. Not zero for scenes far from the file's
-  /// own origin, where floats would be too coarse.
+  /// Where this scene's (0, 0, 0) lies in the file's world, in metres. Not zero for scenes far from
+  /// the file's own origin, where floats would be too coarse.
   DVec3 origin{0.0};
 
-  /// Where a point of the file's world lies in this scene.
+  /// Where a point of the file's world, in metres, lies in this scene.
   Vec3 from_file(const DVec3& position) const { return Vec3(position - origin); }
 
   std::size_t object_count() const { return meshes.size() + instances.size(); }

@@ -72,6 +72,7 @@ TEST(Descriptor, ReadsEveryKey) {
   EXPECT_EQ(hall.source.camera_position, Vec3(1.0F, 2.0F, 3.0F));
   EXPECT_NEAR(hall.source.heading.azimuth_rad, 1.5707963267948966, 1e-15);
   EXPECT_NEAR(hall.source.heading.elevation_rad, -0.17453292519943295, 1e-15);
+  EXPECT_EQ(hall.source.metres_per_unit, 1.0);
   EXPECT_EQ(hall.source.exposure_stops, -1.5);
   EXPECT_EQ(hall.source.environment_radiance, Rgb(1.0F, 2.5F, 3.0F));
   ASSERT_EQ(hall.source.lights.size(), 1U);
@@ -83,6 +84,22 @@ TEST(Descriptor, ReadsEveryKey) {
   EXPECT_EQ(hall.source.objects[0].name, "Organ");
   EXPECT_EQ(hall.source.objects[0].position, Vec3(4.0F, 2.0F, -3.0F));
   EXPECT_EQ(hall.source.objects[0].radius_deg, 6.5F);
+}
+
+/// All places and sizes, so that its numbers are those that a modelling program shows.
+TEST(Descriptor, IsInTheFilesUnits) {
+  const TemporaryFolder folder;
+  const std::string text = std::string("metres_per_unit = 0.25\n") + good;
+  const SceneSource source = read_descriptor(folder.write("hall.toml", text)).source;
+  EXPECT_EQ(source.metres_per_unit, 0.25);
+  EXPECT_EQ(source.camera_position, Vec3(0.25F, 0.5F, 0.75F));
+  EXPECT_EQ(source.lights.at(0).center, Vec3(0.0F, 1.25F, 0.0F));
+  EXPECT_EQ(source.lights.at(0).size, Vec2(0.5F, 0.25F));
+  EXPECT_EQ(source.lights.at(0).radiance, Rgb(10.0F, 9.0F, 8.0F));
+  EXPECT_EQ(source.objects.at(0).position, Vec3(1.0F, 0.5F, -0.75F));
+  EXPECT_EQ(source.objects.at(0).radius_deg, 6.5F);
+  EXPECT_THAT(error_of(std::string("metres_per_unit = 0\n") + good),
+              HasSubstr("metres_per_unit is out of range"));
 }
 
 TEST(Descriptor, SunsStandBesideTheEnvironment) {

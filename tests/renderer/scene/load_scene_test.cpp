@@ -172,6 +172,80 @@ TEST_F(LoadScene, LightsAreRectanglesThatFaceTheirNormal) {
   }
 }
 
+/// A solid triangle with a camera, a lamp and a sun, all of them 4096 units away.
+GlbBuilder far_and_lit() {
+  GlbBuilder glb = one_triangle();
+  const auto at = [](double x) { return Json{{"translation", {4096.0 + x, 0, 0}}}; };
+  const auto with = [](Json node, const Json& more) {
+    node.update(more);
+    return node;
+  };
+  glb.document["nodes"][0].update(at(0));
+  glb.add("materials",
+          {{"extensions",
+            {{"KHR_materials_transmission", {{"transmissionFactor", 1.0}}},
+             {"KHR_materials_volume", {{"thicknessFactor", 1.0}, {"attenuationDistance", 0.5}}}}}});
+  glb.document["meshes"][0]["primitives"][0]["material"] = 0;
+  glb.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  glb.add_root(with(at(0.5), {{"camera", 0}}));
+  glb.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}},
+                                                                 {{"type", "directional"}}};
+  for (const int light : {0, 1}) {
+    glb.add_root(with(at(0.25), {{"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}}));
+  }
+  return glb;
+}
+
+/// Irradiance from a lamp falls with the square of the distance, a sun's does not.
+TEST_F(LoadScene, AnotherUnitChangesSizesAndNotThePicture) {
+  SceneSource in_metres = source();
+  in_metres.file = write("far.glb", far_and_lit().bytes());
+  SceneSource in_feet = in_metres;
+  in_feet.metres_per_unit = 0.25;
+  const Scene metres = load_scene(in_metres);
+  const Scene feet = load_scene(in_feet);
+  ASSERT_NE(metres.origin, DVec3(0.0));
+  EXPECT_EQ(feet.origin, 0.25 * metres.origin);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(feet.meshes.at(0).positions.at(i), 0.25F * metres.meshes.at(0).positions.at(i));
+  }
+  EXPECT_EQ(feet.cameras.at(0).position, 0.25F * metres.cameras.at(0).position);
+  EXPECT_EQ(metres.materials.at(0).attenuation_distance_m, 0.5F);
+  EXPECT_EQ(feet.materials.at(0).attenuation_distance_m, 0.125F);
+  EXPECT_EQ(feet.lights.at(0).position, 0.25F * metres.lights.at(0).position);
+  EXPECT_EQ(feet.lights.at(0).intensity, 0.0625F * metres.lights.at(0).intensity);
+  EXPECT_EQ(feet.lights.at(1).intensity, metres.lights.at(1).intensity);
+}
+
+TEST_F(LoadScene, InstancesAreScaledWhereTheyStand) {
+  SceneSource instanced = source();
+  GlbBuilder glb = one_triangle();
+  const int many = 40000;
+  std::vector<std::uint32_t> indices;
+  for (int i = 0; i < many; ++i) {
+    indices.insert(indices.end(), {0, 1, 2});
+  }
+  glb.document["meshes"][0]["primitives"][0]["indices"] =
+      glb.add_accessor(indices, u32, "SCALAR", 1);
+  for (const double x : {3.0, -3.0}) {
+    glb.add_root({{"mesh", 0}, {"translation", {x, 0, 0}}, {"scale", {2, 2, 2}}});
+  }
+  instanced.file = write("instances.glb", glb.bytes());
+  instanced.metres_per_unit = 0.5;
+  const Scene scene = load_scene(instanced);
+  ASSERT_EQ(scene.instances.size(), 3U);
+  EXPECT_EQ(scene.instances[1].world_from_local * Vec4(1, 0, 0, 1), Vec4(2.5F, 0, 0, 1));
+  EXPECT_EQ(scene.bounds().upper, Vec3(2.5F, 1, 0));
+}
+
+TEST_F(LoadScene, RefusesUnitsThatMakeNoSense) {
+  for (const double metres : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    SceneSource spoilt = source();
+    spoilt.metres_per_unit = metres;
+    EXPECT_THROW(load_scene(spoilt), Error);
+  }
+}
+
 /// The lights of a source stand in the file's world, like its triangles.
 TEST_F(LoadScene, LightsOfFarScenesAreMovedWithThem) {
   GlbBuilder far = one_triangle();
