@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/confined_path.h"
 #include "renderer/scene/disarmed.h"
 
 namespace foveola {
@@ -43,44 +44,21 @@ bool has_scheme(std::string_view uri) {
          });
 }
 
-bool lies_inside(const fs::path& file, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
-         folder.end();
-}
-
 }  // namespace
 
 fs::path confined_file(const fs::path& folder, std::string_view uri) {
   const std::string name = percent_decoded(uri);
-  const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("refers to \"{}\", {}", disarmed(name), why));
+  const auto refusal = [&](const std::string& why) {
+    return std::runtime_error(fmt::format("refers to \"{}\", {}", disarmed(name), why));
   };
   if (has_scheme(uri)) {
-    refuse("which is not a relative path (only data: and relative references are read)");
+    throw refusal("which is not a relative path (only data: and relative references are read)");
   }
-  const fs::path relative(name);
-  if (name.empty() || name.find('\0') != std::string::npos) {
-    refuse("which is not the name of a file");
+  try {
+    return confined_path(folder, name);
+  } catch (const std::runtime_error& reason) {
+    throw refusal(reason.what());
   }
-  if (relative.is_absolute()) {
-    refuse("which is an absolute path");
-  }
-  if (std::find(relative.begin(), relative.end(), "..") != relative.end()) {
-    refuse("which leads out of the scene's folder");
-  }
-  std::error_code failure;
-  const fs::path home = fs::canonical(folder, failure);
-  const fs::path file = fs::canonical(home / relative, failure);
-  if (failure) {
-    refuse("which does not exist");
-  }
-  if (!lies_inside(file, home)) {
-    refuse("a symbolic link that leads out of the scene's folder");
-  }
-  if (!fs::is_regular_file(file, failure)) {
-    refuse("which is not a regular file");
-  }
-  return file;
 }
 
 }  // namespace foveola

@@ -237,8 +237,8 @@ TEST_F(LoadObj, RefusesFilesOutsideItsFolder) {
     return error_of("mtllib " + library + "\n" + corners + "usemtl m\nf 1 2 3\n");
   };
   EXPECT_THAT(error((outside / "secret.mtl").string()), HasSubstr("absolute path"));
-  EXPECT_THAT(error("../secret.mtl"), HasSubstr("leads out of the scene's folder"));
-  EXPECT_THAT(error("..\\secret.mtl"), HasSubstr("leads out of the scene's folder"));
+  EXPECT_THAT(error("../secret.mtl"), HasSubstr("leads out of the folder"));
+  EXPECT_THAT(error("..\\secret.mtl"), HasSubstr("leads out of the folder"));
   EXPECT_THAT(error("C:\\secret.mtl"), HasSubstr("not a relative path"));
   EXPECT_THAT(error("http://example.org/secret.mtl"), HasSubstr("not a relative path"));
   EXPECT_THAT(error("link.mtl"), HasSubstr("symbolic link"));
