@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "renderer/base/random.h"
 #include "renderer/film/viewport_image.h"
@@ -39,7 +40,11 @@ Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeT
 Preview::~Preview() = default;
 
 void Preview::restart(std::string_view method, std::uint32_t seed) {
-  sampler_ = make_view_sampler(method);
+  restart(make_view_sampler(method), seed);
+}
+
+void Preview::restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed) {
+  sampler_ = std::move(sampler);
   settings_.trace.seed = seed;
   next_point_ = 0;
   next_frame_ = 0;

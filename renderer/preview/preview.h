@@ -63,6 +63,8 @@ class Preview {
   /// Clears the film and renders with `method` (as make_view_sampler reads it) from the next frame
   /// on. Points and paths are drawn anew from `seed`.
   void restart(std::string_view method, std::uint32_t seed);
+  /// Likewise, with a sampler that was made before.
+  void restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed);
 
   /// Polls head and gaze at `now` and traces `samples` samples; how many fit into a frame is for
   /// the caller to know (a budget, a model of a machine).

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -90,14 +90,21 @@ std::unique_ptr<ViewSampler> make_crop(MethodText& method) {
                                  .v_end = std::min(v + height / half_turn_deg, 1.0)});
 }
 
-std::unique_ptr<ViewSampler> make_map(MethodText& method) {
-  WeightImage image = read_weights(method.required("file", "the image of the map"));
+/// find_weights: empty where files are to be read.
+std::unique_ptr<ViewSampler> make_map(MethodText& method, const FindWeights& find_weights) {
+  const std::string file = method.required("file", "the image of the map");
+  WeightImage image = find_weights ? find_weights(file) : read_weights(file);
   return std::make_unique<MapSampler>(std::move(image), method.number("extent", 80.0, 0.1, 179.0));
 }
 
-std::unique_ptr<ViewSampler> make_mask(MethodText& method) {
+/// Likewise.
+std::unique_ptr<ViewSampler> make_mask(MethodText& method, const FindWeights& find_weights) {
   const std::string file = method.required("file", "the image of the mask");
-  return std::make_unique<MaskSampler>(file, method.number("floor", 0.0, 0.0, 1e6));
+  const double floor = method.number("floor", 0.0, 0.0, 1e6);
+  if (find_weights) {
+    return std::make_unique<MaskSampler>(find_weights(file), floor);
+  }
+  return std::make_unique<MaskSampler>(std::filesystem::path(file), floor);
 }
 
 /// Where the text holds the pointer, if it does.
@@ -117,29 +124,28 @@ std::unique_ptr<ViewSampler> make_pointer(MethodText& method) {
   return std::make_unique<PointerSampler>(radius_deg, cutoff_deg, fixed_pointer(method));
 }
 
-std::unique_ptr<ViewSampler> make_hybrid(std::string_view method) {
+std::unique_ptr<ViewSampler> make_hybrid(std::string_view method, const FindWeights& find_weights) {
   std::vector<MixtureSampler::Part> parts;
   for (const HybridPart& part : hybrid_parts(method)) {
-    parts.push_back({part.weight, make_view_sampler(part.method)});
+    parts.push_back({part.weight, make_view_sampler(part.method, find_weights)});
   }
   return std::make_unique<MixtureSampler>(std::move(parts));
 }
 
 struct NamedMaker {
   std::string_view name;
-  std::unique_ptr<ViewSampler> (*make)(MethodText& settings);
-  bool reads_a_file = false;
+  std::unique_ptr<ViewSampler> (*make)(MethodText& settings, const FindWeights& find_weights);
 };
 
 constexpr NamedMaker makers[] = {
-    {"od", [](MethodText&) { return make_rectangle_sampler({}); }},
-    {"vp", [](MethodText&) { return make_viewport_sampler(); }},
-    {"vp-rect", [](MethodText&) { return make_viewport_rectangle_sampler(); }},
-    {"fv", make_foveated},
-    {"fv-map", make_map, true},
-    {"mask", make_mask, true},
-    {pointer_name, make_pointer},
-    {"crop", make_crop}};
+    {"od", [](MethodText&, const FindWeights&) { return make_rectangle_sampler({}); }},
+    {"vp", [](MethodText&, const FindWeights&) { return make_viewport_sampler(); }},
+    {"vp-rect", [](MethodText&, const FindWeights&) { return make_viewport_rectangle_sampler(); }},
+    {"fv", [](MethodText& settings, const FindWeights&) { return make_foveated(settings); }},
+    {"fv-map", make_map},
+    {"mask", make_mask},
+    {pointer_name, [](MethodText& settings, const FindWeights&) { return make_pointer(settings); }},
+    {"crop", [](MethodText& settings, const FindWeights&) { return make_crop(settings); }}};
 
 const NamedMaker& maker_of(const MethodText& method) {
   const auto* const found =
@@ -155,17 +161,6 @@ const NamedMaker& maker_of(const MethodText& method) {
   return *found;
 }
 
-/// Whether `is_so` of a method, or of any part of a hybrid.
-bool any_part(std::string_view method, const std::function<bool(MethodText& part)>& is_so) {
-  if (!is_hybrid(method)) {
-    MethodText text(method);
-    return is_so(text);
-  }
-  const std::vector<HybridPart> parts = hybrid_parts(method);
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const HybridPart& part) { return any_part(part.method, is_so); });
-}
-
 }  // namespace
 
 const std::vector<std::string>& published_methods() {
@@ -174,22 +169,28 @@ const std::vector<std::string>& published_methods() {
 }
 
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method) {
+  return make_view_sampler(method, {});
+}
+
+std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
+                                               const FindWeights& find_weights) {
   if (is_hybrid(method)) {
-    return make_hybrid(method);
+    return make_hybrid(method, find_weights);
   }
   MethodText text(method);
-  std::unique_ptr<ViewSampler> sampler = maker_of(text).make(text);
+  std::unique_ptr<ViewSampler> sampler = maker_of(text).make(text, find_weights);
   text.reject_unknown_settings();
   return sampler;
 }
 
-bool reads_files(std::string_view method) {
-  return any_part(method, [](MethodText& part) { return maker_of(part).reads_a_file; });
-}
-
 bool follows_pointer(std::string_view method) {
-  return any_part(
-      method, [](MethodText& part) { return part.name() == pointer_name && !fixed_pointer(part); });
+  if (is_hybrid(method)) {
+    const std::vector<HybridPart> parts = hybrid_parts(method);
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const HybridPart& part) { return follows_pointer(part.method); });
+  }
+  MethodText text(method);
+  return text.name() == pointer_name && !fixed_pointer(text);
 }
 
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {

@@ -8,7 +8,6 @@
 
 #include "renderer/base/unit_interval.h"
 #include "renderer/view/equirect.h"
-#include "renderer/view/weight_image.h"
 
 namespace foveola {
 namespace {
@@ -23,7 +22,13 @@ std::size_t pixel_at(float position, int count) {
 
 // The stamp comes before the reading: what is written in between is then read at the next aim.
 MaskSampler::MaskSampler(std::filesystem::path path, double floor)
-    : path_(std::move(path)), floor_(floor), read_at_(stamp()), painting_(read()) {}
+    : path_(std::move(path)),
+      floor_(floor),
+      read_at_(stamp()),
+      painting_(painting_of(read_weights(path_))) {}
+
+MaskSampler::MaskSampler(WeightImage image, double floor)
+    : floor_(floor), painting_(painting_of(std::move(image))) {}
 
 std::optional<MaskSampler::Stamp> MaskSampler::stamp() const {
   std::error_code failure;
@@ -35,8 +40,7 @@ std::optional<MaskSampler::Stamp> MaskSampler::stamp() const {
   return failure ? std::nullopt : std::optional(Stamp{.written = written, .bytes = bytes});
 }
 
-MaskSampler::Painting MaskSampler::read() const {
-  WeightImage image = read_weights(path_);
+MaskSampler::Painting MaskSampler::painting_of(WeightImage image) const {
   const double mean = std::accumulate(image.weights.begin(), image.weights.end(), 0.0) /
                       static_cast<double>(image.weights.size());
   // Relative to the largest: a multiple of the mean may be more than a float holds.
@@ -51,13 +55,16 @@ MaskSampler::Painting MaskSampler::read() const {
 }
 
 void MaskSampler::aim(const Aim&) {
+  if (path_.empty()) {
+    return;
+  }
   const std::optional<Stamp> now = stamp();
   if (!now || now == read_at_) {
     return;
   }
   read_at_ = now;
   try {
-    painting_ = read();
+    painting_ = painting_of(read_weights(path_));
   } catch (const std::exception&) {
     // A file may even vanish while it is read. The last good painting stays.
   }

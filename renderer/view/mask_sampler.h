@@ -6,6 +6,7 @@
 
 #include "renderer/base/piecewise_constant.h"
 #include "renderer/view/view_sampler.h"
+#include "renderer/view/weight_image.h"
 
 namespace foveola {
 
@@ -21,6 +22,8 @@ class MaskSampler final : public ViewSampler {
   /// floor: what every pixel weighs more, as a multiple of the mean weight; >= 0. Throws Error as
   /// read_weights.
   MaskSampler(std::filesystem::path path, double floor);
+  /// Of a painting that stays as it is.
+  MaskSampler(WeightImage image, double floor);
 
   void aim(const Aim& aim) override;
   void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override;
@@ -41,9 +44,9 @@ class MaskSampler final : public ViewSampler {
   };
 
   std::optional<Stamp> stamp() const;
-  Painting read() const;
+  Painting painting_of(WeightImage image) const;
 
-  std::filesystem::path path_;
+  std::filesystem::path path_;  ///< empty: none is read anew
   double floor_;
   std::optional<Stamp> read_at_;
   Painting painting_;

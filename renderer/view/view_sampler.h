@@ -1,6 +1,7 @@
 // Where the samples go: maps from the unit square to directions, each with its stated density.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "renderer/view/viewport.h"
+#include "renderer/view/weight_image.h"
 
 namespace foveola {
 
@@ -63,9 +65,13 @@ const std::vector<std::string>& published_methods();
 ///           within it stands in double quotes
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method);
 
-/// Whether a method depends on files, so that its text alone does not say what it did. Throws Error
-/// where there is no such method.
-bool reads_files(std::string_view method);
+/// The weights that stand for a file, by the name that a method's text gives it.
+using FindWeights = std::function<WeightImage(const std::string& file)>;
+
+/// As above, but asks `find_weights` for each file of the method and of its parts, instead of
+/// reading it: masks stay as they are given. Throws as well what `find_weights` throws.
+std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
+                                               const FindWeights& find_weights);
 
 /// Whether a method, or a part of it, goes where the pointer of its Aim goes. Throws Error for a
 /// text that makes no sense.

@@ -69,6 +69,10 @@ void run_check(const StudyArguments& arguments, const SceneFinder& find_scene) {
     for (const SceneEntry& scene : protocol.scenes) {
       names.push_back(scene.name);
     }
+    nlohmann::json files = nlohmann::json::array();
+    for (const MethodFile& file : protocol.method_files) {
+      files.push_back({{"method", file.method}, {"file", file.file}, {"sha256", file.sha256}});
+    }
     const nlohmann::json json = {
         {"protocol", protocol.path.string()},
         {"name", protocol.name},
@@ -76,6 +80,7 @@ void run_check(const StudyArguments& arguments, const SceneFinder& find_scene) {
         {"sha256", protocol.sha256},
         {"scenes", names},
         {"methods", protocol.methods},
+        {"method_files", files},
         {"trials_per_participant", scenes.size() * protocol.methods.size()},
         {"background_questions", protocol.background.size()}};
     fmt::print("{}\n", json.dump(2));

@@ -8,6 +8,7 @@ void FrameLog::add(const FrameReport& report) {
                    .head_elevation_rad = static_cast<float>(report.head.elevation_rad),
                    .gaze = report.gaze,
                    .gaze_valid = report.gaze_valid,
+                   .gaze_held = report.gaze_held,
                    .gaze_age = report.gaze_age,
                    .samples = static_cast<std::uint32_t>(report.samples)});
   if (rows_.size() == frames_per_chunk) {

@@ -2,12 +2,10 @@
 
 #include <cassert>
 
-#include <fmt/format.h>
-
-#include "renderer/base/digest.h"
 #include "renderer/base/files.h"
 #include "renderer/measure/reference.h"
 #include "renderer/scene/load_scene.h"
+#include "study/record/shown_scene.h"
 
 namespace foveola::study {
 namespace {
@@ -22,35 +20,9 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
   return offered;
 }
 
-std::string text_of(const Vec3& v) { return fmt::format("{},{},{};", v.x, v.y, v.z); }
-
 /// All that the radiance depends on beside the settings: the file and what the source adds to it.
 std::string scene_key(const Scene& scene, const SceneSource& source) {
-  std::string key = scene.sha256 + ";";
-  if (source.environment_radiance) {
-    key += "environment:" + text_of(*source.environment_radiance);
-  }
-  if (source.sky) {
-    key +=
-        fmt::format("sky:{},{},{},{};", source.sky->sun.azimuth_rad, source.sky->sun.elevation_rad,
-                    source.sky->turbidity, source.sky->ground_albedo);
-  }
-  if (source.environment_file) {
-    key += "environment:" + sha256_of_file(*source.environment_file) + ";";
-  }
-  key += fmt::format("rotation:{};strength:{};radii:{},{};", source.environment_rotation_rad,
-                     source.environment_strength, source.light_radius_m.value_or(-1.0F),
-                     source.sun_angular_radius_rad.value_or(-1.0F));
-  for (const RectangleLight& light : source.lights) {
-    key += fmt::format("light:{},{};", light.size.x, light.size.y) + text_of(light.center) +
-           text_of(light.normal) + text_of(light.radiance);
-  }
-  for (const Sun& sun : source.suns) {
-    key += fmt::format("sun:{},{},{};", sun.place.azimuth_rad, sun.place.elevation_rad,
-                       sun.angular_radius_rad) +
-           text_of(sun.irradiance);
-  }
-  return key;
+  return scene.sha256 + ";" + added_to_file(source);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "study/commands/simulate_study.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,11 +11,12 @@
 #include "renderer/base/progress.h"
 #include "renderer/scene/load_scene.h"
 #include "study/commands/participant_code.h"
-#include "study/commands/scene_files.h"
+#include "study/commands/same_scenes.h"
 #include "study/commands/scene_stage.h"
 #include "study/commands/seeds.h"
 #include "study/commands/session_runner.h"
 #include "study/participant/simulated_participant.h"
+#include "study/record/shown_scene.h"
 
 namespace fs = std::filesystem;
 
@@ -74,7 +76,8 @@ std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
   for (const auto& [name, stage] : stages) {
     shown.push_back({.name = name,
                      .file_name = stage->source().file.filename().string(),
-                     .sha256 = stage->scene().sha256});
+                     .sha256 = stage->scene().sha256,
+                     .shown_as = shown_as(stage->source())});
   }
   return shown;
 }
@@ -103,10 +106,11 @@ int method_index(const Protocol& protocol, const std::string& name) {
 class StudySimulation {
  public:
   StudySimulation(const SimulateSettings& settings, const Protocol& protocol,
-                  const SceneStages& stages, const Workers& workers)
+                  const SceneStages& stages, std::vector<ShownScene> shown, const Workers& workers)
       : settings_(settings),
         protocol_(protocol),
         stages_(stages),
+        shown_(std::move(shown)),
         workers_(workers),
         store_(settings.database, protocol) {}
 
@@ -143,7 +147,7 @@ class StudySimulation {
             .seed = settings_.seed,
             .build = build_info(),
             .machine = machine_info(),
-            .scenes = shown_scenes(stages_)};
+            .scenes = shown_};
   }
 
   AttemptSeeds seeds_of(int index, const PlannedTrial& trial, int attempt) const {
@@ -179,6 +183,7 @@ class StudySimulation {
   const SimulateSettings& settings_;
   const Protocol& protocol_;
   const SceneStages& stages_;
+  std::vector<ShownScene> shown_;
   const Workers& workers_;
   StudyStore store_;
   Progress progress_{"Simulating"};
@@ -199,14 +204,15 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   require_usable(settings.database, protocol);
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
+  const std::vector<ShownScene> shown = shown_scenes(stages);
   warn_of_other_files(stages);
   if (fs::exists(settings.database)) {
-    require_same_files(settings.database, shown_scenes(stages));
+    require_same_scenes(settings.database, shown);
   }
   render_references(stages, protocol, workers, stop);
   SimulateReport report;
   if (!stop.stop_requested()) {
-    report = StudySimulation(settings, protocol, stages, workers).run(stop);
+    report = StudySimulation(settings, protocol, stages, shown, workers).run(stop);
   }
   report.wall_s = seconds(clock.now() - start);
   return report;

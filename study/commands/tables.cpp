@@ -62,6 +62,9 @@ std::string protocol_table(const Protocol& protocol, const std::vector<SceneSour
                            protocol.film.height, protocol.film.max_depth)},
       {"questions", fmt::format("{}", protocol.background.size())},
   };
+  for (const MethodFile& file : protocol.method_files) {
+    rows.push_back({"file", fmt::format("{} of {}: {}", file.file, file.method, file.sha256)});
+  }
   for (const SceneSource& source : sources) {
     rows.push_back({"scene", fmt::format("{}: {}", source.name, objects_of(source))});
   }

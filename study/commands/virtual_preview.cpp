@@ -40,7 +40,7 @@ Vec3 gaze_in_head(Participant& participant, Nanoseconds time) {
 }  // namespace
 
 VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
-                               std::string_view method, const AttemptSeeds& seeds,
+                               const std::string& method, const AttemptSeeds& seeds,
                                Participant& participant, VirtualClock& clock,
                                const Workers& workers)
     : machine_(protocol.machine),
@@ -52,7 +52,7 @@ VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol
            }),
       head_([&participant](Nanoseconds time) { return participant.head(time); }),
       preview_(stage.tracer(), settings_from(protocol, stage), eye_, head_, workers) {
-  preview_.restart(method, seeds.rendering);
+  preview_.restart(make_sampler(protocol, method), seeds.rendering);
 }
 
 FrameReport VirtualPreview::next_frame() {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <string>
 
 #include "renderer/base/clock.h"
 #include "renderer/preview/preview.h"
@@ -22,7 +22,7 @@ struct AttemptSeeds {
 /// refers to everything it is made of and advances `clock` by a frame's time a frame.
 class VirtualPreview {
  public:
-  VirtualPreview(const SceneStage& stage, const Protocol& protocol, std::string_view method,
+  VirtualPreview(const SceneStage& stage, const Protocol& protocol, const std::string& method,
                  const AttemptSeeds& seeds, Participant& participant, VirtualClock& clock,
                  const Workers& workers);
 

@@ -1,16 +1,19 @@
 #include "study/protocol/protocol.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "renderer/base/confined_path.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/toml_reader.h"
-#include "renderer/view/view_sampler.h"
 
 namespace fs = std::filesystem;
 
@@ -31,26 +34,60 @@ std::vector<SceneEntry> read_scenes(TomlReader& reader) {
   return scenes;
 }
 
-std::vector<std::string> read_methods(TomlReader& reader) {
-  std::vector<std::string> methods;
+/// Throws Error for a file out of the folder, for one that is no image of weights, and for one that
+/// somebody writes at this moment.
+MethodFile read_method_file(const std::string& method, const std::string& file,
+                            const fs::path& folder) {
+  fs::path path;
+  try {
+    path = confined_path(folder, file);
+  } catch (const std::runtime_error& reason) {
+    throw Error(fmt::format("method '{}'", method),
+                fmt::format("its file '{}' is {}", file, reason.what()),
+                "put a copy into the folder of the protocol");
+  }
+  const std::string digest = sha256_of_file(path);
+  auto weights = std::make_shared<const WeightImage>(read_weights(path));
+  if (sha256_of_file(path) != digest) {
+    throw Error(path.string(), "changed while it was read", "try again when it is finished");
+  }
+  return {.method = method, .file = file, .sha256 = digest, .weights = std::move(weights)};
+}
+
+const MethodFile* find_method_file(const std::vector<MethodFile>& files, const std::string& method,
+                                   const std::string& file) {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const MethodFile& known) {
+    return known.method == method && known.file == file;
+  });
+  return found != files.end() ? &*found : nullptr;
+}
+
+/// Throws Error for what no session could use.
+void require_usable(const std::string& method, const fs::path& folder,
+                    std::vector<MethodFile>& files) {
+  if (follows_pointer(method)) {
+    throw Error(fmt::format("method '{}'", method),
+                "follows a pointer, and in this version nobody can point in a session",
+                "hold it in place with azimuth= and elevation=, or choose another method");
+  }
+  make_view_sampler(method, [&](const std::string& file) {
+    if (find_method_file(files, method, file) == nullptr) {
+      files.push_back(read_method_file(method, file, folder));
+    }
+    return *find_method_file(files, method, file)->weights;
+  });
+}
+
+void read_methods(TomlReader& reader, Protocol& protocol) {
   for (const TomlReader::Text& method : reader.require_texts("methods")) {
     try {
-      if (reads_files(method.value)) {
-        throw Error(fmt::format("method '{}'", method.value),
-                    "reads a file that no record would describe", "choose one without file=");
-      }
-      if (follows_pointer(method.value)) {
-        throw Error(fmt::format("method '{}'", method.value),
-                    "follows a pointer, and in this version nobody can point in a session",
-                    "hold it in place with azimuth= and elevation=, or choose another method");
-      }
-      make_view_sampler(method.value);
+      require_usable(method.value, fs::absolute(protocol.path).parent_path(),
+                     protocol.method_files);
     } catch (const Error& error) {
       reader.fail(method.source, error.what(), "see foveola render --help");
     }
-    methods.push_back(method.value);
+    protocol.methods.push_back(method.value);
   }
-  return methods;
 }
 
 MachineModel read_machine(TomlReader reader) {
@@ -208,7 +245,7 @@ Protocol load_protocol(const fs::path& path) {
   protocol.name = reader.require_text("name");
   protocol.title = reader.require_text("title");
   protocol.scenes = read_scenes(reader);
-  protocol.methods = read_methods(reader);
+  read_methods(reader, protocol);
   protocol.machine = read_machine(reader.table("machine"));
   protocol.display = read_display(reader.table("display"));
   protocol.film = read_film(reader.table("film"));
@@ -218,6 +255,14 @@ Protocol load_protocol(const fs::path& path) {
   protocol.background = read_background(reader.tables("background"));
   reader.reject_unknown_keys();
   return protocol;
+}
+
+std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method) {
+  return make_view_sampler(method, [&](const std::string& file) {
+    const MethodFile* known = find_method_file(protocol.method_files, method, file);
+    assert(known != nullptr);
+    return *known->weights;
+  });
 }
 
 std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinder& find_scene) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/view/view_sampler.h"
 #include "renderer/view/viewport.h"
+#include "renderer/view/weight_image.h"
 
 namespace foveola::study {
 
@@ -15,6 +18,14 @@ struct SceneEntry {
   std::string name;
   int line = 0;
   int column = 0;
+};
+
+/// A file that a method reads, as it was when the protocol was loaded.
+struct MethodFile {
+  std::string method;  ///< of Protocol::methods
+  std::string file;    ///< as the method's text names it, relative to the protocol's folder
+  std::string sha256;
+  std::shared_ptr<const WeightImage> weights;
 };
 
 /// A question of the background questionnaire, answered with a whole number.
@@ -72,6 +83,7 @@ struct Protocol {
   std::vector<SceneEntry> scenes;  ///< at least one, none twice
   std::vector<std::string>
       methods;  ///< as make_view_sampler reads them, none twice; first: baseline
+  std::vector<MethodFile> method_files;  ///< in the methods' order; none twice for one method
   MachineModel machine;
   DisplaySettings display;
   FilmSettings film;
@@ -89,9 +101,14 @@ struct Protocol {
 /// resource folder. Throws Error, listing the known names, if there is neither.
 std::filesystem::path find_protocol(const std::string& name_or_path);
 
-/// Only name, title, scenes and methods must be given; the rest has the defaults above. Throws
-/// Error with file:line:column for an unknown key, a wrong type or an impossible value.
+/// Only name, title, scenes and methods must be given; the rest has the defaults above. Files of
+/// methods are read now, and only inside the protocol's own folder. Throws Error with
+/// file:line:column for an unknown key, a wrong type, an impossible value or a bad file.
 Protocol load_protocol(const std::filesystem::path& path);
+
+/// The sampler of one of the protocol's methods, from the files as they were loaded: what changes
+/// on the disk while a study runs changes nothing.
+std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method);
 
 /// Finds every scene of the protocol, in its order. Throws Error with file:line:column for one that
 /// cannot be found or that names no objects to choose.

@@ -89,7 +89,9 @@ void require_study(const fs::path& path) {
     throw Error(
         path.string(),
         fmt::format("has schema {}, and this program knows only {}", version, study_schema_version),
-        version > study_schema_version ? "use a newer Foveola" : damage_remedy);
+        version > study_schema_version ? "use a newer Foveola"
+        : version > 0 ? "go on with the Foveola that began it, or begin a new study"
+                      : damage_remedy);
   }
 }
 
@@ -164,6 +166,11 @@ void insert_study(SQLite::Database& database, const Protocol& protocol) {
     SQLite::Statement method(database, "INSERT INTO study_method VALUES (?, ?)");
     SQLite::bind(method, static_cast<std::int64_t>(i), protocol.methods[i]);
     method.exec();
+  }
+  for (const MethodFile& file : protocol.method_files) {
+    SQLite::Statement row(database, "INSERT INTO study_method_file VALUES (?, ?, ?)");
+    SQLite::bind(row, file.method, file.file, file.sha256);
+    row.exec();
   }
 }
 

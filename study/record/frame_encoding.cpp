@@ -30,7 +30,7 @@ void append(std::string& bytes, const FrameRow& frame) {
   append(bytes, frame.gaze.z);
   append(bytes, frame.gaze_age);
   append(bytes, frame.samples);
-  append(bytes, std::uint32_t{frame.gaze_valid ? 1U : 0U});
+  append(bytes, (frame.gaze_valid ? 1U : 0U) | (frame.gaze_held ? 2U : 0U));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace foveola::study {
 
 /// The name by which the record calls encode_frames' format.
-constexpr const char* frame_encoding_name = "frames-1";
+constexpr const char* frame_encoding_name = "frames-2";
 
 /// The frames in the format that schema.sql describes at frame_chunk: 44 bytes each,
 /// little-endian.

@@ -1,14 +1,17 @@
--- The file of a study, schema version 1.
+-- The file of a study, schema version 2.
 --
 -- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
 -- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. What was measured is only ever
 -- added: triggers refuse to change or remove it.
 --
 -- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
--- outside the statements, and whoever changes a statement raises user_version.
+-- outside the statements, and whoever changes a statement raises user_version. A program reads and
+-- writes only the version that it knows.
+--
+-- Version 2: study_method_file; session_scene.shown_as; frames-2, which tell a held gaze.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 
 -- What is studied: exactly one row. protocol_text is the researcher's file, to the letter.
 CREATE TABLE study (
@@ -33,6 +36,16 @@ CREATE TABLE study_method (
   name TEXT NOT NULL UNIQUE
 ) STRICT;
 
+-- The files that a method reads, by the names that the method has for them, relative to the
+-- protocol's folder.
+CREATE TABLE study_method_file (
+  method TEXT NOT NULL REFERENCES study_method (name),
+  file_name TEXT NOT NULL,
+  file_sha256 TEXT NOT NULL
+    CHECK (length(file_sha256) = 64 AND file_sha256 NOT GLOB '*[^0-9a-f]*'),
+  PRIMARY KEY (method, file_name)
+) STRICT;
+
 -- One participant's visit, with all that is needed to repeat it. participant is a code, never a
 -- name. seed is an unsigned 64-bit number in decimal digits, more than SQLite's integers hold.
 -- state is the phase that the session is in, or ended in; nothing else of the row ever changes.
@@ -54,13 +67,24 @@ CREATE TABLE session (
               'completed', 'interrupted', 'withdrawn'))
 ) STRICT;
 
--- The file of each scene that this session really showed.
+-- The file of each scene that this session really showed, and how: with file_sha256, the protocol
+-- and the seed, shown_as is enough to make its pictures again. It is a JSON object:
+--   camera          position (m, in the file's axes), azimuth_rad and elevation_rad of the heading
+--   exposure_stops  of the display
+--   objects         on offer: name, position (m), radius_deg seen from the camera
+--   added           to the file: metres_per_unit, environment (null: the file's own; radiance;
+--                   file_name and file_sha256; or sun, turbidity and ground_albedo of a sky),
+--                   environment_rotation_rad, environment_strength, light_radius_m and
+--                   sun_angular_radius_rad (null: the file's own), lights (rectangles: center, size,
+--                   normal, radiance) and suns (azimuth_rad, elevation_rad, irradiance,
+--                   angular_radius_rad)
 CREATE TABLE session_scene (
   session INTEGER NOT NULL REFERENCES session (id),
   scene TEXT NOT NULL REFERENCES study_scene (name),
   file_name TEXT NOT NULL,
   file_sha256 TEXT NOT NULL
     CHECK (length(file_sha256) = 64 AND file_sha256 NOT GLOB '*[^0-9a-f]*'),
+  shown_as TEXT NOT NULL CHECK (json_type(shown_as) = 'object'),
   PRIMARY KEY (session, scene)
 ) STRICT;
 
@@ -138,7 +162,7 @@ CREATE TABLE rating (
 
 -- Consecutive rendered frames of an attempt; first_frame counts from the attempt's start.
 --
--- Encoding 'frames-1' is frame_count records of 44 bytes without gaps, all little-endian:
+-- Encoding 'frames-2' is frame_count records of 44 bytes without gaps, all little-endian:
 --   offset  0  int64    time, session clock, ns
 --   offset  8  float32  head azimuth, rad, from -Z towards +X
 --   offset 12  float32  head elevation, rad
@@ -147,14 +171,15 @@ CREATE TABLE rating (
 --   offset 24  float32  gaze direction z
 --   offset 28  int64    age of that gaze, ns
 --   offset 36  uint32   samples traced for this frame
---   offset 40  uint32   flags: bit 0 is set if the gaze was valid; the others are 0
+--   offset 40  uint32   flags: bit 0 is set if the tracker's newest gaze was valid, bit 1 if the
+--                       gaze above was one that is held; the others are 0
 CREATE TABLE frame_chunk (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
   attempt INTEGER NOT NULL,
   first_frame INTEGER NOT NULL CHECK (first_frame >= 0),
   frame_count INTEGER NOT NULL CHECK (frame_count >= 1),
-  encoding TEXT NOT NULL CHECK (encoding = 'frames-1'),
+  encoding TEXT NOT NULL CHECK (encoding = 'frames-2'),
   data BLOB NOT NULL CHECK (length(data) = 44 * frame_count),
   data_sha256 TEXT NOT NULL
     CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
@@ -229,6 +254,10 @@ CREATE TRIGGER study_method_is_fixed BEFORE UPDATE ON study_method
 BEGIN SELECT raise(ABORT, 'study_method is only added to'); END;
 CREATE TRIGGER study_method_stays BEFORE DELETE ON study_method
 BEGIN SELECT raise(ABORT, 'study_method is only added to'); END;
+CREATE TRIGGER study_method_file_is_fixed BEFORE UPDATE ON study_method_file
+BEGIN SELECT raise(ABORT, 'study_method_file is only added to'); END;
+CREATE TRIGGER study_method_file_stays BEFORE DELETE ON study_method_file
+BEGIN SELECT raise(ABORT, 'study_method_file is only added to'); END;
 CREATE TRIGGER session_scene_is_fixed BEFORE UPDATE ON session_scene
 BEGIN SELECT raise(ABORT, 'session_scene is only added to'); END;
 CREATE TRIGGER session_scene_stays BEFORE DELETE ON session_scene

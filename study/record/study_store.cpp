@@ -46,6 +46,24 @@ void require_protocol(SQLite::Database& database, const fs::path& path, const Pr
   }
 }
 
+/// One file a method for the whole of a study: results on two would be taken for one.
+void require_method_files(SQLite::Database& database, const fs::path& path,
+                          const Protocol& protocol) {
+  SQLite::Statement known(
+      database, "SELECT file_sha256 FROM study_method_file WHERE method = ? AND file_name = ?");
+  for (const MethodFile& file : protocol.method_files) {
+    known.reset();
+    SQLite::bind(known, file.method, file.file);
+    const std::string begun_with = known.executeStep() ? known.getColumn(0).getString() : "none";
+    if (begun_with != file.sha256) {
+      throw Error(path.string(),
+                  fmt::format("was begun with another file as {} (SHA-256 {}, now {})", file.file,
+                              begun_with, file.sha256),
+                  "go on with that file, or begin a new database");
+    }
+  }
+}
+
 /// The study at `path`, made or checked, to write.
 SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
   require_writable(path);
@@ -54,6 +72,7 @@ SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
   }
   SQLite::Database checked = open_study_to_read(path);
   require_protocol(checked, path, protocol);
+  require_method_files(checked, path, protocol);
   return open_study_to_write(path);
 }
 
@@ -78,8 +97,8 @@ std::int64_t insert_session(SQLite::Database& database, const SessionFacts& fact
 void insert_scenes(SQLite::Database& database, std::int64_t session,
                    const std::vector<ShownScene>& scenes) {
   for (const ShownScene& scene : scenes) {
-    SQLite::Statement row(database, "INSERT INTO session_scene VALUES (?, ?, ?, ?)");
-    SQLite::bind(row, session, scene.name, scene.file_name, scene.sha256);
+    SQLite::Statement row(database, "INSERT INTO session_scene VALUES (?, ?, ?, ?, ?)");
+    SQLite::bind(row, session, scene.name, scene.file_name, scene.sha256, scene.shown_as);
     row.exec();
   }
 }

@@ -18,11 +18,12 @@ namespace foveola::study {
 
 enum class SessionKind { human, pilot, simulated };
 
-/// The file of a scene that was really shown.
+/// A scene as it was really shown.
 struct ShownScene {
   std::string name;
   std::string file_name;  ///< without its folder
-  std::string sha256;
+  std::string sha256;     ///< of the file
+  std::string shown_as;   ///< the JSON object that schema.sql describes at session_scene
 };
 
 struct SessionFacts {
@@ -41,6 +42,7 @@ struct FrameRow {
   float head_elevation_rad = 0.0F;
   Vec3 gaze{0.0F};  ///< world, the one that was used
   bool gaze_valid = false;
+  bool gaze_held = false;
   Nanoseconds gaze_age{0};
   std::uint32_t samples = 0;
 };
@@ -51,8 +53,8 @@ struct FrameRow {
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
-  /// the file is no database, damaged, of another schema, or of another protocol (by its hash);
-  /// nothing is then made or changed.
+  /// the file is no database, damaged, of another schema, or of another protocol or other files of
+  /// its methods (by their hashes); nothing is then made or changed.
   StudyStore(const std::filesystem::path& path, const Protocol& protocol);
   /// Leaves one self-contained file (the write-ahead log is folded in).
   ~StudyStore();

@@ -214,5 +214,46 @@ TEST_F(StudyOfAHall, AnotherFileIsWarnedOfAndNotMixedIn) {
   EXPECT_NE(recorded_digest("other.sqlite"), digest);
 }
 
+TEST_F(StudyOfAHall, AnotherCameraIsNotMixedIn) {
+  ASSERT_EQ(simulate("study.sqlite").exit_code, 0);
+  EXPECT_EQ(query(folder / "study.sqlite",
+                  "SELECT shown_as ->> '$.camera.position[1]' || ' ' ||"
+                  " (shown_as ->> '$.camera.azimuth_rad') FROM session_scene"),
+            "1.0 0.0");
+  std::string moved = read_file(folder / "share/scenes/hall.toml");
+  moved.replace(moved.find("azimuth_deg = 0.0"), 17, "azimuth_deg = 180");
+  folder.write("share/scenes/hall.toml", moved);
+  const ProgramResult mixed = simulate("study.sqlite");
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.errors, HasSubstr("its sessions saw hall in another way (camera/azimuth_rad: "
+                                      "0.0, now 3.14159265"));
+  EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
+}
+
+/// 2 x 1 pixels as a plain PPM: the left one white or grey, the right one black.
+std::string mask(int left) {
+  const std::string pixel = std::to_string(left) + " ";
+  return "P3\n2 1\n255\n" + pixel + pixel + pixel + "0 0 0\n";
+}
+
+TEST_F(StudyOfAHall, AnotherMaskIsNotMixedIn) {
+  std::string masked = hall_protocol;
+  masked.replace(masked.find("\"od\""), 4, "\"od\", \"mask:file=masks/left.ppm,floor=0.5\"");
+  folder.write("share/protocols/hall.toml", masked);
+  folder.write("share/protocols/masks/left.ppm", mask(255));
+  const ProgramResult first = simulate("study.sqlite");
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_EQ(query(folder / "study.sqlite",
+                  "SELECT file_sha256 FROM study_method_file WHERE file_name = 'masks/left.ppm'"),
+            run_program({"sha256sum", (folder / "share/protocols/masks/left.ppm").string()})
+                .output.substr(0, 64));
+  ASSERT_EQ(simulate("study.sqlite").exit_code, 0) << "the same file again";
+  folder.write("share/protocols/masks/left.ppm", mask(254));
+  const ProgramResult mixed = simulate("study.sqlite");
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.errors, HasSubstr("was begun with another file as masks/left.ppm"));
+  EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "2");
+}
+
 }  // namespace
 }  // namespace foveola::test

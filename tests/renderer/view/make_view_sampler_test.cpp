@@ -85,7 +85,6 @@ TEST(MakeViewSampler, AHybridInQuotesIsAPartOfAnother) {
   };
   EXPECT_NEAR(density("hybrid:6*\"hybrid:3*fv+1*od\"+4*vp"),
               0.6 * (0.75 * density("fv") + 0.25 * density("od")) + 0.4 * density("vp"), 1e-12);
-  EXPECT_TRUE(reads_files("hybrid:6*\"hybrid:3*mask:file=a.png+1*od\"+4*vp"));
   EXPECT_THAT(with_pointer("hybrid:6*\"hybrid:3*pointer+1*od\"+4*vp", {}),
               testing::StartsWith("hybrid:6*\"hybrid:3*pointer:azimuth=0"));
 }
@@ -109,13 +108,29 @@ TEST(MakeViewSampler, ALinearAcuityMayFallToNothing) {
   EXPECT_LT(degrees(angle_between(samples[1].direction, {0, 0, -1})), 20.0);
 }
 
-TEST(ReadsFiles, IsTrueOfMethodsThatTheirTextDoesNotDescribe) {
-  EXPECT_FALSE(reads_files("od"));
-  EXPECT_FALSE(reads_files("fv:acuity=watson"));
-  EXPECT_FALSE(reads_files("hybrid:0.5*fv+0.5*pointer"));
-  EXPECT_TRUE(reads_files("mask:file=a.png"));
-  EXPECT_TRUE(reads_files("hybrid:0.9*fv+0.1*fv-map:file=a.png,extent=40"));
-  EXPECT_THROW(reads_files("xyz"), Error);
+// Left and right halves of the image, from files that do not exist.
+TEST(MakeViewSampler, WeightsCanBeGivenForEveryFile) {
+  std::vector<std::string> asked;
+  const FindWeights halves = [&](const std::string& file) {
+    asked.push_back(file);
+    const bool left = file == "left";
+    return WeightImage{
+        .width = 2, .height = 1, .weights = {left ? 1.0F : 0.0F, left ? 0.0F : 1.0F}};
+  };
+  const Vec3 to_the_left(-1.0F, 0.0F, 0.0F);
+  const auto mask = make_view_sampler("mask:file=left", halves);
+  mask->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+  EXPECT_GT(mask->density_per_sr(to_the_left), 0.0);
+  EXPECT_EQ(mask->density_per_sr(-to_the_left), 0.0);
+  const auto mixed = make_view_sampler(
+      "hybrid:0.5*\"hybrid:1*fv-map:file=right,extent=100+1*mask:file=left\"+0.5*mask:file=right",
+      halves);
+  mixed->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+  EXPECT_GT(mixed->density_per_sr(to_the_left), 0.0);
+  EXPECT_GT(mixed->density_per_sr(-to_the_left), 2.0 * mixed->density_per_sr(to_the_left));
+  EXPECT_THAT(asked, testing::ElementsAre("left", "right", "left", "right"));
+  make_view_sampler("hybrid:0.5*fv+0.5*pointer", halves);
+  EXPECT_THAT(asked, testing::SizeIs(4)) << "methods without files";
 }
 
 TEST(WithPointer, HoldsEveryPointerInPlace) {

@@ -1,5 +1,7 @@
 #include "study/protocol/protocol.h"
 
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,6 +9,8 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/image/image_file.h"
+#include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -146,6 +150,83 @@ TEST_F(ProtocolFile, APointerHeldInPlaceNeedsNobodyToPoint) {
   EXPECT_THAT(protocol.methods, ElementsAre("od", "pointer:azimuth=10"));
 }
 
+/// A folder with a protocol whose methods read masks, and the masks.
+class ProtocolWithFiles : public testing::Test {
+ protected:
+  ProtocolWithFiles() {
+    write_mask("left.exr", 1.0F, 0.0F);
+    write_mask("below/right.exr", 0.0F, 1.0F);
+  }
+
+  /// Of two pixels beside each other.
+  void write_mask(const std::string& name, float left, float right) const {
+    fs::create_directories((folder_ / name).parent_path());
+    RgbImage image(2, 1);
+    image.at(0, 0) = Rgb(left);
+    image.at(1, 0) = Rgb(right);
+    write_image(folder_ / name, image, 0.0);
+  }
+
+  Protocol load(const std::string& methods) const {
+    folder_.write("p.toml",
+                  "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [" + methods + "]\n");
+    return load_protocol(folder_ / "p.toml");
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+/// The densities to the left and to the right.
+std::pair<double, double> densities(const Protocol& protocol, const std::string& method) {
+  const auto sampler = make_sampler(protocol, method);
+  sampler->aim({.viewport = Viewport(Quat(1, 0, 0, 0), 1.0, 1.0)});
+  return {sampler->density_per_sr({-1.0F, 0.0F, 0.0F}),
+          sampler->density_per_sr({1.0F, 0.0F, 0.0F})};
+}
+
+TEST_F(ProtocolWithFiles, FilesAreFoundFromItsOwnFolderWithTheirHashes) {
+  const std::string hybrid =
+      "hybrid:0.5*mask:file=below/right.exr+0.25*mask:file=below/right.exr,floor=1+0.25*fv";
+  const Protocol protocol = load("\"od\", \"mask:file=./left.exr\", \"" + hybrid + "\"");
+  EXPECT_THAT(protocol.methods, ElementsAre("od", "mask:file=./left.exr", hybrid));
+  ASSERT_THAT(protocol.method_files, testing::SizeIs(2));
+  EXPECT_EQ(protocol.method_files[0].method, "mask:file=./left.exr");
+  EXPECT_EQ(protocol.method_files[0].file, "./left.exr");
+  EXPECT_EQ(protocol.method_files[0].sha256,
+            sha256(std::string_view(read_file(folder_ / "left.exr"))));
+  EXPECT_EQ(protocol.method_files[1].method, hybrid);
+  EXPECT_EQ(protocol.method_files[1].file, "below/right.exr");
+  const auto [left, right] = densities(protocol, "mask:file=./left.exr");
+  EXPECT_GT(left, 0.0);
+  EXPECT_EQ(right, 0.0);
+}
+
+TEST_F(ProtocolWithFiles, WhatHappensToAFileAfterwardsChangesNothing) {
+  const Protocol protocol = load("\"mask:file=left.exr\", \"fv-map:file=left.exr\"");
+  const auto before = densities(protocol, "mask:file=left.exr");
+  write_mask("left.exr", 0.0F, 1.0F);
+  EXPECT_EQ(densities(protocol, "mask:file=left.exr"), before);
+  fs::remove(folder_ / "left.exr");
+  EXPECT_EQ(densities(protocol, "mask:file=left.exr"), before);
+  EXPECT_NE(make_sampler(protocol, "fv-map:file=left.exr"), nullptr);
+}
+
+TEST_F(ProtocolWithFiles, BadFilesAreRefusedWithTheirPlace) {
+  folder_.write("text.png", "no image");
+  write_mask("black.exr", 0.0F, 0.0F);
+  const auto refused = [&](const std::string& file, const std::string& says) {
+    EXPECT_THAT([&] { load("\"od\", \"mask:file=" + file + "\""); },
+                ThrowsMessage<Error>(AllOf(HasSubstr((folder_ / "p.toml").string() + ":4:18: "),
+                                           HasSubstr(says), testing::Not(HasSubstr("\n")))));
+  };
+  refused("text.png", "text.png");
+  refused("black.exr", "black all over");
+  const test::TemporaryFolder elsewhere;
+  fs::copy_file(folder_ / "left.exr", elsewhere / "left.exr");
+  fs::create_symlink(elsewhere / "left.exr", folder_ / "outwards.exr");
+  refused("outwards.exr", "a symbolic link that leads out of the folder");
+}
+
 TEST_F(ProtocolFile, EveryShippedProtocolLoads) {
   for (const char* name : {"demo", "real-scenes"}) {
     EXPECT_EQ(load_protocol(find_protocol(name)).name, name);
@@ -165,6 +246,14 @@ struct Fault {
   std::string says;
 };
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+/// A protocol whose second method is a mask of `file`.
+Fault with_mask(const char* name, const std::string& file, const char* says) {
+  return {name,
+          "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"mask:file=" + file +
+              "\"]\n",
+          "4:18", says};
+}
 
 class ProtocolFault : public testing::TestWithParam<Fault> {};
 
@@ -190,9 +279,10 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"method_twice",
               "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"od\"]\n", "4:18",
               "twice"},
-        Fault{"method_with_a_file",
-              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"mask:file=x.png\"]\n",
-              "4:12", "reads a file"},
+        with_mask("mask_that_is_missing", "no_such.png", "a file that does not exist"),
+        with_mask("mask_by_an_absolute_path", "/etc/passwd", "an absolute path"),
+        with_mask("mask_out_of_the_folder", "../x.png", "leads out of the folder"),
+        with_mask("mask_that_is_a_folder", ".", "not a regular file"),
         Fault{"method_with_a_pointer",
               "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n"
               "methods = [\"od\", \"hybrid:1*od+1*pointer:radius=5\"]\n",

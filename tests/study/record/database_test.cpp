@@ -103,9 +103,15 @@ std::vector<BadFile> bad_files() {
       {"NewerSchema",
        [](const fs::path& path) {
          write_small_study(path);
-         overwrite(path, 63, "\x02");
+         overwrite(path, 63, "\x03");
        },
-       "has schema 2, and this program knows only 1; use a newer Foveola"},
+       "has schema 3, and this program knows only 2; use a newer Foveola"},
+      {"OlderSchema",
+       [](const fs::path& path) {
+         write_small_study(path);
+         overwrite(path, 63, "\x01");
+       },
+       "has schema 1, and this program knows only 2; go on with the Foveola that began it"},
       {"Truncated",
        [](const fs::path& path) {
          write_small_study(path);
@@ -177,6 +183,18 @@ TEST(Database, WriterRefusesAnotherProtocol) {
   const auto before = folder.content();
   EXPECT_THAT(refusal([&] { const StudyStore store(path, other_protocol()); }),
               HasSubstr("was begun with another protocol than other.toml"));
+  EXPECT_EQ(folder.content(), before);
+}
+
+TEST(Database, WriterRefusesAnotherFileOfAMethod) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  const auto before = folder.content();
+  EXPECT_THAT(refusal([&] { const StudyStore store(path, protocol_with_another_file()); }),
+              AllOf(StartsWith(path.string()),
+                    HasSubstr("was begun with another file as a.png (SHA-256 eeee"),
+                    HasSubstr("now ffff"), testing::Not(HasSubstr("\n"))));
   EXPECT_EQ(folder.content(), before);
 }
 

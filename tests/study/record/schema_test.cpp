@@ -41,9 +41,9 @@ TEST_F(Schema, IdentifiesTheFile) {
   const std::string bytes = folder_.content().at("study.sqlite");
   // The SQLite file format, section 1.3: application id at offset 68, user version at 60.
   EXPECT_EQ(bytes.substr(68, 4), "Fovl");
-  EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\1", 4));
+  EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\2", 4));
   EXPECT_EQ(study_application_id, 'F' << 24 | 'o' << 16 | 'v' << 8 | 'l');
-  EXPECT_EQ(study_schema_version, 1);
+  EXPECT_EQ(study_schema_version, 2);
 }
 
 TEST_F(Schema, EveryTableIsStrict) {
@@ -57,10 +57,17 @@ TEST_F(Schema, EveryTableIsStrict) {
 }
 
 TEST_F(Schema, RecordsAreOnlyAddedTo) {
-  const std::vector<std::string> column_of_each_table = {
-      "study.protocol_text",  "study_scene.name", "study_method.name",       "session_scene.scene",
-      "planned_trial.method", "event.payload",    "background_answer.value", "mark.time_ns",
-      "rating.artifacts",     "frame_chunk.data"};
+  const std::vector<std::string> column_of_each_table = {"study.protocol_text",
+                                                         "study_scene.name",
+                                                         "study_method.name",
+                                                         "session_scene.scene",
+                                                         "planned_trial.method",
+                                                         "event.payload",
+                                                         "background_answer.value",
+                                                         "mark.time_ns",
+                                                         "rating.artifacts",
+                                                         "frame_chunk.data",
+                                                         "study_method_file.file_sha256"};
   for (const std::string& place : column_of_each_table) {
     const std::string table = place.substr(0, place.find('.'));
     const std::string column = place.substr(place.find('.') + 1);
@@ -102,6 +109,11 @@ TEST_F(Schema, RefusesImpossibleValues) {
       {"INSERT INTO frame_chunk SELECT 1, 0, 1, 1, 2, encoding, data, data_sha256"
        " FROM frame_chunk",
        check},
+      {"INSERT INTO session_scene SELECT 1, 'box', file_name, file_sha256, '[]' FROM session_scene",
+       check},
+      {"INSERT INTO study_method_file SELECT 'vp', file_name, file_sha256 FROM study_method_file",
+       foreign},
+      {"INSERT INTO study_method_file VALUES ('fv', 'a.png', 'ABCD')", check},
       {"INSERT INTO study SELECT 2, 'a', 'b', 'c', protocol_sha256, 'd' FROM study", check},
   };
   for (const auto& [sql, message] : cases) {

@@ -13,7 +13,11 @@ Protocol small_protocol() {
   protocol.name = "small";
   protocol.title = "A small study";
   protocol.scenes = {{.name = "box"}, {.name = "hall"}};
-  protocol.methods = {"od", "fv"};
+  protocol.methods = {"od", "fv", "mask:file=a.png"};
+  protocol.method_files = {{.method = "mask:file=a.png",
+                            .file = "a.png",
+                            .sha256 = std::string(64, 'e'),
+                            .weights = nullptr}};
   protocol.path = "small.toml";
   protocol.text = "name = \"small\"\n";
   protocol.sha256 = std::string(64, 'a');
@@ -28,6 +32,12 @@ Protocol other_protocol() {
   return protocol;
 }
 
+Protocol protocol_with_another_file() {
+  Protocol protocol = small_protocol();
+  protocol.method_files[0].sha256 = std::string(64, 'f');
+  return protocol;
+}
+
 Plan small_plan() {
   return {{.scene = "hall", .method = "fv", .scene_position = 0, .method_position = 0},
           {.scene = "hall", .method = "od", .scene_position = 0, .method_position = 1},
@@ -36,13 +46,18 @@ Plan small_plan() {
 }
 
 SessionFacts facts_of(const std::string& participant) {
-  return {.participant = participant,
-          .kind = SessionKind::simulated,
-          .seed = 18'446'744'073'709'551'615U,
-          .build = {.version = "0.1.0", .compiler = "GNU 12.2.0", .build_type = "Release"},
-          .machine = {.processor = "A processor", .cores = 2, .system = "Linux 6.1"},
-          .scenes = {{.name = "box", .file_name = "box.glb", .sha256 = std::string(64, 'c')},
-                     {.name = "hall", .file_name = "hall.glb", .sha256 = std::string(64, 'd')}}};
+  return {
+      .participant = participant,
+      .kind = SessionKind::simulated,
+      .seed = 18'446'744'073'709'551'615U,
+      .build = {.version = "0.1.0", .compiler = "GNU 12.2.0", .build_type = "Release"},
+      .machine = {.processor = "A processor", .cores = 2, .system = "Linux 6.1"},
+      .scenes = {
+          {.name = "box", .file_name = "box.glb", .sha256 = std::string(64, 'c'), .shown_as = "{}"},
+          {.name = "hall",
+           .file_name = "hall.glb",
+           .sha256 = std::string(64, 'd'),
+           .shown_as = R"({"exposure_stops":1.5})"}}};
 }
 
 RecordedSession::RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan)

@@ -18,10 +18,12 @@ constexpr Nanoseconds ms(std::int64_t milliseconds) {
   return std::chrono::milliseconds(milliseconds);
 }
 
-/// Scenes "box" and "hall", methods "od" and "fv".
+/// Scenes "box" and "hall", methods "od", "fv" and a mask that no trial takes.
 Protocol small_protocol();
 /// The same with another text.
 Protocol other_protocol();
+/// The same to the letter, with another file behind the mask.
+Protocol protocol_with_another_file();
 
 /// hall fv, hall od, box od, box fv.
 Plan small_plan();

@@ -38,7 +38,7 @@ TEST_F(Records, OfACompletedSession) {
   EXPECT_EQ(records.protocol_title, "A small study");
   EXPECT_EQ(records.protocol_sha256, small_protocol().sha256);
   EXPECT_THAT(records.scenes, ElementsAre("box", "hall"));
-  EXPECT_THAT(records.methods, ElementsAre("od", "fv"));
+  EXPECT_THAT(records.methods, ElementsAre("od", "fv", "mask:file=a.png"));
   EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "completed")));
   EXPECT_THAT(records.trials,
               ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 1, 0.5, 1.5, false, false, 1),

@@ -53,7 +53,11 @@ TEST_F(Store, KeepsTheProtocolToTheLetter) {
   EXPECT_THAT(stored("SELECT created_utc FROM study"),
               MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}\\.[0-9]{3}Z"));
   EXPECT_THAT(column("SELECT name FROM study_scene ORDER BY position"), ElementsAre("box", "hall"));
-  EXPECT_THAT(column("SELECT name FROM study_method ORDER BY position"), ElementsAre("od", "fv"));
+  EXPECT_THAT(column("SELECT name FROM study_method ORDER BY position"),
+              ElementsAre("od", "fv", "mask:file=a.png"));
+  EXPECT_THAT(column("SELECT method || ' ' || file_name || ' ' || file_sha256"
+                     " FROM study_method_file"),
+              ElementsAre("mask:file=a.png a.png " + std::string(64, 'e')));
 }
 
 TEST_F(Store, WritesThePlanAndTheFactsBeforeAnythingHappens) {
@@ -67,9 +71,9 @@ TEST_F(Store, WritesThePlanAndTheFactsBeforeAnythingHappens) {
                    " ', ' || build_type || ', ' || processor || ', ' || cores || ', ' ||"
                    " operating_system FROM session"),
             "simulated, created, 0.1.0, GNU 12.2.0, Release, A processor, 2, Linux 6.1");
-  EXPECT_EQ(stored("SELECT file_name || ' ' || file_sha256 FROM session_scene"
+  EXPECT_EQ(stored("SELECT file_name || ' ' || file_sha256 || ' ' || shown_as FROM session_scene"
                    " WHERE scene = 'hall'"),
-            "hall.glb " + std::string(64, 'd'));
+            "hall.glb " + std::string(64, 'd') + R"( {"exposure_stops":1.5})");
   EXPECT_EQ(stored("SELECT count(*) FROM event"), "0");
 }
 
@@ -165,7 +169,7 @@ TEST_F(Store, KeepsFramesWithTheirHash) {
 
   EXPECT_THAT(column("SELECT first_frame || '+' || frame_count || ' ' || encoding"
                      " FROM frame_chunk ORDER BY first_frame"),
-              ElementsAre("0+3 frames-1", "3+1 frames-1"));
+              ElementsAre("0+3 frames-2", "3+1 frames-2"));
   SQLite::Database database(path_, SQLite::OPEN_READONLY);
   SQLite::Statement rows(database, "SELECT data, data_sha256 FROM frame_chunk");
   ASSERT_TRUE(rows.executeStep());

@@ -1,0 +1,121 @@
+#include "study/record/shown_scene.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/digest.h"
+
+namespace foveola::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec2& v) { return Json::array({v.x, v.y}); }
+Json json_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json json_of(const AzimuthElevation& place) {
+  return {{"azimuth_rad", place.azimuth_rad}, {"elevation_rad", place.elevation_rad}};
+}
+
+template <typename Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json json_of(const RectangleLight& light) {
+  return {{"center", json_of(light.center)},
+          {"size", json_of(light.size)},
+          {"normal", json_of(light.normal)},
+          {"radiance", json_of(light.radiance)}};
+}
+
+Json json_of(const Sun& sun) {
+  Json json = json_of(sun.place);
+  json["irradiance"] = json_of(sun.irradiance);
+  json["angular_radius_rad"] = sun.angular_radius_rad;
+  return json;
+}
+
+Json json_of(const ObjectOfInterest& object) {
+  return {{"name", object.name},
+          {"position", json_of(object.position)},
+          {"radius_deg", object.radius_deg}};
+}
+
+template <typename Item>
+Json json_of(const std::vector<Item>& items) {
+  Json json = Json::array();
+  for (const Item& item : items) {
+    json.push_back(json_of(item));
+  }
+  return json;
+}
+
+Json environment_of(const SceneSource& source) {
+  if (source.environment_radiance) {
+    return {{"radiance", json_of(*source.environment_radiance)}};
+  }
+  if (source.environment_file) {
+    return {{"file_name", source.environment_file->filename().string()},
+            {"file_sha256", sha256_of_file(*source.environment_file)}};
+  }
+  if (source.sky) {
+    return {{"sun", json_of(source.sky->sun)},
+            {"turbidity", source.sky->turbidity},
+            {"ground_albedo", source.sky->ground_albedo}};
+  }
+  return {};
+}
+
+Json added_to(const SceneSource& source) {
+  return {{"metres_per_unit", source.metres_per_unit},
+          {"environment", environment_of(source)},
+          {"environment_rotation_rad", source.environment_rotation_rad},
+          {"environment_strength", source.environment_strength},
+          {"light_radius_m", json_of(source.light_radius_m)},
+          {"sun_angular_radius_rad", json_of(source.sun_angular_radius_rad)},
+          {"lights", json_of(source.lights)},
+          {"suns", json_of(source.suns)}};
+}
+
+Json camera_of(const SceneSource& source) {
+  Json camera = {{"position", source.camera_position ? json_of(*source.camera_position) : Json()}};
+  camera.update(json_of(source.heading));
+  return camera;
+}
+
+/// On one line. Names may hold what is no Unicode.
+std::string text_of(const Json& json) {
+  constexpr int on_one_line = -1;
+  return json.dump(on_one_line, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string shown_as(const SceneSource& source) {
+  return text_of({{"camera", camera_of(source)},
+                  {"exposure_stops", source.exposure_stops},
+                  {"objects", json_of(source.objects)},
+                  {"added", added_to(source)}});
+}
+
+std::string added_to_file(const SceneSource& source) { return text_of(added_to(source)); }
+
+std::string difference(const std::string& recorded, const std::string& now) {
+  constexpr bool may_throw = false;
+  const Json before = Json::parse(recorded, nullptr, may_throw);
+  const Json after = Json::parse(now);
+  if (!before.is_object()) {
+    return fmt::format("{}, now {}", recorded, now);
+  }
+  const Json steps = Json::diff(before, after);
+  if (steps.empty()) {
+    return {};
+  }
+  const Json::json_pointer place(steps[0]["path"].get<std::string>());
+  const auto value = [&](const Json& json) {
+    return json.contains(place) ? text_of(json.at(place)) : "nothing";
+  };
+  return fmt::format("{}: {}, now {}", place.to_string().substr(1), value(before), value(after));
+}
+
+}  // namespace foveola::study

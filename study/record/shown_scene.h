@@ -1,0 +1,22 @@
+// How a scene was shown, in words that the record keeps.
+#pragma once
+
+#include <string>
+
+#include "renderer/base/scene_source.h"
+
+namespace foveola::study {
+
+/// What `source` says beyond its file, as the JSON object that schema.sql describes at
+/// session_scene. The same source has the same text. Throws Error if its environment's file cannot
+/// be read.
+std::string shown_as(const SceneSource& source);
+
+/// The part of it that changes the radiance of the file's scene: `added`. Throws Error likewise.
+std::string added_to_file(const SceneSource& source);
+
+/// Where two texts of shown_as differ first, and what they say there: "camera/azimuth_rad: 0.5, now
+/// 0.25". Empty if they mean the same.
+std::string difference(const std::string& recorded, const std::string& now);
+
+}  // namespace foveola::study
