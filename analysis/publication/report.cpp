@@ -102,7 +102,7 @@ std::string count_per_method(const std::vector<std::size_t>& counts) {
   return same ? std::to_string(counts.front()) : fmt::format("{}", fmt::join(counts, " / "));
 }
 
-std::vector<std::string> scene_row(const StudyTables& tables, Mark mark, std::size_t scene) {
+std::vector<std::string> scene_cells(const StudyTables& tables, Mark mark, std::size_t scene) {
   std::vector<std::string> row = {tables.set.scenes[scene]};
   std::vector<std::size_t> n;
   int censored = 0;
@@ -141,7 +141,7 @@ std::string scene_times_table(const StudyTables& tables, Mark mark) {
   table.groups.push_back({"Trials", 3});
   table.columns.insert(table.columns.end(), {"n", "timed out", "missing"});
   for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
-    table.rows.push_back(scene_row(tables, mark, scene));
+    table.rows.push_back(scene_cells(tables, mark, scene));
   }
   return render(table);
 }

@@ -12,7 +12,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void require_valid(const SunAndSky& s) {
   const auto require = [](bool is_valid, const char* what, const char* range) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int width = 64;
 constexpr int height = 32;
-constexpr double field_of_view_rad = 1.5;
+constexpr double view_extent_rad = 1.5;
 /// One that spreads samples evenly over tiles and one that gathers them in a few.
 constexpr std::array<const char*, 2> methods{"od", "fv"};
 
@@ -31,7 +31,7 @@ FilmImage render(const Scene& scene, const std::string& method, const Manner& ma
                  std::uint64_t points) {
   const Workers workers(manner.threads);
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
-  sampler->aim({.viewport = Viewport(Quat(1, 0, 0, 0), field_of_view_rad, field_of_view_rad)});
+  sampler->aim({.viewport = Viewport(Quat(1, 0, 0, 0), view_extent_rad, view_extent_rad)});
   EquirectFilm film(width, height);
   const auto render_range = [&](std::uint64_t first, std::uint64_t end) {
     const PathTracer tracer(scene, workers);

@@ -13,10 +13,10 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What floats leave open, above all where a point is moved off the surface for its rays.
-constexpr double rounding = 1e-4;
+constexpr double float_slack = 1e-4;
 
 constexpr float floor_albedo = 0.8F;
 
@@ -34,7 +34,7 @@ StabilityFigure floor_against(std::string name, const Scene& scene, const DVec3&
   const DVec3 expected = static_cast<double>(floor_albedo) / pi * irradiance;
   const PathTracer tracer(scene, run.workers);
   const Measurement floor = along(Vec3(-1.0F, 0.5F, -0.7F), Vec3(1.0F, -0.5F, 0.7F), 1, expected.g);
-  return deviation(std::move(name), measure(tracer, floor, run), expected, rounding,
+  return deviation(std::move(name), measure(tracer, floor, run), expected, float_slack,
                    run.effort.tolerance);
 }
 
@@ -49,7 +49,7 @@ StabilityFigure emitting_enclosure(std::string name, Mesh enclosure, const Stabi
                            .direction = direction_all_around,
                            .max_depth = 40,
                            .expected = 1.0};
-  return deviation(std::move(name), measure(tracer, around, run), DVec3(1.0), rounding,
+  return deviation(std::move(name), measure(tracer, around, run), DVec3(1.0), float_slack,
                    run.effort.tolerance);
 }
 
@@ -179,7 +179,7 @@ StabilityFigure glass_slab(bool transmitted, double cosine, const StabilityRun& 
       along(Vec3(0.1F, 0.5F, 0.2F), Vec3(0.8F * sine, -down, 0.6F * sine), 40, expected.b);
   return deviation(fmt::format("absorbing glass slab, {} at cosine {}",
                                transmitted ? "transmittance" : "reflectance", cosine),
-                   measure(tracer, look, run), expected, rounding, run.effort.tolerance);
+                   measure(tracer, look, run), expected, float_slack, run.effort.tolerance);
 }
 
 }  // namespace

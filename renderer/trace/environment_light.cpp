@@ -9,14 +9,14 @@
 namespace foveola {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
 constexpr float uniform_sphere_pdf = 0.25F * std::numbers::inv_pi_v<float>;
 
 /// The second coordinate of map_position().
 float map_row(const Environment& environment, const Vec3& direction) {
   const float horizontal = std::sqrt(direction.x * direction.x + direction.z * direction.z);
   const float elevation = std::atan2(direction.y, horizontal);
-  return (0.5F - elevation / pi) * static_cast<float>(environment.map_height) - 0.5F;
+  return (0.5F - elevation / pi_v<float>)*static_cast<float>(environment.map_height) - 0.5F;
 }
 
 /// Where the map shows a direction, which is in the map's own frame: in texels, counted from the
@@ -24,7 +24,7 @@ float map_row(const Environment& environment, const Vec3& direction) {
 Vec2 map_position(const Environment& environment, const Vec3& direction) {
   const bool is_pole = direction.x == 0.0F && direction.z == 0.0F;
   const float azimuth = is_pole ? 0.0F : std::atan2(direction.x, -direction.z);
-  return {(azimuth / (2.0F * pi) + 0.5F) * static_cast<float>(environment.map_width) - 0.5F,
+  return {(azimuth / (2.0F * pi_v<float>)+0.5F) * static_cast<float>(environment.map_width) - 0.5F,
           map_row(environment, direction)};
 }
 

@@ -7,7 +7,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A cone that holds those of `a` and `b`, as small as it can be but for rounding.
 void widen_cone(LightBounds& a, const LightBounds& b) {

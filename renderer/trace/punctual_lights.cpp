@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
 
 /// Spheres whose sine of half the angle that they fill, squared, is less count as points.
 constexpr float smallest_squared_sine = 1e-10F;
@@ -47,7 +47,7 @@ float cone_factor(const PunctualLight& light, const Vec3& direction) {
 /// Towards a light's sphere, whose centre is at distance * to_centre. intensity: towards the place.
 LocalLightSample sample_sphere(float radius, const Vec3& to_centre, float distance,
                                const Rgb& intensity, const Vec2& u) {
-  const Rgb radiance = intensity / (pi * radius * radius);
+  const Rgb radiance = intensity / (pi_v<float> * radius * radius);
   const float ratio = radius / distance;
   if (ratio < 1.0F) {
     const DirectionCone cone = DirectionCone::with_sine_squared(to_centre, ratio * ratio);

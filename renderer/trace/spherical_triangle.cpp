@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace foveola {
-namespace {}  // namespace
 
 SphericalTriangle::SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint)
     : a_(DVec3(triangle.p0) - DVec3(viewpoint)),

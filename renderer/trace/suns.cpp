@@ -9,7 +9,7 @@ namespace {
 
 constexpr float smallest_disc_rad = 5e-4F;
 
-bool shines(const PunctualLight& light) {
+bool is_sun(const PunctualLight& light) {
   return light.kind == PunctualLight::Kind::directional && is_finite(light.intensity) &&
          luminance(light.intensity) > 0.0F &&
          std::abs(glm::dot(light.direction, light.direction) - 1.0F) < 1e-3F;
@@ -44,7 +44,7 @@ bool Suns::Sun::covers(const Vec3& direction) const {
 Suns::Suns(const Scene& scene) {
   std::vector<double> weights;
   for (const PunctualLight& light : scene.lights) {
-    if (shines(light)) {
+    if (is_sun(light)) {
       suns_.emplace_back(light);
       weights.push_back(luminance(light.intensity));
       irradiance_ += weights.back();

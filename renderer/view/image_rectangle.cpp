@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Widens [low, high] by the elevations of the great circle's arc from a to b, less than half of
 /// it.

@@ -13,7 +13,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Reddy's constants as the paper prints them: beyond the knee the acuity falls as
 // scale / (slope e + 1)^2.

@@ -10,7 +10,7 @@
 namespace foveola::scenes::arcade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double outside = walk_depth + wall_thickness;
 
 /// A step of one stone, 3 m long, that feet have hollowed in its middle.

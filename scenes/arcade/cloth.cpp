@@ -8,7 +8,7 @@
 namespace foveola::scenes::arcade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int columns_per_fold = 10;
 
 struct Drapery {

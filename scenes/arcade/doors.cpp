@@ -7,7 +7,7 @@
 namespace foveola::scenes::arcade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A raised panel of a door, its back in the plane z = 0 about the origin.
 Shape raised_panel(double width, double height) {

@@ -8,7 +8,7 @@
 namespace foveola::scenes::arcade {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr DVec3 fountain_place(0.8, court_floor, 0.0);
 constexpr int jets = 8;
 constexpr double jet_landing = 0.74;  ///< distance of the jets' feet from the fountain's middle

@@ -10,7 +10,7 @@
 namespace foveola::scenes::church {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 DVec3 around(double angle, double radius, double height) {
   return {radius * std::sin(angle), height, radius * std::cos(angle)};
@@ -32,13 +32,13 @@ Shape drip_pan(double radius) {
 /// One tier of a chandelier: arms that swing down and up again from a stem on the Y axis.
 void add_tier(Candles& candles, const DVec3& middle, int arms, double reach, double first_deg) {
   for (int i = 0; i < arms; ++i) {
-    const double angle = radians(first_deg) + two_pi * i / arms;
+    const double angle = radians(first_deg) + 2.0 * pi * i / arms;
     std::vector<DVec3> arm;
     constexpr int steps = 10;
     for (int k = 0; k <= steps; ++k) {
       // Arms begin inside the stem, but not in one point.
       const double t = 0.02 + 0.98 * k / steps;
-      const double dip = -0.2 * std::sin(two_pi * 0.75 * t) + 0.02 * t;
+      const double dip = -0.2 * std::sin(2.0 * pi * 0.75 * t) + 0.02 * t;
       arm.push_back(middle + around(angle, reach * t, reach * dip));
     }
     append(candles.brass, tube(arm, 0.014, 6));
@@ -76,7 +76,7 @@ HangingLamp hanging_lamp(double chain_length) {
   lamp.brass = moved(torus(0.1, 0.016, 12, 5), {0.0, 0.03, 0.0});
   append(lamp.brass, moved(cone(0.03, 0.06, 0.05, 8), {0.0, -0.145, 0.0}));
   for (int i = 0; i < 3; ++i) {
-    append(lamp.brass, tube({around(two_pi * i / 3, 0.1, 0.03), {0.0, 0.42, 0.0}}, 0.006, 4));
+    append(lamp.brass, tube({around(2.0 * pi * i / 3, 0.1, 0.03), {0.0, 0.42, 0.0}}, 0.006, 4));
   }
   append(lamp.brass, moved(ellipsoid({0.03, 0.04, 0.03}, 6), {0.0, 0.42, 0.0}));
   append(lamp.brass, tube({{0.0, 0.42, 0.0}, {0.0, 0.42 + chain_length, 0.0}}, 0.007, 4));

@@ -10,7 +10,7 @@
 namespace foveola::scenes::meeting {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A chair that stands on the origin and faces +Z.
 struct Chair {

@@ -11,7 +11,7 @@
 namespace foveola::scenes::meeting {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct LaptopPlace {
   double x;

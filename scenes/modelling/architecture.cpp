@@ -9,7 +9,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// How far the pointed arch's two circles have their middles from the arch's own, in half spans.
 constexpr double arch_offset = 0.35;

@@ -6,7 +6,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Half a torus' outline that bulges from `radius`, from height `from` over `height`.
 void add_roll(std::vector<DVec2>& outline, double radius, double bulge, double from,

@@ -11,7 +11,7 @@
 namespace foveola::scenes::paint {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 /// Linear light to sRGB bytes (IEC 61966-2-1), rounded.
 class SrgbEncoder {
@@ -56,7 +56,7 @@ double nearest_on_segment(const DVec2& p, const DVec2& a, const DVec2& b) {
 
 /// The angle from upwards, clockwise, in turns within [0, 1).
 double clockwise_turn(const DVec2& p) {
-  const double turn = std::atan2(p.x, p.y) / two_pi;
+  const double turn = std::atan2(p.x, p.y) / (2.0 * pi);
   return turn - std::floor(turn);
 }
 
@@ -163,7 +163,7 @@ int sector_of(const DVec2& p, int count) {
 
 DVec2 in_sector(const DVec2& p, int count) {
   const double turn = clockwise_turn(p) * count + 0.5;
-  const double angle = (turn - std::floor(turn) - 0.5) * two_pi / count;
+  const double angle = (turn - std::floor(turn) - 0.5) * 2.0 * pi / count;
   return glm::length(p) * DVec2(std::sin(angle), std::cos(angle));
 }
 

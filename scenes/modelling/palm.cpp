@@ -9,7 +9,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 /// Where a frond that starts at the origin and arches towards +Z is at t in [0, 1].
 DVec3 on_frond(double length, double upright, double t) {
@@ -74,7 +74,7 @@ std::vector<Part> potted_tree(const TreeSize& size, const PlantMaterials& materi
   const DVec3 middle(0.0, size.pot_height + size.stem_height, 0.0);
   const auto somewhere = [&](double least_radius) {
     const double y = 2.0 * random.uniform() - 1.0;
-    const double angle = two_pi * random.uniform();
+    const double angle = 2.0 * pi * random.uniform();
     const double r = std::sqrt(1.0 - y * y);
     const DVec3 direction(r * std::sin(angle), y, r * std::cos(angle));
     return direction * std::lerp(least_radius, 1.0, random.uniform());

@@ -11,7 +11,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 /// Where a stem is at height fraction t: it leans outwards as it rises.
 DVec3 stem_point(const PlantSize& size, double angle, double lean, double height, double t) {
@@ -83,14 +83,14 @@ Shape baluster(double height, int segments) {
 
 Shape hanging_cloth(const ClothSize& size, std::uint32_t seed) {
   Pcg32 random(seed);
-  const double phase = two_pi * random.uniform();
+  const double phase = 2.0 * pi * random.uniform();
   const double drift = random.uniform() - 0.5;
   const int columns = 10 * size.folds;
   Shape shape = patch(columns, 24, [&](double u, double v) {
     const double fallen = 1.0 - v;
     const double depth = size.fold_depth * (0.35 + 0.65 * fallen);
-    const double fold = std::sin(two_pi * size.folds * u + phase + 1.5 * drift * fallen);
-    const double sway = 0.3 * std::sin(two_pi * 0.8 * u + 4.0 * fallen + 2.0 * phase);
+    const double fold = std::sin(2.0 * pi * size.folds * u + phase + 1.5 * drift * fallen);
+    const double sway = 0.3 * std::sin(2.0 * pi * 0.8 * u + 4.0 * fallen + 2.0 * phase);
     const double gathered = 1.0 - 0.06 * fallen * (1.0 - fallen) * 4.0;
     return DVec3((u - 0.5) * size.width * gathered, -size.drop * fallen, depth * (fold + sway));
   });
@@ -148,7 +148,7 @@ std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& mate
   Shape stems;
   Shape leaves;
   for (int i = 0; i < size.stems; ++i) {
-    const double angle = two_pi * (i + 0.6 * random.uniform()) / size.stems;
+    const double angle = 2.0 * pi * (i + 0.6 * random.uniform()) / size.stems;
     const double lean = 0.15 + 0.45 * random.uniform();
     const double height = size.stem_height * (0.55 + 0.45 * random.uniform());
     std::vector<DVec3> path;

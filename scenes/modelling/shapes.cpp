@@ -11,7 +11,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 std::uint32_t add_vertex(Shape& shape, const DVec3& position, const DVec2& uv) {
   shape.positions.push_back(position);
@@ -232,7 +232,7 @@ Shape lathe(const std::vector<DVec2>& outline, int segments) {
     length += row > 0 ? glm::distance(outline[row], outline[row - 1]) : 0.0;
     for (int column = 0; column <= segments; ++column) {
       const double turn = static_cast<double>(column) / segments;
-      const double angle = two_pi * turn;
+      const double angle = 2.0 * pi * turn;
       const DVec3 position(outline[row].x * std::sin(angle), outline[row].y,
                            outline[row].x * std::cos(angle));
       add_vertex(shape, position, {turn, length});
@@ -263,7 +263,7 @@ Shape ellipsoid(const DVec3& radii, int segments) {
 Shape torus(double ring_radius, double tube_radius, int ring_segments, int tube_segments) {
   std::vector<DVec2> outline;
   for (int i = 0; i <= tube_segments; ++i) {
-    const double angle = two_pi * i / tube_segments;
+    const double angle = 2.0 * pi * i / tube_segments;
     outline.emplace_back(ring_radius + tube_radius * std::cos(angle),
                          tube_radius * std::sin(angle));
   }
@@ -281,8 +281,8 @@ Shape tube(const std::vector<DVec3>& path, double radius, int segments) {
     for (int column = 0; column <= segments; ++column) {
       const double turn = static_cast<double>(column) / segments;
       const DVec3 across =
-          std::cos(two_pi * turn) * normals[i] + std::sin(two_pi * turn) * bitangent;
-      add_vertex(shape, path[i] + ring_radius * across, {turn * two_pi * radius, length});
+          std::cos(2.0 * pi * turn) * normals[i] + std::sin(2.0 * pi * turn) * bitangent;
+      add_vertex(shape, path[i] + ring_radius * across, {turn * 2.0 * pi * radius, length});
     }
   };
   add_ring(0, 0.0);

@@ -13,7 +13,7 @@
 namespace foveola::scenes::school {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 /// uvs in the plain part of a spine's strip.
 Shape plainly_covered(Shape shape, int spine) {
@@ -75,7 +75,7 @@ std::vector<Part> school_bag(const Materials& m, int cloth) {
 /// A coat that hangs from the origin, its back towards -Z.
 Shape coat(std::uint32_t seed) {
   Pcg32 random(seed);
-  const double phase = two_pi * random.uniform();
+  const double phase = 2.0 * pi * random.uniform();
   const double length = 0.75 + 0.2 * random.uniform();
   const auto folded = [&](const DVec3& p) {
     const double angle = std::atan2(p.x, p.z);

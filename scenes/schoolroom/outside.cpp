@@ -10,7 +10,7 @@
 namespace foveola::scenes::school {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 constexpr double ground = -0.6;
 constexpr double street_z = -34.0;
 
@@ -27,7 +27,7 @@ Tree grown_tree(double height, std::uint32_t seed) {
   append(tree.wood, moved(cone(0.028 * height, 0.018 * height, fork, 14), {0.0, 0.0, 0.0}));
   constexpr int branches = 9;
   for (int i = 0; i < branches; ++i) {
-    const double angle = two_pi * (i + 0.5 * random.uniform()) / branches;
+    const double angle = 2.0 * pi * (i + 0.5 * random.uniform()) / branches;
     const double reach = height * (0.1 + 0.16 * random.uniform());
     const DVec3 out(std::sin(angle), 0.0, std::cos(angle));
     const DVec3 tip = reach * out + DVec3(0.0, height * (0.5 + 0.42 * random.uniform()), 0.0);
@@ -39,7 +39,7 @@ Tree grown_tree(double height, std::uint32_t seed) {
     constexpr int leaves_at_tip = 170;
     for (int k = 0; k < leaves_at_tip; ++k) {
       const double polar = std::acos(1.0 - 2.0 * random.uniform());
-      const double around = two_pi * random.uniform();
+      const double around = 2.0 * pi * random.uniform();
       const double radius = 0.16 * height * std::cbrt(random.uniform());
       const DVec3 place =
           tip + radius * DVec3(std::sin(polar) * std::sin(around), 0.75 * std::cos(polar),
@@ -118,7 +118,7 @@ void add_houses(Model& model, const Materials& m) {
 void add_hills(Model& model, const Materials& m) {
   constexpr double distance = 260.0;
   const Shape hills = inside_out(patch(96, 6, [&](double u, double v) {
-    const double angle = two_pi * u;
+    const double angle = 2.0 * pi * u;
     const double height = 15.0 + 5.0 * std::sin(3.0 * angle + 1.0) + 3.0 * std::sin(8.0 * angle) +
                           1.5 * std::sin(19.0 * angle + 0.7);
     const double r = distance + 60.0 * v;

@@ -13,7 +13,7 @@
 namespace foveola::scenes::school {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 const DVec3 white_chalk(236, 236, 228);
 const DVec3 yellow_chalk(240, 220, 120);
@@ -120,7 +120,7 @@ void draw_sun(Canvas& canvas, const DVec2& middle, double radius) {
   const Ink yellow{{240, 190, 30}, 0.95, 0.3};
   canvas.fill_circle(middle, radius, yellow);
   for (int ray = 0; ray < 10; ++ray) {
-    const double angle = two_pi * ray / 10.0;
+    const double angle = 2.0 * pi * ray / 10.0;
     const DVec2 out(std::cos(angle), std::sin(angle));
     canvas.draw_lines({middle + 1.3 * radius * out, middle + 1.9 * radius * out},
                       {yellow, 0.18 * radius});

@@ -10,7 +10,7 @@
 namespace foveola::scenes::school {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 
 /// A ball whose uvs run over [0, 1]: longitude and, from the top, latitude.
 Shape mapped_ball(double radius, int segments) {
@@ -149,7 +149,7 @@ void add_molecule(Model& model, const Materials& m) {
   Shape bonds;
   // Two rings that share a side, each carbon with a hydrogen: naphthalene, with a tail.
   const auto ring_point = [&](int i, double x) {
-    const double angle = two_pi * (i + 0.5) / 6.0;
+    const double angle = 2.0 * pi * (i + 0.5) / 6.0;
     return DVec3(x + step * std::sin(angle), 0.0, step * std::cos(angle));
   };
   const double apart = std::sqrt(3.0) * step;
@@ -190,7 +190,7 @@ void add_waste_basket(Model& model, const Materials& m) {
       std::vector<DVec3> path;
       for (int k = 0; k <= 6; ++k) {
         const double t = k / 6.0;
-        const double angle = two_pi * i / wires + twist * t;
+        const double angle = 2.0 * pi * i / wires + twist * t;
         const double r = 0.11 + 0.04 * t;
         path.emplace_back(r * std::sin(angle), 0.01 + 0.33 * t, r * std::cos(angle));
       }

@@ -9,7 +9,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
 constexpr double groove_depth = 0.007;
 
 struct TreadRow {
@@ -138,7 +138,7 @@ Shape tyre() {
     const std::size_t station = column % stations.size();
     const double pitch = static_cast<double>(column / stations.size()) + stations[station];
     const double skew = 9.0 * std::abs(row.across);
-    const double angle = two_pi * (pitch + skew) / pitches;
+    const double angle = 2.0 * pi * (pitch + skew) / pitches;
     const double radius = row.radius - (row.is_cut && station == 2 ? groove_depth : 0.0);
     return DVec3(radius * std::sin(angle), row.across + car::tyre_half_width,
                  radius * std::cos(angle));
