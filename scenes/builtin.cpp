@@ -33,6 +33,28 @@ constexpr std::array<Builtin, 5> builtins = {{
     {"studio-car", make_studio_car},
 }};
 
+fs::path cached_scenes() { return cache_folder() / "scenes"; }
+
+/// Makes the folder if need be. Throws Error if `file` could not be written.
+void prepare_folder_of(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  const bool is_cache = folder == cached_scenes();
+  const char* const elsewhere =
+      is_cache ? "set XDG_CACHE_HOME to another folder" : "choose another folder";
+  std::error_code failure;
+  if (!folder.empty()) {
+    fs::create_directories(folder, failure);
+  }
+  if (failure) {
+    throw Error(folder.string(), "cannot be made: " + failure.message(), elsewhere);
+  }
+  std::error_code unreachable;
+  if (is_cache && fs::is_directory(file, unreachable)) {
+    throw Error(file.string(), "is a folder, where the cache keeps a scene", "remove it");
+  }
+  require_writable(file);
+}
+
 }  // namespace
 
 std::vector<std::string> builtin_names() {
@@ -55,17 +77,12 @@ Model make_builtin(const std::string& name) {
 }
 
 fs::path cached_builtin(const std::string& name) {
-  return cache_folder() / "scenes" / fmt::format("{}-{}.glb", name, FOVEOLA_GENERATORS_DIGEST);
+  return cached_scenes() / fmt::format("{}-{}.glb", name, FOVEOLA_GENERATORS_DIGEST);
 }
 
 std::size_t write_builtin(const std::string& name, const fs::path& file) {
+  prepare_folder_of(file);
   const Model model = make_builtin(name);
-  std::error_code failure;
-  fs::create_directories(file.parent_path(), failure);
-  if (failure) {
-    throw Error(file.parent_path().string(), "cannot be made: " + failure.message(),
-                "choose another folder");
-  }
   write_file(file, glb_from(model));
   return model.triangle_count();
 }

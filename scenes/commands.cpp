@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -19,51 +21,61 @@
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"
 #include "scenes/fetch.h"
+#include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::scenes {
 namespace {
 
+void warn(const std::string& text) { fmt::print(stderr, "foveola: warning: {}\n", text); }
+
 /// Where a scene stands: whether it can be used, and from which file.
 struct State {
   const char* word;  ///< "built-in", "real", "another file", "unreadable" or "missing"
   std::string file;  ///< empty if there is none
+  std::vector<std::string> obstacles;  ///< of a missing one: see FileSearch
 };
 
 State state_of_builtin(const std::string& name) {
   const fs::path file = cached_builtin(name);
   std::error_code missing;
-  return {"built-in", fs::exists(file, missing) ? file.string() : std::string()};
+  return {"built-in", fs::exists(file, missing) ? file.string() : std::string(), {}};
 }
 
 State state_of(const Descriptor& descriptor) {
   if (descriptor.is_builtin) {
     return state_of_builtin(descriptor.name);
   }
-  const auto file = find_real_file(descriptor);
-  if (!file) {
-    return {"missing", {}};
+  FileSearch search = search_scene_path(descriptor.file_name);
+  if (!search.file) {
+    return {"missing", {}, std::move(search.obstacles)};
   }
   try {
-    return {is_described_file(descriptor, *file) ? "real" : "another file", file->string()};
+    const bool is_real = is_described_file(descriptor, *search.file);
+    return {is_real ? "real" : "another file", search.file->string(), {}};
   } catch (const Error&) {
-    return {"unreadable", file->string()};
+    return {"unreadable", search.file->string(), {}};
   }
 }
 
-nlohmann::ordered_json json_of(const Descriptor& descriptor) {
-  const State state = state_of(descriptor);
+struct ListedScene {
+  Descriptor descriptor;
+  State state;
+};
+
+nlohmann::ordered_json json_of(const ListedScene& scene) {
+  const Descriptor& descriptor = scene.descriptor;
   return {{"name", descriptor.name},     {"title", descriptor.source.title},
           {"author", descriptor.author}, {"licence", descriptor.licence},
           {"origin", descriptor.origin}, {"counterpart", descriptor.counterpart},
-          {"state", state.word},         {"file", state.file}};
+          {"state", scene.state.word},   {"file", scene.state.file}};
 }
 
-void list_as_json(const std::vector<Descriptor>& descriptors) {
+void list_as_json(const std::vector<ListedScene>& scenes) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Descriptor& descriptor : descriptors) {
-    list.push_back(json_of(descriptor));
+  for (const ListedScene& scene : scenes) {
+    list.push_back(json_of(scene));
   }
   fmt::print("{}\n", list.dump(2));
 }
@@ -82,13 +94,37 @@ std::string place_of(const Descriptor& descriptor, const State& state) {
   return place;
 }
 
-void list_as_text(const std::vector<Descriptor>& descriptors) {
-  for (const Descriptor& descriptor : descriptors) {
-    const State state = state_of(descriptor);
+void list_as_text(const std::vector<ListedScene>& scenes) {
+  for (const auto& [descriptor, state] : scenes) {
     fmt::print("{:<14} {:<13} {}, by {}. Licence: {}\n", descriptor.name, state.word,
                descriptor.source.title, descriptor.author, descriptor.licence);
     fmt::print("{:<28} {}\n", "", place_of(descriptor, state));
   }
+}
+
+/// Scenes that are missing may lie where nobody could look; one folder hides several.
+void warn_of_obstacles(const std::vector<ListedScene>& scenes) {
+  std::set<std::string> obstacles;
+  for (const ListedScene& scene : scenes) {
+    obstacles.insert(scene.state.obstacles.begin(), scene.state.obstacles.end());
+  }
+  for (const std::string& obstacle : obstacles) {
+    warn(obstacle + "; mend it, or leave it out of FOVEOLA_SCENE_PATH");
+  }
+}
+
+void list_scenes(bool as_json) {
+  DescriptorList list = all_descriptors();
+  for (const std::string& fault : list.faults) {
+    warn(fault);
+  }
+  std::vector<ListedScene> scenes;
+  for (Descriptor& descriptor : list.descriptors) {
+    State state = state_of(descriptor);
+    scenes.push_back({std::move(descriptor), std::move(state)});
+  }
+  warn_of_obstacles(scenes);
+  as_json ? list_as_json(scenes) : list_as_text(scenes);
 }
 
 void add_list(CLI::App& app) {
@@ -96,13 +132,7 @@ void add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "The scenes known by name, and their state");
   command->add_flag("--json", *as_json, "Print the list as JSON");
   command->footer("Example: FOVEOLA_SCENE_PATH=~/scenes foveola scene list");
-  command->callback([as_json] {
-    const DescriptorList list = all_descriptors();
-    for (const std::string& fault : list.faults) {
-      fmt::print(stderr, "foveola: warning: {}\n", fault);
-    }
-    *as_json ? list_as_json(list.descriptors) : list_as_text(list.descriptors);
-  });
+  command->callback([as_json] { list_scenes(*as_json); });
 }
 
 void make_scene(const std::string& name, const fs::path& file) {
@@ -160,10 +190,9 @@ struct FetchArguments {
 
 void warn_of_another_file(const Descriptor& descriptor, const fs::path& file) {
   if (!is_described_file(descriptor, file)) {
-    fmt::print(stderr,
-               "foveola: warning: taken as {} without being the described file; whatever shows or "
-               "records it will say so\n",
-               descriptor.name);
+    warn(fmt::format(
+        "taken as {} without being the described file; whatever shows or records it will say so",
+        descriptor.name));
   }
 }
 

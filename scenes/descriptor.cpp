@@ -1,10 +1,9 @@
 #include "scenes/descriptor.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <fstream>
 #include <initializer_list>
 #include <limits>
-#include <sstream>
 #include <system_error>
 
 #include "renderer/base/digest.h"
@@ -234,41 +233,19 @@ fs::path descriptor_folder() { return resource_folder() / "scenes"; }
 /// In the order of their names.
 std::vector<fs::path> descriptor_files() {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(descriptor_folder())) {
-    if (entry.path().extension() == ".toml") {
-      files.push_back(entry.path());
+  std::error_code failure;
+  fs::directory_iterator entry(descriptor_folder(), failure);
+  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    if (entry->path().extension() == ".toml") {
+      files.push_back(entry->path());
     }
+  }
+  if (failure) {
+    throw Error(descriptor_folder().string(), "cannot be read: " + failure.message(),
+                "install Foveola again, or set FOVEOLA_RESOURCES to the folder that holds scenes/");
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-/// The folders of $FOVEOLA_SCENE_PATH.
-std::vector<fs::path> search_folders() {
-  std::vector<fs::path> folders;
-  const char* value = std::getenv("FOVEOLA_SCENE_PATH");
-  std::istringstream list(value != nullptr ? value : "");
-  for (std::string folder; std::getline(list, folder, ':');) {
-    if (!folder.empty()) {
-      folders.emplace_back(folder);
-    }
-  }
-  return folders;
-}
-
-/// The folders in `folder`, in order of their names; none if it cannot be read.
-std::vector<fs::path> subfolders(const fs::path& folder) {
-  std::vector<fs::path> result;
-  std::error_code failure;
-  fs::directory_iterator entry(folder, failure);
-  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
-    std::error_code ignored;
-    if (entry->is_directory(ignored)) {
-      result.push_back(entry->path());
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 }  // namespace
@@ -283,8 +260,11 @@ std::optional<Descriptor> find_descriptor(const std::string& name) {
     return std::nullopt;
   }
   const fs::path file = descriptor_folder() / (name + ".toml");
-  std::error_code no_such_name;
-  return fs::exists(file, no_such_name) ? std::optional(read_descriptor(file)) : std::nullopt;
+  std::error_code failure;
+  if (!fs::exists(file, failure) && failure != std::errc::permission_denied) {
+    return std::nullopt;
+  }
+  return read_descriptor(file);
 }
 
 DescriptorList all_descriptors() {
@@ -299,37 +279,11 @@ DescriptorList all_descriptors() {
   return list;
 }
 
-fs::path fetched_folder() { return data_folder() / "scenes"; }
-
-std::optional<fs::path> find_in_folder(const fs::path& folder, const std::string& file_name) {
-  std::vector<fs::path> candidates = {folder};
-  const std::vector<fs::path> below = subfolders(folder);
-  candidates.insert(candidates.end(), below.begin(), below.end());
-  for (const fs::path& candidate : candidates) {
-    std::error_code ignored;
-    if (fs::is_regular_file(candidate / file_name, ignored)) {
-      return candidate / file_name;
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<fs::path> find_real_file(const Descriptor& descriptor) {
-  std::vector<fs::path> folders = search_folders();
-  folders.push_back(fetched_folder());
-  for (const fs::path& folder : folders) {
-    if (const auto file = find_in_folder(folder, descriptor.file_name)) {
-      return file;
-    }
-  }
-  return std::nullopt;
-}
-
 bool is_described_file(const Descriptor& descriptor, const fs::path& file) {
   std::error_code failure;
   const std::uintmax_t size_bytes = fs::file_size(file, failure);
-  if (failure) {
-    throw Error(file.string(), "cannot be read: " + failure.message());
+  if (failure || !std::ifstream(file)) {
+    throw Error(file.string(), "cannot be read", "check its permissions");
   }
   // Sizes first: they cost nothing.
   return (descriptor.size_bytes == 0 || size_bytes == descriptor.size_bytes) &&

@@ -41,17 +41,6 @@ struct DescriptorList {
 /// All of the program's own.
 DescriptorList all_descriptors();
 
-/// Where fetched scenes are kept: scenes/ in the user's data folder.
-std::filesystem::path fetched_folder();
-
-/// The file of that name in `folder` or one folder below, if it is there.
-std::optional<std::filesystem::path> find_in_folder(const std::filesystem::path& folder,
-                                                    const std::string& file_name);
-
-/// The file of a real scene in the folders of $FOVEOLA_SCENE_PATH, their subfolders, or among what
-/// was fetched, if it is there.
-std::optional<std::filesystem::path> find_real_file(const Descriptor& descriptor);
-
 /// Whether `file` is the one that the descriptor was written for, by its size and SHA-256. Throws
 /// Error if it cannot be read.
 bool is_described_file(const Descriptor& descriptor, const std::filesystem::path& file);

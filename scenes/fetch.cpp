@@ -1,6 +1,5 @@
 #include "scenes/fetch.h"
 
-#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "renderer/base/files.h"
 #include "scenes/builtin.h"
 #include "scenes/download.h"
+#include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
 
@@ -40,13 +40,14 @@ fs::path named_file(const Descriptor& descriptor, const fs::path& file_or_folder
   std::error_code ignored;
   const fs::file_status status = fs::status(file_or_folder, ignored);
   if (fs::is_directory(status)) {
-    const std::optional<fs::path> file = find_in_folder(file_or_folder, descriptor.file_name);
-    if (!file) {
+    const FileSearch search = search_folder(file_or_folder, descriptor.file_name);
+    if (!search.file) {
       throw Error(file_or_folder.string(),
-                  fmt::format("has no {} in it or one folder below", descriptor.file_name),
+                  fmt::format("has no {} in it or one folder below{}", descriptor.file_name,
+                              in_brackets(search.obstacles)),
                   "name the file itself");
     }
-    return *file;
+    return *search.file;
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     throw Error(file_or_folder.string(), "is not a regular file", "copy the scene into a file");

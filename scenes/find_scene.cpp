@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"
+#include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
 
@@ -22,18 +23,19 @@ SceneSource source_of(const Descriptor& descriptor) {
     source.file = require_builtin(descriptor.name);
     return source;
   }
-  const std::optional<fs::path> file = find_real_file(descriptor);
-  if (!file) {
+  const FileSearch search = search_scene_path(descriptor.file_name);
+  if (!search.file) {
     const std::string stand_in = descriptor.counterpart.empty()
                                      ? std::string()
                                      : ", or use the built-in " + descriptor.counterpart;
     throw Error(
         descriptor.name,
-        fmt::format("its file {} is in no folder of $FOVEOLA_SCENE_PATH", descriptor.file_name),
+        fmt::format("its file {} is in no folder of $FOVEOLA_SCENE_PATH{}", descriptor.file_name,
+                    in_brackets(search.obstacles)),
         fmt::format("see 'foveola scene fetch {}', or set FOVEOLA_SCENE_PATH to its folder{}",
                     descriptor.name, stand_in));
   }
-  source.file = *file;
+  source.file = *search.file;
   return source;
 }
 
@@ -67,10 +69,18 @@ SceneSource find_scene(const std::string& name_or_path) {
   if (const std::optional<Descriptor> descriptor = find_descriptor(name_or_path)) {
     return source_of(*descriptor);
   }
-  std::error_code no_such_name;
-  const fs::file_status status = fs::status(name_or_path, no_such_name);
+  std::error_code failure;
+  const fs::file_status status = fs::status(name_or_path, failure);
   if (fs::is_directory(status)) {
     throw Error(name_or_path, "is a folder, not a scene", "name a .glb, .gltf or .obj file in it");
+  }
+  if (failure == std::errc::permission_denied) {
+    throw Error(name_or_path, "cannot be reached: " + failure.message(),
+                "check the permissions of the folders above it");
+  }
+  std::error_code ignored;
+  if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(name_or_path, ignored))) {
+    throw Error(name_or_path, "is a link that leads nowhere", "mend the link");
   }
   if (!fs::exists(status)) {
     throw Error(name_or_path, "no such scene or file",

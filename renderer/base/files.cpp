@@ -80,6 +80,10 @@ fs::path data_folder() { return user_folder("XDG_DATA_HOME", fs::path(".local") 
 std::string read_file(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
+  if (failure == std::errc::permission_denied) {
+    throw Error(path.string(), "cannot be reached: " + failure.message(),
+                "check the permissions of the folders above it");
+  }
   if (!fs::exists(status)) {
     throw Error(path.string(), "no such file", "check the path");
   }
@@ -96,11 +100,20 @@ std::string read_file(const fs::path& path) {
 
 void require_writable(const fs::path& path) {
   const fs::path folder = folder_of(path);
-  if (!fs::is_directory(folder)) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(folder, failure);
+  if (failure == std::errc::permission_denied) {
+    throw Error(path.string(), "the folder " + folder.string() + " cannot be reached",
+                "check the permissions of the folders above it");
+  }
+  if (fs::exists(status) && !fs::is_directory(status)) {
+    throw Error(path.string(), folder.string() + " is a file, not a folder", "choose another path");
+  }
+  if (!fs::exists(status)) {
     throw Error(path.string(), "the folder " + folder.string() + " does not exist",
                 "create it or choose another path");
   }
-  if (fs::is_directory(path)) {
+  if (fs::is_directory(path, failure)) {
     throw Error(path.string(), "is a folder, not a file", "name a file in it");
   }
   if (::access(folder.c_str(), W_OK) != 0) {

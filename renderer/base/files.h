@@ -21,8 +21,8 @@ std::filesystem::path cache_folder();
 /// ~/.local/share/foveola.
 std::filesystem::path data_folder();
 
-/// The whole content of a regular file. Throws Error, naming the path, if it is missing, a folder
-/// or unreadable.
+/// The whole content of a regular file. Throws Error, naming the path, if it is missing, a folder,
+/// unreadable or out of reach.
 std::string read_file(const std::filesystem::path& path);
 
 /// Throws Error unless a file at `path` could be written: its folder exists and is writable, and

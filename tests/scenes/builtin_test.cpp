@@ -384,7 +384,34 @@ TEST(Builtin, WritesIntoANewFolder) {
 TEST(Builtin, FolderThatIsAFileIsRefused) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("taken", "x");
-  EXPECT_THROW(write_builtin("meeting-room", file / "room.glb"), Error);
+  EXPECT_THAT([&] { write_builtin("meeting-room", file / "room.glb"); },
+              testing::ThrowsMessage<Error>(HasSubstr("choose another folder")));
+}
+
+TEST(Builtin, CacheThatCannotBeKeptIsNamed) {
+  const TemporaryFolder cache;
+  const EnvironmentVariable cache_home("XDG_CACHE_HOME", cache.path().string());
+  const std::filesystem::path file = cached_builtin("meeting-room");
+  std::filesystem::create_directories(file);
+  EXPECT_THAT([&] { require_builtin("meeting-room"); },
+              testing::ThrowsMessage<Error>(testing::AllOf(
+                  HasSubstr(file.string() + ": is a folder"), HasSubstr("remove it"))));
+  std::filesystem::remove_all(cache / "foveola");
+  cache.write("foveola", "a file");
+  EXPECT_THAT([&] { require_builtin("meeting-room"); },
+              testing::ThrowsMessage<Error>(HasSubstr("set XDG_CACHE_HOME to another folder")));
+  EXPECT_THAT(cache.entries(), testing::ElementsAre("foveola"));
+}
+
+/// Whatever became of it, it can be made again.
+TEST(Builtin, CachedLinkThatLeadsNowhereIsReplaced) {
+  const TemporaryFolder cache;
+  const EnvironmentVariable cache_home("XDG_CACHE_HOME", cache.path().string());
+  const std::filesystem::path file = cached_builtin("meeting-room");
+  std::filesystem::create_directories(file.parent_path());
+  std::filesystem::create_symlink("/nowhere/at/all", file);
+  EXPECT_TRUE(is_whole_glb(require_builtin("meeting-room")));
+  EXPECT_FALSE(std::filesystem::is_symlink(file));
 }
 
 }  // namespace

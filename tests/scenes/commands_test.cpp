@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "scenes/builtin.h"
 #include "tests/scenes/environment.h"
+#include "tests/unprivileged.h"
 
 namespace foveola::scenes {
 namespace {
@@ -92,6 +93,25 @@ TEST_F(SceneCommands, ABrokenDescriptorDoesNotBreakTheList) {
   EXPECT_THAT(output_of("scene list"), HasSubstr("hall           missing "));
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
               AllOf(HasSubstr("foveola: warning: "), HasSubstr("broken.toml:1:9")));
+}
+
+TEST_F(SceneCommands, ListWarnsOnceOfWhatHidesScenes) {
+  folder.write("real", "a file");
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(output_of("scene list"), HasSubstr("sponza         missing "));
+  const std::string warnings = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(warnings, "foveola: warning: " + (folder / "real").string() +
+                          ": Not a directory; mend it, or leave it out of FOVEOLA_SCENE_PATH\n");
+}
+
+TEST_F(SceneCommands, ListKnowsFilesThatMayNotBeRead) {
+  const EnvironmentVariable resources("FOVEOLA_RESOURCES", (folder / "share").string());
+  folder.write("share/protocols/none.toml", "");
+  folder.write("share/scenes/hall.toml", hall);
+  const test::Locked locked(folder.write("real/hall.glb", "x"));
+  test::open_to_all(folder.path());
+  const test::Unprivileged unprivileged;
+  EXPECT_THAT(output_of("scene list"), HasSubstr("hall           unreadable "));
 }
 
 TEST_F(SceneCommands, FetchTakesAConversionOnlyWhenAskedForAndWarns) {

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "scenes/builtin.h"
 #include "tests/scenes/environment.h"
+#include "tests/unprivileged.h"
 
 namespace foveola::scenes {
 namespace {
@@ -271,20 +272,26 @@ TEST(Descriptor, NamesThatAreNoNamesHaveNone) {
   EXPECT_FALSE(find_descriptor(std::string(300, 'x')).has_value());
 }
 
-TEST(Descriptor, RealFilesAreFoundInFoldersAndTheirSubfolders) {
+TEST(Descriptor, AFolderWithoutThemIsNamed) {
   const TemporaryFolder folder;
-  Descriptor descriptor;
-  descriptor.file_name = "hall.glb";
-  const std::string missing = (folder.path() / "missing").string();
-  const EnvironmentVariable path("FOVEOLA_SCENE_PATH",
-                                 missing + "::" + (folder.path() / "a").string());
-  EXPECT_FALSE(find_real_file(descriptor).has_value());
-  folder.write("a/b/c/hall.glb", "too deep");
-  EXPECT_FALSE(find_real_file(descriptor).has_value());
-  const auto below = folder.write("a/b/hall.glb", "x");
-  EXPECT_EQ(find_real_file(descriptor), below);
-  const auto beside = folder.write("a/hall.glb", "x");
-  EXPECT_EQ(find_real_file(descriptor), beside);
+  const EnvironmentVariable resources("FOVEOLA_RESOURCES", folder.path().string());
+  folder.write("protocols/none.toml", "");
+  folder.write("scenes", "a file");
+  EXPECT_THAT([] { all_descriptors(); },
+              testing::ThrowsMessage<Error>(
+                  AllOf(HasSubstr("scenes: cannot be read"), HasSubstr("FOVEOLA_RESOURCES"))));
+}
+
+TEST(Descriptor, OneThatMayNotBeReadIsNoUnknownScene) {
+  const TemporaryFolder folder;
+  test::open_to_all(folder.path());
+  const EnvironmentVariable resources("FOVEOLA_RESOURCES", folder.path().string());
+  folder.write("protocols/none.toml", "");
+  folder.write("scenes/hall.toml", good);
+  const test::Locked locked(folder / "scenes");
+  const test::Unprivileged unprivileged;
+  EXPECT_THAT([] { find_descriptor("hall"); },
+              testing::ThrowsMessage<Error>(HasSubstr("hall.toml: cannot be reached")));
 }
 
 }  // namespace

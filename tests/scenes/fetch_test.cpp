@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "scenes/download.h"
+#include "scenes/file_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/scenes/http_server.h"
 #include "tests/temporary_folder.h"
@@ -89,7 +90,7 @@ TEST_F(FetchTest, TheFileIsThenFoundByItsName) {
   const HttpServer server([&](const std::string&) { return ok(document_); });
   EXPECT_EQ(fetch(hall_at(server.address("/hall.glb"))), "");
   expect_fetched();
-  EXPECT_EQ(find_real_file(hall_at("")), target());
+  EXPECT_EQ(search_scene_path("hall.glb").file, target());
 }
 
 TEST_F(FetchTest, RedirectionsAreFollowed) {

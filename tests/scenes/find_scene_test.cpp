@@ -10,6 +10,7 @@
 #include "scenes/builtin.h"
 #include "scenes/descriptor.h"
 #include "tests/scenes/environment.h"
+#include "tests/unprivileged.h"
 
 namespace foveola::scenes {
 namespace {
@@ -117,9 +118,28 @@ TEST_F(FindScene, WhatIsNoFileIsRefused) {
 
 TEST_F(FindScene, NamesThatNoFileCanHaveAreUnknown) {
   EXPECT_THAT(error_of(std::string(300, 'x')), HasSubstr("no such scene or file"));
-  const std::filesystem::path loop = folder.path() / "loop.glb";
+}
+
+TEST_F(FindScene, LinksThatLeadNowhereAreNamedAsSuch) {
+  const std::filesystem::path loop = folder / "loop.glb";
   std::filesystem::create_symlink(loop, loop);
-  EXPECT_THAT(error_of(loop.string()), HasSubstr("no such scene or file"));
+  EXPECT_THAT(error_of(loop.string()), HasSubstr("leads nowhere; mend the link"));
+  const std::filesystem::path dangling = folder / "dangling.glb";
+  std::filesystem::create_symlink("/nowhere/at/all", dangling);
+  EXPECT_THAT(error_of(dangling.string()), HasSubstr("leads nowhere; mend the link"));
+}
+
+TEST_F(FindScene, SaysWhatKeptItFromFindingARealScene) {
+  std::filesystem::create_directories(folder / "real/bmw.glb");
+  EXPECT_THAT(error_of("bmw"), HasSubstr("bmw.glb is a folder); see"));
+}
+
+TEST_F(FindScene, WhatIsOutOfReachIsNotUnknown) {
+  const std::string file = folder.write("locked/bmw.glb", "x").string();
+  test::open_to_all(folder.path());
+  const test::Locked locked(folder / "locked");
+  const test::Unprivileged unprivileged;
+  EXPECT_THAT(error_of(file), HasSubstr("cannot be reached: Permission denied; check"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "tests/unprivileged.h"
 
 namespace fs = std::filesystem;
 
@@ -56,6 +57,24 @@ TEST_F(Files, MissingFilesAndFoldersAreNamed) {
   EXPECT_THAT([&] { write_file(folder_ / "no" / "x", ""); },
               ThrowsMessage<Error>(HasSubstr("does not exist")));
   EXPECT_THAT([&] { write_file(folder_, ""); }, ThrowsMessage<Error>(HasSubstr("is a folder")));
+}
+
+TEST_F(Files, WhatIsOutOfReachIsNotMissing) {
+  fs::create_directory(folder_ / "locked");
+  write_file(folder_ / "locked" / "x", "");
+  test::open_to_all(folder_);
+  const test::Locked locked(folder_ / "locked");
+  const test::Unprivileged unprivileged;
+  EXPECT_THAT([&] { read_file(folder_ / "locked" / "x"); },
+              ThrowsMessage<Error>(HasSubstr("x: cannot be reached: Permission denied; check")));
+  EXPECT_THAT([&] { require_writable(folder_ / "locked" / "sub" / "x"); },
+              ThrowsMessage<Error>(HasSubstr("sub cannot be reached; check")));
+}
+
+TEST_F(Files, AFileIsNoFolder) {
+  write_file(folder_ / "x", "");
+  EXPECT_THAT([&] { require_writable(folder_ / "x" / "y"); },
+              ThrowsMessage<Error>(HasSubstr("x is a file, not a folder")));
 }
 
 TEST_F(Files, AFailedWriteLeavesTheOldFileAndNothingElse) {
