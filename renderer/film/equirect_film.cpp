@@ -1,7 +1,9 @@
 #include "renderer/film/equirect_film.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,7 +15,14 @@ namespace {
 constexpr int largest_side = 65536;
 
 /// Tiles that one task numbers or adds to.
-constexpr std::size_t tile_block = 16;
+constexpr std::size_t tile_block = 64;
+
+/// How far ahead of its use memory is asked for.
+constexpr std::size_t samples_ahead = 16;
+constexpr std::size_t tiles_ahead = 6;
+
+/// Of Sorting::sampled.
+constexpr std::size_t word_bits = 64;
 
 int tiles_along(int side) { return (side + EquirectFilm::tile_size - 1) / EquirectFilm::tile_size; }
 
@@ -62,99 +71,97 @@ IVec2 EquirectFilm::pixel_at(const Vec2& image) const {
 void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& batch,
                           const Workers& workers) {
   sort_by_tile(samples, batch);
-  memory_->reserve(samples.size());
+  batch.jobs.resize(samples.size());
+  batch.places.resize(samples.size());
+  batch.homes.resize(samples.size());
   for (const NumberedBatch::TileRange& range : batch.tiles) {
     if (tiles_[range.tile].epoch != epoch_) {
       living_tiles_.push_back(range.tile);
     }
   }
-  for_each_tile(batch, workers,
-                [&](const NumberedBatch::TileRange& range) { number_tile(range, batch); });
+  workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
+    number_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), samples, batch);
+  });
 }
 
 void EquirectFilm::sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch) {
-  sorting_.counts.resize(tiles_.size());
-  sorting_.tiles.resize(samples.size());
-  sorting_.pixels.resize(samples.size());
+  count_by_tile(samples);
+  find_ranges(batch.tiles);
+  sorting_.order.resize(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const IVec2 pixel = pixel_at(samples[i].image);
-    sorting_.pixels[i] = pixel;
-    sorting_.tiles[i] = tile_of(pixel.x, pixel.y);
-    ++sorting_.counts[sorting_.tiles[i]];
-  }
-  batch.tiles.clear();
-  std::uint32_t begin = 0;
-  for (std::uint32_t tile = 0; tile < tiles_.size(); ++tile) {
-    const std::uint32_t count = sorting_.counts[tile];
-    if (count > 0) {
-      batch.tiles.push_back({.tile = tile, .begin = begin, .end = begin + count});
-      sorting_.counts[tile] = begin;
-      begin += count;
-    }
-  }
-  batch.jobs.resize(samples.size());
-  batch.places.resize(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const IVec2 pixel = sorting_.pixels[i];
-    const std::uint32_t job = sorting_.counts[sorting_.tiles[i]]++;
-    batch.jobs[job] = {
-        .direction = samples[i].direction,
-        .pixel = static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(width_) +
-                 static_cast<std::uint32_t>(pixel.x)};
-    batch.places[job] = place(pixel.x, pixel.y);
+    sorting_.order[sorting_.counts[sorting_.tiles[i]]++] = static_cast<std::uint32_t>(i);
   }
   for (const NumberedBatch::TileRange& range : batch.tiles) {
     sorting_.counts[range.tile] = 0;
   }
 }
 
-template <typename Visit>
-void EquirectFilm::visit_tile(const NumberedBatch& batch, std::size_t range,
-                              const Visit& visit) const {
-  // Of a crowded tile, whose pixels soon lie in the cache, the first jobs are enough.
-  constexpr std::size_t most_jobs = 4;
-  const NumberedBatch::TileRange& jobs = batch.tiles[range];
-  const FilmTile* tile = find_tile(jobs.tile);
-  if (tile != nullptr) {
-    for (std::size_t job = jobs.begin; job < std::min(jobs.end, jobs.begin + most_jobs); ++job) {
-      visit(*tile, batch.places[job]);
+void EquirectFilm::count_by_tile(std::span<const ViewSample> samples) {
+  sorting_.tiles.resize(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const IVec2 pixel = pixel_at(samples[i].image);
+    sorting_.tiles[i] = tile_of(pixel.x, pixel.y);
+  }
+  sorting_.counts.resize(tiles_.size());
+  sorting_.sampled.resize((tiles_.size() + word_bits - 1) / word_bits);
+  for (const std::uint32_t tile : sorting_.tiles) {
+    ++sorting_.counts[tile];
+    sorting_.sampled[tile / word_bits] |= std::uint64_t{1} << tile % word_bits;
+  }
+}
+
+void EquirectFilm::find_ranges(std::vector<NumberedBatch::TileRange>& ranges) {
+  ranges.clear();
+  std::uint32_t begin = 0;
+  for (std::size_t word = 0; word < sorting_.sampled.size(); ++word) {
+    for (std::uint64_t left = std::exchange(sorting_.sampled[word], 0); left != 0;
+         left &= left - 1) {
+      const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+      const auto tile = static_cast<std::uint32_t>(word * word_bits + bit);
+      const std::uint32_t end = begin + std::exchange(sorting_.counts[tile], begin);
+      ranges.push_back({.tile = tile, .begin = begin, .end = end});
+      begin = end;
     }
   }
 }
 
-template <typename Work>
-void EquirectFilm::for_each_tile(const NumberedBatch& batch, const Workers& workers,
-                                 const Work& work) const {
-  // Tiles that one takes to come from memory the next part of.
-  constexpr std::size_t lead = 3;
-  workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
-    const auto is_inside = [&](std::size_t range) { return range >= begin && range < end; };
-    for (std::size_t step = begin; step < end + 3 * lead; ++step) {
-      if (is_inside(step)) {
-        visit_tile(batch, step, [](const FilmTile& tile, FilmTile::Place) { tile.prefetch(); });
-      }
-      if (is_inside(step - lead)) {
-        visit_tile(batch, step - lead,
-                   [](const FilmTile& tile, FilmTile::Place place) { tile.prefetch_block(place); });
-      }
-      if (is_inside(step - 2 * lead)) {
-        visit_tile(batch, step - 2 * lead,
-                   [](const FilmTile& tile, FilmTile::Place place) { tile.prefetch_pixel(place); });
-      }
-      if (is_inside(step - 3 * lead)) {
-        work(batch.tiles[step - 3 * lead]);
-      }
-    }
-  });
+void EquirectFilm::number_tiles(TileRanges ranges, std::span<const ViewSample> samples,
+                                NumberedBatch& batch) {
+  const std::size_t end = ranges.back().end;
+  for (std::size_t i = ranges.front().begin; i < end; ++i) {
+    __builtin_prefetch(&samples[sorting_.order[std::min(i + samples_ahead, end - 1)]]);
+    const ViewSample& sample = samples[sorting_.order[i]];
+    const IVec2 pixel = pixel_at(sample.image);
+    batch.jobs[i] = {
+        .direction = sample.direction,
+        .pixel = static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(width_) +
+                 static_cast<std::uint32_t>(pixel.x)};
+    batch.places[i] = place(pixel.x, pixel.y);
+  }
+  bring_to_life(ranges, batch);
+  for (std::size_t i = ranges.front().begin; i < end; ++i) {
+    batch.jobs[i].sample_number = batch.homes[i].pixel(batch.places[i]).numbered++;
+  }
 }
 
-void EquirectFilm::number_tile(const NumberedBatch::TileRange& range, NumberedBatch& batch) {
-  Slot& slot = tiles_[range.tile];
-  if (slot.epoch != epoch_) {
-    slot = {.tile = memory_->take_tile(), .epoch = epoch_};
+// Step by step for all of the samples, so that what one step asks for comes while others ask.
+void EquirectFilm::bring_to_life(TileRanges ranges, NumberedBatch& batch) {
+  FilmTile::Taker memory(*memory_);
+  for (const NumberedBatch::TileRange& range : ranges) {
+    Slot& slot = tiles_[range.tile];
+    if (slot.epoch != epoch_) {
+      slot = {.tile = memory.take_tile(), .epoch = epoch_};
+    }
+    slot.tile->prefetch_block(batch.places[range.begin]);
   }
-  for (std::size_t i = range.begin; i < range.end; ++i) {
-    batch.jobs[i].sample_number = slot.tile->touch(batch.places[i], *memory_).numbered++;
+  for (const NumberedBatch::TileRange& range : ranges) {
+    FilmTile& tile = *tiles_[range.tile].tile;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      tile.touch_block(batch.places[i], memory, batch.homes[i]);
+    }
+  }
+  for (std::size_t i = ranges.front().begin; i < ranges.back().end; ++i) {
+    FilmTile::touch_quad(batch.places[i], memory, batch.homes[i]);
   }
 }
 
@@ -162,8 +169,9 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
                                              std::span<const Rgb> radiance,
                                              const Workers& workers) {
   assert(radiance.size() == batch.jobs.size());
-  for_each_tile(batch, workers,
-                [&](const NumberedBatch::TileRange& range) { add_tile(range, batch, radiance); });
+  workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
+    add_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), batch, radiance);
+  });
   coarse_.refresh(numbers_of(batch.tiles));
   std::vector<DroppedSample> dropped;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
@@ -176,6 +184,23 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
   return dropped;
 }
 
+void EquirectFilm::add_tiles(TileRanges ranges, const NumberedBatch& batch,
+                             std::span<const Rgb> radiance) {
+  const std::size_t end = ranges.back().end;
+  std::size_t asked_jobs = ranges.front().begin;
+  std::size_t asked_tiles = 0;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    for (; asked_jobs < std::min(ranges[i].end + samples_ahead, end); ++asked_jobs) {
+      batch.homes[asked_jobs].prefetch(batch.places[asked_jobs]);
+    }
+    for (; asked_tiles < std::min(i + tiles_ahead, ranges.size()); ++asked_tiles) {
+      const NumberedBatch::TileRange& range = ranges[asked_tiles];
+      tiles_[range.tile].tile->prefetch_means(batch.places[range.begin]);
+    }
+    add_tile(ranges[i], batch, radiance);
+  }
+}
+
 void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
                             std::span<const Rgb> radiance) {
   FilmTile& tile = *tiles_[range.tile].tile;
@@ -183,17 +208,16 @@ void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const Numbere
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (is_finite(radiance[i])) {
       const FilmTile::Place at = batch.places[i];
-      FilmTile::Pixel& pixel = tile.at(at);
+      FilmTile::Pixel& pixel = batch.homes[i].pixel(at);
       pixel.sum += DVec3(radiance[i]);
       ++pixel.count;
       touched.add(at);
       if (with_squares_) {
-        tile.squares(at) += squared_luminance(radiance[i]);
+        batch.homes[i].squares(at) += squared_luminance(radiance[i]);
       }
     }
   }
-  tile.refresh(touched);
-  coarse_.finest(range.tile) = tile.cell(FilmTile::levels, 0, 0);
+  coarse_.finest(range.tile) = tile.refresh(touched);
 }
 
 void EquirectFilm::clear() {

@@ -26,6 +26,7 @@ struct NumberedBatch {
   };
   std::vector<SampleJob> jobs;
   std::vector<FilmTile::Place> places;  ///< of each job, in its tile
+  std::vector<FilmTile::Home> homes;    ///< likewise, until the film is cleared
   std::vector<TileRange> tiles;
 };
 
@@ -99,9 +100,10 @@ class EquirectFilm {
   };
   /// Buffers of sort_by_tile.
   struct Sorting {
-    std::vector<std::uint32_t> counts;  ///< of each tile; all 0 between calls
-    std::vector<std::uint32_t> tiles;   ///< of each sample
-    std::vector<IVec2> pixels;          ///< likewise
+    std::vector<std::uint32_t> tiles;    ///< of each sample
+    std::vector<std::uint32_t> counts;   ///< of each tile; all 0 between calls
+    std::vector<std::uint64_t> sampled;  ///< a bit for each tile; likewise
+    std::vector<std::uint32_t> order;    ///< of the samples, by tile
   };
 
   std::uint32_t tile_of(int x, int y) const {
@@ -118,15 +120,19 @@ class EquirectFilm {
     const FilmTile* tile = find_tile(tile_of(x, y));
     return tile != nullptr ? tile->find(place(x, y)) : nullptr;
   }
-  /// Fills all of the batch but the jobs' numbers.
+  using TileRanges = std::span<const NumberedBatch::TileRange>;
+
+  /// Fills the batch's tiles, and sorting_.order.
   void sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch);
-  void number_tile(const NumberedBatch::TileRange& range, NumberedBatch& batch);
-  /// Calls `work(range)` for every tile of the batch, and asks for the memory of those to come.
-  template <typename Work>
-  void for_each_tile(const NumberedBatch& batch, const Workers& workers, const Work& work) const;
-  /// Calls `visit(tile, place)` for a tile of the batch, if there is one yet, and its first jobs.
-  template <typename Visit>
-  void visit_tile(const NumberedBatch& batch, std::size_t range, const Visit& visit) const;
+  /// Fills sorting_ but for the order.
+  void count_by_tile(std::span<const ViewSample> samples);
+  /// Lays the tiles that have samples side by side, and leaves in sorting_.counts where each
+  /// begins.
+  void find_ranges(std::vector<NumberedBatch::TileRange>& ranges);
+  /// Fills the batch's jobs and what goes with them.
+  void number_tiles(TileRanges ranges, std::span<const ViewSample> samples, NumberedBatch& batch);
+  void bring_to_life(TileRanges ranges, NumberedBatch& batch);
+  void add_tiles(TileRanges ranges, const NumberedBatch& batch, std::span<const Rgb> radiance);
   void add_tile(const NumberedBatch::TileRange& range, const NumberedBatch& batch,
                 std::span<const Rgb> radiance);
 

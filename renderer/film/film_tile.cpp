@@ -20,16 +20,6 @@ Coverage mean_of_four(const Coverage* cells) {
 
 }  // namespace
 
-void FilmTile::Memory::reserve(std::size_t samples) {
-  tiles_.reserve(samples);
-  blocks_.reserve(samples);
-  if (with_squares_) {
-    quads_with_squares_.reserve(samples);
-  } else {
-    quads_.reserve(samples);
-  }
-}
-
 void FilmTile::Memory::clear() {
   tiles_.clear();
   blocks_.clear();
@@ -37,84 +27,48 @@ void FilmTile::Memory::clear() {
   quads_with_squares_.clear();
 }
 
-FilmTile::Pixel& FilmTile::touch(Place place, Memory& memory) {
-  Block*& block = blocks_[place.block()];
-  if (block == nullptr) {
-    block = memory.take_block();
-  }
-  Quad*& quad = block->quads[place.quad()];
-  if (quad == nullptr) {
-    quad = memory.take_quad();
-  }
-  return quad->pixels[place.pixel()];
-}
-
 const FilmTile::Pixel* FilmTile::find(Place place) const {
-  const Block* block = blocks_[place.block()];
-  const Quad* quad = block != nullptr ? block->quads[place.quad()] : nullptr;
+  const Block* block = blocks_.parts[place.block()];
+  const Quad* quad = block != nullptr ? block->parts[place.quad()] : nullptr;
   return quad != nullptr ? &quad->pixels[place.pixel()] : nullptr;
 }
 
-void FilmTile::refresh(const Touched& touched) {
-  std::uint32_t touched4 = 0;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (touched.quads_[i] == 0) {
-      continue;
-    }
-    Block& block = *blocks_[i];
-    std::uint32_t touched2 = 0;
+template <typename Part>
+Coverage FilmTile::Sixteen<Part>::refresh(std::uint32_t parts_touched) {
+  // The first bit of each four stands for their quarter.
+  const std::uint32_t pairs = parts_touched | parts_touched >> 1U;
+  for_each_bit((pairs | pairs >> 2U) & 0x1111U,
+               [&](std::size_t first) { quarters[first / 4] = mean_of_four(&means[first]); });
+  return mean_of_four(quarters.data());
+}
+
+Coverage FilmTile::refresh(const Touched& touched) {
+  for_each_bit(touched.blocks_, [&](std::size_t i) {
+    Block& block = *blocks_.parts[i];
     for_each_bit(touched.quads_[i], [&](std::size_t quad) {
-      const std::array<Pixel, 4>& pixels = block.quads[quad]->pixels;
-      block.level1[quad] = mean_of(pixels[0].coverage(), pixels[1].coverage(), pixels[2].coverage(),
-                                   pixels[3].coverage());
-      touched2 |= 1U << quad / 4;
+      const std::array<Pixel, 4>& pixels = block.parts[quad]->pixels;
+      block.means[quad] = mean_of(pixels[0].coverage(), pixels[1].coverage(), pixels[2].coverage(),
+                                  pixels[3].coverage());
     });
-    for_each_bit(touched2, [&](std::size_t cell) {
-      block.level2[cell] = mean_of_four(&block.level1[4 * cell]);
-    });
-    level3_[i] = mean_of_four(block.level2.data());
-    touched4 |= 1U << (i / 8 * 2 + i % 4 / 2);
-  }
-  for_each_bit(touched4, [&](std::size_t cell) {
-    const Coverage* corner = &level3_[cell / 2 * 8 + cell % 2 * 2];
-    level4_[cell] = mean_of(corner[0], corner[1], corner[4], corner[5]);
+    blocks_.means[i] = block.refresh(touched.quads_[i]);
   });
-  level5_ = mean_of_four(level4_.data());
+  return blocks_.refresh(touched.blocks_);
 }
 
 Coverage FilmTile::cell(int level, int x, int y) const {
-  if (level >= 3) {
-    const auto index = static_cast<std::size_t>(y * (size >> level) + x);
-    return level == 3 ? level3_[index] : level == 4 ? level4_[index] : level5_;
-  }
   const Place place(x << level, y << level);
-  if (level == 0) {
-    const Pixel* pixel = find(place);
-    return pixel != nullptr ? pixel->coverage() : Coverage{};
+  if (level >= 3) {
+    return level == 4 ? blocks_.quarters[place.block() / 4] : blocks_.means[place.block()];
   }
-  const Block* block = blocks_[place.block()];
+  const Block* block = blocks_.parts[place.block()];
   if (block == nullptr) {
     return {};
   }
-  return level == 1 ? block->level1[place.quad()] : block->level2[place.quad() / 4];
-}
-
-void FilmTile::prefetch_block(Place place) const {
-  const Block* block = blocks_[place.block()];
-  if (block != nullptr) {
-    __builtin_prefetch(&block->quads[place.quad()]);
-    __builtin_prefetch(&block->level1[place.quad()]);
-    __builtin_prefetch(&block->level2);
+  if (level >= 1) {
+    return level == 2 ? block->quarters[place.quad() / 4] : block->means[place.quad()];
   }
-}
-
-void FilmTile::prefetch_pixel(Place place) const {
-  const Block* block = blocks_[place.block()];
-  if (block != nullptr && block->quads[place.quad()] != nullptr) {
-    const Quad* quad = block->quads[place.quad()];
-    __builtin_prefetch(quad);
-    __builtin_prefetch(&quad->pixels[2]);
-  }
+  const Quad* quad = block->parts[place.quad()];
+  return quad != nullptr ? quad->pixels[place.pixel()].coverage() : Coverage{};
 }
 
 }  // namespace foveola

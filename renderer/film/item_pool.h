@@ -1,10 +1,12 @@
 // Memory for many small items that are forgotten all at once.
 #pragma once
 
-#include <atomic>
+#include <algorithm>
 #include <cstddef>
-#include <cstdlib>
+#include <cstdint>
+#include <cstring>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -15,50 +17,121 @@ namespace foveola {
 
 inline constexpr std::size_t huge_page = std::size_t{2} << 20;  ///< bytes
 
-struct FreeMemory {
-  void operator()(std::byte* memory) const { std::free(memory); }
+struct UnmapHugePage {
+  void operator()(std::byte* memory) const { ::munmap(memory, huge_page); }
 };
-using HugePage = std::unique_ptr<std::byte[], FreeMemory>;
+using HugePage = std::unique_ptr<std::byte[], UnmapHugePage>;
 
-/// Memory that the system may give as a whole: where samples fall far apart, finding pages and
+/// Zeros that the system may give as a whole: where samples fall far apart, finding pages and
 /// filling them one by one takes longer than the samples. Throws std::bad_alloc.
 inline HugePage take_huge_page() {
-  auto* memory = static_cast<std::byte*>(std::aligned_alloc(huge_page, huge_page));
-  if (memory == nullptr) {
+  // A mapping begins anywhere. Of one that is twice as long, the part that is aligned stays.
+  void* const mapped =
+      ::mmap(nullptr, 2 * huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) {
     throw std::bad_alloc();
   }
-  ::madvise(memory, huge_page, MADV_HUGEPAGE);  // a wish: what it answers does not matter
-  return HugePage(memory);
+  auto* const begin = static_cast<std::byte*>(mapped);
+  const std::size_t behind = reinterpret_cast<std::uintptr_t>(begin) % huge_page;
+  const std::size_t before = behind == 0 ? 0 : huge_page - behind;
+  std::byte* const page = begin + before;
+  if (before > 0) {
+    ::munmap(begin, before);
+  }
+  ::munmap(page + huge_page, huge_page - before);
+  ::madvise(page, huge_page, MADV_HUGEPAGE);  // a wish: what it answers does not matter
+  return HugePage(page);
 }
 
-/// Hands out items that lie side by side, in the order in which they are asked for, and the same
-/// memory again after a clear.
+/// Hands out items that lie side by side, all zeros, and the same memory again after a clear.
 template <typename Item>
 class ItemPool {
- public:
-  /// Makes room for `count` more items. What is not taken costs no memory of the machine's.
-  void reserve(std::size_t count) {
-    const std::size_t needed = used_.load(std::memory_order_relaxed) + count;
-    while (chunks_.size() * items_in_chunk < needed) {
-      chunks_.push_back(take_huge_page());
-    }
-  }
+ private:
+  /// Room for items that nobody has taken.
+  struct Run {
+    std::byte* begin = nullptr;
+    std::byte* end = nullptr;
+    bool is_zeros = true;
+  };
 
-  /// A new item, of which there is one reserved. Several threads may ask at a time.
-  Item* take() {
-    static_assert(std::is_trivially_destructible_v<Item>);
-    const std::size_t i = used_.fetch_add(1, std::memory_order_relaxed);
-    return new (chunks_[i / items_in_chunk].get() + i % items_in_chunk * sizeof(Item)) Item();
-  }
+ public:
+  /// Takes items for one thread, a run of them at a time from the pool, so that threads hardly meet
+  /// there. What it does not hand out goes back. It must be gone before the pool is cleared.
+  class Taker {
+   public:
+    explicit Taker(ItemPool& pool) : pool_(pool) {}
+    ~Taker() { pool_.give_back(run_); }
+    Taker(const Taker&) = delete;
+    Taker& operator=(const Taker&) = delete;
+
+    /// Throws std::bad_alloc.
+    Item* take() {
+      if (run_.begin == run_.end) {
+        run_ = pool_.next_run();
+        fill_with_zeros(run_);
+      }
+      std::byte* const item = run_.begin;
+      run_.begin += sizeof(Item);
+      return std::launder(reinterpret_cast<Item*>(item));
+    }
+
+   private:
+    ItemPool& pool_;
+    Run run_;
+  };
 
   /// Every item is void from now on.
-  void clear() { used_ = 0; }
+  void clear() {
+    items_used_before_ = std::max(items_used_before_, next_item_);
+    next_item_ = 0;
+    left_over_.clear();
+  }
 
  private:
   static constexpr std::size_t items_in_chunk = huge_page / sizeof(Item);
+  /// As many as stay in the nearest cache until they are taken.
+  static constexpr std::size_t items_in_run = 4096 / sizeof(Item);
 
+  Run next_run() {
+    static_assert(std::is_trivially_copyable_v<Item>);  // so that zeros make one
+    const std::scoped_lock lock(mutex_);
+    if (!left_over_.empty()) {
+      const Run run = left_over_.back();
+      left_over_.pop_back();
+      return run;
+    }
+    const std::size_t chunk = next_item_ / items_in_chunk;
+    if (chunk == chunks_.size()) {
+      chunks_.push_back(take_huge_page());
+    }
+    const std::size_t first = next_item_ % items_in_chunk;
+    const std::size_t count = std::min(items_in_run, items_in_chunk - first);
+    std::byte* const begin = chunks_[chunk].get() + first * sizeof(Item);
+    // Runs begin where they began before a clear, so that each as a whole was used or not.
+    const bool is_zeros = next_item_ >= items_used_before_;
+    next_item_ += count;
+    return {.begin = begin, .end = begin + count * sizeof(Item), .is_zeros = is_zeros};
+  }
+
+  void give_back(const Run& run) {
+    if (run.begin != run.end) {
+      const std::scoped_lock lock(mutex_);
+      left_over_.push_back(run);
+    }
+  }
+
+  static void fill_with_zeros(Run& run) {
+    if (!run.is_zeros) {
+      std::memset(run.begin, 0, static_cast<std::size_t>(run.end - run.begin));
+      run.is_zeros = true;
+    }
+  }
+
+  std::mutex mutex_;
   std::vector<HugePage> chunks_;
-  std::atomic<std::size_t> used_ = 0;
+  std::vector<Run> left_over_;
+  std::size_t next_item_ = 0;  ///< the first that is in no run yet
+  std::size_t items_used_before_ = 0;
 };
 
 }  // namespace foveola
