@@ -21,9 +21,14 @@ class EccentricityTable {
   explicit EccentricityTable(const RadialDistribution& distribution);
 
   /// u in [0, 1]; 1 counts as the largest float below it.
-  float operator()(float u) const {
-    // In double: where samples are rare, the last bit of a float is many of them apart.
-    const double s = std::sqrt(static_cast<double>(std::min(u, largest_below_one)));
+  float operator()(float u) const { return at_root(root(u)); }
+
+  /// The two halves of it. A compiler makes several of the first at a time. In double: where
+  /// samples are rare, the last bit of a float is many of them apart.
+  static double root(float u) {
+    return std::sqrt(static_cast<double>(std::min(u, largest_below_one)));
+  }
+  float at_root(double s) const {
     const Piece* piece = pieces_.data();
     while (s > piece->end) {
       ++piece;

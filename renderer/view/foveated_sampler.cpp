@@ -1,5 +1,6 @@
 #include "renderer/view/foveated_sampler.h"
 
+#include <array>
 #include <utility>
 
 #include "renderer/view/sample_block.h"
@@ -12,8 +13,14 @@ FoveatedSampler::FoveatedSampler(std::unique_ptr<RadialDistribution> distributio
 void FoveatedSampler::aim(const Aim& aim) { around_ = Frame(glm::normalize(aim.gaze)); }
 
 void FoveatedSampler::sample(std::span<const Vec2> points, std::span<ViewSample> samples) const {
-  const auto polar = [this](const Vec2& point) {
-    return Vec2(eccentricity_turns_(point.x), point.y);
+  const auto polar = [this](std::span<const Vec2> block, std::span<Vec2> turns) {
+    std::array<double, sample_block_size> roots;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      roots[i] = EccentricityTable::root(block[i].x);
+    }
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      turns[i] = Vec2(eccentricity_turns_.at_root(roots[i]), block[i].y);
+    }
   };
   sample_around(around_, points, polar, samples);
 }

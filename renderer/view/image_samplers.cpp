@@ -1,5 +1,6 @@
 #include "renderer/view/image_samplers.h"
 
+#include <functional>
 #include <optional>
 
 #include "renderer/view/equirect.h"
@@ -15,10 +16,8 @@ class RectangleSampler : public ViewSampler {
   void aim(const Aim&) override {}
 
   void sample(std::span<const Vec2> points, std::span<ViewSample> samples) const override {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec2 image = rectangle_.place(points[i]);
-      samples[i] = {.direction = direction_from_equirect(image), .image = image};
-    }
+    sample_places(
+        points, [this](const Vec2& point) { return rectangle_.place(point); }, samples);
   }
 
   double density_per_sr(const Vec3& direction) const override {
@@ -45,8 +44,7 @@ class ViewportSampler final : public ViewSampler {
     const auto direction_of = [viewport = *viewport_](const Vec2& point) {
       return viewport.direction(point);
     };
-    sample_blocks(
-        points, [](const Vec2& point) { return point; }, direction_of, samples);
+    sample_blocks(points, point_by_point(std::identity()), direction_of, samples);
   }
 
   double density_per_sr(const Vec3& direction) const override {

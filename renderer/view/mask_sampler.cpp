@@ -8,6 +8,7 @@
 
 #include "renderer/base/unit_interval.h"
 #include "renderer/view/equirect.h"
+#include "renderer/view/sample_block.h"
 
 namespace foveola {
 namespace {
@@ -73,14 +74,14 @@ void MaskSampler::aim(const Aim&) {
 void MaskSampler::sample(std::span<const Vec2> points, std::span<ViewSample> samples) const {
   const double width = 1.0 / painting_.width;
   const double height = 1.0 / painting_.height;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PiecewiseConstant2D::Point place = painting_.pixels.sample(points[i]);
+  const auto image_of = [&](const Vec2& point) {
+    const PiecewiseConstant2D::Point place = painting_.pixels.sample(point);
     const double x = static_cast<double>(place.column) + static_cast<double>(place.within.x);
     const double y = static_cast<double>(place.row) + static_cast<double>(place.within.y);
-    const Vec2 image(std::min(static_cast<float>(x * width), largest_below_one),
-                     static_cast<float>(y * height));
-    samples[i] = {.direction = direction_from_equirect(image), .image = image};
-  }
+    return Vec2(std::min(static_cast<float>(x * width), largest_below_one),
+                static_cast<float>(y * height));
+  };
+  sample_places(points, image_of, samples);
 }
 
 double MaskSampler::density_per_sr(const Vec3& direction) const {

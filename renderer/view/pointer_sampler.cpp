@@ -30,7 +30,7 @@ void PointerSampler::sample(std::span<const Vec2> points, std::span<ViewSample> 
     const double eccentricity = scale * std::sqrt(-2.0 * std::log1p(-share_ * point.x));
     return Vec2(static_cast<float>(std::min(eccentricity, cutoff)), point.y);
   };
-  sample_around(around_, points, polar, samples);
+  sample_around(around_, points, point_by_point(polar), samples);
 }
 
 double PointerSampler::density_per_sr(const Vec3& direction) const {

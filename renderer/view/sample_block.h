@@ -37,24 +37,50 @@ void sample_block(std::span<const Vec2> points, const DirectionOf& direction_of,
   }
 }
 
-/// The samples in the directions of any number of points. `prepare` maps each point, with whatever
-/// branches and look-ups it needs, to the one that `direction_of` gets.
+/// The samples at any number of places in the equirect image: `place` maps each point to its own.
+template <typename Place>
+void sample_places(std::span<const Vec2> points, const Place& place,
+                   std::span<ViewSample> samples) {
+  std::array<Vec2, sample_block_size> images;
+  std::array<Vec3, sample_block_size> directions;
+  for (std::size_t begin = 0; begin < points.size(); begin += sample_block_size) {
+    const std::size_t count = std::min(sample_block_size, points.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      images[i] = place(points[begin + i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      directions[i] = direction_from_equirect(images[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      samples[begin + i] = {.direction = directions[i], .image = images[i]};
+    }
+  }
+}
+
+/// The samples in the directions of any number of points. `prepare` maps a block of points, with
+/// whatever branches and look-ups it needs, to those that `direction_of` gets.
 template <typename Prepare, typename DirectionOf>
 void sample_blocks(std::span<const Vec2> points, const Prepare& prepare,
                    const DirectionOf& direction_of, std::span<ViewSample> samples) {
   std::array<Vec2, sample_block_size> prepared;
   for (std::size_t begin = 0; begin < points.size(); begin += sample_block_size) {
     const std::size_t count = std::min(sample_block_size, points.size() - begin);
-    for (std::size_t i = 0; i < count; ++i) {
-      prepared[i] = prepare(points[begin + i]);
-    }
-    sample_block(std::span<const Vec2>(prepared).first(count), direction_of,
-                 samples.subspan(begin, count));
+    const std::span<Vec2> block = std::span(prepared).first(count);
+    prepare(points.subspan(begin, count), block);
+    sample_block(block, direction_of, samples.subspan(begin, count));
   }
 }
 
-/// sample_blocks around `frame.normal`: `polar` maps each point to its eccentricity and azimuth,
-/// both in turns.
+/// What sample_blocks takes, of a `map` from point to point.
+template <typename Map>
+auto point_by_point(Map map) {
+  return [map](std::span<const Vec2> points, std::span<Vec2> prepared) {
+    std::transform(points.begin(), points.end(), prepared.begin(), map);
+  };
+}
+
+/// sample_blocks around `frame.normal`: `polar` maps a block of points to their eccentricities and
+/// azimuths, both in turns.
 template <typename Polar>
 void sample_around(const Frame& frame, std::span<const Vec2> points, const Polar& polar,
                    std::span<ViewSample> samples) {
