@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -22,7 +23,7 @@ namespace {
 
 struct Builtin {
   std::string_view name;
-  Model (*make)();
+  Model (*make)(std::uint32_t seed);
 };
 
 constexpr std::array<Builtin, 5> builtins = {{
@@ -65,7 +66,7 @@ std::vector<std::string> builtin_names() {
   return names;
 }
 
-Model make_builtin(const std::string& name) {
+Model make_builtin(const std::string& name, std::uint32_t seed) {
   const auto* const found =
       std::find_if(builtins.begin(), builtins.end(),
                    [&](const Builtin& builtin) { return builtin.name == name; });
@@ -73,16 +74,29 @@ Model make_builtin(const std::string& name) {
     throw Error(name, "is not a built-in scene",
                 fmt::format("those are {}", fmt::join(builtin_names(), ", ")));
   }
-  return found->make();
+  return found->make(seed);
 }
 
-fs::path cached_builtin(const std::string& name) {
-  return cached_scenes() / fmt::format("{}-{}.glb", name, FOVEOLA_GENERATORS_DIGEST);
+fs::path cached_builtin(const std::string& name, std::uint32_t seed) {
+  const std::string variant = seed == default_seed ? "" : fmt::format("-seed-{}", seed);
+  return cached_scenes() / fmt::format("{}{}-{}.glb", name, variant, FOVEOLA_GENERATORS_DIGEST);
 }
 
-std::size_t write_builtin(const std::string& name, const fs::path& file) {
+std::optional<std::uint32_t> variant_seed(const std::string& name, const fs::path& file) {
+  const std::string called = file.filename().string();
+  const std::string before_seed = name + "-seed-";
+  if (!called.starts_with(before_seed)) {
+    return std::nullopt;
+  }
+  std::uint32_t seed = default_seed;
+  std::from_chars(called.data() + before_seed.size(), called.data() + called.size(), seed);
+  const bool is_its_name = seed != default_seed && called == cached_builtin(name, seed).filename();
+  return is_its_name ? std::optional(seed) : std::nullopt;
+}
+
+std::size_t write_builtin(const std::string& name, const fs::path& file, std::uint32_t seed) {
   prepare_folder_of(file);
-  const Model model = make_builtin(name);
+  const Model model = make_builtin(name, seed);
   write_file(file, glb_from(model));
   return model.triangle_count();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -135,29 +136,52 @@ void add_list(CLI::App& app) {
   command->callback([as_json] { list_scenes(*as_json); });
 }
 
-void make_scene(const std::string& name, const fs::path& file) {
+/// The command line of `make`, as typed.
+struct MakeArguments {
+  std::vector<std::string> names;
+  std::string folder;
+  std::uint32_t seed = default_seed;
+};
+
+/// A variant keeps the name that it has in the cache wherever it goes, and is known by it.
+fs::path place_to_make(const std::string& name, const MakeArguments& arguments) {
+  const fs::path cached = cached_builtin(name, arguments.seed);
+  if (arguments.folder.empty()) {
+    return cached;
+  }
+  const bool is_variant = arguments.seed != default_seed;
+  return fs::path(arguments.folder) / (is_variant ? cached.filename() : fs::path(name + ".glb"));
+}
+
+void make_scene(const std::string& name, const MakeArguments& arguments) {
+  const fs::path file = place_to_make(name, arguments);
   const auto start = std::chrono::steady_clock::now();
-  const std::size_t triangles = write_builtin(name, file);
+  const std::size_t triangles = write_builtin(name, file, arguments.seed);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   fmt::print("{}  {} triangles  {:.2f} s  sha256 {}\n", file.string(), triangles, elapsed.count(),
              sha256_of_file(file));
 }
 
 void add_make(CLI::App& app, const std::stop_token& stop) {
-  const auto names = std::make_shared<std::vector<std::string>>();
-  const auto folder = std::make_shared<std::string>();
+  const auto arguments = std::make_shared<MakeArguments>();
   CLI::App* command = app.add_subcommand("make", "Make built-in scenes as .glb files");
-  command->add_option("NAME", *names, "Which (default: all)")
+  command->add_option("NAME", arguments->names, "Which (default: all)")
       ->check(CLI::IsMember(builtin_names()));
-  command->add_option("-o,--output", *folder, "The folder to put them in (default: the cache)");
+  command->add_option("-o,--output", arguments->folder,
+                      "The folder to put them in (default: the cache)");
+  command
+      ->add_option(
+          "--seed", arguments->seed,
+          "Of a variant, with other stones, cloths and leaves in the same places; its file "
+          "bears the seed in its name")
+      ->capture_default_str();
   command->footer("Example: foveola scene make arcade -o scenes/");
-  command->callback([names, folder, stop] {
-    for (const std::string& name : names->empty() ? builtin_names() : *names) {
+  command->callback([arguments, stop] {
+    for (const std::string& name : arguments->names.empty() ? builtin_names() : arguments->names) {
       if (stop.stop_requested()) {
         return;
       }
-      make_scene(name,
-                 folder->empty() ? cached_builtin(name) : fs::path(*folder) / (name + ".glb"));
+      make_scene(name, *arguments);
     }
   });
 }

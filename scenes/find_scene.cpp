@@ -1,5 +1,6 @@
 #include "scenes/find_scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -50,12 +51,22 @@ bool is_meant_by(const Descriptor& descriptor, const fs::path& file) {
   return has_its_name && is_described_file(descriptor, file);
 }
 
+/// What its descriptor was written for is another file, but built alike.
+SceneSource variant_of(const Descriptor& descriptor, std::uint32_t seed) {
+  SceneSource source = descriptor.source;
+  source.title += fmt::format(" (seed {})", seed);
+  source.described_sha256.clear();
+  return source;
+}
+
 SceneSource source_of_file(const fs::path& file) {
   SceneSource source;
   source.title = file.stem().string();
   for (const Descriptor& descriptor : all_descriptors().descriptors) {
     if (is_meant_by(descriptor, file)) {
       source = descriptor.source;
+    } else if (const auto seed = variant_seed(descriptor.name, file)) {
+      source = variant_of(descriptor, *seed);
     }
   }
   source.name = file.string();

@@ -12,9 +12,9 @@ namespace foveola::scenes {
 /// scene is made now unless it lies in the cache; a real one is looked for in the folders of
 /// $FOVEOLA_SCENE_PATH (separated by ':', searched with one level of subfolders). A path to a .glb
 /// or .gltf file takes its viewpoint from the descriptor of a real scene that names this file, or
-/// of the built-in scene that it is a copy of. Whoever loads another file than the described one is
-/// warned (SceneSource::described_sha256). Throws Error if nothing fits, naming the built-in
-/// scenes.
+/// of the built-in scene that it is a copy of or, by its name, a variant of. Whoever loads another
+/// file than the described one is warned (SceneSource::described_sha256). Throws Error if nothing
+/// fits, naming the built-in scenes.
 SceneSource find_scene(const std::string& name_or_path);
 
 }  // namespace foveola::scenes

@@ -21,8 +21,8 @@ int add_cloth(Model& model, const char* name, Image weave) {
 }
 
 void add_stones(Model& model, Materials& m) {
-  m.limestone = add_textured_material(model, "limestone",
-                                      weathered_stone(768, {0.6F, 0.54F, 0.44F}, 11), 0.8F);
+  m.limestone = add_textured_material(
+      model, "limestone", weathered_stone(768, {0.6F, 0.54F, 0.44F}, model.stream(11)), 0.8F);
   model.materials[m.limestone].double_sided = true;  // the capitals' leaves curl
   m.ashlar = add_textured_material(model, "ashlar",
                                    masonry(1024,
@@ -32,13 +32,14 @@ void add_stones(Model& model, Materials& m) {
                                             .variation = 0.1,
                                             .stone = {0.64F, 0.58F, 0.48F},
                                             .mortar = {0.44F, 0.4F, 0.33F}},
-                                           15),
+                                           model.stream(15)),
                                    0.9F);
-  m.paving = add_textured_material(model, "paving", stone_slabs(1024, 12), 0.6F);
-  m.rosette = add_textured_material(model, "inlaid rosette", inlaid_rosette(1024, 18), 0.4F);
+  m.paving = add_textured_material(model, "paving", stone_slabs(1024, model.stream(12)), 0.6F);
+  m.rosette =
+      add_textured_material(model, "inlaid rosette", inlaid_rosette(1024, model.stream(18)), 0.4F);
   m.walk_tiles = add_textured_material(
-      model, "walk tiles", floor_tiles(1024, 8, {0.5F, 0.46F, 0.4F}, {0.22F, 0.1F, 0.07F}, 13),
-      0.4F);
+      model, "walk tiles",
+      floor_tiles(1024, 8, {0.5F, 0.46F, 0.4F}, {0.22F, 0.1F, 0.07F}, model.stream(13)), 0.4F);
   m.brick = add_textured_material(model, "brick",
                                   masonry(1024,
                                           {.courses = 24,
@@ -47,22 +48,24 @@ void add_stones(Model& model, Materials& m) {
                                            .variation = 0.35,
                                            .stone = {0.58F, 0.4F, 0.28F},
                                            .mortar = {0.58F, 0.54F, 0.47F}},
-                                          14),
+                                          model.stream(14)),
                                   0.9F);
-  m.plaster =
-      add_textured_material(model, "plaster", plaster(512, {0.68F, 0.63F, 0.54F}, 0.12, 19), 0.95F);
-  m.roof_tile = add_textured_material(model, "roof tile",
-                                      weathered_stone(256, {0.5F, 0.22F, 0.12F}, 20), 0.85F);
+  m.plaster = add_textured_material(
+      model, "plaster", plaster(512, {0.68F, 0.63F, 0.54F}, 0.12, model.stream(19)), 0.95F);
+  m.roof_tile = add_textured_material(
+      model, "roof tile", weathered_stone(256, {0.5F, 0.22F, 0.12F}, model.stream(20)), 0.85F);
   m.basin_tiles = add_textured_material(
-      model, "basin tiles", floor_tiles(256, 16, {0.1F, 0.36F, 0.4F}, {0.06F, 0.24F, 0.36F}, 21),
-      0.3F);
+      model, "basin tiles",
+      floor_tiles(256, 16, {0.1F, 0.36F, 0.4F}, {0.06F, 0.24F, 0.36F}, model.stream(21)), 0.3F);
 }
 
 void add_woods_and_metals(Model& model, Materials& m) {
   m.wood = add_textured_material(
-      model, "wood", wood(512, 4, {0.3F, 0.17F, 0.08F}, {0.13F, 0.065F, 0.03F}, 16), 0.6F);
+      model, "wood", wood(512, 4, {0.3F, 0.17F, 0.08F}, {0.13F, 0.065F, 0.03F}, model.stream(16)),
+      0.6F);
   m.old_wood = add_textured_material(
-      model, "old wood", wood(512, 3, {0.2F, 0.1F, 0.045F}, {0.09F, 0.045F, 0.022F}, 22), 0.5F);
+      model, "old wood",
+      wood(512, 3, {0.2F, 0.1F, 0.045F}, {0.09F, 0.045F, 0.022F}, model.stream(22)), 0.5F);
   m.bronze = add_material(model, {.name = "bronze",
                                   .base_color = {0.55F, 0.36F, 0.17F},
                                   .metallic = 1.0F,
@@ -89,14 +92,16 @@ void add_small_things(Model& model, Materials& m) {
                                          .double_sided = true});
   m.candle = add_material(model, {.name = "candle", .base_color = {0.8F, 0.74F, 0.6F}});
   m.rope = add_material(model, {.name = "gold rope", .base_color = {0.6F, 0.42F, 0.13F}});
-  m.red_banner =
-      add_cloth(model, "red banner cloth", banner_cloth(768, {0.48F, 0.04F, 0.035F}, 41));
-  m.blue_banner =
-      add_cloth(model, "blue banner cloth", banner_cloth(768, {0.035F, 0.1F, 0.36F}, 42));
+  m.red_banner = add_cloth(model, "red banner cloth",
+                           banner_cloth(768, {0.48F, 0.04F, 0.035F}, model.stream(41)));
+  m.blue_banner = add_cloth(model, "blue banner cloth",
+                            banner_cloth(768, {0.035F, 0.1F, 0.36F}, model.stream(42)));
   m.red_cloth =
-      add_cloth(model, "red cloth", cloth(512, 3, {0.5F, 0.05F, 0.04F}, {0.6F, 0.42F, 0.12F}, 43));
+      add_cloth(model, "red cloth",
+                cloth(512, 3, {0.5F, 0.05F, 0.04F}, {0.6F, 0.42F, 0.12F}, model.stream(43)));
   m.blue_cloth =
-      add_cloth(model, "blue cloth", cloth(512, 3, {0.05F, 0.13F, 0.4F}, {0.62F, 0.6F, 0.55F}, 44));
+      add_cloth(model, "blue cloth",
+                cloth(512, 3, {0.05F, 0.13F, 0.4F}, {0.62F, 0.6F, 0.55F}, model.stream(44)));
   m.orange =
       add_material(model, {.name = "orange", .base_color = {0.8F, 0.3F, 0.03F}, .roughness = 0.4F});
   m.plant = add_plant_materials(model);
@@ -114,9 +119,9 @@ Materials add_materials(Model& model) {
 
 }  // namespace arcade
 
-Model make_arcade() {
+Model make_arcade(std::uint32_t seed) {
   using namespace arcade;  // NOLINT(google-build-using-namespace): the arcade's own parts
-  Model model;
+  Model model{.seed = seed};
   const Materials materials = add_materials(model);
   add_floors(model, materials);
   add_walls(model, materials);

@@ -23,8 +23,8 @@ struct Drapery {
 
 /// Cloth that hangs from y = 0, its middle at x = 0, facing +Z; uvs over [0, 1]. Its folds start at
 /// the rings, one to each, and merge as they fall.
-Shape drapery(const Drapery& size, std::uint32_t seed) {
-  Pcg32 random(seed);
+Shape drapery(const Drapery& size, const Seed& seed) {
+  Pcg32 random = generator(seed);
   const double phase = 2.0 * pi * random.uniform();
   const double drift = random.uniform() - 0.5;
   Shape shape = patch(columns_per_fold * size.folds, 28, [&](double u, double v) {
@@ -141,7 +141,7 @@ void add_cloths(Model& model, const Materials& m) {
       .width = 2.2, .drop = 2.72, .folds = 8, .fold_depth = 0.085, .gather = 0.0};
   constexpr Drapery tied{
       .width = 2.2, .drop = 2.72, .folds = 8, .fold_depth = 0.085, .gather = 0.62};
-  std::uint32_t seed = 200;
+  std::uint32_t number = 200;
   const auto hang = [&](const Hanging& hanging, std::vector<Part> parts) {
     for (Part& part : parts) {
       part.shape = moved(turned(part.shape, hanging.turn_deg), hanging.place);
@@ -155,7 +155,7 @@ void add_cloths(Model& model, const Materials& m) {
       {"Far banner", m.blue_banner, {half_x - 0.53, banner_height, 0.0}, -90.0},
       {"Near banner", m.red_banner, {-half_x + 0.53, banner_height, 0.0}, 90.0}};
   for (const Hanging& hanging : banners) {
-    const Shape cloth = drapery(banner, seed++);
+    const Shape cloth = drapery(banner, model.stream(number++));
     hang(hanging, {{hanging.cloth, cloth, 80.0},
                    {m.bronze, rod(banner.width, 0.03, 0.45), 50.0},
                    {m.rope, rings(banner, 0.03), 60.0},
@@ -170,7 +170,7 @@ void add_cloths(Model& model, const Materials& m) {
   bool is_tied = true;
   for (const Hanging& hanging : curtains) {
     const Drapery& size = is_tied ? tied : curtain;
-    std::vector<Part> parts = {{hanging.cloth, drapery(size, seed++), 80.0},
+    std::vector<Part> parts = {{hanging.cloth, drapery(size, model.stream(number++)), 80.0},
                                {m.bronze, tube({{-1.36, 0.04, 0.0}, {1.36, 0.04, 0.0}}, 0.02, 14)},
                                {m.bronze, rings(size, 0.045), 60.0}};
     if (is_tied) {

@@ -10,7 +10,7 @@ namespace foveola::scenes::arcade {
 
 using namespace paint;  // NOLINT(google-build-using-namespace): its every name is drawn with here
 
-Image weathered_stone(int size, const Rgb& color, std::uint32_t seed) {
+Image weathered_stone(int size, const Rgb& color, const Seed& seed) {
   return painted(size, size, [&](double u, double v) {
     const double broad = cloud(u, v, 3, seed);
     const double grain = cloud(u, v, 96, mix(seed, 1));
@@ -22,7 +22,7 @@ Image weathered_stone(int size, const Rgb& color, std::uint32_t seed) {
   });
 }
 
-Image banner_cloth(int size, const Rgb& ground, std::uint32_t seed) {
+Image banner_cloth(int size, const Rgb& ground, const Seed& seed) {
   const DVec3 gold(0.62, 0.42, 0.12);
   const DVec3 cream(0.66, 0.6, 0.48);
   constexpr double edge = 0.002;

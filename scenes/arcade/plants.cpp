@@ -14,7 +14,7 @@ void add_plants(Model& model, const Materials& m) {
                         .stems = 14,
                         .leaves_per_stem = 8};
   add_object(model, "Large plant",
-             moved(potted_plant(large, m.plant, 100), {1.2, court_floor, 3.4}));
+             moved(potted_plant(large, m.plant, model.stream(100)), {1.2, court_floor, 3.4}));
   const PlantSize broad{.pot_radius = 0.26, .pot_height = 0.38, .leaf_length = 0.28, .stems = 10};
   const TreeSize tree{};
   const PalmSize palm{};
@@ -30,7 +30,7 @@ void add_plants(Model& model, const Materials& m) {
         Place{Kind::fruit_tree, 7.8, 3.3}, Place{Kind::fruit_tree, 7.8, -3.3},
         Place{Kind::feathered, -3.0, 3.55}, Place{Kind::feathered, 4.4, 3.55},
         Place{Kind::broad_leaved, -4.0, -3.55}, Place{Kind::feathered, 3.0, -3.6}}) {
-    const std::uint32_t seed = 100 + number;
+    const Seed seed = model.stream(100 + number);
     const std::vector<Part> plant =
         place.kind == Kind::fruit_tree  ? potted_tree(tree, m.plant, m.orange, seed)
         : place.kind == Kind::feathered ? potted_palm(palm, m.plant, seed)

@@ -86,7 +86,7 @@ HangingLamp hanging_lamp(double chain_length) {
 /// Small candles on the steps of an iron stand.
 void add_votive_candles(Model& model, const Materials& m) {
   const DVec3 place(1.0, 0.0, 5.4);
-  Pcg32 random(71);
+  Pcg32 random = generator(model.stream(71));
   Candles candles;
   Shape iron;
   constexpr int rows = 4;

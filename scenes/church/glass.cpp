@@ -22,13 +22,13 @@ const DVec3 rose(0.45, 0.06, 0.1);
 const DVec3 clear(0.8, 0.76, 0.58);
 const DVec3 lead(0.004);
 
-DVec3 jewel(int i, int j, std::uint32_t seed) {
+DVec3 jewel(int i, int j, const Seed& seed) {
   const std::array<DVec3, 6> glasses = {ruby, cobalt, sky_blue, emerald, amber, rose};
   return glasses.at(static_cast<std::size_t>(6.0 * cell_value(i, j, seed)));
 }
 
 /// Glass of uneven thickness.
-DVec3 uneven(const DVec3& glass, double u, double v, std::uint32_t seed) {
+DVec3 uneven(const DVec3& glass, double u, double v, const Seed& seed) {
   return glass * (0.7 + 0.6 * cloud(u, v, 9, seed));
 }
 
@@ -80,7 +80,7 @@ void lay_saint(Layers& layers, const DVec2& p, const SaintColors& colors) {
 
 /// Coloured pieces, `pieces` of them along `position` in [0, 1], within `width` of the edge.
 void lay_border(Layers& layers, double from_edge, double position, double width, int pieces,
-                std::uint32_t seed) {
+                const Seed& seed) {
   if (from_edge > width + layers.line_width) {
     return;
   }
@@ -104,7 +104,7 @@ Lozenge lozenge(const DVec2& p, double across) {
 
 }  // namespace
 
-Image figure_window(int width, const Rgb& robe, std::uint32_t seed) {
+Image figure_window(int width, const Rgb& robe, const Seed& seed) {
   return painted(width, 4 * width, [&](double u, double v) {
     const DVec2 p(2.0 * u - 1.0, 8.0 * (1.0 - v));
     Layers layers{.line = lead, .line_width = 0.045, .edge = 0.012};
@@ -130,7 +130,7 @@ Image figure_window(int width, const Rgb& robe, std::uint32_t seed) {
   });
 }
 
-Image grisaille_window(int width, std::uint32_t seed) {
+Image grisaille_window(int width, const Seed& seed) {
   return painted(width, 3 * width, [&](double u, double v) {
     const DVec2 p(2.0 * u - 1.0, 6.0 * (1.0 - v));
     Layers layers{.line = lead, .line_width = 0.045, .edge = 0.012};
@@ -152,7 +152,7 @@ Image grisaille_window(int width, std::uint32_t seed) {
   });
 }
 
-Image rose_window(int size, std::uint32_t seed) {
+Image rose_window(int size, const Seed& seed) {
   constexpr int petals = 12;
   return painted(size, size, [&](double u, double v) {
     const DVec2 p(2.0 * u - 1.0, 1.0 - 2.0 * v);
@@ -179,7 +179,7 @@ Image rose_window(int size, std::uint32_t seed) {
   });
 }
 
-Image painted_saint(int width, const Rgb& robe, std::uint32_t seed) {
+Image painted_saint(int width, const Rgb& robe, const Seed& seed) {
   return painted(width, 2 * width, [&](double u, double v) {
     const DVec2 p(2.0 * u - 1.0, 4.0 * (1.0 - v));
     Layers layers{.line = DVec3(0.06, 0.03, 0.015), .line_width = 0.03, .edge = 0.012};

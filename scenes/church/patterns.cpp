@@ -17,7 +17,7 @@ const DVec3 gold(0.72, 0.48, 0.12);
 
 }  // namespace
 
-Image veined_marble(int size, const Rgb& ground, const Rgb& vein, std::uint32_t seed) {
+Image veined_marble(int size, const Rgb& ground, const Rgb& vein, const Seed& seed) {
   return painted(size, size, [&](double u, double v) {
     const double bend = cloud(u, v, 3, seed);
     const double fine = cloud(u, v, 7, mix(seed, 1));
@@ -28,7 +28,7 @@ Image veined_marble(int size, const Rgb& ground, const Rgb& vein, std::uint32_t 
   });
 }
 
-Image starry_sky(int size, std::uint32_t seed) {
+Image starry_sky(int size, const Seed& seed) {
   constexpr int stars = 6;
   return painted(size, size, [&](double u, double v) {
     const double x = u * stars;
@@ -45,7 +45,7 @@ Image starry_sky(int size, std::uint32_t seed) {
   });
 }
 
-Image altar_frontal(int height, std::uint32_t seed) {
+Image altar_frontal(int height, const Seed& seed) {
   return painted(2 * height, height, [&](double u, double v) {
     const DVec2 cell(6.0 * u - std::floor(6.0 * u) - 0.5, 3.0 * v - std::floor(3.0 * v) - 0.5);
     const double arms =
@@ -62,7 +62,7 @@ Image altar_frontal(int height, std::uint32_t seed) {
   });
 }
 
-Image open_book(int size, std::uint32_t seed) {
+Image open_book(int size, const Seed& seed) {
   constexpr int lines = 18;
   return painted(size, size, [&](double u, double v) {
     const double page_u = 2.0 * u - std::floor(2.0 * u);

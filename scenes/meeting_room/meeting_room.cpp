@@ -9,24 +9,30 @@ namespace meeting {
 namespace {
 
 void add_surfaces(Model& model, Materials& m) {
-  m.floor = add_textured_material(model, "floor boards",
-                                  wood(1024, 12, {0.42F, 0.26F, 0.13F}, {0.24F, 0.13F, 0.06F}, 21),
-                                  0.35F);
-  m.ceiling = add_textured_material(model, "ceiling panels", ceiling_panels(1024, 2, 22), 0.95F);
-  m.wall =
-      add_textured_material(model, "wall", plaster(512, {0.68F, 0.65F, 0.58F}, 0.06, 23), 0.95F);
-  m.accent_wall = add_textured_material(model, "accent wall",
-                                        plaster(512, {0.2F, 0.33F, 0.36F}, 0.08, 24), 0.95F);
+  m.floor = add_textured_material(
+      model, "floor boards",
+      wood(1024, 12, {0.42F, 0.26F, 0.13F}, {0.24F, 0.13F, 0.06F}, model.stream(21)), 0.35F);
+  m.ceiling = add_textured_material(model, "ceiling panels",
+                                    ceiling_panels(1024, 2, model.stream(22)), 0.95F);
+  m.wall = add_textured_material(
+      model, "wall", plaster(512, {0.68F, 0.65F, 0.58F}, 0.06, model.stream(23)), 0.95F);
+  m.accent_wall = add_textured_material(
+      model, "accent wall", plaster(512, {0.2F, 0.33F, 0.36F}, 0.08, model.stream(24)), 0.95F);
   m.table = add_textured_material(
-      model, "table top", wood(1024, 6, {0.36F, 0.17F, 0.07F}, {0.17F, 0.07F, 0.03F}, 25), 0.2F);
+      model, "table top",
+      wood(1024, 6, {0.36F, 0.17F, 0.07F}, {0.17F, 0.07F, 0.03F}, model.stream(25)), 0.2F);
   m.dark_wood = add_textured_material(
-      model, "dark wood", wood(512, 2, {0.11F, 0.06F, 0.035F}, {0.05F, 0.03F, 0.02F}, 26), 0.45F);
+      model, "dark wood",
+      wood(512, 2, {0.11F, 0.06F, 0.035F}, {0.05F, 0.03F, 0.02F}, model.stream(26)), 0.45F);
   m.light_wood = add_textured_material(
-      model, "light wood", wood(512, 2, {0.5F, 0.34F, 0.19F}, {0.32F, 0.2F, 0.1F}, 31), 0.4F);
+      model, "light wood",
+      wood(512, 2, {0.5F, 0.34F, 0.19F}, {0.32F, 0.2F, 0.1F}, model.stream(31)), 0.4F);
   m.fabric = add_textured_material(
-      model, "fabric", cloth(512, 1, {0.1F, 0.16F, 0.28F}, {0.1F, 0.16F, 0.28F}, 27), 0.95F);
+      model, "fabric", cloth(512, 1, {0.1F, 0.16F, 0.28F}, {0.1F, 0.16F, 0.28F}, model.stream(27)),
+      0.95F);
   m.red_fabric = add_textured_material(
-      model, "red fabric", cloth(512, 1, {0.5F, 0.06F, 0.04F}, {0.5F, 0.06F, 0.04F}, 28), 0.95F);
+      model, "red fabric",
+      cloth(512, 1, {0.5F, 0.06F, 0.04F}, {0.5F, 0.06F, 0.04F}, model.stream(28)), 0.95F);
 }
 
 void add_plain(Model& model, Materials& m) {
@@ -61,9 +67,9 @@ void add_pictures_and_lights(Model& model, Materials& m) {
   m.page = add_textured_material(model, "printed page", printed_page(512), 0.9F);
   m.board = add_textured_material(model, "whiteboard", discussed_board(1024), 0.3F);
   m.flip_chart = add_textured_material(model, "flip chart", flip_chart_sheet(768), 0.9F);
-  m.picture = add_textured_material(model, "picture", landscape(512, 30), 0.6F);
-  m.abstract_picture =
-      add_textured_material(model, "abstract picture", abstract_painting(512, 32), 0.6F);
+  m.picture = add_textured_material(model, "picture", landscape(512, model.stream(30)), 0.6F);
+  m.abstract_picture = add_textured_material(model, "abstract picture",
+                                             abstract_painting(512, model.stream(32)), 0.6F);
   m.clock = add_textured_material(model, "clock face", clock_face(512), 0.5F);
   const int desktop = add_image(model, laptop_desktop(512));
   m.screen = add_material(model, {.name = "screen",
@@ -90,9 +96,9 @@ Materials add_materials(Model& model) {
 
 }  // namespace meeting
 
-Model make_meeting_room() {
+Model make_meeting_room(std::uint32_t seed) {
   using namespace meeting;  // NOLINT(google-build-using-namespace): the room's own parts
-  Model model;
+  Model model{.seed = seed};
   const Materials materials = add_materials(model);
   add_shell(model, materials);
   add_ceiling(model, materials);

@@ -158,7 +158,7 @@ Image laptop_desktop(int height) {
   return std::move(canvas).finished();
 }
 
-Image abstract_painting(int height, std::uint32_t seed) {
+Image abstract_painting(int height, const Seed& seed) {
   using namespace paint;  // NOLINT(google-build-using-namespace): its every name is drawn with here
   const std::array<DVec3, 5> colors = {DVec3(0.55, 0.12, 0.05), DVec3(0.62, 0.4, 0.08),
                                        DVec3(0.06, 0.16, 0.3), DVec3(0.1, 0.3, 0.27),

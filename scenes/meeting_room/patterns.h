@@ -17,6 +17,6 @@ Image printed_page(int height);
 /// What a laptop shows: a window with text and a chart; eight by five.
 Image laptop_desktop(int height);
 /// An abstract painting: overlapping fields of colour, four by three.
-Image abstract_painting(int height, std::uint32_t seed);
+Image abstract_painting(int height, const Seed& seed);
 
 }  // namespace foveola::scenes::meeting

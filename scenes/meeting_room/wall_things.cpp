@@ -243,7 +243,8 @@ void add_cabinet(Model& model, const Materials& m) {
               {m.chrome, stand(spouts, 0.15, 0.22, 0.0), 50.0}});
   add_object(model, "Folders", {{m.blue, stand(folders, 0.62, 0.27, 8.0)}});
   add_object(model, "Cabinet plant",
-             placed(potted_plant(fern, m.plant, 303), place + DVec3(0.26, top.y, -1.12), 0.0));
+             placed(potted_plant(fern, m.plant, model.stream(303)),
+                    place + DVec3(0.26, top.y, -1.12), 0.0));
 }
 
 void add_plants(Model& model, const Materials& m) {
@@ -254,14 +255,15 @@ void add_plants(Model& model, const Materials& m) {
                        .stems = 13,
                        .leaves_per_stem = 8};
   add_object(model, "Tall plant",
-             moved(potted_plant(tall, m.plant, 300), {-1.2, 0.0, -half_z + 0.65}));
+             moved(potted_plant(tall, m.plant, model.stream(300)), {-1.2, 0.0, -half_z + 0.65}));
   const PalmSize palm{.pot_radius = 0.26, .pot_height = 0.45, .frond_length = 1.1, .fronds = 15};
-  add_object(model, "Corner plant",
-             moved(potted_palm(palm, m.plant, 301), {half_x - 0.95, 0.0, -half_z + 0.95}));
+  add_object(
+      model, "Corner plant",
+      moved(potted_palm(palm, m.plant, model.stream(301)), {half_x - 0.95, 0.0, -half_z + 0.95}));
   const PlantSize small{
       .pot_radius = 0.11, .pot_height = 0.14, .stem_height = 0.24, .leaf_length = 0.17};
   add_object(model, "Table plant",
-             moved(potted_plant(small, m.plant, 302), {0.15, table_height, 0.0}));
+             moved(potted_plant(small, m.plant, model.stream(302)), {0.15, table_height, 0.0}));
 }
 
 void add_projector(Model& model, const Materials& m) {

@@ -7,9 +7,14 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
+#include "scenes/modelling/seed.h"
 #include "scenes/modelling/shapes.h"
 
 namespace foveola::scenes {
+
+/// Of the scenes that the descriptors describe.
+constexpr std::uint32_t default_seed = 0;
+static_assert(mix(default_seed) == 0);
 
 /// Eight bits a channel: red, green, blue (sRGB-encoded) and alpha; row-major from the top.
 struct Image {
@@ -54,12 +59,15 @@ struct Camera {
 };
 
 struct Model {
+  std::uint32_t seed = default_seed;  ///< everything random in the scene derives from it
   std::vector<Image> images;
   std::vector<Material> materials;
   std::vector<Object> objects;
   std::vector<Camera> cameras;
 
   std::size_t triangle_count() const;
+  /// Of the random thing that has this number in the scene. By default it is the number itself.
+  Seed stream(std::uint32_t number) const { return Seed(number ^ mix(seed)); }
 };
 
 /// A shape that is to be made of a material of the model.

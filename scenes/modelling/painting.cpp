@@ -97,11 +97,12 @@ double smooth_step(double low, double high, double x) {
 
 DVec3 blend(const DVec3& a, const DVec3& b, double t) { return a + (b - a) * t; }
 
-double cell_value(int x, int y, std::uint32_t seed) {
-  return unit_float(mix(mix(seed + static_cast<std::uint32_t>(x)) + static_cast<std::uint32_t>(y)));
+double cell_value(int x, int y, const Seed& seed) {
+  const std::uint32_t column = mix(seed.bits() + static_cast<std::uint32_t>(x));
+  return unit_float(mix(column + static_cast<std::uint32_t>(y)));
 }
 
-double noise(double x, double y, int period_x, int period_y, std::uint32_t seed) {
+double noise(double x, double y, int period_x, int period_y, const Seed& seed) {
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
   const int x1 = x0 + 1 == period_x ? 0 : x0 + 1;
@@ -112,11 +113,11 @@ double noise(double x, double y, int period_x, int period_y, std::uint32_t seed)
                    std::lerp(cell_value(x0, y1, seed), cell_value(x1, y1, seed), tx), ty);
 }
 
-double cloud(double u, double v, int period, std::uint32_t seed) {
+double cloud(double u, double v, int period, const Seed& seed) {
   return cloud(u, v, period, period, seed);
 }
 
-double cloud(double u, double v, int period_u, int period_v, std::uint32_t seed) {
+double cloud(double u, double v, int period_u, int period_v, const Seed& seed) {
   double sum = 0.0;
   double weight = 0.5;
   for (std::uint32_t octave = 0; octave < 4; ++octave) {

@@ -27,17 +27,17 @@ double smooth_step(double low, double high, double x);
 DVec3 blend(const DVec3& a, const DVec3& b, double t);
 
 /// A number in [0, 1) for the cell (x, y).
-double cell_value(int x, int y, std::uint32_t seed);
+double cell_value(int x, int y, const Seed& seed);
 
 /// Smooth noise in [0, 1] for x and y from 0, with one value at each integer point, repeating after
 /// the periods (value noise, Perlin 1985 with a smoothed lattice).
-double noise(double x, double y, int period_x, int period_y, std::uint32_t seed);
+double noise(double x, double y, int period_x, int period_y, const Seed& seed);
 
 /// Four octaves of noise in [0, 1] that repeats over the unit square, the coarsest with `period`
 /// cells along u and v.
-double cloud(double u, double v, int period, std::uint32_t seed);
+double cloud(double u, double v, int period, const Seed& seed);
 /// The same with other cells along u than along v.
-double cloud(double u, double v, int period_u, int period_v, std::uint32_t seed);
+double cloud(double u, double v, int period_u, int period_v, const Seed& seed);
 
 /// How far x is from the nearest integer, in [0, 0.5].
 double distance_to_integer(double x);

@@ -44,9 +44,9 @@ Shape frond_leaflets(const PalmSize& size, double length, double upright) {
 }  // namespace
 
 std::vector<Part> potted_palm(const PalmSize& size, const PlantMaterials& materials,
-                              std::uint32_t seed) {
+                              const Seed& seed) {
   std::vector<Part> parts = pot_with_soil(size.pot_radius, size.pot_height, materials);
-  Pcg32 random(seed);
+  Pcg32 random = generator(seed);
   Shape stems;
   Shape leaflets;
   const double foot = 0.92 * size.pot_height;
@@ -68,9 +68,9 @@ std::vector<Part> potted_palm(const PalmSize& size, const PlantMaterials& materi
 }
 
 std::vector<Part> potted_tree(const TreeSize& size, const PlantMaterials& materials, int fruit,
-                              std::uint32_t seed) {
+                              const Seed& seed) {
   std::vector<Part> parts = pot_with_soil(size.pot_radius, size.pot_height, materials);
-  Pcg32 random(seed);
+  Pcg32 random = generator(seed);
   const DVec3 middle(0.0, size.pot_height + size.stem_height, 0.0);
   const auto somewhere = [&](double least_radius) {
     const double y = 2.0 * random.uniform() - 1.0;

@@ -17,7 +17,7 @@ struct PalmSize {
   int leaflets = 18;  ///< on each side of a frond
 };
 std::vector<Part> potted_palm(const PalmSize& size, const PlantMaterials& materials,
-                              std::uint32_t seed);
+                              const Seed& seed);
 
 /// A clipped tree in a pot that stands on the origin: a stem under a ball of leaves with fruit.
 struct TreeSize {
@@ -29,6 +29,6 @@ struct TreeSize {
   int fruits = 14;
 };
 std::vector<Part> potted_tree(const TreeSize& size, const PlantMaterials& materials, int fruit,
-                              std::uint32_t seed);
+                              const Seed& seed);
 
 }  // namespace foveola::scenes

@@ -14,7 +14,7 @@ using namespace paint;  // NOLINT(google-build-using-namespace): its every name 
 
 }  // namespace
 
-Image floor_tiles(int size, int tiles, const Rgb& first, const Rgb& second, std::uint32_t seed) {
+Image floor_tiles(int size, int tiles, const Rgb& first, const Rgb& second, const Seed& seed) {
   constexpr double joint = 0.025;
   return painted(size, size, [&](double u, double v) {
     const double x = u * tiles;
@@ -30,7 +30,7 @@ Image floor_tiles(int size, int tiles, const Rgb& first, const Rgb& second, std:
   });
 }
 
-Image masonry(int size, const Masonry& masonry, std::uint32_t seed) {
+Image masonry(int size, const Masonry& masonry, const Seed& seed) {
   return painted(size, size, [&](double u, double v) {
     const double y = v * masonry.courses;
     const int course = static_cast<int>(y);
@@ -48,11 +48,11 @@ Image masonry(int size, const Masonry& masonry, std::uint32_t seed) {
   });
 }
 
-Image wood(int size, int boards, const Rgb& light, const Rgb& dark, std::uint32_t seed) {
+Image wood(int size, int boards, const Rgb& light, const Rgb& dark, const Seed& seed) {
   return painted(size, size, [&](double u, double v) {
     const double x = u * boards;
     const int board = static_cast<int>(x);
-    const std::uint32_t board_seed = mix(seed, static_cast<std::uint32_t>(board));
+    const Seed board_seed = mix(seed, static_cast<std::uint32_t>(board));
     const double bend = cloud(u, v, 2 * boards, 2, board_seed);
     const double rings = std::sin(2.0 * std::numbers::pi * (6.0 * x + 5.0 * bend));
     const double fibres = cloud(u, v, 64 * boards, 4, mix(board_seed, 1));
@@ -63,7 +63,7 @@ Image wood(int size, int boards, const Rgb& light, const Rgb& dark, std::uint32_
   });
 }
 
-Image plaster(int size, const Rgb& color, double variation, std::uint32_t seed) {
+Image plaster(int size, const Rgb& color, double variation, const Seed& seed) {
   return painted(size, size, [&](double u, double v) {
     const double coarse = cloud(u, v, 4, seed);
     const double fine = cloud(u, v, 40, mix(seed, 1));
@@ -72,7 +72,7 @@ Image plaster(int size, const Rgb& color, double variation, std::uint32_t seed) 
   });
 }
 
-Image cloth(int size, int stripes, const Rgb& ground, const Rgb& stripe, std::uint32_t seed) {
+Image cloth(int size, int stripes, const Rgb& ground, const Rgb& stripe, const Seed& seed) {
   const double threads = size / 8.0;
   return painted(size, size, [&](double u, double v) {
     const double from_middle = distance_to_integer(u * stripes);
@@ -86,7 +86,7 @@ Image cloth(int size, int stripes, const Rgb& ground, const Rgb& stripe, std::ui
   });
 }
 
-Image ceiling_panels(int size, int panels, std::uint32_t seed) {
+Image ceiling_panels(int size, int panels, const Seed& seed) {
   constexpr int holes = 24;
   return painted(size, size, [&](double u, double v) {
     const double x = u * panels;
@@ -101,7 +101,7 @@ Image ceiling_panels(int size, int panels, std::uint32_t seed) {
   });
 }
 
-Image leaf(int size, const Rgb& color, std::uint32_t seed) {
+Image leaf(int size, const Rgb& color, const Seed& seed) {
   constexpr double stalk_length = 0.12;
   return cut_out(size, size, [&](double u, double v) {
     const double along = 1.0 - v;
@@ -120,7 +120,7 @@ Image leaf(int size, const Rgb& color, std::uint32_t seed) {
   });
 }
 
-Image written_board(int height, std::uint32_t seed) {
+Image written_board(int height, const Seed& seed) {
   constexpr double edge = 0.002;
   constexpr int lines = 9;
   const DVec3 black(0.03);
@@ -158,7 +158,7 @@ Image written_board(int height, std::uint32_t seed) {
   });
 }
 
-Image landscape(int size, std::uint32_t seed) {
+Image landscape(int size, const Seed& seed) {
   return painted(size, size, [&](double u, double v) {
     const DVec3 sky = blend({0.15, 0.3, 0.65}, {0.85, 0.6, 0.4}, smooth_step(0.0, 0.55, v));
     DVec3 color = sky;

@@ -9,7 +9,7 @@ namespace foveola::scenes {
 
 /// Square floor tiles, `tiles` by `tiles` in the image, each with its own shade, and grout between
 /// them. Tiles alternate between the two linear colours.
-Image floor_tiles(int size, int tiles, const Rgb& first, const Rgb& second, std::uint32_t seed);
+Image floor_tiles(int size, int tiles, const Rgb& first, const Rgb& second, const Seed& seed);
 
 /// Courses of cut stones or bricks with mortar joints, every second course shifted by half a stone.
 struct Masonry {
@@ -20,28 +20,28 @@ struct Masonry {
   Rgb stone{0.5F};         ///< linear
   Rgb mortar{0.4F};        ///< linear
 };
-Image masonry(int size, const Masonry& masonry, std::uint32_t seed);
+Image masonry(int size, const Masonry& masonry, const Seed& seed);
 
 /// Boards along v, `boards` side by side, with grain.
-Image wood(int size, int boards, const Rgb& light, const Rgb& dark, std::uint32_t seed);
+Image wood(int size, int boards, const Rgb& light, const Rgb& dark, const Seed& seed);
 
 /// A nearly plain colour with soft blotches of relative strength `variation`: plaster, marble.
-Image plaster(int size, const Rgb& color, double variation, std::uint32_t seed);
+Image plaster(int size, const Rgb& color, double variation, const Seed& seed);
 
 /// Woven cloth: a ground with stripes along v and threads.
-Image cloth(int size, int stripes, const Rgb& ground, const Rgb& stripe, std::uint32_t seed);
+Image cloth(int size, int stripes, const Rgb& ground, const Rgb& stripe, const Seed& seed);
 
 /// Ceiling panels: `panels` by `panels` with dark grooves and fine holes.
-Image ceiling_panels(int size, int panels, std::uint32_t seed);
+Image ceiling_panels(int size, int panels, const Seed& seed);
 
 /// One leaf on a transparent ground, its stalk at the bottom (v = 1).
-Image leaf(int size, const Rgb& color, std::uint32_t seed);
+Image leaf(int size, const Rgb& color, const Seed& seed);
 
 /// A whiteboard with lines of writing, a chart and a sketch; twice as wide as high.
-Image written_board(int height, std::uint32_t seed);
+Image written_board(int height, const Seed& seed);
 
 /// A framed picture's inside: hills under a sky.
-Image landscape(int size, std::uint32_t seed);
+Image landscape(int size, const Seed& seed);
 
 /// A clock's face at ten past ten.
 Image clock_face(int size);

@@ -19,14 +19,14 @@ const DVec3 serpentine(0.05, 0.17, 0.09);
 const DVec3 yellow_marble(0.5, 0.33, 0.1);
 
 /// The colour of a small inlaid stone.
-DVec3 inlay(int i, int j, std::uint32_t seed) {
+DVec3 inlay(int i, int j, const Seed& seed) {
   const std::array<DVec3, 4> stones = {porphyry, serpentine, yellow_marble, white_marble * 0.9};
   const auto index = static_cast<std::size_t>(4.0 * cell_value(i, j, seed));
   return stones.at(index) * (0.75 + 0.5 * cell_value(j, i, mix(seed, 1)));
 }
 
 /// Triangles between white joints in square cells: `x` and `y` count the cells.
-DVec3 small_triangles(double x, double y, std::uint32_t seed) {
+DVec3 small_triangles(double x, double y, const Seed& seed) {
   const double fx = x - std::floor(x);
   const double fy = y - std::floor(y);
   const int half = fx + fy < 1.0 ? 0 : 1;
@@ -36,13 +36,13 @@ DVec3 small_triangles(double x, double y, std::uint32_t seed) {
   return blend(white_marble, stone, smooth_step(0.05, 0.09, joint));
 }
 
-DVec3 worn(const DVec3& color, double u, double v, std::uint32_t seed) {
+DVec3 worn(const DVec3& color, double u, double v, const Seed& seed) {
   return color * (0.75 + 0.5 * cloud(u, v, 24, seed));
 }
 
 }  // namespace
 
-Image stone_slabs(int size, std::uint32_t seed) {
+Image stone_slabs(int size, const Seed& seed) {
   constexpr int rows = 5;
   constexpr std::array<int, rows> slabs_in_row = {3, 4, 3, 5, 4};
   constexpr double joint = 0.0035;
@@ -66,7 +66,7 @@ Image stone_slabs(int size, std::uint32_t seed) {
   });
 }
 
-Image inlaid_rosette(int size, std::uint32_t seed) {
+Image inlaid_rosette(int size, const Seed& seed) {
   constexpr double edge = 0.0015;
   return painted(size, size, [&](double u, double v) {
     const DVec2 p(2.0 * u - 1.0, 1.0 - 2.0 * v);
@@ -98,7 +98,7 @@ Image inlaid_rosette(int size, std::uint32_t seed) {
   });
 }
 
-Image inlaid_band(int size, std::uint32_t seed) {
+Image inlaid_band(int size, const Seed& seed) {
   constexpr double edge = 0.004;
   return painted(size, size, [&](double u, double v) {
     const DVec2 p(2.0 * u - 1.0, 1.0 - 2.0 * v);

@@ -81,8 +81,8 @@ Shape baluster(double height, int segments) {
   return scaled(lathe(outline, segments), {1.0, height, 1.0});
 }
 
-Shape hanging_cloth(const ClothSize& size, std::uint32_t seed) {
-  Pcg32 random(seed);
+Shape hanging_cloth(const ClothSize& size, const Seed& seed) {
+  Pcg32 random = generator(seed);
   const double phase = 2.0 * pi * random.uniform();
   const double drift = random.uniform() - 0.5;
   const int columns = 10 * size.folds;
@@ -102,11 +102,11 @@ Shape hanging_cloth(const ClothSize& size, std::uint32_t seed) {
 
 PlantMaterials add_plant_materials(Model& model) {
   PlantMaterials materials;
-  materials.pot =
-      add_textured_material(model, "terracotta", plaster(256, {0.5F, 0.2F, 0.1F}, 0.2, 1), 0.8F);
+  materials.pot = add_textured_material(
+      model, "terracotta", plaster(256, {0.5F, 0.2F, 0.1F}, 0.2, model.stream(1)), 0.8F);
   materials.soil = add_material(model, {.name = "soil", .base_color = {0.06F, 0.04F, 0.025F}});
   materials.stem = add_material(model, {.name = "stem", .base_color = {0.12F, 0.2F, 0.05F}});
-  const int leaf_image = add_image(model, leaf(512, {0.1F, 0.28F, 0.05F}, 2));
+  const int leaf_image = add_image(model, leaf(512, {0.1F, 0.28F, 0.05F}, model.stream(2)));
   materials.leaf = add_material(model, {.name = "leaf",
                                         .base_color = Rgb(1.0F),
                                         .roughness = 0.6F,
@@ -142,9 +142,9 @@ std::vector<Part> pot_with_soil(double r, double h, const PlantMaterials& materi
 }
 
 std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& materials,
-                               std::uint32_t seed) {
+                               const Seed& seed) {
   std::vector<Part> parts = pot_with_soil(size.pot_radius, size.pot_height, materials);
-  Pcg32 random(seed);
+  Pcg32 random = generator(seed);
   Shape stems;
   Shape leaves;
   for (int i = 0; i < size.stems; ++i) {

@@ -27,7 +27,7 @@ struct ClothSize {
   int folds = 4;
   double fold_depth = 0.08;
 };
-Shape hanging_cloth(const ClothSize& size, std::uint32_t seed);
+Shape hanging_cloth(const ClothSize& size, const Seed& seed);
 
 /// A plant with broad leaves in a pot that stands on the origin.
 struct PlantSize {
@@ -52,7 +52,7 @@ std::vector<Part> pot_with_soil(double radius, double height, const PlantMateria
 /// [0, 1], stalk at v = 1.
 Shape leaf_blade(double length, double width, double droop, int rows);
 std::vector<Part> potted_plant(const PlantSize& size, const PlantMaterials& materials,
-                               std::uint32_t seed);
+                               const Seed& seed);
 
 /// `parts` moved by `offset`.
 std::vector<Part> moved(std::vector<Part> parts, const DVec3& offset);

@@ -73,8 +73,8 @@ std::vector<Part> school_bag(const Materials& m, int cloth) {
 }
 
 /// A coat that hangs from the origin, its back towards -Z.
-Shape coat(std::uint32_t seed) {
-  Pcg32 random(seed);
+Shape coat(const Seed& seed) {
+  Pcg32 random = generator(seed);
   const double phase = 2.0 * pi * random.uniform();
   const double length = 0.75 + 0.2 * random.uniform();
   const auto folded = [&](const DVec3& p) {
@@ -217,7 +217,7 @@ std::vector<Part> pencil(const Materials& m, int paint) {
 }
 
 void add_desk_things(Model& model, const Materials& m) {
-  Pcg32 random(610);
+  Pcg32 random = generator(model.stream(610));
   std::vector<Part> things;
   for (const DVec3& place : desk_places()) {
     for (const double side : {-1.0, 1.0}) {
@@ -263,7 +263,7 @@ void add_coats(Model& model, const Materials& m) {
                         hook));
     append(hooks, moved(turned(cylinder(0.018, 0.006, 16), -90.0, {1, 0, 0}), hook));
     if (i != 2) {
-      const Shape one = turned(coat(620 + i), 180.0);
+      const Shape one = turned(coat(model.stream(620 + i)), 180.0);
       append(coats, {{cloths[i % cloths.size()],
                       with_uv_scale(moved(one, hook + DVec3(0.0, -0.015, -0.085)), 3.0), 70.0}});
     }

@@ -206,7 +206,7 @@ void fill_shelf(std::vector<Part>& books, const Materials& m, const DVec3& left_
 void add_desks_and_chairs(Model& model, const Materials& m) {
   const std::vector<Part> desk = pupils_desk(m);
   const std::vector<Part> chair = pupils_chair(m);
-  Pcg32 random(600);
+  Pcg32 random = generator(model.stream(600));
   int number = 1;
   for (const DVec3& place : desk_places()) {
     const double askew_deg = 3.0 * (random.uniform() - 0.5);
@@ -237,7 +237,7 @@ void add_shelves(Model& model, const Materials& m) {
   constexpr double width = 1.1;
   constexpr int shelves = 5;
   constexpr double board = 0.022;
-  Pcg32 random(601);
+  Pcg32 random = generator(model.stream(601));
   Shape wood;
   std::vector<Part> books;
   for (const double middle : {-2.2, -1.08, 0.04}) {

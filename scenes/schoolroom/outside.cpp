@@ -20,8 +20,8 @@ struct Tree {
   Shape leaves;
 };
 
-Tree grown_tree(double height, std::uint32_t seed) {
-  Pcg32 random(seed);
+Tree grown_tree(double height, const Seed& seed) {
+  Pcg32 random = generator(seed);
   Tree tree;
   const double fork = 0.35 * height;
   append(tree.wood, moved(cone(0.028 * height, 0.018 * height, fork, 14), {0.0, 0.0, 0.0}));
@@ -61,11 +61,11 @@ void add_trees(Model& model, const Materials& m) {
   };
   Shape wood;
   Shape leaves;
-  std::uint32_t seed = 800;
+  std::uint32_t number = 800;
   for (const Place& place :
        {Place{-10.0, -15.0, 7.5}, Place{-2.5, -21.0, 8.5}, Place{9.0, -17.0, 7.0},
         Place{17.0, -24.0, 9.0}, Place{-22.0, -22.0, 9.0}}) {
-    const Tree tree = grown_tree(place.height, ++seed);
+    const Tree tree = grown_tree(place.height, model.stream(++number));
     append(wood, moved(tree.wood, {place.x, ground, place.z}));
     append(leaves, moved(tree.leaves, {place.x, ground, place.z}));
   }

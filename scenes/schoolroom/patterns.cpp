@@ -38,8 +38,9 @@ std::string sentence(Pcg32& random, std::size_t letters) {
 /// A slate, not quite wiped clean. Positions drawn on it are in heights of the board.
 class Slate {
  public:
-  Slate(int width, int height) : canvas_(blank(width, height, {38, 62, 54})), height_(height) {
-    Pcg32 random(71);
+  Slate(int width, int height, const Seed& seed)
+      : canvas_(blank(width, height, {38, 62, 54})), height_(height) {
+    Pcg32 random = generator(seed);
     for (int i = 0; i < 60; ++i) {
       // In braces: compilers disagree on the order of a call's arguments.
       const DVec2 from{random.uniform() * width, random.uniform() * height};
@@ -107,8 +108,8 @@ void draw_timetable(Canvas& canvas, const DVec2& corner, const DVec2& size) {
   }
 }
 
-void write_paragraphs(Canvas& canvas, const DVec2& corner, const DVec2& size, std::uint32_t seed) {
-  Pcg32 random(seed);
+void write_paragraphs(Canvas& canvas, const DVec2& corner, const DVec2& size, const Seed& seed) {
+  Pcg32 random = generator(seed);
   for (int line = 0; line < 11; ++line) {
     const std::size_t letters = line % 4 == 3 ? 14 : 28;
     canvas.write(sentence(random, letters), corner + size * DVec2(0.1, 0.3 + 0.058 * line),
@@ -162,8 +163,8 @@ void draw_person(Canvas& canvas, const DVec2& foot, double height, const DVec3& 
 
 }  // namespace
 
-Image board_middle(int height) {
-  Slate slate(2 * height, height);
+Image board_middle(int height, const Seed& seed) {
+  Slate slate(2 * height, height, seed);
   slate.write("The theorem of Pythagoras", {0.1, 0.14}, 0.075, yellow_chalk);
   slate.lines({{0.1, 0.165}, {1.18, 0.17}}, yellow_chalk);
   const DVec2 right_angle(0.5, 0.66);
@@ -199,8 +200,8 @@ Image board_middle(int height) {
   return std::move(slate).finished();
 }
 
-Image board_left(int height) {
-  Slate slate(height, height);
+Image board_left(int height, const Seed& seed) {
+  Slate slate(height, height, seed);
   slate.write("Monday, 14 May", {0.08, 0.13}, 0.06, white_chalk);
   slate.write("Homework", {0.08, 0.29}, 0.08, yellow_chalk);
   slate.lines({{0.08, 0.315}, {0.52, 0.31}}, yellow_chalk);
@@ -213,8 +214,8 @@ Image board_left(int height) {
   return std::move(slate).finished();
 }
 
-Image board_right(int height) {
-  Slate slate(height, height);
+Image board_right(int height, const Seed& seed) {
+  Slate slate(height, height, seed);
   slate.lines({{0.1, 0.6}, {0.92, 0.6}, {0.89, 0.58}}, white_chalk);
   slate.lines({{0.48, 0.92}, {0.48, 0.1}, {0.46, 0.13}}, white_chalk);
   std::vector<DVec2> parabola;
@@ -234,7 +235,7 @@ Image board_right(int height) {
   return std::move(slate).finished();
 }
 
-Image book_spines(int height) {
+Image book_spines(int height, const Seed& seed) {
   constexpr std::array<DVec3, 8> covers = {
       DVec3(120, 35, 30),   DVec3(35, 60, 110), DVec3(45, 85, 55),   DVec3(190, 150, 70),
       DVec3(200, 190, 165), DVec3(60, 50, 70),  DVec3(205, 110, 45), DVec3(40, 40, 45)};
@@ -243,7 +244,7 @@ Image book_spines(int height) {
                                  "Grammar",  "The Sea",   "Botany",  "Music Theory", "Dictionary"};
   Canvas canvas(blank(4 * height, height, {128, 128, 128}));
   const double width = static_cast<double>(canvas.width()) / spines_in_image;
-  Pcg32 random(72);
+  Pcg32 random = generator(seed);
   for (int i = 0; i < spines_in_image; ++i) {
     const DVec3 paint = covers[random.below(covers.size())];
     const DVec3 cover = paint * (0.8 + 0.3 * random.uniform());
@@ -261,12 +262,12 @@ Image book_spines(int height) {
   return std::move(canvas).finished();
 }
 
-Image written_page(int height, std::uint32_t seed) {
+Image written_page(int height, const Seed& seed) {
   Canvas canvas(blank(3 * height / 4, height, {244, 241, 230}));
   const double h = height;
   const double w = canvas.width();
   constexpr int lines = 20;
-  Pcg32 random(seed);
+  Pcg32 random = generator(seed);
   for (int line = 0; line < lines; ++line) {
     const double y = h * (0.1 + 0.043 * line);
     canvas.draw_lines({{0.0, y}, {w, y}}, {{{150, 180, 215}}, 0.0016 * h});
@@ -281,7 +282,7 @@ Image written_page(int height, std::uint32_t seed) {
   return std::move(canvas).finished();
 }
 
-Image notices(int height) {
+Image notices(int height, const Seed& seed) {
   constexpr std::array<const char*, 8> titles = {"Timetable", "Trip",    "Rules", "Choir",
                                                  "Birthdays", "Week 20", "Chess", "Lost!"};
   constexpr std::array<DVec3, 8> papers = {
@@ -294,16 +295,16 @@ Image notices(int height) {
     if (i % 5 == 0) {
       draw_timetable(canvas, corner, size);
     } else {
-      write_paragraphs(canvas, corner, size, 80 + i);
+      write_paragraphs(canvas, corner, size, mix(seed, static_cast<std::uint32_t>(i)));
     }
   });
 }
 
-Image drawings(int height) {
+Image drawings(int height, const Seed& seed) {
   constexpr std::array<DVec3, 4> crayons = {DVec3(60, 90, 190), DVec3(200, 70, 60),
                                             DVec3(225, 160, 50), DVec3(130, 70, 150)};
   return sheets(height, [&](Canvas& canvas, const DVec2& corner, const DVec2& size, int i) {
-    Pcg32 random(90 + i);
+    Pcg32 random = generator(mix(seed, static_cast<std::uint32_t>(i)));
     const auto at = [&](double x, double y) { return corner + size * DVec2(x, y); };
     canvas.fill_rectangle(at(0.03, 0.02), at(0.97, 0.4), {{165, 205, 235}, 0.7, 0.8});
     canvas.fill_rectangle(at(0.03, 0.74), at(0.97, 0.98), {{105, 170, 80}, 0.85, 0.6});
@@ -338,7 +339,7 @@ Image alphabet_strip(int height) {
   return std::move(canvas).finished();
 }
 
-Image facade(int size) {
+Image facade(int size, const Seed& seed) {
   Canvas canvas(masonry(size,
                         {.courses = 48,
                          .stones = 20,
@@ -346,7 +347,7 @@ Image facade(int size) {
                          .variation = 0.25,
                          .stone = {0.42F, 0.2F, 0.13F},
                          .mortar = {0.45F, 0.42F, 0.38F}},
-                        73));
+                        seed));
   const double s = size;
   const auto fill = [&](double u0, double v0, double u1, double v1, const DVec3& color) {
     canvas.fill_rectangle(s * DVec2(u0, v0), s * DVec2(u1, v1), {color});

@@ -25,8 +25,8 @@ Shape mapped_ball(double radius, int segments) {
 Shape bond(const DVec3& from, const DVec3& to) { return tube({from, to}, 0.006, 10); }
 
 /// Crumpled paper.
-Shape crumpled_ball(double radius, std::uint32_t seed) {
-  Pcg32 random(seed);
+Shape crumpled_ball(double radius, const Seed& seed) {
+  Pcg32 random = generator(seed);
   const double a = 6.0 * random.uniform();
   const double b = 6.0 * random.uniform();
   return deformed(ellipsoid(DVec3(radius), 18), [&](const DVec3& p) {
@@ -200,14 +200,14 @@ void add_waste_basket(Model& model, const Materials& m) {
   append(basket, moved(torus(0.15, 0.005, 48, 10), {0.0, 0.34, 0.0}));
   append(basket, cylinder(0.112, 0.01, 32));
   Shape paper;
-  Pcg32 random(650);
+  Pcg32 random = generator(model.stream(650));
   for (std::uint32_t i = 0; i < 14; ++i) {
     const double angle = 2.4 * i;
     const double r = 0.062 * std::sqrt(random.uniform());
-    append(paper, moved(crumpled_ball(0.042, 660 + i),
+    append(paper, moved(crumpled_ball(0.042, model.stream(660 + i)),
                         {r * std::sin(angle), 0.05 + 0.017 * i, r * std::cos(angle)}));
   }
-  append(paper, moved(crumpled_ball(0.04, 690), {-0.28, 0.034, -0.05}));
+  append(paper, moved(crumpled_ball(0.04, model.stream(690)), {-0.28, 0.034, -0.05}));
   add_object(model, "Waste basket",
              moved({{m.steel, basket, 60.0}, {m.paper, paper, 30.0}}, place));
 }
@@ -217,17 +217,17 @@ void add_plants(Model& model, const Materials& m) {
   const PlantSize pot{
       .pot_radius = 0.1, .pot_height = 0.16, .stem_height = 0.3, .leaf_length = 0.17};
   add_object(model, "Window plant",
-             moved(potted_plant(pot, m.plant, 700), {2.75, sill, -half_z + 0.06}));
-  std::uint32_t seed = 701;
+             moved(potted_plant(pot, m.plant, model.stream(700)), {2.75, sill, -half_z + 0.06}));
+  std::uint32_t number = 701;
   for (const double x : {-3.6, -1.35, 0.75, 3.75}) {
-    const PlantSize size{.pot_radius = 0.08 + 0.01 * (seed % 3),
+    const PlantSize size{.pot_radius = 0.08 + 0.01 * (number % 3),
                          .pot_height = 0.14,
-                         .stem_height = 0.18 + 0.05 * (seed % 4),
+                         .stem_height = 0.18 + 0.05 * (number % 4),
                          .leaf_length = 0.13,
                          .stems = 8};
-    add_object(model, "Sill plant " + std::to_string(seed - 700),
-               moved(potted_plant(size, m.plant, seed), {x, sill, -half_z + 0.05}));
-    ++seed;
+    add_object(model, "Sill plant " + std::to_string(number - 700),
+               moved(potted_plant(size, m.plant, model.stream(number)), {x, sill, -half_z + 0.05}));
+    ++number;
   }
   const PlantSize tall{.pot_radius = 0.24,
                        .pot_height = 0.4,
@@ -235,8 +235,9 @@ void add_plants(Model& model, const Materials& m) {
                        .leaf_length = 0.36,
                        .stems = 12,
                        .leaves_per_stem = 7};
-  add_object(model, "Tall plant",
-             moved(potted_plant(tall, m.plant, 710), {-half_x + 0.55, 0.0, half_z - 0.55}));
+  add_object(
+      model, "Tall plant",
+      moved(potted_plant(tall, m.plant, model.stream(710)), {-half_x + 0.55, 0.0, half_z - 0.55}));
 }
 
 }  // namespace foveola::scenes::school

@@ -226,14 +226,14 @@ void add_curtains(Model& model, const Materials& m) {
   constexpr double z = -half_z + 0.14;
   Shape cloths;
   Shape rail = tube({{-half_x + 0.1, rail_y, z}, {half_x - 0.1, rail_y, z}}, 0.014, 12);
-  std::uint32_t seed = 500;
+  std::uint32_t number = 500;
   for (int i = 0; i <= windows; ++i) {
     // Drawn aside, the curtains hang in front of the piers.
     const double x = window_spacing * (i - 0.5 * windows);
     const bool is_outer = i == 0 || i == windows;
     const ClothSize size{
         .width = is_outer ? 0.42 : 0.56, .drop = 1.97, .folds = 7, .fold_depth = 0.05};
-    append(cloths, moved(hanging_cloth(size, ++seed), {x, rail_y - 0.03, z}));
+    append(cloths, moved(hanging_cloth(size, model.stream(++number)), {x, rail_y - 0.03, z}));
     for (int ring = 0; ring < 8; ++ring) {
       const double ring_x = x + size.width * (ring / 7.0 - 0.5);
       append(rail, moved(turned(torus(0.021, 0.0035, 20, 8), 90.0, {0, 0, 1}),

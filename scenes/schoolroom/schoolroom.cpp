@@ -28,8 +28,8 @@ void append(std::vector<Part>& to, const std::vector<Part>& from) {
 
 }  // namespace school
 
-Model make_schoolroom() {
-  Model model;
+Model make_schoolroom(std::uint32_t seed) {
+  Model model{.seed = seed};
   const school::Materials m = school::add_materials(model);
   school::add_shell(model, m);
   school::add_windows(model, m);

@@ -12,8 +12,8 @@ namespace foveola::scenes::school {
 namespace {
 
 /// Marked and not yet handed back: exercise books in a leaning pile.
-std::vector<Part> pile_of_books(const Materials& m) {
-  Pcg32 random(670);
+std::vector<Part> pile_of_books(const Materials& m, const Seed& seed) {
+  Pcg32 random = generator(seed);
   std::vector<Part> pile;
   double height = 0.0;
   for (int i = 0; i < 13; ++i) {
@@ -159,7 +159,7 @@ void add_teachers_things(Model& model, const Materials& m) {
   };
   // Turned by 90 degrees, what lies along Z can be read from the teacher's chair.
   put("Register", open_book(m, m.other_page), {0.14, 0.0005, -0.08}, 84.0);
-  put("Exercise books", pile_of_books(m), {-0.1, 0.0, -0.42}, 78.0);
+  put("Exercise books", pile_of_books(m, model.stream(670)), {-0.1, 0.0, -0.42}, 78.0);
   put("Mug with pencils", mug_of_pencils(m), {-0.19, 0.0, -0.16}, 130.0);
   put("Apple", apple(m), {-0.16, 0.0, 0.03}, 25.0);
   put("Hand bell", hand_bell(m), {0.2, 0.0, 0.3}, 0.0);

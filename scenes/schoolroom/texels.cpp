@@ -206,13 +206,13 @@ Block block_at(double x, double y, int cells) {
 
 }  // namespace
 
-Image parquet(int size, int blocks, std::uint32_t seed) {
+Image parquet(int size, int blocks, const Seed& seed) {
   const Image grain = wood(512, 1, {0.4F, 0.23F, 0.11F}, {0.24F, 0.125F, 0.055F}, seed);
   Image image = blank(size, size, DVec3(0.0));
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const Block block = block_at((x + 0.5) * blocks / size, (y + 0.5) * blocks / size, blocks);
-      const std::uint32_t bits = mix(seed, static_cast<std::uint32_t>(block.number));
+      const std::uint32_t bits = mix(seed, static_cast<std::uint32_t>(block.number)).bits();
       const int column = static_cast<int>(bits % 512 + block.across * 100.0) % 512;
       const int row = static_cast<int>(bits / 512 % 512 + block.along * 50.0) % 512;
       const double from_edge =

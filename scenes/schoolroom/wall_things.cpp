@@ -75,7 +75,7 @@ void add_tray(Model& model, const Materials& m, double y) {
   append(tray, moved(rounded_box({2.4, 0.012, 0.012}, 0.004, 1), {0.0, 0.0, 0.1}));
   append(tray, moved(rounded_box({2.4, 0.012, 0.02}, 0.004, 1), {0.0, 0.0, 0.015}));
   Shape sticks;
-  Pcg32 random(630);
+  Pcg32 random = generator(model.stream(630));
   for (int i = 0; i < 14; ++i) {
     const Shape stick =
         turned(cone(0.0055, 0.0045, 0.05 + 0.03 * random.uniform(), 12), 90.0, {0, 0, 1});
@@ -155,7 +155,7 @@ void add_notice_board(Model& model, const Materials& m) {
   }
   Shape sheets;
   Shape pins;
-  Pcg32 random(640);
+  Pcg32 random = generator(model.stream(640));
   for (int i = 0; i < 14; ++i) {
     const double lean_deg = 8.0 * (random.uniform() - 0.5);
     const DVec3 top{0.2 + 0.316 * (i % 7) + 0.03 * random.uniform(),

@@ -115,10 +115,10 @@ CarMaterials add_car_materials(Model& model) {
       model,
       {.name = "red lamp", .base_color = {0.6F, 0.02F, 0.02F}, .emission = {2.5F, 0.1F, 0.06F}});
   m.screen = add_textured_material(model, "dashboard screen", display(200), 0.2F);
-  m.leather =
-      add_textured_material(model, "dark leather", plaster(256, Rgb(0.035F), 0.4, 41), 0.5F);
-  m.stitched_leather = add_textured_material(model, "tan leather",
-                                             plaster(256, {0.32F, 0.15F, 0.065F}, 0.3, 42), 0.45F);
+  m.leather = add_textured_material(model, "dark leather",
+                                    plaster(256, Rgb(0.035F), 0.4, model.stream(41)), 0.5F);
+  m.stitched_leather = add_textured_material(
+      model, "tan leather", plaster(256, {0.32F, 0.15F, 0.065F}, 0.3, model.stream(42)), 0.45F);
   m.lining = plain(model, "lining", Rgb(0.3F), 0.95F);
   m.carpet = plain(model, "carpet", Rgb(0.03F), 1.0F);
   m.caliper = plain(model, "caliper", {0.55F, 0.02F, 0.015F}, 0.25F);
@@ -130,8 +130,9 @@ namespace studio {
 
 Materials add_materials(Model& model) {
   Materials m;
-  m.concrete = add_textured_material(model, "polished concrete",
-                                     plaster(1024, {0.36F, 0.35F, 0.335F}, 0.4, 31), 0.3F);
+  m.concrete =
+      add_textured_material(model, "polished concrete",
+                            plaster(1024, {0.36F, 0.35F, 0.335F}, 0.4, model.stream(31)), 0.3F);
   m.brick = add_textured_material(model, "painted brick",
                                   masonry(1024,
                                           {.courses = 16,
@@ -140,9 +141,10 @@ Materials add_materials(Model& model) {
                                            .variation = 0.12,
                                            .stone = {0.5F, 0.49F, 0.47F},
                                            .mortar = {0.42F, 0.41F, 0.39F}},
-                                          32),
+                                          model.stream(32)),
                                   0.85F);
-  m.ceiling = add_textured_material(model, "ceiling", plaster(512, Rgb(0.5F), 0.1, 33), 0.95F);
+  m.ceiling = add_textured_material(model, "ceiling",
+                                    plaster(512, Rgb(0.5F), 0.1, model.stream(33)), 0.95F);
   m.backdrop = add_material(model, {.name = "backdrop",
                                     .base_color = {0.62F, 0.6F, 0.57F},
                                     .roughness = 0.9F,
@@ -151,8 +153,8 @@ Materials add_materials(Model& model) {
   m.steel = metal(model, "steel", Rgb(0.55F), 0.35F);
   m.black_steel = plain(model, "black steel", Rgb(0.03F), 0.35F);
   m.black_cloth = plain(model, "black cloth", Rgb(0.03F), 1.0F);
-  m.black_laminate =
-      add_textured_material(model, "laminate", plaster(256, Rgb(0.035F), 0.35, 35), 0.4F);
+  m.black_laminate = add_textured_material(model, "laminate",
+                                           plaster(256, Rgb(0.035F), 0.35, model.stream(35)), 0.4F);
   m.red_lacquer = add_material(model, {.name = "red lacquer",
                                        .base_color = {0.5F, 0.03F, 0.02F},
                                        .roughness = 0.4F,
@@ -161,7 +163,8 @@ Materials add_materials(Model& model) {
   m.galvanised = metal(model, "galvanised steel", Rgb(0.6F), 0.5F);
   m.white_paint = plain(model, "white paint", Rgb(0.75F), 0.5F);
   m.wood = add_textured_material(
-      model, "wood", wood(512, 6, {0.4F, 0.25F, 0.13F}, {0.22F, 0.12F, 0.06F}, 34), 0.5F);
+      model, "wood", wood(512, 6, {0.4F, 0.25F, 0.13F}, {0.22F, 0.12F, 0.06F}, model.stream(34)),
+      0.5F);
   m.cable = plain(model, "cable", Rgb(0.02F), 0.5F);
   m.sandbag = plain(model, "sandbag", {0.5F, 0.16F, 0.03F}, 0.9F);
   m.camera_body = plain(model, "camera body", Rgb(0.025F), 0.45F);
@@ -170,7 +173,7 @@ Materials add_materials(Model& model) {
                                 .roughness = 0.05F,
                                 .clearcoat = 1.0F});
   m.display = add_textured_material(model, "display", display(512), 0.2F);
-  m.poster = add_textured_material(model, "poster", landscape(512, 36), 0.3F);
+  m.poster = add_textured_material(model, "poster", landscape(512, model.stream(36)), 0.3F);
   m.clock = add_textured_material(model, "clock", clock_face(256), 0.4F);
   m.softbox = add_material(model, {.name = "softbox", .emission = Rgb(13.0F)});
   m.warm_softbox = add_material(model, {.name = "warm softbox", .emission = {14.0F, 11.5F, 9.0F}});

@@ -18,13 +18,14 @@ void add_tyre_stack(Model& model, const studio::Materials& m) {
 void add_plant(Model& model, const studio::Materials& m) {
   const PlantSize size{
       .pot_radius = 0.3, .pot_height = 0.5, .stem_height = 1.0, .leaf_length = 0.4};
-  add_object(model, "Plant", moved(potted_plant(size, m.plant, 400), {7.1, 0.0, 4.6}));
+  add_object(model, "Plant",
+             moved(potted_plant(size, m.plant, model.stream(400)), {7.1, 0.0, 4.6}));
 }
 
 }  // namespace
 
-Model make_studio_car() {
-  Model model;
+Model make_studio_car(std::uint32_t seed) {
+  Model model{.seed = seed};
   const studio::Materials materials = studio::add_materials(model);
   studio::add_room(model, materials);
   studio::add_ceiling_rig(model, materials);

@@ -146,6 +146,19 @@ TEST_P(BuiltinScene, HasTheStoredHashEveryTime) {
   EXPECT_EQ(sha256(glb_from(make_builtin(GetParam()))), stored);
 }
 
+/// The same things in the same places, but not the same.
+TEST_P(BuiltinScene, HasVariants) {
+  const Model& usual = scene(GetParam());
+  const Model variant = make_builtin(GetParam(), 7);
+  EXPECT_NE(sha256(glb_from(variant)), sha256(glb_from(usual)));
+  ASSERT_EQ(variant.objects.size(), usual.objects.size());
+  for (std::size_t i = 0; i < usual.objects.size(); ++i) {
+    EXPECT_EQ(variant.objects[i].name, usual.objects[i].name);
+  }
+  EXPECT_EQ(variant.materials.size(), usual.materials.size());
+  EXPECT_EQ(variant.cameras.at(0).position, usual.cameras.at(0).position);
+}
+
 /// The sizes of the published study's scenes, each under its counterpart's name.
 const std::map<std::string, std::size_t> triangles_of_originals = {{"arcade", 260'000},
                                                                    {"church", 80'000},
@@ -360,6 +373,18 @@ TEST(Builtin, IsMadeOnceIntoTheCache) {
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
   write_file(file, kept.substr(0, kept.size() - 1));
   EXPECT_EQ(read_file(require_builtin("meeting-room")), kept);
+}
+
+TEST(Builtin, VariantsAreKnownByTheirNames) {
+  const std::filesystem::path variant = cached_builtin("arcade", 7).filename();
+  EXPECT_NE(variant, cached_builtin("arcade").filename());
+  EXPECT_EQ(variant_seed("arcade", variant), 7U);
+  EXPECT_EQ(variant_seed("arcade", cached_builtin("arcade", 4'294'967'295U)), 4'294'967'295U);
+  EXPECT_EQ(variant_seed("arcade", cached_builtin("arcade")), std::nullopt);
+  EXPECT_EQ(variant_seed("church", variant), std::nullopt);
+  EXPECT_EQ(variant_seed("arcade", "arcade-seed-7.glb"), std::nullopt);
+  EXPECT_EQ(variant_seed("arcade", "arcade-seed-.glb"), std::nullopt);
+  EXPECT_EQ(variant_seed("arcade", "arcade-seed-7-0123456789ab.glb"), std::nullopt);
 }
 
 TEST(Builtin, OnlyWholeFilesAreGlbs) {

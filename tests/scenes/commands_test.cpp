@@ -8,6 +8,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "scenes/builtin.h"
+#include "scenes/descriptor.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
 
@@ -131,6 +132,14 @@ TEST_F(SceneCommands, MakeWritesFilesAndPrintsTheirHash) {
   const std::filesystem::path file = folder.path() / "meeting-room.glb";
   EXPECT_THAT(text, HasSubstr(file.string()));
   EXPECT_THAT(text, HasSubstr(sha256_of_file(file)));
+}
+
+TEST_F(SceneCommands, MakeKeepsVariantsApart) {
+  output_of("scene make meeting-room --seed 7 -o " + folder.path().string());
+  output_of("scene make meeting-room --seed 0 -o " + folder.path().string());
+  const std::string variant = cached_builtin("meeting-room", 7).filename();
+  EXPECT_NE(sha256_of_file(folder / variant), sha256_of_file(folder / "meeting-room.glb"));
+  EXPECT_EQ(sha256_of_file(folder / "meeting-room.glb"), find_descriptor("meeting-room")->sha256);
 }
 
 TEST_F(SceneCommands, MakeFillsTheCacheByDefault) {

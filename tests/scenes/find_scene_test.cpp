@@ -75,6 +75,16 @@ TEST_F(FindScene, CopiesOfBuiltinScenesKeepTheirViewpoint) {
   EXPECT_EQ(find_scene(cached).title, "Meeting room");
 }
 
+/// Descriptors say what light a scene has: a variant would be dark without.
+TEST_F(FindScene, VariantsHaveTheViewpointAndNoHashToKeep) {
+  const std::filesystem::path name = cached_builtin("arcade", 7).filename();
+  const SceneSource source = find_scene(folder.write("mine/" + name.string(), "x").string());
+  EXPECT_EQ(source.title, "Arcade (seed 7)");
+  EXPECT_TRUE(source.camera_position.has_value());
+  EXPECT_TRUE(source.sky.has_value());
+  EXPECT_EQ(source.described_sha256, "");
+}
+
 TEST_F(FindScene, OtherFilesOfABuiltinScenesNameAreNoCopies) {
   const SceneSource source = find_scene(folder.write("fake/church.glb", "x").string());
   EXPECT_EQ(source.title, "church");

@@ -32,26 +32,26 @@ Steps steps_across(const Image& image) {
 }
 
 TEST(Patterns, PlasterRepeatsWithoutASeam) {
-  const Steps steps = steps_across(plaster(128, Rgb(0.5F), 0.5, 3));
+  const Steps steps = steps_across(plaster(128, Rgb(0.5F), 0.5, Seed(3)));
   EXPECT_GT(steps.inside, 0.0);
   EXPECT_LT(steps.over_the_edge, 2.0 * steps.inside);
 }
 
 TEST(Patterns, MasonryRepeatsWithoutASeam) {
-  const Steps steps =
-      steps_across(masonry(256, {.courses = 8, .stones = 4, .joint = 0.1, .variation = 0.3}, 3));
+  const Steps steps = steps_across(
+      masonry(256, {.courses = 8, .stones = 4, .joint = 0.1, .variation = 0.3}, Seed(3)));
   EXPECT_LT(steps.over_the_edge, 3.0 * steps.inside);
 }
 
 TEST(Patterns, PlainPlasterHasTheSrgbValueOfItsColour) {
   // Linear 0.5 is 188 of 255 in sRGB (IEC 61966-2-1).
-  const Image image = plaster(8, Rgb(0.5F), 0.0, 1);
+  const Image image = plaster(8, Rgb(0.5F), 0.0, Seed(1));
   EXPECT_EQ(green(image, 3, 3), 188);
   EXPECT_EQ(image.rgba[3], 255);
 }
 
 TEST(Patterns, LeafIsPartlyTransparentAndItsBorderIsAllTransparent) {
-  const Image image = leaf(64, {0.1F, 0.3F, 0.05F}, 5);
+  const Image image = leaf(64, {0.1F, 0.3F, 0.05F}, Seed(5));
   std::size_t opaque = 0;
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -66,12 +66,13 @@ TEST(Patterns, LeafIsPartlyTransparentAndItsBorderIsAllTransparent) {
 }
 
 TEST(Patterns, SeedsMakeADifference) {
-  EXPECT_EQ(wood(32, 4, Rgb(0.4F), Rgb(0.2F), 1).rgba, wood(32, 4, Rgb(0.4F), Rgb(0.2F), 1).rgba);
-  EXPECT_NE(wood(32, 4, Rgb(0.4F), Rgb(0.2F), 1).rgba, wood(32, 4, Rgb(0.4F), Rgb(0.2F), 2).rgba);
+  const auto planks = [](const Seed& seed) { return wood(32, 4, Rgb(0.4F), Rgb(0.2F), seed).rgba; };
+  EXPECT_EQ(planks(Seed(1)), planks(Seed(1)));
+  EXPECT_NE(planks(Seed(1)), planks(Seed(2)));
 }
 
 TEST(Patterns, BoardIsTwiceAsWideAsHighAndWrittenOn) {
-  const Image image = written_board(64, 1);
+  const Image image = written_board(64, Seed(1));
   EXPECT_EQ(image.width, 128);
   EXPECT_EQ(image.height, 64);
   int dark = 0;
