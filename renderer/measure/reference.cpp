@@ -27,11 +27,11 @@ constexpr std::uint32_t reference_stream = 0x72656665U;
 
 /// Everything the image depends on, and this program's way of rendering it.
 std::string cache_key(const std::string& scene_key, const ReferenceSettings& settings) {
-  std::string text =
-      fmt::format("reference 2\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} spp {} interest {}\n",
-                  scene_key, settings.viewpoint.x, settings.viewpoint.y, settings.viewpoint.z,
-                  settings.width, settings.height, settings.max_depth, settings.seed,
-                  settings.samples_per_pixel, settings.samples_per_interest);
+  std::string text = fmt::format(
+      "reference 3\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} angle {} spp {} interest {}\n", scene_key,
+      settings.viewpoint.x, settings.viewpoint.y, settings.viewpoint.z, settings.width,
+      settings.height, settings.max_depth, settings.seed, settings.pixel_angle_rad,
+      settings.samples_per_pixel, settings.samples_per_interest);
   for (const Vec3& interest : settings.interests) {
     text += fmt::format("{} {} {}\n", interest.x, interest.y, interest.z);
   }
@@ -73,7 +73,8 @@ class ReferenceRender {
         progress_(progress),
         stop_(std::move(stop)),
         trace_settings_{.max_depth = settings.max_depth,
-                        .seed = mix(settings.seed, reference_stream)},
+                        .seed = mix(settings.seed, reference_stream),
+                        .pixel_angle_rad = settings.pixel_angle_rad},
         trace_([this, &tracer](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
           tracer.trace(settings_.viewpoint, jobs, radiance, trace_settings_, workers_);
         }),
