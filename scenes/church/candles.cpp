@@ -65,21 +65,21 @@ Candles chandelier(double chain_length) {
   return candles;
 }
 
-/// A lamp of glass in a brass crown that hangs at the origin from a chain.
+/// A lamp of glass in an iron crown that hangs at the origin from a chain.
 struct HangingLamp {
-  Shape brass;
+  Shape iron;
   Shape glass;
 };
 HangingLamp hanging_lamp(double chain_length) {
   HangingLamp lamp;
   lamp.glass = ellipsoid({0.085, 0.11, 0.085}, 8);
-  lamp.brass = moved(torus(0.1, 0.016, 12, 5), {0.0, 0.03, 0.0});
-  append(lamp.brass, moved(cone(0.03, 0.06, 0.05, 8), {0.0, -0.145, 0.0}));
+  lamp.iron = moved(torus(0.1, 0.016, 12, 5), {0.0, 0.03, 0.0});
+  append(lamp.iron, moved(cone(0.03, 0.06, 0.05, 8), {0.0, -0.145, 0.0}));
   for (int i = 0; i < 3; ++i) {
-    append(lamp.brass, tube({around(2.0 * pi * i / 3, 0.1, 0.03), {0.0, 0.42, 0.0}}, 0.006, 4));
+    append(lamp.iron, tube({around(2.0 * pi * i / 3, 0.1, 0.03), {0.0, 0.42, 0.0}}, 0.006, 4));
   }
-  append(lamp.brass, moved(ellipsoid({0.03, 0.04, 0.03}, 6), {0.0, 0.42, 0.0}));
-  append(lamp.brass, tube({{0.0, 0.42, 0.0}, {0.0, 0.42 + chain_length, 0.0}}, 0.007, 4));
+  append(lamp.iron, moved(ellipsoid({0.03, 0.04, 0.03}, 6), {0.0, 0.42, 0.0}));
+  append(lamp.iron, tube({{0.0, 0.42, 0.0}, {0.0, 0.42 + chain_length, 0.0}}, 0.007, 4));
   return lamp;
 }
 
@@ -185,17 +185,17 @@ void add_candles(Model& model, const Materials& m) {
   const double height = 3.0;
   const double aisle_ceiling = 6.85;
   const HangingLamp lamp = hanging_lamp(aisle_ceiling - height - 0.42);
-  Shape brass;
+  Shape iron;
   Shape glass;
   for (int i = 0; i < bays; ++i) {
     for (const double side : {-1.0, 1.0}) {
       const DVec3 place(bay * (i - 0.5 * (bays - 1)), height,
                         side * 0.5 * (arcade_z + 0.5 * wall + aisle_z));
-      append(brass, moved(lamp.brass, place));
+      append(iron, moved(lamp.iron, place));
       append(glass, moved(lamp.glass, place));
     }
   }
-  add_object(model, "Aisle lamps", {{m.brass, brass}, {m.lamp, glass}});
+  add_object(model, "Aisle lamps", {{m.iron, iron}, {m.lamp, glass}});
   Candles paschal;
   paschal.add_candlestick({11.4, 0.32, -2.2}, 1.3, 0.9);
   std::vector<Part> parts;

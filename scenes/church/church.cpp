@@ -71,10 +71,10 @@ void add_woods_and_metals(Model& model, Materials& m) {
       wood(512, 4, {0.15F, 0.08F, 0.04F}, {0.07F, 0.035F, 0.018F}, model.stream(62)), 0.45F);
   m.gold = add_material(
       model,
-      {.name = "gold", .base_color = {0.9F, 0.62F, 0.25F}, .metallic = 1.0F, .roughness = 0.35F});
+      {.name = "gold", .base_color = {0.9F, 0.62F, 0.25F}, .metallic = 1.0F, .roughness = 0.5F});
   m.brass = add_material(
       model,
-      {.name = "brass", .base_color = {0.8F, 0.56F, 0.24F}, .metallic = 1.0F, .roughness = 0.25F});
+      {.name = "brass", .base_color = {0.8F, 0.56F, 0.24F}, .metallic = 1.0F, .roughness = 0.45F});
   m.iron = add_material(
       model, {.name = "iron", .base_color = Rgb(0.12F), .metallic = 1.0F, .roughness = 0.6F});
   m.tin = add_material(
@@ -95,8 +95,8 @@ void add_small_things(Model& model, Materials& m) {
       model, "saint in red", painted_saint(256, {0.42F, 0.06F, 0.05F}, model.stream(66)), 0.5F);
   m.water = add_material(
       model, {.name = "font water", .base_color = {0.06F, 0.1F, 0.1F}, .roughness = 0.1F});
-  m.flame = add_material(model, {.name = "flame", .emission = {160.0F, 92.0F, 34.0F}});
-  m.lamp = add_material(model, {.name = "lamp glass", .emission = {80.0F, 57.0F, 34.0F}});
+  m.flame = add_material(model, {.name = "flame", .emission = {40.0F, 23.0F, 8.5F}});
+  m.lamp = add_material(model, {.name = "lamp glass", .emission = {27.0F, 19.0F, 11.3F}});
 }
 
 /// The upper windows see open sky, hazy where the sun is; trees and houses shade the lower ones.
