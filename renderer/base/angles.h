@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
@@ -63,6 +64,28 @@ struct Frame {
   }
   Vec3 to_local(const Vec3& world) const {
     return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
+  }
+};
+
+/// The same, one a lane.
+struct Frames {
+  Vec3s tangent;
+  Vec3s bitangent;
+  Vec3s normal;
+
+  explicit Frames(const Vec3s& n) : normal(n) {
+    const Floats sign = with_sign(all_lanes(1.0F), n.z);
+    const Floats a = -1.0F / (sign + n.z);
+    const Floats b = n.x * n.y * a;
+    tangent = {1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    bitangent = {b, sign + n.y * n.y * a, -n.y};
+  }
+
+  Vec3s to_world(const Vec3s& local) const {
+    return local.x * tangent + local.y * bitangent + local.z * normal;
+  }
+  Vec3s to_local(const Vec3s& world) const {
+    return {dot(world, tangent), dot(world, bitangent), dot(world, normal)};
   }
 };
 

@@ -81,13 +81,13 @@ void SampleStreams::put(std::size_t i, const SampleStream& stream) {
   dimension_[i] = stream.dimension_;
 }
 
-void SampleStreams::next_1d(Floats& numbers) {
+void SampleStreams::next_1d(FloatLanes& numbers) {
   for (std::size_t i = 0; i < size; ++i) {
     numbers[i] = point_1d(mix(key_[i], dimension_[i]++), sample_number_[i]);
   }
 }
 
-void SampleStreams::next_2d(Pairs& numbers) {
+void SampleStreams::next_2d(Vec2Lanes& numbers) {
   for (std::size_t i = 0; i < size; ++i) {
     const std::uint32_t key = mix(key_[i], dimension_[i]++);
     numbers.x[i] = point_1d(key, sample_number_[i]);

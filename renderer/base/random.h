@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
@@ -40,6 +41,8 @@ Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed);
 /// whose order and points are Owen-scrambled with a key of its own (Burley 2020, section 5).
 class SampleStream {
  public:
+  /// To be assigned to.
+  SampleStream() = default;
   SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample_number)
       : key_(mix(mix(seed), pixel)), sample_number_(sample_number) {}
 
@@ -51,8 +54,8 @@ class SampleStream {
  private:
   friend class SampleStreams;
 
-  std::uint32_t key_;
-  std::uint32_t sample_number_;
+  std::uint32_t key_ = 0;
+  std::uint32_t sample_number_ = 0;
   std::uint32_t dimension_ = 0;
 };
 
@@ -60,21 +63,16 @@ class SampleStream {
 /// alone, but the processor works on all of them at once.
 class SampleStreams {
  public:
-  static constexpr std::size_t size = 16;
-  using Floats = std::array<float, size>;
+  static constexpr std::size_t size = lane_count;
   using Bits = std::array<std::uint32_t, size>;
-  struct Pairs {
-    Floats x;
-    Floats y;
-  };
 
   /// Puts a stream into place i; how far it has been drawn from goes back with take().
   void put(std::size_t i, const SampleStream& stream);
   void take(std::size_t i, SampleStream& stream) const { stream.dimension_ = dimension_[i]; }
 
   /// Places without a stream give any number.
-  void next_1d(Floats& numbers);
-  void next_2d(Pairs& numbers);
+  void next_1d(FloatLanes& numbers);
+  void next_2d(Vec2Lanes& numbers);
   void next_bits(Bits& numbers);
 
  private:

@@ -4,31 +4,37 @@
 
 #include <cmath>
 
+#include "renderer/base/lanes.h"
+
 namespace foveola {
 
-struct SineCosine {
-  float sine;
-  float cosine;
+/// Number: float, or Floats.
+template <typename Number>
+struct SinesCosines {
+  Number sine;
+  Number cosine;
 };
+using SineCosine = SinesCosines<float>;
 
 /// Of 2 pi `turns`, for |turns| < 2^20, within 1e-7. The polynomials are those of Moshier's Cephes
-/// library (sinf, cosf), 1992, for an eighth of a turn.
-inline SineCosine sine_cosine_of_turns(float turns) {
+/// library (sinf, cosf), 1992, for an eighth of a turn. Number: float, or Floats.
+template <typename Number>
+SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
   constexpr float radians_per_turn = 6.28318530717958648F;
-  const float quarters = std::nearbyint(4.0F * turns);
-  const float x = (turns - 0.25F * quarters) * radians_per_turn;
-  const float z = x * x;
-  const float sine =
+  const Number quarters = nearest_integer(4.0F * turns);
+  const Number x = (turns - 0.25F * quarters) * radians_per_turn;
+  const Number z = x * x;
+  const Number sine =
       x + x * z * (-1.6666654611e-1F + z * (8.3321608736e-3F + z * -1.9515295891e-4F));
-  const float cosine =
+  const Number cosine =
       1.0F - 0.5F * z +
       z * z * (4.166664568298827e-2F + z * (-1.388731625493765e-3F + z * 2.443315711809948e-5F));
-  const int quadrant = static_cast<int>(quarters);
-  const bool is_odd = (quadrant & 1) != 0;
-  const float first = is_odd ? cosine : sine;
-  const float second = is_odd ? sine : cosine;
-  return {.sine = (quadrant & 2) != 0 ? -first : first,
-          .cosine = ((quadrant + 1) & 2) != 0 ? -second : second};
+  const auto quadrant = truncated(quarters);
+  const auto is_odd = (quadrant & 1) != 0;
+  const Number first = chosen(is_odd, cosine, sine);
+  const Number second = chosen(is_odd, sine, cosine);
+  return {.sine = chosen((quadrant & 2) != 0, -first, first),
+          .cosine = chosen(((quadrant + 1) & 2) != 0, -second, second)};
 }
 
 /// The angle of (x, y) from the x axis towards y, in [-0.5, 0.5] turns, within 4e-8; 0 for (0,

@@ -6,16 +6,19 @@
 #include <cstddef>
 #include <limits>
 
+#include "renderer/base/lanes.h"
+
 namespace foveola {
 
 /// Alpha of the tables' first rows, so small that albedos depend on cosine / alpha only.
 constexpr float vanishing_alpha = 1e-5F;
 
-/// A cosine's position in [0, 1] on the tables' axis. Where masking sets in, at cosines around
-/// alpha, positions lie dense.
-inline float albedo_position(float cosine, float alpha) {
+/// A cosine's position in [0, 1] on the tables' axis; of a number, or of lanes of them. Where
+/// masking sets in, at cosines around alpha, positions lie dense.
+template <typename Number>
+Number albedo_position(const Number& cosine, const Number& alpha) {
   constexpr float no_zero = std::numeric_limits<float>::min();
-  return 0.65F * std::sqrt(cosine * (1.0F + alpha) / (cosine + alpha + no_zero)) + 0.35F * cosine;
+  return 0.65F * square_root(cosine * (1.0F + alpha) / (cosine + alpha + no_zero)) + 0.35F * cosine;
 }
 
 /// The cosine at node `node` of steps + 1, by bisection; never zero.
@@ -30,14 +33,29 @@ inline float cosine_of_node(std::size_t node, int steps, float alpha) {
   return std::max(above, 1e-7F * alpha);
 }
 
-/// A position among nodes: the one below, and how far it is to the next.
+/// A position among nodes: the one below, and how far it is to the next. What is not a number lies
+/// at the first one.
 struct NodePosition {
   int below;
   float fraction;
 
   NodePosition(float unit, int steps)
-      : below(std::min(static_cast<int>(unit * static_cast<float>(steps)), steps - 1)),
+      : below(std::clamp(truncated(unit * static_cast<float>(steps)), 0, steps - 1)),
         fraction(unit * static_cast<float>(steps) - static_cast<float>(below)) {}
+};
+
+/// The same, one a lane.
+struct NodePositions {
+  Ints below;
+  Floats fraction;
+
+  NodePositions(const Floats& unit, int steps) {
+    const Floats position = unit * static_cast<float>(steps);
+    const Ints whole = truncated(position);
+    const Ints in_table = whole < steps - 1 ? whole : Ints{} + (steps - 1);
+    below = in_table > 0 ? in_table : Ints{};
+    fraction = position - floats_of(below);
+  }
 };
 
 }  // namespace foveola

@@ -1,41 +1,27 @@
 // The transport of light: paths from the camera, one vertex of all of a block's paths after the
-// other.
+// other, and of plain surfaces' vertices eight at a time.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "renderer/base/random.h"
+#include "renderer/base/angles.h"
+#include "renderer/base/lanes.h"
 #include "renderer/base/sample_job.h"
-#include "renderer/scene/scene.h"
-#include "renderer/trace/lights.h"
+#include "renderer/trace/bsdf.h"
+#include "renderer/trace/path_states.h"
 #include "renderer/trace/path_tracer.h"
-#include "renderer/trace/ray_scene.h"
-#include "renderer/trace/receiver.h"
-#include "renderer/trace/scattering_tables.h"
+#include "renderer/trace/plain_bsdf.h"
 #include "renderer/trace/surface.h"
+#include "renderer/trace/surface_points.h"
+#include "renderer/trace/traced_scene.h"
+#include "renderer/trace/vertex_numbers.h"
 
 namespace foveola {
-
-/// What of a material decides where a path goes, read once.
-struct MaterialTraits {
-  bool is_unlit;
-  bool is_window;
-  Rgb absorption_per_m;
-};
-
-/// A scene with all that is built for tracing it.
-struct TracedScene {
-  const Scene& scene;
-  RayScene rays;
-  Lights lights;
-  ScatteringTables tables;
-  std::vector<MaterialTraits> traits;  ///< one a material
-  bool is_dark;                        ///< nothing shines: every radiance is zero
-
-  TracedScene(const Scene& source, const Workers& workers);
-};
 
 /// Where to note what was traced; null for what need not be noted.
 struct TraceNotes {
@@ -46,69 +32,98 @@ struct TraceNotes {
 /// Traces one block of jobs. renderer/MATERIALS.md says what happens at each kind of surface.
 class BlockTracer {
  public:
+  /// Jobs in a block, so few that the state of all paths stays in the second-level cache.
+  static constexpr std::size_t most_paths = PathStates::capacity;
+
   /// All must outlive this object.
   BlockTracer(const TracedScene& traced, const TraceSettings& settings, TraceNotes notes = {})
-      : traced_(traced), settings_(settings), notes_(notes) {}
+      : traced_(traced),
+        settings_(settings),
+        notes_(notes),
+        paths_(std::make_unique_for_overwrite<PathStates>()) {}
 
-  /// To be called once.
+  /// To be called once, for at most most_paths jobs.
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance);
 
  private:
-  /// A path between two vertices.
-  struct Path {
-    Ray ray;
-    Rgb throughput{1.0F};
-    Rgb radiance{0.0F};           ///< gathered so far
-    float pdf;                    ///< per steradian, with which the last vertex gave the direction
-    Receiver receiver;            ///< the last vertex; of no matter before the first
-    float radiance_scale = 1.0F;  ///< what refraction has scaled the throughput by
-    Rgb absorption_per_m{0.0F};   ///< of the solid that the path is in
-    float width_m = 0.0F;         ///< of the ray at its origin
-    float spread_rad;             ///< by which the ray widens
-    SampleStream random;
-  };
-
-  /// What a path gains if its shadow ray is not blocked.
+  /// What a job gains if its shadow ray is not blocked.
   struct PendingLight {
-    std::size_t path;
+    std::uint32_t job;
     Rgb radiance;
   };
 
-  struct VertexNumbers;
-  struct GroupNumbers;
+  /// Where paths have arrived, eight at most, from the one at `first` on.
+  struct Group {
+    std::size_t first;
+    std::size_t size;
+  };
+  enum class Arrival : std::uint8_t { ended, plain, other };
   enum class Step : std::uint8_t { ended, scattered, passed };
 
   void start(const Vec3& viewpoint, std::span<const SampleJob> jobs);
-  /// Takes every active path to its next vertex.
-  void advance_all();
+  void find_hits();
   Hit closest_hit(const Ray& ray);
-  /// Gathers light where a path has arrived, and sends it on. False if it ends there.
-  bool advance(std::size_t index, Hit hit, VertexNumbers numbers);
-  void attenuate(Path& path, const Hit& hit) const;
-  void add_environment(Path& path) const;
-  void add_emission(Path& path, const Hit& hit) const;
+  const TracedObject& object_of(const Hit& hit) const { return traced_.objects[hit.object]; }
+
+  /// Gathers light where a group's paths have arrived, and sends them on. Returns those that go on.
+  LaneMask advance(const Group& group);
+  Arrival arrive(std::size_t index);
+  /// Adds what shines where a path has arrived. False if the path ends there.
+  bool gather(Path& path, const Hit& hit);
+  /// There is no vertex any more after the one on the object.
+  bool is_last(const TracedObject& object) const;
+  void add_environment(const Path& path);
+  void add_emission(const Path& path, const Hit& hit);
+
+  /// Sends the paths at vertices of any kind on, one by one.
+  LaneMask advance_alone(const Group& group, const LaneMask& lanes, const GroupNumbers& numbers);
+  bool advance_alone(std::size_t index, VertexNumbers numbers);
   /// Estimates the light that arrives at the vertex, and sends the path on.
-  Step scatter(std::size_t index, const Hit& hit, const MaterialTraits& traits,
+  Step scatter(Path& path, const Hit& hit, const TracedObject& object,
                const VertexNumbers& numbers);
-  void queue_light(std::size_t index, const SurfacePoint& point, const Frame& frame,
-                   const Bsdf& bsdf, const VertexNumbers& numbers);
-  /// False if the direction has no origin: it lies on one side of the shading normal and on the
-  /// other side of the surface.
+  void queue_light(const Path& path, const SurfacePoint& point, const Frame& frame,
+                   const Bsdf& bsdf, const TracedObject& object, const VertexNumbers& numbers);
+  /// False if the path ends: its direction lies on one side of the shading normal and on the other
+  /// side of the surface, or something of it is not finite.
   bool send(Path& path, const SurfacePoint& point, const Frame& frame, const BsdfSample& sample,
-            const MaterialTraits& traits);
+            const TracedObject& object);
+  /// Whether a job's new values are; if not, its radiance tells of it.
+  bool finite(std::uint32_t job, const Rgb& radiance, const Vec3& direction);
   bool survives_roulette(Path& path, float u) const;
+
+  /// The same for plain surfaces, all at once.
+  LaneMask advance_plain(const Group& group, LaneMask lanes, const GroupNumbers& numbers);
+  /// others: where the surface turns out not to be plain.
+  PlainLayersLanes layers_of(const Group& group, const SurfacePoints& points, const LaneMask& lanes,
+                             LaneMask& others) const;
+  MeshPoint mesh_point(std::size_t index, const SurfacePoints& points, std::size_t lane) const;
+  void apply_normal_maps(const Group& group, const Vec3s& direction, const LaneMask& lanes,
+                         SurfacePoints& points) const;
+  void queue_lights(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
+                    const Frames& frames, const PlainBsdfs& bsdfs, const GroupNumbers& numbers);
+  LaneMask send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
+                const Frames& frames, const PlainBsdfs& bsdfs, const GroupNumbers& numbers);
+
+  /// Those of the lanes for which finite() is true.
+  LaneMask finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
+                  const Vec3s& direction);
+
+  /// Fills the places of the paths that ended with those from the end.
+  void close_gaps();
   void add_unblocked_light();
   /// The tint of the windows on an unblocked shadow ray.
   Rgb window_transmittance(Ray ray);
-  float width_at(const Path& path, const Hit& hit) const;
   void note(const Path& path, const Hit& hit) const;
 
   const TracedScene& traced_;
   const TraceSettings& settings_;
   TraceNotes notes_;
-  int vertex_ = 0;  ///< the one that the active paths are on their way to; the first is 1
-  std::vector<Path> paths_;
-  std::vector<std::size_t> active_;
+  std::span<Rgb> radiance_;  ///< gathered so far, one a job
+  int vertex_ = 0;           ///< the one that the active paths are on their way to; the first is 1
+  std::size_t active_ = 0;   ///< paths
+  std::unique_ptr<PathStates> paths_;
+  std::array<Hit, most_paths> hits_;
+  std::array<bool, most_paths + lane_count> goes_on_{};
   std::vector<Ray> shadow_rays_;
   std::vector<PendingLight> pending_;  ///< one a shadow ray
   RayCounts counts_;

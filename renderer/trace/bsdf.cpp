@@ -10,12 +10,6 @@ namespace foveola {
 namespace {
 
 constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
-constexpr float smallest_cosine = 1e-4F;
-
-/// A coat that lets less of a uniform sky through hides the layer below but at grazing angles.
-/// There it is Lambertian: the table is too coarse for quotients of what so bright a coat does not
-/// reflect.
-constexpr float darkest_below_coat = 0.02F;
 
 Vec3 sample_cosine_hemisphere(const Vec2& u) {
   const float r = std::sqrt(u.y);
@@ -58,7 +52,7 @@ Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const Scatterin
     : outgoing_(raised_above_grazing(outgoing)) {
   if (is_matte(reflectance)) {
     diffuse_ = inverse_pi * reflectance.base_color;
-    diffuse_probability_ = max_component(reflectance.base_color) > 0.0F ? 1.0F : 0.0F;
+    diffuse_probability_ = reflectance.base_color == Rgb(0.0F) ? 0.0F : 1.0F;
   } else {
     set_layers(reflectance, tables);
   }
@@ -75,11 +69,8 @@ void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& ta
   float coat_albedo = 0.0F;
   float specular_albedo = 0.0F;
   if (dielectric > 0.0F) {
-    const Rgb f0 =
-        reflectance.specular *
-        glm::min(reflectance_at_normal(reflectance.ior) * reflectance.specular_color, Rgb(1.0F));
+    const auto [f0, coat_f90] = coat_reflectance(reflectance);
     const float coat_f0 = max_component(f0);
-    const float coat_f90 = reflectance.ior > 1.0F ? reflectance.specular : 0.0F;
     coat_albedo = std::min(lobe.with(coat_f0, coat_f90), 1.0F);
     float layer = inverse_pi * (1.0F - coat_albedo);
     const float below_coat = 1.0F - albedo_.mean().with(coat_f0, coat_f90);
@@ -149,6 +140,10 @@ float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
     specular_probability_ = specular_albedo / total;
     diffuse_probability_ = diffuse_albedo / total;
     transmission_probability_ = transmission_albedo / total;
+  } else if (total != 0.0F) {
+    // Not a number: so is every sample's weight, and the path is reported.
+    diffuse_ = Rgb(total);
+    diffuse_probability_ = 1.0F;
   }
   return total;
 }
@@ -278,7 +273,7 @@ std::optional<BsdfSample> Bsdf::reflection(const Vec3& incoming) const {
 
 std::optional<BsdfSample> Bsdf::weighed(const Vec3& incoming) const {
   const BsdfValue value = eval(incoming);
-  if (!(value.pdf > 0.0F)) {
+  if (value.pdf == 0.0F) {
     return std::nullopt;
   }
   return BsdfSample{

@@ -13,6 +13,14 @@
 
 namespace foveola {
 
+/// Outgoing directions are raised to it.
+inline constexpr float smallest_cosine = 1e-4F;
+
+/// A coat that lets less of a uniform sky through hides the layer below but at grazing angles.
+/// There it is Lambertian: the table is too coarse for quotients of what so bright a coat does not
+/// reflect.
+inline constexpr float darkest_below_coat = 0.02F;
+
 /// The model of renderer/MATERIALS.md, seen from one direction.
 ///
 /// Directions are local: +z is the shading normal, on the side of the outgoing direction, and all

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/base/vec.h"
+#include "renderer/trace/fresnel.h"
 
 namespace foveola {
 
@@ -21,6 +22,18 @@ struct Reflectance {
   Rgb sheen_color{0.0F};  ///< in [0, 1]
   float sheen_roughness = 0.0F;
 };
+
+/// Schlick's reflectance of a dielectric's coat, at normal and at grazing incidence.
+struct CoatReflectance {
+  Rgb normal;
+  float grazing;
+};
+inline CoatReflectance coat_reflectance(const Reflectance& reflectance) {
+  return {.normal = reflectance.specular *
+                    glm::min(reflectance_at_normal(reflectance.ior) * reflectance.specular_color,
+                             Rgb(1.0F)),
+          .grazing = reflectance.ior > 1.0F ? reflectance.specular : 0.0F};
+}
 
 struct BsdfSample {
   Vec3 incoming;  ///< unit length, local; z < 0: transmitted

@@ -6,10 +6,11 @@
 namespace foveola {
 
 /// How far Schlick's Fresnel reflectance is on its way from its value at normal incidence to that
-/// at grazing incidence (Schlick 1994, eq. 15). cosine: in [0, 1].
-inline float schlick_weight(float cosine) {
-  const float complement = 1.0F - cosine;
-  const float squared = complement * complement;
+/// at grazing incidence (Schlick 1994, eq. 15). cosine: in [0, 1]; a number, or lanes of them.
+template <typename Number>
+Number schlick_weight(const Number& cosine) {
+  const Number complement = 1.0F - cosine;
+  const Number squared = complement * complement;
   return squared * squared * complement;
 }
 

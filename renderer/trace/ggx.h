@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
@@ -11,8 +12,19 @@ namespace foveola {
 /// Below it a surface is perfectly smooth: reflections of rougher ones blur over 0.006 degrees.
 constexpr float smallest_roughness = 0.01F;
 
+/// Below this alpha, the slopes of half vectors are finer than floats near 1.
+constexpr float fine_alpha = 0.01F;
+
 /// normalize(a + b) in double. Not inline: few surfaces are so smooth that they need it.
 Vec3 fine_half_vector(const Vec3& a, const Vec3& b);
+
+/// Smith's Lambda of a direction w on either side of the surface (Heitz 2014, eq. 72). Numbers and
+/// vectors, or lanes of them.
+template <typename Number, typename Vector>
+Number smith_lambda(const Number& alpha, const Vector& w) {
+  const Number tangent_squared = (w.x * w.x + w.y * w.y) / (w.z * w.z);
+  return 0.5F * (square_root(1.0F + alpha * alpha * tangent_squared) - 1.0F);
+}
 
 /// All directions are in a local frame whose +z is the surface's normal, unit length.
 struct Ggx {
@@ -26,16 +38,10 @@ struct Ggx {
     return 1.0F / (std::numbers::pi_v<float> * alpha * alpha * s * s);
   }
 
-  /// Smith's Lambda of a direction on either side of the surface (Heitz 2014, eq. 72).
-  float lambda(const Vec3& w) const {
-    const float tangent_squared = (w.x * w.x + w.y * w.y) / (w.z * w.z);
-    return 0.5F * (std::sqrt(1.0F + alpha * alpha * tangent_squared) - 1.0F);
-  }
+  float lambda(const Vec3& w) const { return smith_lambda(alpha, w); }
 
-  /// The normal that reflects one direction into the other. On a nearly smooth surface the slope of
-  /// that normal, which the density hangs on, is finer than floats near 1.
+  /// The normal that reflects one direction into the other. The density hangs on its slope.
   Vec3 half_vector(const Vec3& a, const Vec3& b) const {
-    constexpr float fine_alpha = 0.01F;
     return alpha < fine_alpha ? fine_half_vector(a, b) : glm::normalize(a + b);
   }
 

@@ -43,8 +43,8 @@ SchlickAlbedo mean_of(const GgxAlbedo::Row& row) {
 }  // namespace
 
 GgxAlbedo::GgxAlbedo(const Workers& workers)
-    : nodes_(rows * nodes_in_row, Vec2(1.0F, 0.0F)), means_(rows) {
-  workers.for_each_block(rows - 1, 1, [&](std::size_t i, std::size_t) {
+    : nodes_(row_count * nodes_in_row, Vec2(1.0F, 0.0F)), means_(row_count) {
+  workers.for_each_block(row_count - 1, 1, [&](std::size_t i, std::size_t) {
     const float roughness = static_cast<float>(i) / roughness_steps;
     const Ggx ggx{.alpha = std::max(roughness * roughness, vanishing_alpha)};
     Vec2* nodes = &nodes_[(i + 1) * nodes_in_row];
@@ -54,7 +54,7 @@ GgxAlbedo::GgxAlbedo(const Workers& workers)
     }
   });
   means_[0] = mean_of(mirror_row());
-  for (std::size_t i = 1; i < rows; ++i) {
+  for (std::size_t i = 1; i < row_count; ++i) {
     const float roughness = static_cast<float>(i - 1) / roughness_steps;
     means_[i] = i == 1 ? means_[0] : mean_of(row(roughness));
   }

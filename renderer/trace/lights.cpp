@@ -30,65 +30,164 @@ Lights::Lights(const Scene& scene, std::size_t most_in_table)
 }
 
 void Lights::set_probabilities(const Scene& scene) {
-  struct Kind {
+  struct Source {
     bool exists;
     double power;
     float* probability;
   };
   const double area = cross_section(scene);
-  const std::array<Kind, 3> kinds{
+  const std::array<Source, 3> sources{
       {{environment_.has_value(), environment_ ? area * environment_->total_luminance() : 0.0,
         &environment_probability_},
        {!suns_.empty(), area * suns_.irradiance(), &suns_probability_},
        {!local_.empty(), local_.power(), &local_probability_}}};
   double count = 0.0;
   double power = 0.0;
-  for (const Kind& kind : kinds) {
-    count += kind.exists ? 1.0 : 0.0;
-    power += kind.exists ? kind.power : 0.0;
+  for (const Source& source : sources) {
+    count += source.exists ? 1.0 : 0.0;
+    power += source.exists ? source.power : 0.0;
   }
-  for (const Kind& kind : kinds) {
-    if (kind.exists) {
+  for (const Source& source : sources) {
+    if (source.exists) {
       const bool is_known = power > 0.0 && std::isfinite(power);
-      const double share = is_known ? kind.power / power : 1.0 / count;
-      *kind.probability = static_cast<float>(0.5 / count + 0.5 * share);
+      const double share = is_known ? source.power / power : 1.0 / count;
+      *source.probability = static_cast<float>(0.5 / count + 0.5 * share);
     }
   }
 }
 
-std::optional<LightSample> Lights::sample(const Receiver& receiver, float u_kind,
-                                          const Vec2& u_choice, const Vec2& u) const {
+Lights::Kind Lights::kind_of(float u_kind) const {
   // Rounding may leave a u_kind above the sum, which belongs to the last kind there is.
   const bool only_distant = local_.empty();
   if (environment_ && (u_kind < environment_probability_ || (only_distant && suns_.empty()))) {
-    const EnvironmentLight::Sample sky = environment_->sample(u);
-    return sample_distant(receiver, sky.direction, sky.light, {});
+    return Kind::environment;
   }
   if (!suns_.empty() && (u_kind < environment_probability_ + suns_probability_ || only_distant)) {
-    return sample_suns(receiver, u_choice, u);
+    return Kind::suns;
   }
-  return only_distant ? std::nullopt : sample_local(receiver, u_choice, u);
+  return only_distant ? Kind::nothing : Kind::local;
 }
 
-std::optional<LightSample> Lights::sample_local(const Receiver& receiver, const Vec2& u_choice,
-                                                const Vec2& u) const {
-  const auto sample = local_.sample(receiver, u_choice, u);
-  if (!sample) {
-    return std::nullopt;
+std::optional<LightSample> Lights::sample(const Receiver& receiver, float u_kind,
+                                          const Vec2& u_choice, const Vec2& u) const {
+  switch (kind_of(u_kind)) {
+    case Kind::environment: {
+      const EnvironmentLight::Sample sky = environment_->sample(u);
+      return sample_distant(receiver, sky.direction, sky.light, {});
+    }
+    case Kind::suns:
+      return sample_suns(receiver, u_choice, u);
+    case Kind::local:
+      if (const auto sample = local_.sample(receiver, u_choice, u)) {
+        return from_local(receiver, *sample);
+      }
+      break;
+    case Kind::nothing:
+      break;
   }
-  const float distance = glm::length(sample->to_light);
+  return std::nullopt;
+}
+
+std::optional<LightSample> Lights::from_local(const Receiver& receiver,
+                                              const LocalLightSample& sample) const {
+  const float distance = glm::length(sample.to_light);
   if (!(distance > 0.0F)) {
     return std::nullopt;
   }
-  LightSample light{.direction = sample->to_light / distance,
-                    .pdf = local_probability_ * sample->pdf,
-                    .radiance = sample->radiance,
-                    .is_delta = sample->is_delta,
+  LightSample light{.direction = sample.to_light / distance,
+                    .pdf = local_probability_ * sample.pdf,
+                    .radiance = sample.radiance,
+                    .is_delta = sample.is_delta,
                     .shadow_ray = {}};
   light.shadow_ray.origin = receiver.position;
-  light.shadow_ray.direction = sample->to_light;
+  light.shadow_ray.direction = sample.to_light;
   light.shadow_ray.t_max = 1.0F;
   return light;
+}
+
+namespace {
+
+/// Gathers samples that were drawn one by one.
+class LightSampleLanes {
+ public:
+  void put(std::size_t lane, const LightSample& sample) {
+    direction_.put(lane, sample.direction);
+    pdf_[lane] = sample.pdf;
+    radiance_.put(lane, sample.radiance);
+    is_delta_[lane] = sample.is_delta ? -1 : 0;
+    to_light_.put(lane, sample.shadow_ray.direction);
+    t_max_[lane] = sample.shadow_ray.t_max;
+  }
+  LightSamples load() const {
+    return {.direction = direction_.load(),
+            .pdf = pdf_.load(),
+            .radiance = radiance_.load(),
+            .is_delta = is_delta_,
+            .to_light = to_light_.load(),
+            .t_max = t_max_.load()};
+  }
+
+ private:
+  Vec3Lanes direction_{}, radiance_{}, to_light_{};
+  FloatLanes pdf_{}, t_max_{};
+  LaneMask is_delta_{};
+};
+
+void add_drawn(const TriangleLights::Drawn::Samples& drawn, float probability,
+               const LaneMask& lanes, LightSamples& samples) {
+  const Floats distance = square_root(dot(drawn.to_light, drawn.to_light));
+  const LaneMask exists = lanes & (distance > 0.0F) & (drawn.pdf > 0.0F);
+  const Vec3s direction = (1.0F / distance) * drawn.to_light;
+  samples.direction = chosen(exists, direction, samples.direction);
+  samples.pdf = exists ? probability * drawn.pdf : samples.pdf;
+  samples.radiance = chosen(exists, drawn.radiance, samples.radiance);
+  samples.to_light = chosen(exists, drawn.to_light, samples.to_light);
+  samples.t_max = exists ? all_lanes(1.0F) : samples.t_max;
+}
+
+}  // namespace
+
+LightSamples Lights::sample(const Receivers& receivers, const LightNumbers& numbers,
+                            const LaneMask& lanes) const {
+  LightSampleLanes one_by_one;
+  bool any_one = false;
+  const auto put = [&](std::size_t lane, const std::optional<LightSample>& sample) {
+    if (sample) {
+      one_by_one.put(lane, *sample);
+      any_one = true;
+    }
+  };
+  TriangleLights::Drawn drawn;
+  LaneMask is_drawn{};
+  for_each_lane(lanes, [&](std::size_t lane) {
+    const Receiver receiver = receivers.at(lane);
+    const Vec2 u_choice = numbers.choice.at(lane);
+    const Vec2 u = numbers.point.at(lane);
+    if (kind_of(numbers.kind[lane]) != Kind::local) {
+      put(lane, sample(receiver, numbers.kind[lane], u_choice, u));
+      return;
+    }
+    LocalLightSample sampled;
+    switch (local_.choose(receiver, u_choice, u, lane, drawn, sampled)) {
+      case LocalLights::Choice::drawn:
+        is_drawn[lane] = -1;
+        break;
+      case LocalLights::Choice::sampled:
+        put(lane, from_local(receiver, sampled));
+        break;
+      case LocalLights::Choice::nothing:
+        break;
+    }
+  });
+  LightSamples samples;
+  if (any_one) {
+    samples = one_by_one.load();
+  }
+  if (any_lane(is_drawn)) {
+    add_drawn(drawn.sample(receivers.position.load(), numbers.point.load()), local_probability_,
+              is_drawn, samples);
+  }
+  return samples;
 }
 
 std::optional<LightSample> Lights::sample_suns(const Receiver& receiver, const Vec2& u_choice,

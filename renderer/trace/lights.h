@@ -25,6 +25,23 @@ struct LightSample {
   Ray shadow_ray;  ///< from the receiver to the light
 };
 
+/// The same, one a lane.
+struct LightSamples {
+  Vec3s direction{};
+  Floats pdf{};  ///< 0: no light
+  Vec3s radiance{};
+  LaneMask is_delta{};
+  Vec3s to_light{};  ///< the shadow ray's direction, and its t_max
+  Floats t_max{};
+};
+
+/// The random numbers of LightSamples: u_kind, u_choice and u of Lights::sample().
+struct LightNumbers {
+  FloatLanes kind;
+  Vec2Lanes choice;
+  Vec2Lanes point;
+};
+
 /// Three kinds of light: the environment, the suns (directional lights), and those in the scene
 /// (emissive triangles, points, spots). Of the n kinds that a scene has, each is drawn with the
 /// probability 1 / (2 n) + its share of the power / 2, for power knows nothing of walls. The power
@@ -42,6 +59,10 @@ class Lights {
   std::optional<LightSample> sample(const Receiver& receiver, float u_kind, const Vec2& u_choice,
                                     const Vec2& u) const;
 
+  /// The same for the receivers of some lanes.
+  LightSamples sample(const Receivers& receivers, const LightNumbers& numbers,
+                      const LaneMask& lanes) const;
+
   /// With which density per steradian sample() would have drawn the point that a ray from the
   /// receiver hit; 0 for surfaces that are not sampled. distance: in metres; cosine: of the angle
   /// between the ray and the surface's normal.
@@ -57,8 +78,10 @@ class Lights {
   /// sky: what the environment alone says of the direction. known: see Suns::at().
   DistantLight with_suns(const DistantLight& sky, const Vec3& direction, Sun known) const;
 
-  std::optional<LightSample> sample_local(const Receiver& receiver, const Vec2& u_choice,
-                                          const Vec2& u) const;
+  enum class Kind : std::uint8_t { environment, suns, local, nothing };
+  Kind kind_of(float u_kind) const;
+  std::optional<LightSample> from_local(const Receiver& receiver,
+                                        const LocalLightSample& sample) const;
   std::optional<LightSample> sample_suns(const Receiver& receiver, const Vec2& u_choice,
                                          const Vec2& u) const;
   /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its

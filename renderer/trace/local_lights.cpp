@@ -28,16 +28,40 @@ LocalLights::LocalLights(const Scene& scene, std::size_t most_in_table)
 std::optional<LocalLightSample> LocalLights::sample(const Receiver& receiver, const Vec2& u_choice,
                                                     const Vec2& u) const {
   const auto chosen = choice_->sample(receiver, u_choice);
-  if (!chosen) {
-    return std::nullopt;
-  }
-  auto sample = chosen->light < triangles_.size()
-                    ? triangles_.sample(chosen->light, receiver.position, u)
-                    : punctual_.sample(chosen->light - triangles_.size(), receiver.position, u);
+  return chosen ? sample_of(*chosen, receiver, u) : std::nullopt;
+}
+
+std::optional<LocalLightSample> LocalLights::sample_of(const ChosenLight& chosen,
+                                                       const Receiver& receiver,
+                                                       const Vec2& u) const {
+  auto sample = chosen.light < triangles_.size()
+                    ? triangles_.sample(chosen.light, receiver.position, u)
+                    : punctual_.sample(chosen.light - triangles_.size(), receiver.position, u);
   if (sample) {
-    sample->pdf *= chosen->probability;
+    sample->pdf *= chosen.probability;
   }
   return sample;
+}
+
+LocalLights::Choice LocalLights::choose(const Receiver& receiver, const Vec2& u_choice,
+                                        const Vec2& u, std::size_t lane,
+                                        TriangleLights::Drawn& drawn,
+                                        LocalLightSample& sampled) const {
+  const auto chosen = choice_->sample(receiver, u_choice);
+  if (!chosen) {
+    return Choice::nothing;
+  }
+  if (chosen->light < triangles_.size() &&
+      TriangleLights::Drawn::can_draw(triangles_, chosen->light)) {
+    drawn.put(lane, triangles_, chosen->light, chosen->probability);
+    return Choice::drawn;
+  }
+  const auto sample = sample_of(*chosen, receiver, u);
+  if (!sample) {
+    return Choice::nothing;
+  }
+  sampled = *sample;
+  return Choice::sampled;
 }
 
 float LocalLights::triangle_pdf(const Receiver& receiver, const Hit& hit, float distance,

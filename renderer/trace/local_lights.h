@@ -32,11 +32,20 @@ class LocalLights {
   std::optional<LocalLightSample> sample(const Receiver& receiver, const Vec2& u_choice,
                                          const Vec2& u) const;
 
+  /// Chooses a light for the receiver in a lane. Puts it into `drawn` if that can draw it; else
+  /// draws from it, as sample() does.
+  enum class Choice { nothing, drawn, sampled };
+  Choice choose(const Receiver& receiver, const Vec2& u_choice, const Vec2& u, std::size_t lane,
+                TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
+
   /// With which density per steradian sample() would have drawn the point that a ray from the
   /// receiver hit; 0 for what is not sampled.
   float triangle_pdf(const Receiver& receiver, const Hit& hit, float distance, float cosine) const;
 
  private:
+  std::optional<LocalLightSample> sample_of(const ChosenLight& chosen, const Receiver& receiver,
+                                            const Vec2& u) const;
+
   TriangleLights triangles_;
   PunctualLights punctual_;  ///< numbered after the triangles
   std::optional<LightChoice> choice_;

@@ -9,10 +9,9 @@
 namespace foveola {
 namespace {
 
-/// Paths that are traced together: at most so many that the state of all of them stays in the
-/// second-level cache, at least enough shadow rays for Embree's streams, and between the two so few
-/// that a preview's small batches keep every thread busy.
-constexpr std::size_t largest_block = 512;
+/// Paths that are traced together: enough shadow rays for Embree's streams, but so few that a
+/// preview's small batches keep every thread busy.
+constexpr std::size_t largest_block = BlockTracer::most_paths;
 constexpr std::size_t smallest_block = 64;
 
 std::size_t block_size(std::size_t jobs, int threads) {

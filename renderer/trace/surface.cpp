@@ -28,21 +28,27 @@ void apply_textures(const Scene& scene, const Material& material, const MeshPoin
   reflectance.sheen_roughness *= value(material.sheen_roughness_texture).a;
 }
 
-Reflectance reflectance_at(const Scene& scene, const Material& material, const MeshPoint& point,
-                           bool is_back) {
-  Reflectance reflectance{.base_color = material.base_color,
-                          .metallic = material.metallic,
-                          .roughness = material.roughness,
-                          .ior = material.ior,
-                          .specular = material.specular,
-                          .specular_color = material.specular_color,
-                          .transmission = material.transmission,
-                          .is_solid = material.is_solid,
-                          .from_inside = material.is_solid && is_back,
-                          .clearcoat = material.clearcoat,
-                          .clearcoat_roughness = material.clearcoat_roughness,
-                          .sheen_color = material.sheen_color,
-                          .sheen_roughness = material.sheen_roughness};
+}  // namespace
+
+Reflectance untextured_reflectance(const Material& material) {
+  return {.base_color = material.base_color,
+          .metallic = material.metallic,
+          .roughness = material.roughness,
+          .ior = material.ior,
+          .specular = material.specular,
+          .specular_color = material.specular_color,
+          .transmission = material.transmission,
+          .is_solid = material.is_solid,
+          .clearcoat = material.clearcoat,
+          .clearcoat_roughness = material.clearcoat_roughness,
+          .sheen_color = material.sheen_color,
+          .sheen_roughness = material.sheen_roughness};
+}
+
+Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_back) {
+  const Material& material = material_of(scene, point.mesh);
+  Reflectance reflectance = untextured_reflectance(material);
+  reflectance.from_inside = material.is_solid && is_back;
   if (!point.mesh.uv_sets.empty()) {
     apply_textures(scene, material, point, reflectance);
   }
@@ -52,19 +58,24 @@ Reflectance reflectance_at(const Scene& scene, const Material& material, const M
   return reflectance;
 }
 
+namespace {
+
 /// `normal` at unit length, or `otherwise` if it has no direction.
 Vec3 normalized_or(const Vec3& normal, const Vec3& otherwise) {
   const float squared_length = glm::dot(normal, normal);
   return squared_length > 0.0F ? normal / std::sqrt(squared_length) : otherwise;
 }
 
-/// How an instance turns normals: the transposed inverse, up to a positive factor.
+}  // namespace
+
 Mat3 world_normal_from_local(const Mat4& world_from_local) {
   const Mat3 linear(world_from_local);
   const float sign = std::copysign(1.0F, glm::determinant(linear));
   return {sign * glm::cross(linear[1], linear[2]), sign * glm::cross(linear[2], linear[0]),
           sign * glm::cross(linear[0], linear[1])};
 }
+
+namespace {
 
 /// The interpolated normal of the vertices in the world, on no particular side.
 Vec3 vertex_normal(const MeshPoint& point, const Instance* instance, const Vec3& geometric_normal) {
@@ -79,9 +90,14 @@ Vec3 vertex_normal(const MeshPoint& point, const Instance* instance, const Vec3&
   return normalized_or(normal, geometric_normal);
 }
 
-/// What the normal texture makes of `normal`, the front's.
-Vec3 mapped_normal(const Scene& scene, const Material& material, const MeshPoint& point,
-                   const Instance* instance, const Vec3& normal) {
+}  // namespace
+
+Vec3 mapped_normal(const Scene& scene, const MeshPoint& point, const Instance* instance,
+                   const Vec3& normal) {
+  const Material& material = material_of(scene, point.mesh);
+  if (point.mesh.tangents.empty()) {
+    return normal;
+  }
   const Vec4 tangent_and_sign =
       interpolate(point.mesh.tangents, point.mesh.triangles[point.triangle], point.barycentric);
   Vec3 tangent(tangent_and_sign);
@@ -103,6 +119,14 @@ Vec3 mapped_normal(const Scene& scene, const Material& material, const MeshPoint
       material.normal_scale * (texel.x * tangent + texel.y * bitangent) + texel.z * normal, normal);
 }
 
+float relative_width(float ray_width_m, float facing, float double_area) {
+  constexpr float most_grazing = 0.05F;
+  // The ray's width along the surface, between its narrow and its long axis.
+  return ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), most_grazing));
+}
+
+namespace {
+
 /// The shading normal on the side of `geometric_normal`: the texture's, or the vertices' where that
 /// is turned away from `outgoing`, or the geometric one where that is so too.
 Vec3 shading_normal_at(const Scene& scene, const Material& material, const MeshPoint& point,
@@ -112,26 +136,14 @@ Vec3 shading_normal_at(const Scene& scene, const Material& material, const MeshP
   const auto on_our_side = [&](const Vec3& normal) {
     return normal * std::copysign(1.0F, glm::dot(smooth, geometric_normal));
   };
-  if (material.normal_texture.exists() && !point.mesh.tangents.empty()) {
-    const Vec3 mapped = on_our_side(mapped_normal(scene, material, point, instance, smooth));
+  if (material.normal_texture.exists()) {
+    const Vec3 mapped = on_our_side(mapped_normal(scene, point, instance, smooth));
     if (glm::dot(mapped, outgoing) > 0.0F) {
       return mapped;
     }
   }
   const Vec3 shading = on_our_side(smooth);
   return glm::dot(shading, outgoing) > 0.0F ? shading : geometric_normal;
-}
-
-/// A point off the surface by its rounding error, and back along the ray: where the ray came
-/// through there is no other surface in between, and so no light leaks in where walls meet. At
-/// grazing angles that way would be long; the rest of it goes along the normal.
-Vec3 origin_before(const Vec3& position, const Vec3& direction, const Vec3& normal, float distance,
-                   float rounding_error) {
-  constexpr float longest = 10.0F;  // in rounding errors
-  const float cosine = -glm::dot(normal, direction);
-  const float back = std::min(rounding_error * std::min(1.0F / cosine, longest), 0.5F * distance);
-  const float rest = std::max(0.0F, rounding_error - back * cosine);
-  return position - (back * direction - rest * normal);
 }
 
 }  // namespace
@@ -147,10 +159,9 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
   const Vec3 geometric_normal = is_back ? -front_normal : front_normal;
   MeshPoint point{.mesh = mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
   if (ray_width_m > 0.0F && !mesh.uv_sets.empty()) {
-    // The ray's width along the surface, between its narrow and its long axis.
     const float double_area =
         glm::length(glm::cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0));
-    point.relative_width = ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), 0.05F));
+    point.relative_width = relative_width(ray_width_m, facing, double_area);
   }
   const Vec3 position = triangle.at(hit.barycentric);
   const float rounding_error = triangle.rounding_error();
@@ -160,7 +171,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
           .origin = origin_before(position, direction, geometric_normal, hit.t, rounding_error),
           .shading_normal = shading_normal_at(scene, material, point, scene.instance_of(hit.object),
                                               geometric_normal, front_normal, -direction),
-          .reflectance = reflectance_at(scene, material, point, is_back)};
+          .reflectance = reflectance_at(scene, point, is_back)};
 }
 
 Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,

@@ -3,7 +3,8 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
-#include "renderer/trace/bsdf.h"
+#include "renderer/trace/bsdf_value.h"
+#include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/ray_scene.h"
 
 namespace foveola {
@@ -29,6 +30,37 @@ struct SurfacePoint {
 /// at the hit, across itself; textures are averaged over it. 0 reads them at their finest.
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction,
                            float ray_width_m = 0.0F);
+
+// What surface_point() puts together, for those who do so for several points at once.
+
+/// How an instance turns normals: the transposed inverse, up to a positive factor.
+Mat3 world_normal_from_local(const Mat4& world_from_local);
+
+/// What the normal texture makes of the front's `normal`, interpolated between the vertices; that
+/// itself where the mesh has no tangents.
+Vec3 mapped_normal(const Scene& scene, const MeshPoint& point, const Instance* instance,
+                   const Vec3& normal);
+
+Reflectance untextured_reflectance(const Material& material);
+Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_back);
+
+/// MeshPoint::relative_width. facing: the cosine between the ray and the surface's normal.
+/// double_area: of the triangle, in square metres.
+float relative_width(float ray_width_m, float facing, float double_area);
+
+/// A point off the surface by its rounding error, and back along the ray: where the ray came
+/// through there is no other surface in between, and so no light leaks in where walls meet. At
+/// grazing angles that way would be long; the rest of it goes along the normal. normal: on the side
+/// that the ray came from. distance: that it came. Numbers and vectors, or lanes of them.
+template <typename Number, typename Vector>
+Vector origin_before(const Vector& position, const Vector& direction, const Vector& normal,
+                     const Number& distance, const Number& rounding_error) {
+  constexpr float longest = 10.0F;  // in rounding errors
+  const Number cosine = -dot(normal, direction);
+  const Number back = smaller(rounding_error * smaller(1.0F / cosine, longest), 0.5F * distance);
+  const Number rest = larger(rounding_error - back * cosine, 0.0F);
+  return position - (back * direction - rest * normal);
+}
 
 /// What the surface emits against the ray that hit it.
 struct SurfaceEmission {

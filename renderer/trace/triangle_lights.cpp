@@ -65,12 +65,21 @@ std::vector<float> mean_radiance_of_materials(const Scene& scene) {
 Vec2 sample_barycentric(const Vec2& u) {
   return u.x < u.y ? Vec2(0.5F * u.x, u.y - 0.5F * u.x) : Vec2(u.x - 0.5F * u.y, 0.5F * u.y);
 }
+Vec2s sample_barycentric(const Vec2s& u) {
+  const LaneMask is_upper = u.x < u.y;
+  return {is_upper ? 0.5F * u.x : u.x - 0.5F * u.y, is_upper ? u.y - 0.5F * u.x : 0.5F * u.y};
+}
 
-float squared_distance(const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b); }
+/// Of points, or of lanes of them.
+template <typename Vector>
+auto squared_distance(const Vector& a, const Vector& b) {
+  return dot(a - b, a - b);
+}
 
-float density_in_area(float area, float distance, float cosine) {
-  const float pdf = distance * distance / (area * cosine);
-  return pdf < std::numeric_limits<float>::max() ? pdf : std::numeric_limits<float>::max();
+/// Of a number, or of lanes of them.
+template <typename Number>
+Number density_in_area(const Number& area, const Number& distance, const Number& cosine) {
+  return smaller(distance * distance / (area * cosine), std::numeric_limits<float>::max());
 }
 
 }  // namespace
@@ -97,7 +106,10 @@ TriangleLights::TriangleLights(const Scene& scene)
 
 void TriangleLights::add_object(std::uint32_t object) {
   first_of_object_[object] = static_cast<std::uint32_t>(emitters_.size());
-  const auto count = static_cast<std::uint32_t>(scene_.mesh_of(object).triangles.size());
+  const Mesh& mesh = scene_.mesh_of(object);
+  const Material& material = material_of(scene_, mesh);
+  const bool is_textured = material.emissive_texture.exists() && !mesh.uv_sets.empty();
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     const Triangle triangle(scene_, object, t);
     emitters_.push_back(
@@ -107,18 +119,18 @@ void TriangleLights::add_object(std::uint32_t object) {
          .squared_longest_side = std::max({squared_distance(triangle.p0, triangle.p1),
                                            squared_distance(triangle.p1, triangle.p2),
                                            squared_distance(triangle.p2, triangle.p0)}),
+         .rounding_error = triangle.rounding_error(),
+         .is_two_sided = material.double_sided,
+         .is_uniform = !is_textured && !has_opacity(scene_, mesh),
+         .radiance = material.emission,
          .object = object,
          .index = t});
   }
 }
 
-const Material& TriangleLights::material_of_object(std::uint32_t object) const {
-  return material_of(scene_, scene_.mesh_of(object));
-}
-
 double TriangleLights::power(std::size_t triangle) const {
   const Emitter& emitter = emitters_[triangle];
-  const int sides = material_of_object(emitter.object).double_sided ? 2 : 1;
+  const int sides = emitter.is_two_sided ? 2 : 1;
   const double power = sides * std::numbers::pi * static_cast<double>(emitter.area) *
                        radiance_of_object_[emitter.object];
   return power > 0.0 && std::isfinite(power) && is_finite(emitter.front_normal) ? power : 0.0;
@@ -135,7 +147,7 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
           .axis = DVec3(emitter.front_normal),
           .spread_rad = 0.0,
           .falloff_rad = 0.5 * std::numbers::pi,
-          .two_sided = material_of_object(emitter.object).double_sided,
+          .two_sided = emitter.is_two_sided,
           .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
 }
 
@@ -156,8 +168,7 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
                                                        const Vec2& u) const {
   const Emitter& emitter = emitters_[triangle];
   const float height_over_plane = glm::dot(emitter.front_normal, place - emitter.triangle.p0);
-  if (height_over_plane == 0.0F ||
-      (height_over_plane < 0.0F && !material_of_object(emitter.object).double_sided)) {
+  if (height_over_plane == 0.0F || (height_over_plane < 0.0F && !emitter.is_two_sided)) {
     return std::nullopt;
   }
   const auto seen = seen_from_near(emitter, place);
@@ -176,7 +187,7 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   }
   // Off the triangle on the side of the place, but never past the place.
   const float off =
-      std::copysign(std::min(emitter.triangle.rounding_error(), 0.5F * height), height_over_plane);
+      std::copysign(std::min(emitter.rounding_error, 0.5F * height), height_over_plane);
   return LocalLightSample{
       .to_light = to_point + off * emitter.front_normal,
       .pdf = seen ? 1.0F / seen->solid_angle()
@@ -192,6 +203,67 @@ float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distanc
   }
   const auto seen = seen_from_near(emitter, place);
   return seen ? 1.0F / seen->solid_angle() : density_in_area(emitter.area, distance, cosine);
+}
+
+void TriangleLights::Drawn::put(std::size_t lane, const TriangleLights& lights,
+                                std::size_t triangle, float probability) {
+  const Emitter& emitter = lights.emitters_[triangle];
+  emitters_[lane] = &emitter;
+  p0_.put(lane, emitter.triangle.p0);
+  p1_.put(lane, emitter.triangle.p1);
+  p2_.put(lane, emitter.triangle.p2);
+  front_normal_.put(lane, emitter.front_normal);
+  radiance_.put(lane, emitter.radiance);
+  area_[lane] = emitter.area;
+  squared_longest_side_[lane] = emitter.squared_longest_side;
+  rounding_error_[lane] = emitter.rounding_error;
+  is_two_sided_[lane] = emitter.is_two_sided ? 1.0F : 0.0F;
+  probability_[lane] = probability;
+}
+
+// The steps are TriangleLights::sample()'s.
+TriangleLights::Drawn::Samples TriangleLights::Drawn::sample(const Vec3s& place,
+                                                             const Vec2s& u) const {
+  const Vec3s p0 = p0_.load();
+  const Vec3s p1 = p1_.load();
+  const Vec3s p2 = p2_.load();
+  const Vec3s normal = front_normal_.load();
+  const Floats height_over_plane = dot(normal, place - p0);
+  LaneMask shines =
+      (height_over_plane > 0.0F) | ((height_over_plane < 0.0F) & (is_two_sided_.load() > 0.0F));
+  const Floats nearest = smaller(squared_distance(p0, place),
+                                 smaller(squared_distance(p1, place), squared_distance(p2, place)));
+  const LaneMask is_near = shines & (squared_longest_side_.load() > near_share * nearest);
+  Vec2s barycentric = sample_barycentric(u);
+  Floats solid_angle{};
+  if (any_lane(is_near)) {
+    sample_near(place, u, is_near, barycentric, solid_angle);
+  }
+  const Vec3s point = p0 + (barycentric.x * (p1 - p0) + barycentric.y * (p2 - p0));
+  const Vec3s to_point = point - place;
+  const Floats distance = square_root(dot(to_point, to_point));
+  const Floats height = magnitude(dot(normal, to_point));
+  shines &= height > 0.0F;
+  const Floats off = with_sign(smaller(rounding_error_.load(), 0.5F * height), height_over_plane);
+  const Floats density = solid_angle > 0.0F
+                             ? 1.0F / solid_angle
+                             : density_in_area(area_.load(), distance, height / distance);
+  return {.to_light = to_point + off * normal,
+          .pdf = shines ? probability_.load() * density : Floats{},
+          .radiance = radiance_.load()};
+}
+
+void TriangleLights::Drawn::sample_near(const Vec3s& place, const Vec2s& u, const LaneMask& lanes,
+                                        Vec2s& barycentric, Floats& solid_angle) const {
+  for_each_lane(lanes, [&](std::size_t lane) {
+    const Vec3 here(place.x[lane], place.y[lane], place.z[lane]);
+    if (const auto seen = seen_from_near(*emitters_[lane], here)) {
+      const Vec2 drawn = seen->sample({u.x[lane], u.y[lane]});
+      barycentric.x[lane] = drawn.x;
+      barycentric.y[lane] = drawn.y;
+      solid_angle[lane] = seen->solid_angle();
+    }
+  });
 }
 
 }  // namespace foveola

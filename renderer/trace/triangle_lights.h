@@ -1,11 +1,13 @@
 // Emissive triangles as light sources: those of meshes and of every instance of a mesh.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "renderer/base/lanes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/light_bounds.h"
 #include "renderer/trace/local_light_sample.h"
@@ -43,6 +45,9 @@ class TriangleLights {
   std::optional<LocalLightSample> sample(std::size_t triangle, const Vec3& place,
                                          const Vec2& u) const;
 
+  /// Gathers triangles, and then draws a point of each at once.
+  class Drawn;
+
   /// With which density per steradian at `place` sample() would have drawn a point at the given
   /// distance in metres, seen at an angle to the triangle's normal of the given cosine.
   float pdf(std::size_t triangle, const Vec3& place, float distance, float cosine) const;
@@ -60,6 +65,10 @@ class TriangleLights {
     Vec3 front_normal;
     float area;
     float squared_longest_side;
+    float rounding_error;  ///< of the triangle
+    bool is_two_sided;
+    bool is_uniform;  ///< shines with `radiance` everywhere
+    Rgb radiance;
     std::uint32_t object;
     std::uint32_t index;  ///< of the triangle in its mesh
   };
@@ -68,13 +77,41 @@ class TriangleLights {
   static std::optional<SphericalTriangle> seen_from_near(const Emitter& emitter, const Vec3& place);
 
   void add_object(std::uint32_t object);
-  const Material& material_of_object(std::uint32_t object) const;
 
   const Scene& scene_;
   std::vector<Emitter> emitters_;
   std::vector<std::uint32_t> first_of_object_;
   std::vector<float> radiance_of_object_;  ///< mean luminance
   bool has_unlisted_ = false;
+};
+
+class TriangleLights::Drawn {
+ public:
+  /// Whether the triangle's points can be drawn here: it shines with one colour. The others are
+  /// left to TriangleLights::sample().
+  static bool can_draw(const TriangleLights& lights, std::size_t triangle) {
+    return lights.emitters_[triangle].is_uniform;
+  }
+
+  /// The triangle that was chosen in a lane, with the probability of that choice.
+  void put(std::size_t lane, const TriangleLights& lights, std::size_t triangle, float probability);
+
+  /// As LocalLightSample; pdf is 0 where the triangle does not shine towards the place.
+  struct Samples {
+    Vec3s to_light;
+    Floats pdf;
+    Vec3s radiance;
+  };
+  /// place: that the light is for. u: in the unit square.
+  Samples sample(const Vec3s& place, const Vec2s& u) const;
+
+ private:
+  void sample_near(const Vec3s& place, const Vec2s& u, const LaneMask& lanes, Vec2s& barycentric,
+                   Floats& solid_angle) const;
+
+  std::array<const Emitter*, lane_count> emitters_{};
+  Vec3Lanes p0_{}, p1_{}, p2_{}, front_normal_{}, radiance_{};
+  FloatLanes area_{}, squared_longest_side_{}, rounding_error_{}, is_two_sided_{}, probability_{};
 };
 
 }  // namespace foveola

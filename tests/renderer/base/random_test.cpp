@@ -108,8 +108,8 @@ TEST(SampleStreams, GiveWhatEachStreamGivesAlone) {
     together.put(i, stream);
     alone.push_back(stream);
   }
-  SampleStreams::Floats numbers;
-  SampleStreams::Pairs pairs;
+  FloatLanes numbers;
+  Vec2Lanes pairs;
   SampleStreams::Bits bits;
   together.next_1d(numbers);
   together.next_2d(pairs);

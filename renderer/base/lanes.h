@@ -1,0 +1,185 @@
+// Eight numbers side by side, which the processor works on at once; and vectors of them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+inline constexpr std::size_t lane_count = 8;
+
+/// The vector types of GCC and Clang: arithmetic and comparisons go lane by lane, and take single
+/// numbers for all lanes. A mask is what comparisons give: in a lane all bits or none; with it,
+/// `mask ? a : b` chooses lane by lane.
+using Floats = float __attribute__((vector_size(lane_count * sizeof(float))));
+using Ints = std::int32_t __attribute__((vector_size(lane_count * sizeof(float))));
+using LaneMask = Ints;
+
+/// The same for all lanes.
+inline Floats all_lanes(float value) { return Floats{} + value; }
+
+/// The first `count` of the lanes.
+inline LaneMask first_lanes(std::size_t count) {
+  const Ints numbers{0, 1, 2, 3, 4, 5, 6, 7};
+  return numbers < static_cast<std::int32_t>(count);
+}
+
+/// A bit for each lane, the first the lowest.
+inline std::uint32_t bits_of(const LaneMask& mask) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    bits |= (static_cast<std::uint32_t>(mask[i]) & 1U) << i;
+  }
+  return bits;
+}
+
+inline bool any_lane(const LaneMask& mask) {
+  std::int32_t any = 0;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    any |= mask[i];
+  }
+  return any != 0;
+}
+
+/// Calls visit(lane) for the lanes that have a bit, from the first.
+template <typename Visit>
+void for_each_lane(std::uint32_t bits, const Visit& visit) {
+  for (std::uint32_t left = bits; left != 0; left &= left - 1) {
+    visit(static_cast<std::size_t>(__builtin_ctz(left)));
+  }
+}
+/// The same for the lanes of a mask.
+template <typename Visit>
+void for_each_lane(const LaneMask& mask, const Visit& visit) {
+  for_each_lane(bits_of(mask), visit);
+}
+
+// The names below exist for single numbers too, so that a formula can be written once for both.
+
+inline float square_root(float x) { return std::sqrt(x); }
+inline Floats square_root(const Floats& x) {
+  Floats root;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    root[i] = std::sqrt(x[i]);
+  }
+  return root;
+}
+
+inline float smaller(float a, float b) { return a < b ? a : b; }
+inline Floats smaller(const Floats& a, const Floats& b) { return a < b ? a : b; }
+inline float larger(float a, float b) { return a > b ? a : b; }
+inline Floats larger(const Floats& a, const Floats& b) { return a > b ? a : b; }
+
+inline Floats smaller(const Floats& a, float b) { return smaller(a, all_lanes(b)); }
+inline Floats larger(const Floats& a, float b) { return larger(a, all_lanes(b)); }
+
+inline float magnitude(float x) { return std::abs(x); }
+inline Floats magnitude(const Floats& x) {
+  return reinterpret_cast<Floats>(reinterpret_cast<Ints>(x) & 0x7fffffff);
+}
+
+/// The first one's magnitude with the second one's sign.
+inline Floats with_sign(const Floats& x, const Floats& sign) {
+  const Ints sign_bit = reinterpret_cast<Ints>(sign) & std::numeric_limits<std::int32_t>::min();
+  return reinterpret_cast<Floats>(reinterpret_cast<Ints>(magnitude(x)) | sign_bit);
+}
+
+inline float nearest_integer(float x) { return std::nearbyint(x); }
+inline Floats nearest_integer(const Floats& x) {
+  Floats integer;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    integer[i] = std::nearbyint(x[i]);
+  }
+  return integer;
+}
+
+inline float chosen(bool condition, float a, float b) { return condition ? a : b; }
+inline Floats chosen(const LaneMask& mask, const Floats& a, const Floats& b) {
+  return mask ? a : b;
+}
+
+/// The next integer towards zero, of |x| < 2^31.
+inline std::int32_t truncated(float x) { return static_cast<std::int32_t>(x); }
+inline Ints truncated(const Floats& x) { return __builtin_convertvector(x, Ints); }
+inline Floats floats_of(const Ints& x) { return __builtin_convertvector(x, Floats); }
+
+/// Arrays that lanes are put into one by one, or taken from, without a round trip for each.
+struct alignas(lane_count * sizeof(float)) FloatLanes : std::array<float, lane_count> {
+  Floats load() const {
+    Floats lanes;
+    __builtin_memcpy(&lanes, data(), sizeof(lanes));
+    return lanes;
+  }
+  void store(const Floats& lanes) { __builtin_memcpy(data(), &lanes, sizeof(lanes)); }
+};
+
+struct Vec2s {
+  Floats x, y;
+};
+
+struct Vec2Lanes {
+  FloatLanes x, y;
+
+  Vec2s load() const { return {x.load(), y.load()}; }
+  Vec2 at(std::size_t lane) const { return {x[lane], y[lane]}; }
+};
+
+/// Vectors or colours, one a lane.
+struct Vec3s {
+  Floats x, y, z;
+
+  friend Vec3s operator+(const Vec3s& a, const Vec3s& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend Vec3s operator-(const Vec3s& a, const Vec3s& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend Vec3s operator-(const Vec3s& a) { return {-a.x, -a.y, -a.z}; }
+  friend Vec3s operator*(const Vec3s& a, const Vec3s& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+  }
+  friend Vec3s operator*(const Floats& s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
+};
+
+inline Vec3s all_lanes(const Vec3& v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }
+inline Floats dot(const Vec3s& a, const Vec3s& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3s cross(const Vec3s& a, const Vec3s& b) {
+  return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+}
+inline Vec3s normalized(const Vec3s& v) { return (1.0F / square_root(dot(v, v))) * v; }
+inline Vec3 magnitude(const Vec3& v) { return glm::abs(v); }
+inline Vec3s magnitude(const Vec3s& v) { return {magnitude(v.x), magnitude(v.y), magnitude(v.z)}; }
+inline Vec3s larger(const Vec3s& a, const Vec3s& b) {
+  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z)};
+}
+inline Floats max_component(const Vec3s& v) { return larger(v.x, larger(v.y, v.z)); }
+inline Floats luminance(const Vec3s& rgb) {
+  return 0.2126F * rgb.x + 0.7152F * rgb.y + 0.0722F * rgb.z;
+}
+inline Vec3s chosen(const LaneMask& mask, const Vec3s& a, const Vec3s& b) {
+  return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
+
+struct Vec3Lanes {
+  FloatLanes x, y, z;
+
+  Vec3s load() const { return {x.load(), y.load(), z.load()}; }
+  void store(const Vec3s& lanes) {
+    x.store(lanes.x);
+    y.store(lanes.y);
+    z.store(lanes.z);
+  }
+  void put(std::size_t lane, const Vec3& v) {
+    x[lane] = v.x;
+    y[lane] = v.y;
+    z[lane] = v.z;
+  }
+  Vec3 at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+};
+
+}  // namespace foveola

@@ -1,0 +1,162 @@
+// The part of BlockTracer that works on vertices of any kind, one after the other.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/trace/block_tracer.h"
+#include "renderer/trace/vertex_rules.h"
+
+namespace foveola {
+namespace {
+
+Receiver receiver_at(const SurfacePoint& point) {
+  return {.position = point.position,
+          .normal = point.geometric_normal,
+          .transmits = point.reflectance.transmission > 0.0F};
+}
+
+/// The absorption on the other side of a surface that a path has reached.
+Rgb absorption_beyond(const Path& path, const Reflectance& surface, const Rgb& inside) {
+  if (!surface.is_solid) {
+    return path.absorption_per_m;
+  }
+  return surface.from_inside ? Rgb(0.0F) : inside;
+}
+
+/// Moves the ray's start; where it ends stays.
+void start_at(const Vec3& origin, Ray& ray) {
+  if (std::isfinite(ray.t_max)) {
+    ray.direction += ray.origin - origin;
+  }
+  ray.origin = origin;
+}
+
+float width_at(const Path& path, const Hit& hit) { return path.width_m + path.spread_rad * hit.t; }
+
+}  // namespace
+
+LaneMask BlockTracer::advance_alone(const Group& group, const LaneMask& lanes,
+                                    const GroupNumbers& numbers) {
+  LaneMask goes_on{};
+  for_each_lane(lanes, [&](std::size_t lane) {
+    goes_on[lane] = advance_alone(group.first + lane, VertexNumbers(numbers, lane)) ? -1 : 0;
+  });
+  return goes_on;
+}
+
+bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
+  Path path = paths_->at(index);
+  Hit hit = hits_[index];
+  for (int windows = 0; windows < most_windows; ++windows) {
+    const Step step = scatter(path, hit, object_of(hit), numbers);
+    if (step != Step::passed) {
+      paths_->put(index, path);
+      return step == Step::scattered;
+    }
+    numbers = VertexNumbers(path.random);
+    path.ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
+    hit = closest_hit(path.ray);
+    if (!gather(path, hit)) {
+      return false;
+    }
+  }
+  return false;
+}
+
+BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedObject& object,
+                                       const VertexNumbers& numbers) {
+  const SurfacePoint point =
+      surface_point(traced_.scene, hit, path.ray.direction, width_at(path, hit));
+  const Frame frame(point.shading_normal);
+  const Bsdf bsdf(point.reflectance, frame.to_local(-path.ray.direction), traced_.tables);
+  const auto sample = bsdf.sample(numbers.lobe, numbers.scattering);
+  const bool is_vertex = vertex_ <= settings_.max_depth;
+  if (is_vertex) {
+    queue_light(path, point, frame, bsdf, object, numbers);
+  }
+  if (!sample) {
+    return Step::ended;
+  }
+  path.ray.key = numbers.next_key;
+  if (object.is_window && sample->is_specular && sample->incoming.z < 0.0F) {
+    path.throughput *= sample->weight;
+    return Step::passed;
+  }
+  path.width_m = width_at(path, hit);
+  const bool continues = is_vertex && send(path, point, frame, *sample, object) &&
+                         survives_roulette(path, numbers.roulette);
+  return continues ? Step::scattered : Step::ended;
+}
+
+bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame,
+                       const BsdfSample& sample, const TracedObject& object) {
+  Vec3 direction = glm::normalize(frame.to_world(sample.incoming));
+  float side = glm::dot(direction, point.geometric_normal);
+  if (side * sample.incoming.z <= 0.0F) {
+    if (!sample.is_specular || side == 0.0F) {
+      return false;
+    }
+    // At the rims of smooth-shaded things, where mirrors would lose light.
+    direction -= 2.0F * side * point.geometric_normal;
+    side = -side;
+  }
+  path.receiver = receiver_at(point);
+  path.ray.origin = side > 0.0F ? point.origin : point.origin_beyond();
+  path.ray.direction = direction;
+  path.ray.t_min = 0.0F;
+  path.throughput *= sample.weight;
+  path.pdf = sample.is_specular ? certain : sample.pdf;
+  path.radiance_scale *= sample.radiance_scale;
+  if (!sample.is_specular && path.spread_rad > 0.0F) {
+    path.spread_rad = std::max(path.spread_rad, scattered_spread_rad(sample.pdf));
+  }
+  if (side < 0.0F) {
+    path.absorption_per_m = absorption_beyond(path, point.reflectance, object.absorption_per_m);
+  }
+  return finite(path.job, path.throughput, direction);
+}
+
+void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const Frame& frame,
+                              const Bsdf& bsdf, const TracedObject& object,
+                              const VertexNumbers& numbers) {
+  if (traced_.lights.empty()) {
+    return;
+  }
+  const auto light = traced_.lights.sample(receiver_at(point), numbers.light_kind,
+                                           numbers.light_choice, numbers.light_point);
+  if (!light) {
+    return;
+  }
+  const Vec3 incoming = frame.to_local(light->direction);
+  const float side = glm::dot(light->direction, point.geometric_normal);
+  if (side * incoming.z <= 0.0F) {
+    return;
+  }
+  const BsdfValue value = bsdf.eval(incoming);
+  const float weight = light->is_delta ? 1.0F : power_heuristic(light->pdf, value.pdf);
+  Rgb gain = path.throughput * value.times_cosine * light->radiance * (weight / light->pdf);
+  if (gain == Rgb(0.0F)) {
+    return;
+  }
+  Ray shadow_ray = light->shadow_ray;
+  shadow_ray.key = numbers.shadow_key;
+  start_at(side < 0.0F ? point.origin_beyond() : point.origin, shadow_ray);
+  const Rgb absorption = side < 0.0F
+                             ? absorption_beyond(path, point.reflectance, object.absorption_per_m)
+                             : path.absorption_per_m;
+  gain *= transmittance(absorption, glm::length(shadow_ray.direction) * shadow_ray.t_max);
+  if (finite(path.job, gain, shadow_ray.direction)) {
+    pending_.push_back({.job = path.job, .radiance = gain});
+    shadow_rays_.push_back(shadow_ray);
+  }
+}
+
+bool BlockTracer::survives_roulette(Path& path, float u) const {
+  const float brightest = max_component(path.throughput) / path.radiance_scale;
+  if (vertex_ <= vertices_before_roulette || brightest >= 1.0F) {
+    return brightest > 0.0F;
+  }
+  path.throughput /= brightest;
+  return u < brightest;
+}
+
+}  // namespace foveola

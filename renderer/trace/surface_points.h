@@ -1,0 +1,65 @@
+// From hits to the geometry of surface points, eight at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/vec.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/ray_scene.h"
+
+namespace foveola {
+
+/// An object of a scene.
+struct ObjectView {
+  const Mesh* mesh;
+  const Instance* instance;  ///< null for a mesh that stands in the world as it is
+};
+
+/// What SurfacePoint says, without the material's textures.
+struct SurfacePoints {
+  Vec3s position;
+  Floats rounding_error;
+  Vec3s geometric_normal;
+  Vec3s origin;
+  Vec3s shading_normal;
+  Floats facing;        ///< the cosine between the ray and the front's normal
+  Floats double_area;   ///< of the triangle, in square metres
+  Vec3s smooth_normal;  ///< the front's, interpolated between the vertices
+
+  Vec3 smooth_normal_at(std::size_t lane) const {
+    return {smooth_normal.x[lane], smooth_normal.y[lane], smooth_normal.z[lane]};
+  }
+  /// To what a normal map makes of the smooth normal, if that is not turned away from the ray.
+  void turn_shading_normal(std::size_t lane, const Vec3s& direction, const Vec3& mapped);
+};
+
+/// Gathers eight hits, and then looks at all of them at once. Lanes that nothing was put into give
+/// anything.
+class SurfaceHits {
+ public:
+  /// The hit must not be a miss.
+  void put(std::size_t lane, const ObjectView& object, const Hit& hit);
+
+  /// direction: of the rays that hit, unit length.
+  SurfacePoints points(const Vec3s& direction) const;
+
+ private:
+  struct Corners {
+    Vec3Lanes p0, p1, p2;
+  };
+
+  void put_instance(std::size_t lane, const ObjectView& object, const Hit& hit);
+  /// Sides: from p0 to the other corners. double_area goes out.
+  Vec3s front_normal(const Vec3s& side1, const Vec3s& side2, Floats& double_area) const;
+
+  std::uint32_t filled_ = 0;  ///< a bit a lane
+  Corners corners_{};
+  Corners normals_{};  ///< zero where the mesh has none
+  FloatLanes u_{}, v_{}, distance_{};
+  bool has_instances_ = false;
+  FloatLanes largest_term_, roundings_, winding_;  ///< only if there are instances: see Triangle
+};
+
+}  // namespace foveola

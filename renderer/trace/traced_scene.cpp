@@ -1,0 +1,49 @@
+#include "renderer/trace/traced_scene.h"
+
+#include <cstdint>
+
+#include "renderer/trace/mesh_attributes.h"
+#include "renderer/trace/opacity.h"
+#include "renderer/trace/surface.h"
+
+namespace foveola {
+namespace {
+
+/// Any of what the layers of a plain surface read.
+bool has_reflectance_texture(const Material& material) {
+  return material.base_color_texture.exists() || material.metallic_roughness_texture.exists() ||
+         material.specular_texture.exists() || material.specular_color_texture.exists();
+}
+
+TracedObject traced_object(const Scene& scene, std::uint32_t object) {
+  const Mesh& mesh = scene.mesh_of(object);
+  const Material& material = material_of(scene, mesh);
+  TracedObject traced{.view = {.mesh = &mesh, .instance = scene.instance_of(object)},
+                      .is_unlit = material.unlit,
+                      .is_window = is_window(material),
+                      .shines = material.unlit || material.is_emissive(),
+                      .absorption_per_m = absorption_per_m(material)};
+  const Reflectance untextured = untextured_reflectance(material);
+  traced.layers = plain_layers(untextured);
+  traced.is_constant =
+      mesh.colors.empty() && (mesh.uv_sets.empty() || !has_reflectance_texture(material));
+  traced.is_plain = is_plain(untextured) && (!traced.is_constant || is_plain(traced.layers));
+  traced.has_normal_map = material.normal_texture.exists() && !mesh.tangents.empty();
+  return traced;
+}
+
+}  // namespace
+
+TracedScene::TracedScene(const Scene& source, const Workers& workers)
+    : scene(source), rays(source, workers), lights(source), tables(source.materials, workers) {
+  has_absorption = false;
+  is_dark = lights.empty();
+  for (std::uint32_t object = 0; object < source.object_count(); ++object) {
+    objects.push_back(traced_object(source, object));
+    const TracedObject& traced = objects.back();
+    has_absorption = has_absorption || max_component(traced.absorption_per_m) > 0.0F;
+    is_dark = is_dark && !traced.is_unlit;
+  }
+}
+
+}  // namespace foveola

@@ -1,0 +1,42 @@
+// A scene with all that is built for tracing it.
+#pragma once
+
+#include <vector>
+
+#include "renderer/base/parallel.h"
+#include "renderer/base/vec.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/lights.h"
+#include "renderer/trace/plain_bsdf.h"
+#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/scattering_tables.h"
+#include "renderer/trace/surface_points.h"
+
+namespace foveola {
+
+/// An object, with what is the same for all its hits.
+struct TracedObject {
+  ObjectView view;
+  bool is_unlit = false;
+  bool is_window = false;
+  bool shines = false;
+  Rgb absorption_per_m{0.0F};  ///< in the solid that it bounds
+  bool is_plain = false;       ///< its vertices are worked on eight at a time
+  bool is_constant = false;    ///< `layers` hold everywhere: no texture, no vertex says otherwise
+  PlainLayers layers{};        ///< without textures
+  bool has_normal_map = false;
+};
+
+struct TracedScene {
+  const Scene& scene;
+  RayScene rays;
+  Lights lights;
+  ScatteringTables tables;
+  std::vector<TracedObject> objects;
+  bool has_absorption;  ///< of some solid
+  bool is_dark;         ///< nothing shines: every radiance is zero
+
+  TracedScene(const Scene& source, const Workers& workers);
+};
+
+}  // namespace foveola

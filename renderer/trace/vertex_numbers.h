@@ -1,0 +1,75 @@
+// The random numbers of a path's vertices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/random.h"
+#include "renderer/base/vec.h"
+#include "renderer/trace/lights.h"
+
+namespace foveola {
+
+struct GroupNumbers;
+
+/// The random numbers of one vertex, always drawn all of them and in this order, so that a decision
+/// has its own dimension whatever was decided before.
+struct VertexNumbers {
+  float light_kind, lobe, roulette;
+  Vec2 light_choice, light_point, scattering;
+  std::uint32_t shadow_key, next_key;
+
+  explicit VertexNumbers(SampleStream& random) {
+    light_kind = random.next_1d();
+    light_choice = random.next_2d();
+    light_point = random.next_2d();
+    lobe = random.next_1d();
+    scattering = random.next_2d();
+    roulette = random.next_1d();
+    shadow_key = random.next_bits();
+    next_key = random.next_bits();
+  }
+
+  /// Those of a lane in a group.
+  VertexNumbers(const GroupNumbers& group, std::size_t lane);
+};
+
+/// The same for a group of paths.
+struct GroupNumbers {
+  LightNumbers light;
+  FloatLanes lobe, roulette;
+  Vec2Lanes scattering;
+  SampleStreams::Bits shadow_key, next_key;
+
+  explicit GroupNumbers(std::span<SampleStream> streams) {
+    SampleStreams random;
+    for (std::size_t lane = 0; lane < streams.size(); ++lane) {
+      random.put(lane, streams[lane]);
+    }
+    random.next_1d(light.kind);
+    random.next_2d(light.choice);
+    random.next_2d(light.point);
+    random.next_1d(lobe);
+    random.next_2d(scattering);
+    random.next_1d(roulette);
+    random.next_bits(shadow_key);
+    random.next_bits(next_key);
+    for (std::size_t lane = 0; lane < streams.size(); ++lane) {
+      random.take(lane, streams[lane]);
+    }
+  }
+};
+
+inline VertexNumbers::VertexNumbers(const GroupNumbers& group, std::size_t lane)
+    : light_kind(group.light.kind[lane]),
+      lobe(group.lobe[lane]),
+      roulette(group.roulette[lane]),
+      light_choice(group.light.choice.at(lane)),
+      light_point(group.light.point.at(lane)),
+      scattering(group.scattering.at(lane)),
+      shadow_key(group.shadow_key[lane]),
+      next_key(group.next_key[lane]) {}
+
+}  // namespace foveola

@@ -1,0 +1,51 @@
+// What happens at every vertex of a path, whether it is worked on alone or with others.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+/// From the vertex after this one on, dim paths are ended at random.
+inline constexpr int vertices_before_roulette = 3;
+
+/// Windows in line that a ray may pass without a vertex, so that no scene traps a path.
+inline constexpr int most_windows = 256;
+
+/// The density of a direction that no light sample could have given: a camera's or a mirror's.
+inline constexpr float certain = std::numeric_limits<float>::infinity();
+
+/// The power heuristic with exponent 2 (Veach 1997, section 9.2.4) for a sample of density `pdf`
+/// that could also have come from a strategy of density `other`. As a ratio, which cannot overflow
+/// into infinity over infinity.
+inline float power_heuristic(float pdf, float other) {
+  if (pdf == certain) {
+    return 1.0F;
+  }
+  const float ratio = other / pdf;
+  return 1.0F / (1.0F + ratio * ratio);
+}
+
+/// How much a scattered ray widens: a tenth of the cone that holds as much solid angle as one
+/// sample stands for. Textures seen by such rays are averaged over it. A number, or lanes of them.
+template <typename Number>
+Number scattered_spread_rad(const Number& pdf) {
+  constexpr float widest_rad = 0.2F;
+  return smaller(0.1F / square_root(pdf), widest_rad);
+}
+
+/// The radiance that tells of a path with values that are not finite.
+inline constexpr Rgb not_a_number(std::numeric_limits<float>::quiet_NaN());
+
+/// What is left of light after some metres, which may be infinitely many.
+inline Rgb transmittance(const Rgb& absorption_per_m, float distance_m) {
+  const auto left = [&](float absorption) {
+    return absorption > 0.0F ? std::exp(-absorption * distance_m) : 1.0F;
+  };
+  return {left(absorption_per_m.r), left(absorption_per_m.g), left(absorption_per_m.b)};
+}
+
+}  // namespace foveola
