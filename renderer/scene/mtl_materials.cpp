@@ -220,6 +220,7 @@ class MaterialReader {
         warnings_.add(warning, place_);
       }
     }
+    warnings_.add("a map that names no file is ignored", place_, source_.maps_without_file);
     if (values_.anisotropy != 0.0F) {
       warnings_.add("anisotropy is ignored", place_);
     }

@@ -1,6 +1,5 @@
 #include "renderer/scene/obj_numbers.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -9,40 +8,6 @@
 
 namespace foveola {
 namespace {
-
-/// Takes the digits at the front off `text`, and returns how many there were.
-std::size_t take_digits(std::string_view& text) {
-  const auto* const end =
-      std::find_if_not(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const auto count = static_cast<std::size_t>(end - text.begin());
-  text.remove_prefix(count);
-  return count;
-}
-
-/// Takes one of `characters` off the front of `text`, if it begins with one.
-bool take(std::string_view characters, std::string_view& text) {
-  const bool is_there = !text.empty() && characters.find(text.front()) != std::string_view::npos;
-  text.remove_prefix(is_there ? 1 : 0);
-  return is_there;
-}
-
-/// Whether `word` is a decimal number from its first character to its last.
-bool is_number(std::string_view word) {
-  constexpr std::size_t longest_exponent = 9;  // tinyobjloader gives up on longer ones
-  take("+-", word);
-  std::size_t digits = take_digits(word);
-  if (take(".", word)) {
-    digits += take_digits(word);
-  }
-  if (digits > 0 && take("eE", word)) {
-    take("+-", word);
-    digits = take_digits(word);
-    if (digits > longest_exponent) {
-      return false;
-    }
-  }
-  return digits > 0 && word.empty();
-}
 
 std::size_t coordinates_of(std::string_view keyword) {
   return keyword == "v" || keyword == "vn" ? 3 : keyword == "vt" ? 2 : 0;

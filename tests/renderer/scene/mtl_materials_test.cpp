@@ -1,6 +1,7 @@
 #include "renderer/scene/mtl_materials.h"
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -183,6 +184,37 @@ TEST_F(MtlMaterials, ColoursAreSrgbAndDataLinear) {
               188.0F / 255.0F, 1e-6F);
   EXPECT_NEAR(scene_of("Kd 1 1 1\nnorm grey.png\n").textures.at(0).sample({0, 0}).r,
               188.0F / 255.0F, 1e-6F);
+}
+
+/// Of the numbers after -o, -s and -t only the first must be there (MTL specification, "Options for
+/// texture map statements").
+TEST_F(MtlMaterials, TextureOptionsMayLeaveOutNumbers) {
+  grey("3d map.png", 255);
+  for (const auto& [options, scale, offset] : std::vector<std::tuple<std::string, Vec2, Vec2>>{
+           {"", {1, 1}, {0, 0}},
+           {"-s 2 4 1 ", {2, 4}, {0, 0}},
+           {"-s 2 4 ", {2, 4}, {0, 0}},
+           {"-s 2 ", {2, 1}, {0, 0}},
+           {"-o 0.5 0.25 ", {1, 1}, {0.5F, 0.25F}},
+           {"-o .5\t", {1, 1}, {0.5F, 0}},
+           {"-t 1 -s 2 4 -clamp off  -mm 0 1 -o 0.5 -bm 2 ", {2, 4}, {0.5F, 0}}}) {
+    const Scene scene = scene_of("map_Kd " + options + "3d map.png\n");
+    EXPECT_THAT(scene.warnings, IsEmpty()) << options;
+    const TextureUse& use = scene.materials.at(0).base_color_texture;
+    ASSERT_TRUE(use.exists()) << options;
+    EXPECT_EQ(use.texture_from_mesh,
+              Mat3x2(scale.x, 0, 0, scale.y, offset.x, 1.0F - scale.y - offset.y))
+        << options;
+  }
+}
+
+TEST_F(MtlMaterials, MapsWithoutAFileAreNoMaps) {
+  for (const std::string map :
+       {"map_Kd", "map_d -s 2 2", "norm -bm 2", "map_Pr -o 1 1 1", "bump"}) {
+    const auto [material, warnings] = read("Kd 0.8 0.5 0.25\n" + map + "\n");
+    expect_lambertian(material, Rgb(0.8F, 0.5F, 0.25F));
+    EXPECT_THAT(warnings, ElementsAre("a map that names no file is ignored (m.mtl: m)")) << map;
+  }
 }
 
 TEST_F(MtlMaterials, SaysWhatItIgnoresAndLimits) {
