@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "analysis/commands/bench_compare.h"
 #include "analysis/commands/bench_convergence.h"
 #include "analysis/commands/commands.h"
 #include "analysis/publication/analyze_study.h"
@@ -152,6 +153,7 @@ int run(int argc, char** argv) {
   CLI::App& bench =
       add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
+  analysis::add_bench_compare(bench);
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_info(scene, scenes::find_scene);
   add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());

@@ -62,7 +62,9 @@ ConvergencePlan quick_plan() {
 
 ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
   ConvergencePlan plan = arguments.quick ? quick_plan() : ConvergencePlan{};
-  plan.contenders = make_contenders(split_methods(arguments.methods), arguments.options);
+  const bool has_options = arguments.options != std::vector<std::string>{"none"};
+  plan.contenders = make_contenders(split_methods(arguments.methods),
+                                    has_options ? arguments.options : std::vector<std::string>{});
   if (arguments.size) {
     plan.size = parse_size("--size", *arguments.size);
   }
@@ -247,7 +249,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   command
       ->add_option("--options", arguments->options,
                    "What to change of the first method, each for a row of its own: independent "
-                   "(random numbers instead of low-discrepancy sequences); {} for none")
+                   "(random numbers instead of low-discrepancy sequences); or none")
       ->delimiter(',')
       ->capture_default_str();
   command

@@ -106,7 +106,7 @@ std::string script(const std::vector<Line>& lines, const GazeMeasurement& measur
              "set border 3 linecolor rgb '{0}'\n"
              "set tics out nomirror textcolor rgb '{0}'\n"
              "set grid linetype 1 linewidth 1 linecolor rgb '{1}'\n"
-             "set logscale xy\nset format x '10^%T'\nset format y '%.2g'\n"
+             "set logscale xy\nset format x '%.0s%c'\nset format y '%.2g'\n"
              "set key bottom left Left reverse samplen 1.5\n",
              palette::ink.rgb, palette::grid.rgb) +
          data_of(lines, kind.metric) +

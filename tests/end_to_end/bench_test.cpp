@@ -34,14 +34,14 @@ class BenchConvergence : public testing::Test {
 };
 
 TEST_F(BenchConvergence, WritesTablesFiguresAndCrops) {
-  const ProgramResult result = run({"-o", results(), "--quick", "--methods", "od,vp", "--size",
-                                    "64x32", "--rounds", "2", "--json"});
+  const ProgramResult result = run({"-o", results(), "--quick", "--methods", "od,vp", "--options",
+                                    "none", "--size", "64x32", "--rounds", "2", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output, read_file(folder_ / "results" / "convergence.json"));
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_EQ(json["measured"][0]["rounds"], 2);
   EXPECT_EQ(json["measured"][0]["non_finite_samples"], 0);
-  EXPECT_EQ(json["costs"].size(), 3U);
+  EXPECT_EQ(json["costs"].size(), 2U);
   // A view of 100 degrees is a tenth of the image, where VP has all of its samples.
   for (const auto& row : json["overall"]) {
     if (row["region"] == "viewport" && row["metric"] == "mse" && row["contender"] == "vp") {
@@ -55,7 +55,7 @@ TEST_F(BenchConvergence, WritesTablesFiguresAndCrops) {
   EXPECT_THAT(names, IsSupersetOf({"points.csv", "speed_ups.csv", "costs.csv", "convergence.csv",
                                    "overall.csv", "convergence.json", "crops-1.png",
                                    "error-1-rmse-viewport.svg", "error-1-flip-viewport.svg"}));
-  EXPECT_EQ(image_size(folder_ / "results" / "crops-1.png"), IVec2(4 * 320 + 3 * 8, 320));
+  EXPECT_EQ(image_size(folder_ / "results" / "crops-1.png"), IVec2(3 * 320 + 2 * 8, 320));
 }
 
 TEST_F(BenchConvergence, RefusesBadWishesBeforeTheWork) {
@@ -73,6 +73,32 @@ TEST_F(BenchConvergence, RefusesBadWishesBeforeTheWork) {
   expect_refused({"-o", results(), "--spp", "1"}, 2, "--spp");
   expect_refused({"-o", (folder_ / "no" / "where").string()}, 1, "where");
   expect_refused({"-o", (folder_ / "room.gltf").string()}, 1, "is a file, not a folder");
+}
+
+TEST(BenchCompare, PrintsRatiosOfWhatABenchPrinted) {
+  const TemporaryFolder folder;
+  const std::string before = (folder / "before.json").string();
+  write_file(before, run_foveola({"bench", "sampling", "od", "--json"}).output);
+  auto later = nlohmann::json::parse(read_file(before));
+  for (auto& figure : later["figures"]) {
+    for (const char* key : {"median", "low", "high"}) {
+      figure[key] = 0.5 * figure[key].get<double>();
+    }
+  }
+  write_file(folder / "after.json", later.dump());
+  const ProgramResult result =
+      run_foveola({"bench", "compare", before, (folder / "after.json").string(), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto ratios = nlohmann::json::parse(result.output).at("ratios");
+  ASSERT_EQ(ratios.size(), later["figures"].size());
+  for (const auto& ratio : ratios) {
+    EXPECT_NEAR(ratio["value"].get<double>(), 0.5, 1e-9);
+    EXPECT_LE(ratio["low"].get<double>(), 0.5);
+    EXPECT_GE(ratio["high"].get<double>(), 0.5);
+  }
+  EXPECT_THAT(run_foveola({"bench", "compare", before, before}).output, HasSubstr("1.000"));
+  EXPECT_EQ(run_foveola({"bench", "compare", before, (folder / "none.json").string()}).exit_code,
+            1);
 }
 
 }  // namespace
