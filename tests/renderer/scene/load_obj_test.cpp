@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/digest.h"
@@ -149,7 +150,7 @@ TEST_F(LoadObj, DropsWhatCannotBeSeen) {
 TEST_F(LoadObj, WhatIsNoNumberIsNotZero) {
   for (const std::string text : {"nan", "NaN", "inf", "-inf", "-nan(ind)", "1.#QNAN", "1.#INF",
                                  "1,5", "0x10", "1d2", "e5", "1e", ".", "-", "1e9999999999"}) {
-    const Scene scene = load(corners + "v " + text + " 0 1\nf 1 2 3\nf 1 2 4\n");
+    const Scene scene = load(fmt::format("{}v {} 0 1\nf 1 2 3\nf 1 2 4\n", corners, text));
     EXPECT_EQ(scene.triangle_count(), 1U) << text;
     EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("not finite are dropped"))) << text;
   }
@@ -157,7 +158,7 @@ TEST_F(LoadObj, WhatIsNoNumberIsNotZero) {
 
 TEST_F(LoadObj, ReadsNumbersAsTheyAreWritten) {
   for (const std::string text : {"3", "+3", "3.", "3.0", ".3e1", "0.3E+01", "30e-1", "\t003 1 #"}) {
-    const Scene scene = load(corners + "v 0 0 " + text + "\nf 1 2 4\n");
+    const Scene scene = load(fmt::format("{}v 0 0 {}\nf 1 2 4\n", corners, text));
     ASSERT_EQ(scene.triangle_count(), 1U) << text;
     EXPECT_EQ(scene.meshes[0].positions[2], Vec3(0, 0, 3)) << text;
   }
