@@ -251,6 +251,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                    "What to change of the first method, each for a row of its own: independent "
                    "(random numbers instead of low-discrepancy sequences); or none")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
   command
       ->add_option("--gazes", arguments->gazes,
