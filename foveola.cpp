@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "analysis/commands/bench_compare.h"
+#include "analysis/commands/bench_convergence.h"
 #include "analysis/commands/commands.h"
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/build_info.h"
@@ -148,7 +150,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_demo(app, signals.token());
   add_renderer_commands(app, scenes::find_scene, signals.token());
-  add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
+  CLI::App& bench =
+      add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
+  analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
+  analysis::add_bench_compare(bench);
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_info(scene, scenes::find_scene);
   add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());

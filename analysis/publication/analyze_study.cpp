@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "analysis/publication/figures.h"
+#include "analysis/publication/output_folder.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/report.h"
 #include "analysis/publication/summary.h"
 #include "analysis/publication/table_files.h"
 #include "analysis/publication/wording.h"
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
 namespace fs = std::filesystem;
@@ -48,20 +48,6 @@ std::vector<TextFile> files_of(const StudyTables& tables) {
   return files;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  if (fs::is_directory(folder, failure)) {
-    return;
-  }
-  if (fs::exists(folder, failure)) {
-    throw Error(folder.string(), "is a file, not a folder", "choose another folder with -o");
-  }
-  if (!fs::create_directory(folder, failure)) {
-    throw Error(folder.string(), "cannot be made: " + failure.message(),
-                "make its parent folder or choose another with -o");
-  }
-}
-
 }  // namespace
 
 AnalysisOutput analyze_records(const study::StudyRecords& records, const fs::path& folder) {
@@ -70,7 +56,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records, const fs::pat
   output.summary = terminal_summary(output.tables);
   output.warnings = warnings_about(output.tables);
   const std::vector<TextFile> files = files_of(output.tables);
-  make_folder(folder);
+  make_output_folder(folder);
   for (const TextFile& file : files) {
     write_file(folder / file.name, file.content);
     output.files.push_back(folder / file.name);

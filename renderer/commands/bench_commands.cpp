@@ -172,13 +172,14 @@ void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
 
 }  // namespace
 
-void add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
-                        const SceneFinder& find_scene, const std::stop_token& stop) {
+CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
+                             const SceneFinder& find_scene, const std::stop_token& stop) {
   CLI::App* bench = app.add_subcommand("bench", "What the renderer measures of itself");
   bench->require_subcommand(1);
   add_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);
   add_bench_tracing(*bench, find_scene);
+  return *bench;
 }
 
 }  // namespace foveola

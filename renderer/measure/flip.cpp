@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -59,12 +58,12 @@ Plane filter(const Plane& plane, const Kernel& across, const Kernel& down) {
   return filter_along(filter_along(plane, across, {1, 0}), down, {0, 1});
 }
 
-Kernel kernel_of(int radius, const std::function<double(int)>& weight) {
-  Kernel kernel;
+std::vector<double> weights_of(int radius, const std::function<double(int)>& weight) {
+  std::vector<double> weights;
   for (int k = -radius; k <= radius; ++k) {
-    kernel.push_back(static_cast<float>(weight(k)));
+    weights.push_back(weight(k));
   }
-  return kernel;
+  return weights;
 }
 
 // --- Colour spaces ---
@@ -151,10 +150,11 @@ Plane seen(const Plane& plane, const std::array<Gaussian, 2>& sensitivity, doubl
   double total = 0.0;
   for (const Gaussian& part : sensitivity) {
     if (part.a > 0.0) {
-      const Kernel kernel = kernel_of(radius, [&](int k) {
+      const std::vector<double> weights = weights_of(radius, [&](int k) {
         const double distance_deg = k / per_degree;
         return std::exp(-pi * pi * distance_deg * distance_deg / part.b);
       });
+      const Kernel kernel(weights.begin(), weights.end());
       const double amplitude = part.a * std::sqrt(pi / part.b);
       const Plane filtered = filter(plane, kernel, kernel);
       double kernel_sum = 0.0;
@@ -210,15 +210,18 @@ struct FeatureKernels {
   Kernel point;
 };
 
-/// Scales the positive weights to a sum of 1 and the negative ones to -1.
-Kernel balanced(Kernel kernel) {
-  float positive = 0.0F;
-  float negative = 0.0F;
-  for (const float weight : kernel) {
-    (weight > 0.0F ? positive : negative) += weight;
+/// Scales the positive weights to a sum of 1 and the negative ones to -1. In double, where the tail
+/// of a kernel that is far narrower than a pixel still tells one weight from another.
+Kernel balanced(const std::vector<double>& weights) {
+  double positive = 0.0;
+  double negative = 0.0;
+  for (const double weight : weights) {
+    (weight > 0.0 ? positive : negative) += std::abs(weight);
   }
-  for (float& weight : kernel) {
-    weight /= weight > 0.0F ? positive : std::max(-negative, std::numeric_limits<float>::min());
+  Kernel kernel;
+  for (const double weight : weights) {
+    kernel.push_back(
+        weight == 0.0 ? 0.0F : static_cast<float>(weight / (weight > 0.0 ? positive : negative)));
   }
   return kernel;
 }
@@ -228,9 +231,9 @@ FeatureKernels feature_kernels(double per_degree) {
   const double sigma = 0.5 * feature_width_deg * per_degree;
   const int radius = static_cast<int>(std::ceil(3.0 * sigma));
   const auto gaussian = [sigma](int k) { return std::exp(-k * k / (2.0 * sigma * sigma)); };
-  return {.smooth = balanced(kernel_of(radius, gaussian)),
-          .edge = balanced(kernel_of(radius, [&](int k) { return -k * gaussian(k); })),
-          .point = balanced(kernel_of(
+  return {.smooth = balanced(weights_of(radius, gaussian)),
+          .edge = balanced(weights_of(radius, [&](int k) { return -k * gaussian(k); })),
+          .point = balanced(weights_of(
               radius, [&](int k) { return (k * k / (sigma * sigma) - 1.0) * gaussian(k); }))};
 }
 

@@ -61,4 +61,15 @@ fs::path confined_file(const fs::path& folder, std::string_view uri) {
   }
 }
 
+std::optional<fs::path> confined_file_if_there(const fs::path& folder, std::string_view uri) {
+  const fs::path name = percent_decoded(uri);
+  const bool stays_inside = !has_scheme(uri) && name.is_relative() &&
+                            std::find(name.begin(), name.end(), "..") == name.end();
+  std::error_code failure;
+  if (stays_inside && !fs::exists(folder / name, failure)) {
+    return std::nullopt;
+  }
+  return confined_file(folder, uri);
+}
+
 }  // namespace foveola

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace foveola {
@@ -11,5 +12,9 @@ namespace foveola {
 /// a scheme, contains "..", leads out of the folder through a symbolic link, or is not a regular
 /// file.
 std::filesystem::path confined_file(const std::filesystem::path& folder, std::string_view uri);
+
+/// Likewise, but nothing if `uri` stays in the folder and names what is not there.
+std::optional<std::filesystem::path> confined_file_if_there(const std::filesystem::path& folder,
+                                                            std::string_view uri);
 
 }  // namespace foveola

@@ -107,7 +107,7 @@ bool is_readable_data_uri(std::string_view uri) {
                      [&](std::string_view beginning) { return uri.starts_with(beginning); });
 }
 
-void append_references(const Json& document, const std::string& array,
+void append_references(const Json& document, const std::string& array, bool are_images,
                        std::vector<GltfReference>& references) {
   const auto items = document.find(array);
   if (items == document.end()) {
@@ -119,8 +119,10 @@ void append_references(const Json& document, const std::string& array,
       continue;
     }
     GltfReference reference{.place = fmt::format("{}[{}].uri", array, i),
-                            .uri = uri->get<std::string>()};
-    if (!reference.uri.starts_with("data:")) {
+                            .uri = uri->get<std::string>(),
+                            .is_image = are_images};
+    if (!reference.uri.starts_with("data:") ||
+        (are_images && reference.uri.starts_with(jpg_data_uri))) {
       references.push_back(std::move(reference));
     } else if (!is_readable_data_uri(reference.uri)) {
       throw GltfFault(reference.place,
@@ -148,8 +150,8 @@ std::vector<GltfReference> check_gltf_document(std::string_view json) {
   require_known_extensions(document);
   require_one_own_buffer(document);
   std::vector<GltfReference> references;
-  append_references(document, "buffers", references);
-  append_references(document, "images", references);
+  append_references(document, "buffers", false, references);
+  append_references(document, "images", true, references);
   return references;
 }
 

@@ -7,10 +7,15 @@
 
 namespace foveola {
 
-/// A file beside the scene file whose content belongs to the scene.
+/// How a JPEG image in the file itself begins where its exporter does not know that the type's name
+/// is image/jpeg.
+inline constexpr std::string_view jpg_data_uri = "data:image/jpg;base64,";
+
+/// What tinygltf takes for a file beside the scene file.
 struct GltfReference {
-  std::string place;  ///< the JSON path of the uri
-  std::string uri;    ///< as written, percent-encoded; never a data: uri
+  std::string place;      ///< the JSON path of the uri
+  std::string uri;        ///< as written, percent-encoded; of an image it may be a jpg_data_uri
+  bool is_image = false;  ///< not a buffer
 };
 
 /// Checks that `json` is a glTF 2.0 document that Foveola can show: every property that the loader

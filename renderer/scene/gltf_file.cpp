@@ -4,6 +4,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,7 +17,6 @@
 #include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
-#include "renderer/scene/scene_hash.h"
 
 namespace foveola {
 namespace {
@@ -77,61 +77,74 @@ std::string_view json_chunk(std::string_view content) {
   return content.substr(json_begin, json_end - json_begin);
 }
 
-/// The referred-to files, in the order in which tinygltf asks for them, which is the document's.
-struct ReferredFiles {
-  struct File {
-    std::string place;
-    std::filesystem::path path;
-  };
-  std::vector<File> files;
-  std::size_t next = 0;
-  FileHashes hashes;  ///< of those that were read
-};
-
-ReferredFiles find_referred_files(const std::filesystem::path& folder,
-                                  const std::vector<GltfReference>& references) {
-  ReferredFiles found;
-  std::uintmax_t total_size = 0;
-  for (const GltfReference& reference : references) {
-    try {
-      found.files.push_back(
-          {.place = reference.place, .path = confined_file(folder, reference.uri)});
-      total_size += std::filesystem::file_size(found.files.back().path);
-    } catch (const std::runtime_error& refusal) {
-      throw GltfFault(reference.place, refusal.what());
-    }
-    if (total_size > largest_total_size) {
-      throw GltfFault(
-          reference.place,
-          fmt::format("brings the files of the scene to more than {} bytes", largest_total_size));
-    }
-  }
-  return found;
+/// tinygltf knows the type image/jpeg only.
+bool decode_jpg(const std::string& uri, std::vector<unsigned char>& bytes) {
+  std::string type;
+  const std::string known = "data:image/jpeg;base64," + uri.substr(jpg_data_uri.size());
+  return tinygltf::DecodeDataURI(&bytes, type, known, 0, false);
 }
 
-bool read_next_referred_file(std::vector<unsigned char>* bytes, std::string* /*error*/,
-                             const std::string& /*name*/, void* user_data) {
-  auto& referred = *static_cast<ReferredFiles*>(user_data);
-  const ReferredFiles::File& file = referred.files.at(referred.next++);
-  try {
-    const std::string content = read_file(file.path);
-    bytes->assign(content.begin(), content.end());
-    referred.hashes[file.path] = sha256(std::string_view(content));
-  } catch (const Error& error) {
-    throw GltfFault(file.place, error.what());
+/// What tinygltf asks for, in the order in which it asks, which is the document's.
+struct References {
+  std::vector<GltfReference> references;
+  std::filesystem::path folder;
+  std::size_t next = 0;
+  std::uintmax_t total_size = 0;
+  FileHashes hashes;  ///< of the files that were read
+};
+
+/// A scene whose unused images are missing can be shown, but one that names a file outside its
+/// folder is not to be trusted.
+void require_confined_images(const References& referred) {
+  for (const GltfReference& reference : referred.references) {
+    if (reference.is_image && !reference.uri.starts_with(jpg_data_uri)) {
+      try {
+        confined_file_if_there(referred.folder, reference.uri);
+      } catch (const std::runtime_error& refusal) {
+        throw GltfFault(reference.place, refusal.what());
+      }
+    }
   }
-  if (bytes->empty()) {
-    throw GltfFault(file.place, "refers to an empty file");
+}
+
+std::string content_of(const GltfReference& reference, References& referred) {
+  const std::filesystem::path path = confined_file(referred.folder, reference.uri);
+  referred.total_size += std::filesystem::file_size(path);
+  if (referred.total_size > largest_total_size) {
+    throw std::runtime_error(
+        fmt::format("brings the files of the scene to more than {} bytes", largest_total_size));
+  }
+  std::string content = read_file(path);
+  if (content.empty()) {
+    throw std::runtime_error("refers to an empty file");
+  }
+  referred.hashes[path] = sha256(std::string_view(content));
+  return content;
+}
+
+/// False, which tinygltf takes well, for images in files of their own: they are read if they are
+/// used.
+bool read_next_reference(std::vector<unsigned char>* bytes, std::string* /*error*/,
+                         const std::string& /*name*/, void* user_data) {
+  auto& referred = *static_cast<References*>(user_data);
+  const GltfReference& reference = referred.references.at(referred.next++);
+  if (reference.is_image) {
+    return reference.uri.starts_with(jpg_data_uri) && decode_jpg(reference.uri, *bytes);
+  }
+  try {
+    const std::string content = content_of(reference, referred);
+    bytes->assign(content.begin(), content.end());
+  } catch (const std::runtime_error& error) {
+    throw GltfFault(reference.place, error.what());
   }
   return true;
 }
 
-/// Hands every file access of tinygltf to `referred`, whose files are already confined and known to
-/// exist.
-tinygltf::FsCallbacks callbacks_into(ReferredFiles& referred) {
+/// Hands every file access of tinygltf to `referred`.
+tinygltf::FsCallbacks callbacks_into(References& referred) {
   return {.FileExists = [](const std::string&, void*) { return true; },
           .ExpandFilePath = [](const std::string& name, void*) { return name; },
-          .ReadWholeFile = read_next_referred_file,
+          .ReadWholeFile = read_next_reference,
           .WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
                                void*) { return false; },
           .user_data = &referred};
@@ -160,8 +173,9 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
     throw GltfFault(
         "", fmt::format("has {} bytes of JSON; up to {} are read", json.size(), longest_json));
   }
-  ReferredFiles referred = find_referred_files(path.has_parent_path() ? path.parent_path() : ".",
-                                               check_gltf_document(json));
+  References referred{.references = check_gltf_document(json),
+                      .folder = path.has_parent_path() ? path.parent_path() : "."};
+  require_confined_images(referred);
 
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_into(referred));
@@ -179,7 +193,9 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
     throw GltfFault("", disarmed(error));  // which can repeat a whole data: uri
   }
   return {.model = model,
-          .sha256 = scene_sha256(sha256(std::string_view(content)), referred.hashes)};
+          .folder = referred.folder,
+          .sha256 = sha256(std::string_view(content)),
+          .buffer_hashes = std::move(referred.hashes)};
 }
 
 }  // namespace foveola

@@ -119,10 +119,11 @@ VertexNeeds needs_of(const Material& material, const std::vector<int>& uv_sets) 
 
 }  // namespace
 
-GltfMaterials read_materials(const tinygltf::Model& model, const std::vector<bool>& is_shown,
+GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
                              Warnings& warnings) {
+  const tinygltf::Model& model = *file.model;
   GltfMaterials result;
-  TextureSet textures(model);
+  TextureSet textures(file);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     MaterialContext context(fmt::format("materials[{}]", i), is_shown[i] ? &textures : nullptr,
                             warnings);
@@ -134,6 +135,7 @@ GltfMaterials read_materials(const tinygltf::Model& model, const std::vector<boo
     result.needs.emplace_back();
   }
   result.textures = textures.decode();
+  result.image_hashes = textures.image_hashes();
   return result;
 }
 

@@ -3,13 +3,11 @@
 
 #include <vector>
 
+#include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_geometry.h"
 #include "renderer/scene/scene.h"
+#include "renderer/scene/scene_hash.h"
 #include "renderer/scene/warnings.h"
-
-namespace tinygltf {
-class Model;
-}
 
 namespace foveola {
 
@@ -18,6 +16,7 @@ struct GltfMaterials {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<VertexNeeds> needs;  ///< of the meshes with each material
+  FileHashes image_hashes;         ///< of the files of the images in use
 
   /// The index into both of what a primitive calls `material`.
   std::size_t index_of(int material) const {
@@ -28,7 +27,7 @@ struct GltfMaterials {
 /// Reads all materials, and decodes, in parallel, the images that those in use need. is_shown: for
 /// each material of the file, whether anything in the scene has it; the others come without
 /// textures. Throws GltfFault.
-GltfMaterials read_materials(const tinygltf::Model& model, const std::vector<bool>& is_shown,
+GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
                              Warnings& warnings);
 
 }  // namespace foveola

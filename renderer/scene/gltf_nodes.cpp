@@ -130,6 +130,27 @@ int light_of(const tinygltf::Node& node) {
   return GltfValues(node.extensions, "KHR_lights_punctual").integer("light", -1);
 }
 
+/// Where a camera looks: along its -Z, upright along its +Y. Looking straight up or down, what is
+/// upright in the picture gives the azimuth.
+AzimuthElevation heading_of(const DMat4& world_from_local) {
+  constexpr double vertical = 1e-6;  // to either side, in radians: rounding of a right angle
+  const DVec3 forward = -DVec3(world_from_local[2]);
+  const DVec3 up = DVec3(world_from_local[1]);
+  AzimuthElevation heading = azimuth_elevation(Vec3(forward));
+  if (std::hypot(forward.x, forward.z) < vertical * std::abs(forward.y)) {
+    heading.azimuth_rad = azimuth_elevation(Vec3(forward.y < 0.0 ? up : -up)).azimuth_rad;
+  }
+  return heading;
+}
+
+/// Whether the camera is turned about its line of sight, by more than rounding.
+bool rolls(const DMat4& world_from_local, const AzimuthElevation& heading) {
+  constexpr double smallest_roll_rad = 1e-3;
+  const DVec3 right = glm::cross(DVec3(world_from_local[1]), DVec3(world_from_local[2]));
+  const DVec3 level(std::cos(heading.azimuth_rad), 0.0, std::sin(heading.azimuth_rad));
+  return glm::length(right / glm::length(right) - level) > smallest_roll_rad;
+}
+
 }  // namespace
 
 PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
@@ -179,15 +200,19 @@ std::vector<CameraView> read_cameras(const tinygltf::Model& model,
   for (const PlacedItem& item : cameras) {
     const tinygltf::Camera& camera = model.cameras[item.index];
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
+    const std::string place = fmt::format("nodes[{}]", item.placement.node);
     if (camera.type != "perspective") {
-      warnings.add("orthographic cameras are ignored",
-                   fmt::format("nodes[{}]", item.placement.node));
+      warnings.add("orthographic cameras are ignored", place);
       continue;
     }
     const DMat4& world_from_local = item.placement.world_from_local;
+    const AzimuthElevation heading = heading_of(world_from_local);
+    if (rolls(world_from_local, heading)) {
+      warnings.add("the roll of a camera is ignored: its horizon stays level", place);
+    }
     views.push_back({.name = disarmed(camera.name.empty() ? node.name : camera.name),
                      .position = Vec3(DVec3(world_from_local[3]) - origin),
-                     .heading = azimuth_elevation(Vec3(-DVec3(world_from_local[2])))});
+                     .heading = heading});
   }
   return views;
 }

@@ -37,7 +37,8 @@ struct PlacedNodes {
 /// transform is not finite.
 PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings);
 
-/// The perspective cameras, their positions seen from `origin`.
+/// The perspective cameras, their positions seen from `origin`. A roll about the line of sight,
+/// which a CameraView has not, becomes a warning.
 std::vector<CameraView> read_cameras(const tinygltf::Model& model,
                                      const std::vector<PlacedItem>& cameras, const DVec3& origin,
                                      Warnings& warnings);

@@ -1,7 +1,6 @@
 #include "renderer/scene/gltf_textures.h"
 
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,16 +60,6 @@ Sampler sampler_of(const tinygltf::Sampler& source) {
   return sampler;
 }
 
-std::span<const unsigned char> encoded_bytes(const tinygltf::Model& model, int image) {
-  const tinygltf::Image& source = model.images[static_cast<std::size_t>(image)];
-  if (source.bufferView < 0) {
-    return source.image;
-  }
-  const auto& view = model.bufferViews[static_cast<std::size_t>(source.bufferView)];
-  const auto& buffer = model.buffers[static_cast<std::size_t>(view.buffer)];
-  return std::span(buffer.data).subspan(view.byteOffset, view.byteLength);
-}
-
 /// Calls `work`; what is wrong with the image becomes a fault that names it.
 template <typename Work>
 auto with_place(int image, Work work) {
@@ -97,6 +86,7 @@ int TextureSet::add(int texture, Encoding encoding) {
   }
   const auto [known, is_new] = index_of_.try_emplace(use, static_cast<int>(uses_.size()));
   if (is_new) {
+    images_.load(use.image);
     uses_.push_back(use);
   }
   return known->second;
@@ -120,7 +110,7 @@ void TextureSet::require_modest_size() const {
   constexpr std::size_t most_pixels = std::size_t{1} << 29;
   std::size_t pixels = 0;
   for (const Use& use : uses_) {
-    pixels += with_place(use.image, [&] { return pixel_count(encoded_bytes(model_, use.image)); });
+    pixels += with_place(use.image, [&] { return pixel_count(images_.encoded(use.image)); });
   }
   if (pixels > most_pixels) {
     throw GltfFault("images",
@@ -130,7 +120,7 @@ void TextureSet::require_modest_size() const {
 
 Texture TextureSet::decode(const Use& use) const {
   DecodedImage image =
-      with_place(use.image, [&] { return decode_image(encoded_bytes(model_, use.image)); });
+      with_place(use.image, [&] { return decode_image(images_.encoded(use.image)); });
   return {std::move(image), use.encoding == Encoding::srgb, use.sampler};
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "renderer/scene/gltf_file.h"
+#include "renderer/scene/gltf_images.h"
 #include "renderer/scene/texture.h"
 
 namespace tinygltf {
@@ -18,15 +20,19 @@ enum class Encoding : std::uint8_t { linear, srgb };
 
 class TextureSet {
  public:
-  explicit TextureSet(const tinygltf::Model& model) : model_(model) {}
+  /// file: must outlive this.
+  explicit TextureSet(const GltfFile& file) : model_(*file.model), images_(file) {}
 
   /// The index, into what decode() will return, of glTF texture `texture` with colours in
-  /// `encoding`; -1 for -1. Throws GltfFault if the texture has no image.
+  /// `encoding`; -1 for -1. Throws GltfFault if the texture has no image or that cannot be read.
   int add(int texture, Encoding encoding);
 
   /// All textures that were added. Throws GltfFault if an image cannot be decoded or all together
   /// take more than 2 GiB.
   std::vector<Texture> decode() const;
+
+  /// Of the files of the images that are used.
+  FileHashes image_hashes() const { return images_.hashes(); }
 
  private:
   /// An image and everything that makes another Texture of it.
@@ -42,6 +48,7 @@ class TextureSet {
   Texture decode(const Use& use) const;
 
   const tinygltf::Model& model_;
+  GltfImages images_;
   std::vector<Use> uses_;
   std::map<Use, int> index_of_;  ///< into uses_
 };

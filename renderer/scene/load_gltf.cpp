@@ -70,13 +70,18 @@ std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNod
   return meshes;
 }
 
+std::string sha256_of_all(const GltfFile& file, FileHashes files) {
+  files.insert(file.buffer_hashes.begin(), file.buffer_hashes.end());
+  return scene_sha256(file.sha256, files);
+}
+
 Scene scene_of(const GltfFile& file) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
   warn_of_what_is_ignored(model, warnings);
   check_sparse_accessors(model);
   const PlacedNodes nodes = place_nodes(model, warnings);
-  GltfMaterials materials = read_materials(model, shown_materials(model, nodes), warnings);
+  GltfMaterials materials = read_materials(file, shown_materials(model, nodes), warnings);
   MemoryBudget budget(model);
   std::vector<LocalMesh> meshes = read_meshes(model, nodes, materials, budget, warnings);
 
@@ -91,7 +96,7 @@ Scene scene_of(const GltfFile& file) {
     warnings.add("the scene has no triangles");
   }
   scene.warnings = warnings.lines();
-  scene.sha256 = file.sha256;
+  scene.sha256 = sha256_of_all(file, std::move(materials.image_hashes));
   return scene;
 }
 

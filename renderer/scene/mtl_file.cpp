@@ -1,7 +1,11 @@
 #include "renderer/scene/mtl_file.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "renderer/scene/text_lines.h"
 
@@ -10,23 +14,92 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 26;
 
-/// One material's lines, which begin with its "newmtl".
-MtlMaterial material_in(const std::string& lines) {
+/// An option of a map, and what stands for an argument of it that may be left out.
+struct MapOption {
+  std::string_view name;
+  int arguments;
+  std::string_view absent;  ///< empty: no argument may be left out
+};
+
+constexpr std::array<MapOption, 13> map_options = {{{"-o", 3, "0"},
+                                                    {"-s", 3, "1"},
+                                                    {"-t", 3, "0"},
+                                                    {"-mm", 2, ""},
+                                                    {"-bm", 1, ""},
+                                                    {"-blendu", 1, ""},
+                                                    {"-blendv", 1, ""},
+                                                    {"-boost", 1, ""},
+                                                    {"-clamp", 1, ""},
+                                                    {"-colorspace", 1, ""},
+                                                    {"-imfchan", 1, ""},
+                                                    {"-texres", 1, ""},
+                                                    {"-type", 1, ""}}};
+
+/// What follows the keyword of a map.
+struct Map {
+  std::string options;  ///< with all of their arguments
+  std::string_view file;
+};
+
+/// tinyobjloader takes three words after -o, -s and -t, be they numbers or the file's name.
+Map map_in(std::string_view text) {
+  Map map{.options = {}, .file = text};
+  for (;;) {
+    const Statement first = statement_in(map.file);
+    const auto* const option =
+        std::find_if(map_options.begin(), map_options.end(),
+                     [&](const MapOption& known) { return known.name == first.keyword; });
+    if (option == map_options.end()) {
+      return map;
+    }
+    map.options.append(option->name).append(" ");
+    map.file = first.rest;
+    for (int i = 0; i < option->arguments; ++i) {
+      const Statement next = statement_in(map.file);
+      const bool is_there = option->absent.empty() || is_number(next.keyword);
+      map.options.append(is_there ? next.keyword : option->absent).append(" ");
+      map.file = is_there ? next.rest : map.file;
+    }
+  }
+}
+
+bool is_map(std::string_view keyword) {
+  return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
+         keyword == "norm" || keyword == "refl";
+}
+
+tinyobj::material_t values_in(const std::string& lines) {
   std::map<std::string, int> indices;
   std::vector<tinyobj::material_t> materials;
   std::istringstream stream(lines);
   std::string ignored;
   tinyobj::LoadMtl(&indices, &materials, &stream, &ignored, &ignored);
+  return materials.at(0);
+}
+
+/// One material's lines, which begin with its "newmtl".
+MtlMaterial material_in(const std::string& lines) {
   MtlMaterial material;
-  material.values = materials.at(0);
+  std::string readable_lines;
   for_each_line(lines, [&](std::string_view line) {
     const Statement statement = statement_in(line);
+    std::string readable(line);
+    if (is_map(statement.keyword)) {
+      const Map map = map_in(statement.rest);
+      if (map.file.empty()) {
+        ++material.maps_without_file;
+        return;
+      }
+      readable = fmt::format("{} {}{}", statement.keyword, map.options, map.file);
+    }
+    readable_lines.append(readable).append("\n");
     if (statement.keyword == "newmtl") {
       material.name = statement.rest;
     } else {
       material.statements.emplace(statement.keyword);
     }
   });
+  material.values = values_in(readable_lines);
   return material;
 }
 

@@ -1,6 +1,7 @@
 // Reads the material library of an OBJ file, as it is written, through tinyobjloader.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -18,6 +19,8 @@ struct MtlMaterial {
   /// The statements that stand in the file, such as "Kd": what is left out has no value of its own
   /// in `values`.
   std::set<std::string, std::less<>> statements;
+  /// The statements of maps that name no file, which are in neither of the above.
+  std::size_t maps_without_file = 0;
 
   bool has(std::string_view statement) const { return statements.contains(statement); }
 };

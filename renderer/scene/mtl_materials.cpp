@@ -76,9 +76,16 @@ class MaterialReader {
     return limited(values_.specular, 1.0F, "Ks");
   }
 
+  bool has_filter() const { return has("Tf") || has("Kt"); }
+  bool is_filter_white() const {
+    const float* filter = values_.transmittance;
+    return !has_filter() || std::min({filter[0], filter[1], filter[2]}) >= 1.0F;
+  }
+
+  /// Exporters write illum 4 for what is opaque as well, and an Ni above 1 for curtains.
   bool is_glass() const {
-    return has_illum({4, 6, 7, 9}) ||
-           (values_.dissolve < 1.0F && values_.ior > 1.0F && values_.alpha_texname.empty());
+    return has_illum({6, 7, 9}) || (has_illum({4}) && values_.ior > 1.0F &&
+                                    (values_.dissolve < 1.0F || !is_filter_white()));
   }
 
   bool is_mirror() const {
@@ -88,8 +95,7 @@ class MaterialReader {
   }
 
   void make_glass(Material& material) const {
-    material.base_color =
-        has("Tf") || has("Kt") ? limited(values_.transmittance, 1.0F, "Tf") : Rgb(1.0F);
+    material.base_color = has_filter() ? limited(values_.transmittance, 1.0F, "Tf") : Rgb(1.0F);
     material.roughness = fraction(values_.roughness, "Pr");
     material.transmission = 1.0F;
     material.is_solid = true;
@@ -214,6 +220,7 @@ class MaterialReader {
         warnings_.add(warning, place_);
       }
     }
+    warnings_.add("a map that names no file is ignored", place_, source_.maps_without_file);
     if (values_.anisotropy != 0.0F) {
       warnings_.add("anisotropy is ignored", place_);
     }

@@ -26,8 +26,8 @@ using ObjTextureFinder = std::function<std::filesystem::path(const std::string& 
 ///   over it, with GGX alpha = sqrt(2 / (Ns + 2)), the width of Blinn and Phong's lobe (Walter et
 ///   al. 2007, "Microfacet Models for Refraction through Rough Surfaces", section 5.2).
 /// - illum 3 or 5, Ks and a Kd of at most 0.001: a smooth metal of base colour Ks and map_Ks.
-/// - illum 4, 6, 7 or 9, or d < 1 without map_d and Ni > 1: solid smooth glass of index Ni and base
-///   colour Tf.
+/// - illum 6, 7 or 9, or 4 with Ni > 1 and either d < 1 or a Tf that is not white: solid smooth
+///   glass of index Ni and base colour Tf.
 /// - Pr, Pm, Ps, Pc, Pcr, their maps and norm (the extension for physically based rendering):
 ///   roughness, metalness, sheen, clearcoat and its roughness, normal texture, over Kd.
 /// - Ke and map_Ke: emitted radiance. map_d: a cut-out at 0.5; d otherwise: the probability that

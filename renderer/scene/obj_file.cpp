@@ -13,6 +13,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/obj_numbers.h"
 #include "renderer/scene/text_lines.h"
 
 namespace foveola {
@@ -171,7 +172,7 @@ ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings) {
   blank_byte_order_mark(text);
   join_continued_lines(text);
   obj.material_libraries = material_libraries_in(text);
-  std::istringstream stream(std::move(text));
+  std::istringstream stream(with_infinities_for_no_numbers(std::move(text)));
   Collector collector(path.string(), obj, warnings);
   tinyobj::LoadObjWithCallback(stream, Collector::callbacks(), &collector);
   return obj;

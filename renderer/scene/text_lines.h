@@ -26,6 +26,10 @@ struct Statement {
 };
 Statement statement_in(std::string_view line);
 
+/// Whether `word` is a decimal number, which tinyobjloader can read, from its first character to
+/// its last.
+bool is_number(std::string_view word);
+
 /// Calls `use` with each line of `text`, whether it ends with \n, \r\n, \r or the text.
 template <typename Use>
 void for_each_line(std::string_view text, Use use) {

@@ -97,6 +97,12 @@ TEST(Flip, PlainColoursHaveTheErrorOfTheirDistance) {
               Each(FloatNear(static_cast<float>(expected), 1e-4F)));
 }
 
+// Where a pixel is wider than any feature, plain colours still have no features.
+TEST(Flip, CoarseDisplaysHaveNoFeaturesInPlainColours) {
+  EXPECT_THAT(flip_errors(plain(Rgb(0.0F)), plain(Rgb(1.0F)), 1.0),
+              Each(FloatNear(0.9674F, 1e-4F)));
+}
+
 TEST(Flip, RefusesWhatCannotBeCompared) {
   EXPECT_THROW((void)flip_errors(RgbImage(2, 1), RgbImage(1, 2), 67.0), Error);
   for (const double density : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),

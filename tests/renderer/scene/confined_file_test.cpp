@@ -1,5 +1,6 @@
 #include "renderer/scene/confined_file.h"
 
+#include <optional>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -93,6 +94,18 @@ TEST_F(ConfinedFile, RefusesWhatIsNoFile) {
   EXPECT_THAT(refusal_of("missing.png"), HasSubstr("\"missing.png\", a file that does not exist"));
   EXPECT_THAT(refusal_of(""), HasSubstr("not the name of a file"));
   EXPECT_THAT(refusal_of("maps%00.png"), HasSubstr("\"maps?.png\", not the name of a file"));
+}
+
+TEST_F(ConfinedFile, OnlyWhatIsMissingInsideTheFolderMayBeMissing) {
+  EXPECT_EQ(confined_file_if_there(scene(), "missing.png"), std::nullopt);
+  EXPECT_EQ(confined_file_if_there(scene(), "missing/a.png"), std::nullopt);
+  EXPECT_EQ(confined_file_if_there(scene(), "maps/100%25.png"),
+            fs::canonical(scene() / "maps" / "100%.png"));
+  fs::create_symlink("../secret.bin", scene() / "file link");
+  for (const std::string uri : {"../missing.png", "missing/../../secret.bin", "/missing.png",
+                                "http://example.org/a.png", "file link", "maps", ""}) {
+    EXPECT_THROW(confined_file_if_there(scene(), uri), std::runtime_error) << uri;
+  }
 }
 
 TEST_F(ConfinedFile, DoesNotQuoteAWholeBook) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/digest.h"
@@ -35,20 +36,48 @@ TEST_F(GltfFiles, KnowsTheHashOfItsFile) {
   EXPECT_EQ(load_bytes(bytes).sha256, sha256(bytes));
 }
 
+/// one_triangle as .gltf, its buffer in triangle.bin and in its material the image `uri`.
+GlbBuilder with_image(const std::string& uri) {
+  GlbBuilder glb = one_triangle();
+  Json& primitive = glb.document["meshes"][0]["primitives"][0];
+  primitive["attributes"]["TEXCOORD_0"] = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
+  glb.document["buffers"] = {{{"byteLength", glb.buffer.size()}, {"uri", "triangle.bin"}}};
+  glb.add("images", {{"uri", uri}});
+  const Json texture = {{"index", glb.add("textures", {{"source", 0}})}};
+  primitive["material"] =
+      glb.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", texture}}}});
+  return glb;
+}
+
 /// As `sha256sum scene.gltf a.png triangle.bin | cut -c-64 | sha256sum` has it.
 TEST_F(GltfFiles, HashCoversTheFilesBesideIt) {
-  GlbBuilder glb = one_triangle();
-  glb.document["buffers"] = {{{"byteLength", 36}, {"uri", "triangle.bin"}}};
-  glb.add("images", {{"uri", "a.png"}});
+  GlbBuilder glb = with_image("a.png");
   const std::string text = glb.document.dump();
   const std::string image = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
   write("triangle.bin", glb.buffer);
   write("a.png", image);
   const std::string before = load_text(text).sha256;
   EXPECT_EQ(before, sha256(sha256(text) + "\n" + sha256(image) + "\n" + sha256(glb.buffer) + "\n"));
+  write("a.png", png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 4}));
+  EXPECT_NE(load_text(text).sha256, before);
+  write("a.png", image);
   glb.buffer.back() ^= 1;
   write("triangle.bin", glb.buffer);
   EXPECT_NE(load_text(text).sha256, before);
+}
+
+TEST_F(GltfFiles, ImagesThatNoMaterialUsesAreNotRead) {
+  GlbBuilder glb = with_image("a.png");
+  write("triangle.bin", glb.buffer);
+  write("a.png", png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3}));
+  glb.add("images", {{"uri", "gone.png"}});
+  glb.add("images", {{"uri", "text.png"}});
+  glb.add("textures", {{"source", 1}});
+  write("text.png", "this is no image");
+  const Scene scene = load_text(glb.document.dump());
+  EXPECT_EQ(scene.textures.size(), 1U);
+  write("text.png", "nor is this");
+  EXPECT_EQ(load_text(glb.document.dump()).sha256, scene.sha256);
 }
 
 TEST_F(GltfFiles, ReadsBuffersBesideTheScene) {
@@ -69,6 +98,18 @@ TEST_F(GltfFiles, ReadsDataUris) {
   EXPECT_EQ(scene.meshes[0].positions[2], Vec3(0, 1, 0));
 }
 
+TEST_F(GltfFiles, ReadsImagesInDataUris) {
+  const std::string red_png =
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/"
+      "pLvAAAAAElFTkSuQmCC";
+  for (const std::string type : {"image/png", "image/jpeg", "image/jpg"}) {
+    const GlbBuilder glb = with_image(fmt::format("data:{};base64,{}", type, red_png));
+    write("triangle.bin", glb.buffer);
+    const Scene scene = load_text(glb.document.dump());
+    EXPECT_EQ(scene.textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1)) << type;
+  }
+}
+
 TEST_F(GltfFiles, RefusesBuffersOfAnotherLength) {
   EXPECT_THAT(error_of_text(gltf_with_buffer("data:application/gltf-buffer;base64,AAAA")),
               HasSubstr("scene.gltf"));
@@ -82,9 +123,9 @@ TEST_F(GltfFiles, RefusesBuffersOfAnotherLength) {
 TEST_F(GltfFiles, NamesWhatIsMissing) {
   EXPECT_THAT(error_of_text(gltf_with_buffer("gone.bin")),
               HasSubstr("buffers[0].uri: refers to \"gone.bin\", a file that does not exist"));
-  GlbBuilder glb = one_triangle();
-  glb.add("images", {{"uri", "gone.png"}});
-  EXPECT_THAT(error_of(glb),
+  const GlbBuilder glb = with_image("gone.png");
+  write("triangle.bin", glb.buffer);
+  EXPECT_THAT(error_of_text(glb.document.dump()),
               HasSubstr("images[0].uri: refers to \"gone.png\", a file that does not"));
 }
 
@@ -99,6 +140,22 @@ TEST_F(GltfFiles, RefusesReferencesOutOfTheFolder) {
   EXPECT_THAT(error("file:triangle.bin"), HasSubstr("not a relative path"));
   fs::create_symlink("../triangle.bin", folder() / "inner" / "link.bin");
   EXPECT_THAT(error("link.bin"), HasSubstr("a symbolic link that leads out"));
+}
+
+TEST_F(GltfFiles, RefusesImagesOutOfTheFolderWhetherTheyAreUsedOrNot) {
+  fs::create_directory(folder() / "inner");
+  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  fs::create_symlink("../red.png", folder() / "inner" / "link.png");
+  for (const std::string& uri :
+       {std::string("../red.png"), std::string("../gone.png"), std::string("%2e%2e/red.png"),
+        (folder() / "red.png").string(), std::string("/gone.png"), std::string("file:red.png"),
+        std::string("link.png"), std::string()}) {
+    GlbBuilder glb = one_triangle();
+    glb.add("images", {{"uri", uri}});
+    EXPECT_THAT(error_of_bytes(glb.bytes(), "inner/scene.glb"),
+                HasSubstr("images[0].uri: refers to \""))
+        << uri;
+  }
 }
 
 TEST_F(GltfFiles, DoesNotSearchTheWorkingFolder) {

@@ -164,6 +164,19 @@ TEST_F(GltfMaterials, ImagesOfMaterialsThatNothingHasAreNotDecoded) {
   EXPECT_FALSE(scene.materials.at(1).base_color_texture.exists());
 }
 
+/// Light that is traced finds what is in its way, and how far through a mesh it goes.
+TEST_F(GltfMaterials, OcclusionAndThicknessTexturesHaveNoEffect) {
+  const Json texture = {{"index", 0}};
+  const Json volume = {{"thicknessFactor", 1.0}, {"thicknessTexture", texture}};
+  GlbBuilder glb = with_material(
+      {{"occlusionTexture", texture}, {"extensions", {{"KHR_materials_volume", volume}}}});
+  glb.add_texture(one_pixel(0, 0, 0));
+  const Scene scene = load(glb);
+  EXPECT_THAT(scene.textures, IsEmpty());
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  EXPECT_TRUE(scene.materials.at(0).is_solid);
+}
+
 TEST_F(GltfMaterials, SamplersSayHowToWrap) {
   constexpr int clamp = 33071;
   constexpr int mirror = 33648;

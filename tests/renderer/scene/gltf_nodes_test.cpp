@@ -9,7 +9,9 @@
 namespace foveola::test {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 void expect_near(const Vec3& actual, const Vec3& expected) {
   EXPECT_NEAR(actual.x, expected.x, 1e-6F);
@@ -123,6 +125,51 @@ TEST_F(Nodes, PerspectiveCamerasLookAlongMinusZ) {
   EXPECT_NEAR(scene.cameras[0].heading.azimuth_rad, 0.0, 1e-6);
   EXPECT_NEAR(scene.cameras[0].heading.elevation_rad, 0.0, 1e-6);
   EXPECT_NEAR(scene.cameras[1].heading.azimuth_rad, -std::numbers::pi / 4.0, 1e-6);
+}
+
+/// A triangle, and a camera turned by this quaternion (x, y, z, w).
+GlbBuilder with_turned_camera(const Json& rotation) {
+  GlbBuilder glb = one_triangle();
+  glb.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  glb.add_root({{"camera", 0}, {"rotation", rotation}});
+  return glb;
+}
+
+/// A quaternion for a turn about an axis of unit length.
+Json turn(double degrees, const Vec3& axis) {
+  const double half = degrees * std::numbers::pi / 360.0;
+  return {axis.x * std::sin(half), axis.y * std::sin(half), axis.z * std::sin(half),
+          std::cos(half)};
+}
+
+TEST_F(Nodes, LevelCamerasDoNotRoll) {
+  for (const Json& level : {turn(77, {0, 1, 0}), turn(-60, {1, 0, 0}), turn(89, {1, 0, 0}),
+                            turn(-90, {1, 0, 0}), turn(180, {0, 1, 0})}) {
+    EXPECT_THAT(load(with_turned_camera(level)).warnings, IsEmpty()) << level;
+  }
+}
+
+TEST_F(Nodes, CamerasThatLookStraightDownHaveTheirTopAhead) {
+  GlbBuilder glb = with_turned_camera(turn(-90, {1, 0, 0}));
+  glb.document["nodes"].back()["translation"] = {0, 5, 0};
+  glb.add("nodes", {{"children", {1}}, {"rotation", turn(-30, {0, 1, 0})}});
+  glb.document["scenes"][0]["nodes"] = {0, 2};
+  const Scene scene = load(glb);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  EXPECT_NEAR(scene.cameras.at(0).heading.elevation_rad, -std::numbers::pi / 2.0, 1e-6);
+  EXPECT_NEAR(scene.cameras.at(0).heading.azimuth_rad, std::numbers::pi / 6.0, 1e-6);
+}
+
+TEST_F(Nodes, WarnsOfCamerasThatRoll) {
+  const std::string warning = "the roll of a camera is ignored: its horizon stays level (nodes[1])";
+  for (const Json& rolled : {turn(1, {0, 0, 1}), turn(-30, {0, 0, 1}), turn(180, {0, 0, 1})}) {
+    const Scene scene = load(with_turned_camera(rolled));
+    EXPECT_THAT(scene.warnings, ElementsAre(warning)) << rolled;
+    EXPECT_NEAR(scene.cameras.at(0).heading.azimuth_rad, 0.0, 1e-6);
+  }
+  GlbBuilder two = with_turned_camera(turn(30, {0, 0, 1}));
+  two.add_root({{"camera", 0}, {"rotation", turn(40, {0, 0, 1})}});
+  EXPECT_THAT(load(two).warnings, ElementsAre(HasSubstr("(2 times, first at nodes[1])")));
 }
 
 TEST_F(Nodes, OrthographicCamerasAreIgnoredWithAWarning) {

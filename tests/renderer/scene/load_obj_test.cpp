@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/digest.h"
@@ -137,12 +138,37 @@ TEST_F(LoadObj, GroupsNameWhatNoObjectDoes) {
 
 TEST_F(LoadObj, DropsWhatCannotBeSeen) {
   const Scene scene = load(corners + "v nan 0 0\nv 1e39 0 0\nv 2 0 0\nf 1 2 3\nf 1 2 2\nf 1 2 6\n" +
-                           "f 1 2 5\nf 1 2\n");
+                           "f 1 2 5\nf 1 2\nf 1 2 4\n");
   EXPECT_EQ(scene.triangle_count(), 1U);
   EXPECT_EQ(scene.meshes.at(0).positions.size(), 3U);
   EXPECT_THAT(scene.warnings,
               ElementsAre(HasSubstr("faces of less than three corners are not shown (face 5)"),
-                          HasSubstr("not finite are dropped (3 times")));
+                          HasSubstr("not finite are dropped (4 times")));
+}
+
+/// As C libraries print what is not finite, a decimal comma, and others.
+TEST_F(LoadObj, WhatIsNoNumberIsNotZero) {
+  for (const std::string text : {"nan", "NaN", "inf", "-inf", "-nan(ind)", "1.#QNAN", "1.#INF",
+                                 "1,5", "0x10", "1d2", "e5", "1e", ".", "-", "1e9999999999"}) {
+    const Scene scene = load(fmt::format("{}v {} 0 1\nf 1 2 3\nf 1 2 4\n", corners, text));
+    EXPECT_EQ(scene.triangle_count(), 1U) << text;
+    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("not finite are dropped"))) << text;
+  }
+}
+
+TEST_F(LoadObj, ReadsNumbersAsTheyAreWritten) {
+  for (const std::string text : {"3", "+3", "3.", "3.0", ".3e1", "0.3E+01", "30e-1", "\t003 1 #"}) {
+    const Scene scene = load(fmt::format("{}v 0 0 {}\nf 1 2 4\n", corners, text));
+    ASSERT_EQ(scene.triangle_count(), 1U) << text;
+    EXPECT_EQ(scene.meshes[0].positions[2], Vec3(0, 0, 3)) << text;
+  }
+  EXPECT_EQ(load(corners + "v 0 0 -1e-400\nf 3 2 4\n").meshes.at(0).positions.at(2), Vec3(0.0F));
+}
+
+TEST_F(LoadObj, NormalsThatAreNoNumbersAreReplaced) {
+  const Scene scene = load(corners + "vn 0 nan 1\nf 1//1 2//1 3//1\n");
+  EXPECT_THAT(scene.meshes.at(0).normals, ::testing::Each(Vec3(0, 0, 1)));
+  EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("normals of no use are replaced")));
 }
 
 TEST_F(LoadObj, EndsOfLinesAndContinuedLines) {
@@ -209,6 +235,17 @@ TEST_F(LoadObj, TextureCoordinatesRunUpwards) {
   // The corner (u, v) = (1, 1) of OBJ lies at (2 + 0.5, 4 + 0.125) of the texture, v upwards.
   EXPECT_EQ(use.texture_from_mesh * Vec3(1, 0, 1), Vec2(2.5F, 1.0F - 4.125F));
   EXPECT_EQ(use.texture_from_mesh * Vec3(0, 1, 1), Vec2(0.5F, 1.0F - 0.125F));
+}
+
+TEST_F(LoadObj, TextureCoordinatesThatAreNoNumbersAreReplaced) {
+  write("m.mtl", "newmtl m\nmap_Kd red.png\n");
+  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  const Scene scene = load("mtllib m.mtl\n" + corners +
+                           "vt 0.5 nan\nvt 1 0 nan\nvt 1 # v is 0\nusemtl m\nf 1/1 2/2 3/3\n");
+  EXPECT_THAT(scene.meshes.at(0).uv_sets,
+              ElementsAre(ElementsAre(Vec2(0, 0), Vec2(1, 1), Vec2(1, 1))));
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("texture coordinates that are not finite are replaced by 0")));
 }
 
 TEST_F(LoadObj, UntexturedSurfacesKeepNoCoordinates) {

@@ -1,6 +1,7 @@
 #include "renderer/scene/mtl_materials.h"
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -87,9 +88,8 @@ TEST_F(MtlMaterials, BlackWithAMirrorsIllumIsASmoothMetal) {
 
 TEST_F(MtlMaterials, GlassIsSolidAndSmooth) {
   for (const std::string statements :
-       {"illum 4\nNi 1.33\n", "illum 6\nNi 1.33\n", "illum 7\nNi 1.33\nKd 0.3 0.3 0.3\n",
-        "illum 9\nNi 1.33\nd 0.1\n", "d 0.1\nNi 1.33\nillum 2\nKs 0.2 0.2 0.2\n",
-        "Tr 0.9\nNi 1.33\n"}) {
+       {"illum 6\nNi 1.33\n", "illum 7\nNi 1.33\nKd 0.3 0.3 0.3\n", "illum 9\nNi 1.33\nd 0.1\n",
+        "illum 4\nNi 1.33\nd 0.1\nTf 1 1 1\n", "illum 4\nNi 1.33\nTr 0.9\nKs 0.2 0.2 0.2\n"}) {
     const Material m = material(statements);
     EXPECT_FLOAT_EQ(m.ior, 1.33F) << statements;
     EXPECT_EQ(m.transmission, 1.0F);
@@ -99,13 +99,30 @@ TEST_F(MtlMaterials, GlassIsSolidAndSmooth) {
     EXPECT_EQ(m.base_color, Rgb(1.0F));
     EXPECT_EQ(m.alpha_mode, AlphaMode::opaque);
   }
-  EXPECT_EQ(material("illum 7\nNi 1.5\nTf 0.9 0.8 0.7\n").base_color, Rgb(0.9F, 0.8F, 0.7F));
+  for (const std::string illum : {"illum 4\n", "illum 7\n"}) {
+    const Material m = material(illum + "Ni 1.5\nTf 0.9 0.8 0.7\n");
+    EXPECT_EQ(m.transmission, 1.0F) << illum;
+    EXPECT_EQ(m.base_color, Rgb(0.9F, 0.8F, 0.7F));
+  }
 }
 
-TEST_F(MtlMaterials, DissolveWithoutRefractionBlends) {
-  for (const std::string statements : {"Kd 1 1 1\nd 0.25\n", "Kd 1 1 1\nTr 0.75\nNi 1\n"}) {
+/// As Maya writes each of its materials, and other exporters do.
+TEST_F(MtlMaterials, Illum4AloneIsNoGlass) {
+  for (const std::string statements :
+       {"illum 4\nKd 0.8 0.2 0.2\nKa 0 0 0\nTf 1 1 1\nNi 1.00\n",
+        "illum 4\nKd 0.8 0.2 0.2\nNi 1.5\n", "illum 4\nKd 0.8 0.2 0.2\nTf 1 1 1\nNi 1.5\nd 1\n",
+        "illum 4\nKd 0.8 0.2 0.2\nTf 0.5 0.5 0.5\nNi 1\n"}) {
+    expect_lambertian(material(statements), Rgb(0.8F, 0.2F, 0.2F));
+  }
+}
+
+/// Exporters write an Ni wherever they write a d, also for surfaces that enclose nothing.
+TEST_F(MtlMaterials, DissolveBlends) {
+  for (const std::string statements :
+       {"Kd 1 1 1\nd 0.25\n", "Kd 1 1 1\nTr 0.75\nNi 1\n", "Kd 1 1 1\nillum 4\nd 0.25\nNi 1\n",
+        "Ns 250\nKa 1 1 1\nKs 0.5 0.5 0.5\nKe 0 0 0\nNi 1.45\nd 0.25\nillum 2\n"}) {
     const Material m = material(statements);
-    EXPECT_EQ(m.alpha_mode, AlphaMode::blend);
+    EXPECT_EQ(m.alpha_mode, AlphaMode::blend) << statements;
     EXPECT_FLOAT_EQ(m.alpha, 0.25F);
     EXPECT_EQ(m.transmission, 0.0F);
   }
@@ -167,6 +184,37 @@ TEST_F(MtlMaterials, ColoursAreSrgbAndDataLinear) {
               188.0F / 255.0F, 1e-6F);
   EXPECT_NEAR(scene_of("Kd 1 1 1\nnorm grey.png\n").textures.at(0).sample({0, 0}).r,
               188.0F / 255.0F, 1e-6F);
+}
+
+/// Of the numbers after -o, -s and -t only the first must be there (MTL specification, "Options for
+/// texture map statements").
+TEST_F(MtlMaterials, TextureOptionsMayLeaveOutNumbers) {
+  grey("3d map.png", 255);
+  for (const auto& [options, scale, offset] : std::vector<std::tuple<std::string, Vec2, Vec2>>{
+           {"", {1, 1}, {0, 0}},
+           {"-s 2 4 1 ", {2, 4}, {0, 0}},
+           {"-s 2 4 ", {2, 4}, {0, 0}},
+           {"-s 2 ", {2, 1}, {0, 0}},
+           {"-o 0.5 0.25 ", {1, 1}, {0.5F, 0.25F}},
+           {"-o .5\t", {1, 1}, {0.5F, 0}},
+           {"-t 1 -s 2 4 -clamp off  -mm 0 1 -o 0.5 -bm 2 ", {2, 4}, {0.5F, 0}}}) {
+    const Scene scene = scene_of("map_Kd " + options + "3d map.png\n");
+    EXPECT_THAT(scene.warnings, IsEmpty()) << options;
+    const TextureUse& use = scene.materials.at(0).base_color_texture;
+    ASSERT_TRUE(use.exists()) << options;
+    EXPECT_EQ(use.texture_from_mesh,
+              Mat3x2(scale.x, 0, 0, scale.y, offset.x, 1.0F - scale.y - offset.y))
+        << options;
+  }
+}
+
+TEST_F(MtlMaterials, MapsWithoutAFileAreNoMaps) {
+  for (const std::string map :
+       {"map_Kd", "map_d -s 2 2", "norm -bm 2", "map_Pr -o 1 1 1", "bump"}) {
+    const auto [material, warnings] = read("Kd 0.8 0.5 0.25\n" + map + "\n");
+    expect_lambertian(material, Rgb(0.8F, 0.5F, 0.25F));
+    EXPECT_THAT(warnings, ElementsAre("a map that names no file is ignored (m.mtl: m)")) << map;
+  }
 }
 
 TEST_F(MtlMaterials, SaysWhatItIgnoresAndLimits) {

@@ -1,0 +1,26 @@
+// A measurement of convergence as CSV, as JSON and in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/convergence/convergence_tables.h"
+#include "analysis/publication/table_files.h"
+
+namespace foveola::analysis {
+
+/// points.csv (every checkpoint), speed_ups.csv, costs.csv, convergence.csv, overall.csv. What does
+/// not exist is an empty field.
+std::vector<TextFile> convergence_csv(const std::vector<GazeMeasurement>& measurements,
+                                      const ConvergenceTables& tables);
+
+/// The tables with the plan, the program and the machine, as a JSON object; every estimate is
+/// {"value", "low", "high"}, or null.
+std::string convergence_json(const ConvergencePlan& plan,
+                             const std::vector<GazeMeasurement>& measurements,
+                             const ConvergenceTables& tables);
+
+/// For the terminal: speed-ups in mean squared error at equal error, by region, with costs.
+std::string convergence_summary(const ConvergenceTables& tables);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,76 @@
+// What a measurement of convergence comes to: speed-ups, costs, slopes and efficiencies.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/convergence/error_curve.h"
+#include "analysis/statistics/descriptive.h"
+
+namespace foveola::analysis {
+
+/// At which error a method is compared with the baseline: at the lowest that both reach with all of
+/// their samples, or with a quarter of them, which should tell the same.
+enum class Level { all, quarter };
+inline constexpr std::array levels = {Level::all, Level::quarter};
+std::string_view name_of(Level level);
+
+/// Intervals are over rounds, by the jackknife; empty is what was not reached.
+struct SpeedUp {
+  std::string scene;
+  std::string gaze;
+  std::string contender;
+  std::string region;
+  Metric metric = Metric::mse;
+  Level level = Level::all;
+  std::optional<Estimate> samples;  ///< the baseline's samples over this method's, at equal error
+  std::optional<Estimate> time;     ///< likewise of seconds
+  std::optional<double> predicted;  ///< by density alone, of mean squared error in samples
+};
+
+/// What a path costs, over a render's whole length.
+struct PathCost {
+  std::string scene;
+  std::string gaze;
+  std::string contender;
+  std::optional<Estimate> ns_per_path;  ///< on all threads together
+  std::optional<Estimate> ratio;        ///< to the baseline's
+};
+
+/// Root mean squared error, and 1 / (mean squared error x seconds) at a render's end.
+struct Convergence {
+  std::string scene;
+  std::string gaze;
+  std::string contender;
+  std::string region;
+  std::optional<Estimate>
+      slope_in_samples;  ///< of the logarithm of RMSE; -0.5 for independent noise
+  std::optional<Estimate> slope_in_time;
+  std::optional<Estimate> efficiency;
+  std::optional<Estimate> efficiency_ratio;  ///< to the baseline's
+};
+
+/// Geometric means over all scenes and gazes, their intervals from these (Student's t).
+struct OverallSpeedUp {
+  std::string contender;
+  std::string region;
+  Metric metric = Metric::mse;
+  Level level = Level::all;
+  std::optional<Estimate> samples;
+  std::optional<Estimate> time;
+  std::optional<double> predicted;
+};
+
+struct ConvergenceTables {
+  std::vector<SpeedUp> speed_ups;  ///< of all contenders but the baseline
+  std::vector<PathCost> costs;
+  std::vector<Convergence> convergence;
+  std::vector<OverallSpeedUp> overall;
+};
+
+/// Every measurement has at least one round, and all have the same contenders and regions.
+ConvergenceTables tabulate(const std::vector<GazeMeasurement>& measurements);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,178 @@
+#include "analysis/convergence/measurement.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/convergence/prediction.h"
+#include "analysis/convergence/progressive_run.h"
+#include "renderer/base/clock.h"
+#include "renderer/film/viewport_image.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// Samples after which it is the next contender's turn: a batch of a progressive render.
+constexpr std::uint64_t turn_samples = 1 << 17;
+/// The same where renders end after a time.
+constexpr std::uint64_t short_turn_samples = 1 << 14;
+
+Aim aim_at(const ConvergencePlan& plan, const AzimuthElevation& gaze) {
+  const double fov_rad = radians(plan.fov_deg);
+  return {.viewport = Viewport(head_orientation(gaze), fov_rad, fov_rad),
+          .gaze = direction_from(gaze)};
+}
+
+/// Whether another round as long as those so far would end within the limit.
+bool has_time_for_another(double limit_s, std::size_t rounds, double elapsed_s) {
+  return limit_s <= 0.0 ||
+         elapsed_s * static_cast<double>(rounds + 1) <= limit_s * static_cast<double>(rounds);
+}
+
+/// Of a measurement that ends with its most rounds, or by the limit but for its least.
+double fraction_done(const ConvergencePlan& plan, double rounds, double limit_s, double elapsed_s) {
+  const double of_most = rounds / plan.most_rounds;
+  return limit_s <= 0.0
+             ? of_most
+             : std::min(std::max(of_most, elapsed_s / limit_s), rounds / plan.least_rounds);
+}
+
+/// From left to right, with a gap between them. There is at least one image, and all are of one
+/// size.
+RgbImage side_by_side(const std::vector<RgbImage>& images) {
+  constexpr int gap = 8;
+  const int pitch = images.front().width + gap;
+  RgbImage strip(static_cast<int>(images.size()) * pitch - gap, images.front().height);
+  std::fill(strip.pixels.begin(), strip.pixels.end(), Rgb(1.0F));
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    for (int y = 0; y < images[i].height; ++y) {
+      for (int x = 0; x < images[i].width; ++x) {
+        strip.at(static_cast<int>(i) * pitch + x, y) = images[i].at(x, y);
+      }
+    }
+  }
+  return strip;
+}
+
+}  // namespace
+
+GazeBench::GazeBench(const Subject& subject, const ConvergencePlan& plan,
+                     const AzimuthElevation& gaze, const Workers& workers,
+                     const std::filesystem::path& cache, const ReportProgress& progress,
+                     std::stop_token stop)
+    : subject_(&subject),
+      plan_(&plan),
+      workers_(&workers),
+      stop_(std::move(stop)),
+      gaze_(gaze_name(gaze)),
+      aim_(aim_at(plan, gaze)),
+      regions_(regions_around(aim_.gaze, aim_.viewport)),
+      scorer_(
+          plan, aim_.viewport, subject.exposure_stops, regions_,
+          reference_halves(
+              subject, plan, aim_.gaze, workers, cache,
+              [&](double fraction) { progress("reference of " + subject.scene, fraction); }, stop_),
+          workers) {}
+
+GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progress) const {
+  GazeMeasurement measurement{.scene = subject_->scene,
+                              .gaze = gaze_,
+                              .contenders = {},
+                              .regions = {},
+                              .predicted = predictions(),
+                              .rounds = {}};
+  for (const Contender& contender : plan_->contenders) {
+    measurement.contenders.push_back(contender.name);
+  }
+  for (const Region& region : regions_) {
+    measurement.regions.push_back(region.name);
+  }
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  for (int round = 0; round < plan_->most_rounds; ++round) {
+    if (round >= plan_->least_rounds &&
+        !has_time_for_another(limit_s, measurement.rounds.size(), seconds(clock.now() - start))) {
+      break;
+    }
+    const auto in_round = [&](double fraction) {
+      progress("rounds in " + subject_->scene,
+               fraction_done(*plan_, round + fraction, limit_s, seconds(clock.now() - start)));
+    };
+    std::optional<Round> logs = run_round(static_cast<std::uint32_t>(round), in_round);
+    if (!logs) {
+      break;
+    }
+    measurement.rounds.push_back(std::move(*logs));
+  }
+  return measurement;
+}
+
+std::optional<Round> GazeBench::run_round(std::uint32_t seed,
+                                          const std::function<void(double)>& progress) const {
+  std::vector<ProgressiveRun> runs;
+  runs.reserve(plan_->contenders.size());
+  for (const Contender& contender : plan_->contenders) {
+    runs.emplace_back(*subject_, *plan_, contender, aim_, seed, *workers_);
+  }
+  Round logs(runs.size());
+  const std::vector<std::uint64_t> counts = checkpoints(*plan_);
+  for (const std::uint64_t count : counts) {
+    while (runs.back().samples() < count) {
+      for (ProgressiveRun& run : runs) {
+        if (stop_.stop_requested()) {
+          return std::nullopt;
+        }
+        run.advance(std::min(turn_samples, count - run.samples()));
+      }
+      progress(static_cast<double>(runs.back().samples()) / static_cast<double>(counts.back()));
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      logs[i].checkpoints.push_back({.samples = runs[i].samples(),
+                                     .seconds = runs[i].seconds(),
+                                     .scores = scorer_.score(runs[i].film())});
+    }
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    logs[i].dropped = runs[i].dropped();
+  }
+  return logs;
+}
+
+std::vector<std::vector<std::optional<double>>> GazeBench::predictions() const {
+  const auto aimed = [this](const Contender& contender) {
+    std::unique_ptr<ViewSampler> sampler = make_view_sampler(contender.method);
+    sampler->aim(aim_);
+    return sampler;
+  };
+  const std::unique_ptr<ViewSampler> baseline = aimed(plan_->contenders.front());
+  std::vector<std::vector<std::optional<double>>> predicted;
+  for (const Contender& contender : plan_->contenders) {
+    const std::unique_ptr<ViewSampler> method = aimed(contender);
+    predicted.emplace_back();
+    for (const PixelRegion& region : scorer_.film_regions()) {
+      predicted.back().push_back(predicted_speed_up(*method, *baseline, region, plan_->size));
+    }
+  }
+  return predicted;
+}
+
+RgbImage GazeBench::crops() const {
+  constexpr std::uint32_t seed = 0;
+  const double fov_rad = radians(plan_->crop_fov_deg);
+  const Viewport view(aim_.viewport.head(), fov_rad, fov_rad);
+  const int size = plan_->crop_size;
+  std::vector<RgbImage> images;
+  for (const Contender& contender : plan_->contenders) {
+    ProgressiveRun run(*subject_, *plan_, contender, aim_, seed, *workers_);
+    while (run.seconds() < plan_->crop_seconds && !stop_.stop_requested()) {
+      run.advance(short_turn_samples);
+    }
+    images.push_back(
+        viewport_image(run.film(), view, size, size, UnsampledPixels::black, *workers_));
+  }
+  images.push_back(viewport_image(scorer_.reference(), view, size, size));
+  return side_by_side(images);
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,81 @@
+// Measuring: rounds of progressive renders, in turns, and their errors on the way.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "analysis/convergence/plan.h"
+#include "analysis/convergence/scorer.h"
+
+namespace foveola::analysis {
+
+/// A render's state when it had taken some number of samples.
+struct Checkpoint {
+  std::uint64_t samples = 0;
+  double seconds = 0.0;       ///< of sampling, tracing and filming
+  std::vector<Score> scores;  ///< one a region
+};
+
+/// One progressive render from its first sample to its last.
+struct RenderLog {
+  std::uint64_t dropped = 0;  ///< samples that were not finite
+  std::vector<Checkpoint> checkpoints;
+};
+
+/// One render of each contender, all with the same seed.
+using Round = std::vector<RenderLog>;
+
+/// Everything that was measured at one gaze in one scene.
+struct GazeMeasurement {
+  std::string scene;
+  std::string gaze;                     ///< as gaze_name
+  std::vector<std::string> contenders;  ///< the first is the baseline
+  std::vector<std::string> regions;
+  /// By contender and region: what density alone predicts of the speed-up, if it does.
+  std::vector<std::vector<std::optional<double>>> predicted;
+  std::vector<Round> rounds;
+};
+
+/// Called with what is being done and the fraction of it that is done.
+using ReportProgress = std::function<void(const std::string& what, double fraction)>;
+
+/// One gaze of a subject, ready to be measured.
+class GazeBench {
+ public:
+  /// Renders the reference, or takes it from `cache`. Refers to all that it is given. Throws Error
+  /// as reference_image.
+  GazeBench(const Subject& subject, const ConvergencePlan& plan, const AzimuthElevation& gaze,
+            const Workers& workers, const std::filesystem::path& cache,
+            const ReportProgress& progress, std::stop_token stop);
+
+  /// The plan's least number of rounds and as many of the others as will probably end within
+  /// limit_s (0: no limit); those that were finished when stopped. The contenders
+  /// take turns after every few samples, so that a busy machine slows all of them; neither
+  /// measuring errors nor the reference counts as their time.
+  GazeMeasurement measure(double limit_s, const ReportProgress& progress) const;
+
+  /// What the display shows around the gaze after the plan's crop_seconds: a linear image of each
+  /// contender, from left to right, and of the reference.
+  RgbImage crops() const;
+
+ private:
+  std::optional<Round> run_round(std::uint32_t seed,
+                                 const std::function<void(double)>& progress) const;
+  std::vector<std::vector<std::optional<double>>> predictions() const;
+
+  const Subject* subject_;
+  const ConvergencePlan* plan_;
+  const Workers* workers_;
+  std::stop_token stop_;
+  std::string gaze_;
+  Aim aim_;
+  std::vector<Region> regions_;
+  Scorer scorer_;
+};
+
+}  // namespace foveola::analysis

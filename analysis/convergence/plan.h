@@ -1,0 +1,79 @@
+// What a measurement of convergence compares, and how long it takes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/base/angles.h"
+#include "renderer/trace/path_tracer.h"
+
+namespace foveola::analysis {
+
+/// Where a render's random numbers come from.
+enum class RandomNumbers {
+  low_discrepancy,  ///< Sobol sequences, as shipped
+  independent,      ///< each sample's are independent of all others'
+};
+
+/// Something that is compared: a method as shipped, or with one option changed.
+struct Contender {
+  std::string name;    ///< for tables: "fv", or "od, independent numbers"
+  std::string method;  ///< as make_view_sampler reads it
+  RandomNumbers numbers = RandomNumbers::low_discrepancy;
+};
+
+/// A row of the quality-speed options: what it is called and what it changes of a contender.
+struct OptionRow {
+  std::string name;    ///< on the command line
+  std::string suffix;  ///< behind the method's name in tables
+  void (*apply)(Contender& contender);
+};
+
+/// All options that can be measured.
+const std::vector<OptionRow>& option_rows();
+
+/// The methods of "od,vp,fv:acuity=guenter,cutoff=60": a comma begins another method unless what
+/// follows it is a KEY=VALUE of the one before, or it stands in double quotes.
+std::vector<std::string> split_methods(std::string_view text);
+
+/// The methods as shipped, the first of which is the baseline, and then the baseline with each of
+/// the options. Throws Error for an option that does not exist, a method that makes no sense or
+/// that comes twice.
+std::vector<Contender> make_contenders(const std::vector<std::string>& methods,
+                                       const std::vector<std::string>& options);
+
+struct ConvergencePlan {
+  std::vector<Contender> contenders;
+  IVec2 size{1024, 512};       ///< of the film, pixels
+  int samples_per_pixel = 32;  ///< of every render, on average over the film; at least 16
+  int least_rounds = 4;        ///< renders of each contender, each with another seed
+  int most_rounds = 4;
+  double seconds = 0.0;    ///< no round is begun that would probably not end by then; 0: no limit
+  double fov_deg = 100.0;  ///< of the viewport, both ways; the head points at the gaze
+  int view_size = 640;     ///< pixels of the display along each side
+  int max_depth = 8;
+  int reference_samples_per_pixel = 64;  ///< of each of both halves
+  int reference_foveated_per_pixel = 8;  ///< the same number, but around the gaze
+  double crop_seconds = 1.0;             ///< of rendering, for the crops side by side
+  double crop_fov_deg = 30.0;
+  int crop_size = 320;  ///< pixels of a crop along each side
+};
+
+/// The numbers of samples after which errors are measured, each twice the one before.
+std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
+
+/// A scene ready to be measured, and from where it is seen.
+struct Subject {
+  std::string scene;
+  const PathTracer* tracer = nullptr;
+  std::string key;  ///< of all that the radiance depends on, as reference_image
+  Vec3 viewpoint{0.0F};
+  double exposure_stops = 0.0;
+};
+
+/// "azimuth,elevation" in degrees: how a gaze is called in tables.
+std::string gaze_name(const AzimuthElevation& gaze);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,79 @@
+#include "analysis/convergence/progressive_run.h"
+
+#include <numbers>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/random.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// Keeps the pattern of the directions apart from the randomness of the paths.
+constexpr std::uint32_t view_stream = 0x76696577U;
+
+/// Points that one task draws.
+constexpr std::size_t point_block = 4096;
+
+}  // namespace
+
+TraceSettings trace_settings(const ConvergencePlan& plan, std::uint32_t seed) {
+  const double pixel_angle_rad = 2.0 * std::numbers::pi / plan.size.x;
+  return {.max_depth = plan.max_depth,
+          .seed = seed,
+          .pixel_angle_rad = static_cast<float>(pixel_angle_rad)};
+}
+
+ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,
+                               const Contender& contender, const Aim& aim, std::uint32_t seed,
+                               const Workers& workers)
+    : subject_(&subject),
+      workers_(&workers),
+      numbers_(contender.numbers),
+      trace_(trace_settings(plan, seed)),
+      sampler_(make_view_sampler(contender.method)),
+      film_(plan.size.x, plan.size.y) {
+  sampler_->aim(aim);
+}
+
+void ProgressiveRun::advance(std::uint64_t samples) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  numbers_ == RandomNumbers::independent ? advance_independent(samples) : advance_sequence(samples);
+  seconds_ += foveola::seconds(clock.now() - start);
+  samples_ += samples;
+}
+
+void ProgressiveRun::advance_sequence(std::uint64_t samples) {
+  const auto trace = [this](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    subject_->tracer->trace(subject_->viewpoint, jobs, radiance, trace_, *workers_);
+  };
+  const SobolRange points = {
+      .first = samples_, .count = samples, .seed = mix(trace_.seed, view_stream)};
+  dropped_ += pass_.run(*sampler_, points, trace, film_, *workers_).size();
+}
+
+void ProgressiveRun::advance_independent(std::uint64_t samples) {
+  points_.resize(samples);
+  view_samples_.resize(samples);
+  radiance_.resize(samples);
+  workers_->for_each_block(samples, point_block, [this](std::size_t begin, std::size_t end) {
+    Pcg32 generator(mix(trace_.seed, view_stream), samples_ + begin);
+    for (std::size_t i = begin; i < end; ++i) {
+      points_[i].x = unit_float(generator.next());
+      points_[i].y = unit_float(generator.next());
+    }
+    sampler_->sample(std::span(points_).subspan(begin, end - begin),
+                     std::span(view_samples_).subspan(begin, end - begin));
+  });
+  film_.number(view_samples_, batch_, *workers_);
+  // A path's numbers run through a sequence over the samples of its pixel. The first sample of a
+  // pixel that no other path has is independent of all others'.
+  for (SampleJob& job : batch_.jobs) {
+    job.pixel = mix(job.pixel, job.sample_number);
+    job.sample_number = 0;
+  }
+  subject_->tracer->trace(subject_->viewpoint, batch_.jobs, radiance_, trace_, *workers_);
+  dropped_ += film_.add(batch_, radiance_, *workers_).size();
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,56 @@
+#include "renderer/scene/gltf_images.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/files.h"
+#include "renderer/scene/confined_file.h"
+#include "renderer/scene/gltf_fault.h"
+
+namespace foveola {
+namespace {
+
+std::span<const unsigned char> bytes_of(const std::string& content) {
+  return {reinterpret_cast<const unsigned char*>(content.data()), content.size()};
+}
+
+}  // namespace
+
+void GltfImages::load(int image) {
+  const tinygltf::Image& source = file_.model->images[static_cast<std::size_t>(image)];
+  if (source.bufferView >= 0 || !source.image.empty() || paths_.contains(image)) {
+    return;
+  }
+  try {
+    const std::filesystem::path path = confined_file(file_.folder, source.uri);
+    if (!contents_.contains(path)) {
+      contents_[path] = read_file(path);
+    }
+    paths_[image] = path;
+  } catch (const std::runtime_error& refusal) {
+    throw GltfFault(fmt::format("images[{}].uri", image), refusal.what());
+  }
+}
+
+std::span<const unsigned char> GltfImages::encoded(int image) const {
+  const tinygltf::Image& source = file_.model->images[static_cast<std::size_t>(image)];
+  if (source.bufferView >= 0) {
+    const auto& view = file_.model->bufferViews[static_cast<std::size_t>(source.bufferView)];
+    const auto& buffer = file_.model->buffers[static_cast<std::size_t>(view.buffer)];
+    return std::span(buffer.data).subspan(view.byteOffset, view.byteLength);
+  }
+  return source.image.empty() ? bytes_of(contents_.at(paths_.at(image))) : source.image;
+}
+
+FileHashes GltfImages::hashes() const {
+  FileHashes hashes;
+  for (const auto& [path, content] : contents_) {
+    hashes[path] = sha256(std::string_view(content));
+  }
+  return hashes;
+}
+
+}  // namespace foveola

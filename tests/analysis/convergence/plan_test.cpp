@@ -1,0 +1,78 @@
+#include "analysis/convergence/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(SplitMethods, KnowsSettingsFromMethods) {
+  EXPECT_THAT(split_methods("od,vp,fv"), ElementsAre("od", "vp", "fv"));
+  EXPECT_THAT(split_methods("od,fv:acuity=guenter,cutoff=60,hybrid:0.9*fv:cutoff=60,exponent=2+0.1*"
+                            "od,vp"),
+              ElementsAre("od", "fv:acuity=guenter,cutoff=60",
+                          "hybrid:0.9*fv:cutoff=60,exponent=2+0.1*od", "vp"));
+  EXPECT_THAT(split_methods("mask:file=\"a,b.png\",od"),
+              ElementsAre("mask:file=\"a,b.png\"", "od"));
+}
+
+TEST(Contenders, AreTheMethodsAndTheBaselineWithEachOption) {
+  const std::vector<Contender> contenders = make_contenders({"od", "fv"}, {"independent"});
+  ASSERT_EQ(contenders.size(), 3U);
+  EXPECT_EQ(contenders[1].name, "fv");
+  EXPECT_EQ(contenders[1].numbers, RandomNumbers::low_discrepancy);
+  EXPECT_EQ(contenders[2].name, "od, independent numbers");
+  EXPECT_EQ(contenders[2].method, "od");
+  EXPECT_EQ(contenders[2].numbers, RandomNumbers::independent);
+}
+
+TEST(Contenders, RefuseWhatMakesNoSense) {
+  EXPECT_THAT(
+      [] {
+        (void)make_contenders({"od", "dov"}, {});
+      },
+      ThrowsMessage<Error>(HasSubstr("dov")));
+  EXPECT_THAT(
+      [] { (void)make_contenders({"od"}, {"no-magic"}); },
+      ThrowsMessage<UsageError>(HasSubstr("no option 'no-magic'; choose from: independent")));
+  EXPECT_THAT(
+      [] {
+        (void)make_contenders({"od", "fv", "od"}, {});
+      },
+      ThrowsMessage<UsageError>(HasSubstr("'od' comes twice")));
+  EXPECT_THROW((void)make_contenders({}, {}), UsageError);
+}
+
+TEST(Checkpoints, DoubleUpToTheLastSample) {
+  ConvergencePlan plan;
+  plan.size = {64, 32};
+  plan.samples_per_pixel = 16;
+  const std::vector<std::uint64_t> counts = checkpoints(plan);
+  ASSERT_EQ(counts.size(), 11U);
+  EXPECT_EQ(counts.front(), 32U);
+  EXPECT_EQ(counts.back(), 32768U);
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    EXPECT_EQ(counts[i], 2 * counts[i - 1]);
+  }
+}
+
+TEST(Checkpoints, AreNeverWithoutSamples) {
+  ConvergencePlan plan;
+  plan.size = {4, 2};
+  plan.samples_per_pixel = 16;
+  EXPECT_THAT(checkpoints(plan), ElementsAre(1, 2, 4, 8, 16, 32, 64, 128));
+}
+
+TEST(GazeName, IsInDegrees) {
+  EXPECT_EQ(gaze_name({.azimuth_rad = radians(78.0), .elevation_rad = radians(-12.5)}), "78,-12.5");
+  EXPECT_EQ(gaze_name({.azimuth_rad = -1e-9}), "0,0");
+}
+
+}  // namespace
+}  // namespace foveola::analysis

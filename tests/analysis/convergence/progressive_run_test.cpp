@@ -1,0 +1,129 @@
+#include "analysis/convergence/progressive_run.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "renderer/preview/preview.h"
+#include "tests/renderer/preview/box_room.h"
+
+namespace foveola::analysis {
+namespace {
+
+class ProgressiveRunTest : public testing::Test {
+ protected:
+  ProgressiveRunTest() {
+    plan_.size = {64, 32};
+    plan_.max_depth = 3;
+  }
+
+  ProgressiveRun run(const std::string& method,
+                     RandomNumbers numbers = RandomNumbers::low_discrepancy,
+                     std::uint32_t seed = 7) const {
+    return {subject_, plan_, {.name = method, .method = method, .numbers = numbers},
+            aim_,     seed,  workers_};
+  }
+
+  /// Mean over pixels of the squared distance between two renders with different seeds.
+  double squared_difference(RandomNumbers numbers, std::uint64_t samples) const {
+    ProgressiveRun a = run("od", numbers, 1);
+    ProgressiveRun b = run("od", numbers, 2);
+    a.advance(samples);
+    b.advance(samples);
+    double sum = 0.0;
+    for (int y = 0; y < plan_.size.y; ++y) {
+      for (int x = 0; x < plan_.size.x; ++x) {
+        const double d = a.film().mean(x, y).g - b.film().mean(x, y).g;
+        sum += d * d;
+      }
+    }
+    return sum / (plan_.size.x * plan_.size.y);
+  }
+
+  Scene scene_ = box_room(0.5F);
+  Workers workers_{2};
+  PathTracer tracer_{scene_, workers_};
+  Subject subject_{.scene = "box", .tracer = &tracer_, .key = "box"};
+  ConvergencePlan plan_;
+  AzimuthElevation gaze_{.azimuth_rad = 0.7, .elevation_rad = 0.1};
+  Aim aim_{.viewport = Viewport(head_orientation(gaze_), radians(100.0), radians(100.0)),
+           .gaze = direction_from(gaze_)};
+};
+
+// Benchmarks run what is shipped: the preview gives the same picture, to the bit.
+TEST_F(ProgressiveRunTest, IsWhatThePreviewRenders) {
+  PreviewSettings settings;
+  settings.film_width = plan_.size.x;
+  settings.film_height = plan_.size.y;
+  settings.trace = trace_settings(plan_, 7);
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = gaze_}});
+  FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
+  Preview preview(tracer_, settings, eye, head, workers_);
+  for (const std::string method : {"od", "vp"}) {
+    preview.restart(method, 7);
+    preview.render_frame(Nanoseconds(0), 20'000);
+    ProgressiveRun progressive = run(method);
+    progressive.advance(5'000);
+    progressive.advance(15'000);
+    for (int y = 0; y < plan_.size.y; ++y) {
+      for (int x = 0; x < plan_.size.x; ++x) {
+        ASSERT_EQ(progressive.film().mean(x, y), preview.film().mean(x, y)) << method;
+      }
+    }
+  }
+}
+
+TEST_F(ProgressiveRunTest, CountsItsSamples) {
+  for (const RandomNumbers numbers : {RandomNumbers::low_discrepancy, RandomNumbers::independent}) {
+    ProgressiveRun progressive = run("fv", numbers);
+    progressive.advance(1'000);
+    progressive.advance(2'345);
+    EXPECT_EQ(progressive.samples(), 3'345U);
+    EXPECT_EQ(progressive.film().total_samples(), 3'345U);
+    EXPECT_EQ(progressive.dropped(), 0U);
+    EXPECT_GT(progressive.seconds(), 0.0);
+  }
+}
+
+// Counts of independent samples are binomial: their variance is their mean, where a sequence's are
+// all but equal.
+TEST_F(ProgressiveRunTest, IndependentDirectionsClumpLikeChance) {
+  constexpr double per_pixel = 16.0;
+  ProgressiveRun progressive = run("od", RandomNumbers::independent);
+  progressive.advance(static_cast<std::uint64_t>(per_pixel) * 64 * 32);
+  double variance = 0.0;
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double d = progressive.film().sample_count(x, y) - per_pixel;
+      variance += d * d / (64.0 * 32.0);
+    }
+  }
+  // The variance of 2048 counts has a relative standard error of sqrt(2 / 2048).
+  EXPECT_NEAR(variance / per_pixel, 1.0, 4.0 * std::sqrt(2.0 / 2048.0));
+}
+
+// Independent samples' squared error falls as 1 / n; a sequence's is smaller.
+TEST_F(ProgressiveRunTest, IndependentPathsConvergeLikeChance) {
+  constexpr std::uint64_t few = 16 * 64 * 32;
+  constexpr std::uint64_t many = 8 * few;
+  const double fall = squared_difference(RandomNumbers::independent, few) /
+                      squared_difference(RandomNumbers::independent, many);
+  // A binomial count n has the mean reciprocal (1 + 1 / mean n) / mean n, to the next order.
+  EXPECT_NEAR(fall, 8.0 * (1.0 + 1.0 / 16.0) / (1.0 + 1.0 / 128.0), 1.5);
+  EXPECT_LT(squared_difference(RandomNumbers::low_discrepancy, many),
+            0.6 * squared_difference(RandomNumbers::independent, many));
+}
+
+TEST_F(ProgressiveRunTest, IndependentNumbersDoNotDependOnThreads) {
+  const Workers one(1);
+  ProgressiveRun alone(subject_, plan_,
+                       {.name = "od", .method = "od", .numbers = RandomNumbers::independent}, aim_,
+                       7, one);
+  ProgressiveRun two = run("od", RandomNumbers::independent);
+  alone.advance(20'000);
+  two.advance(20'000);
+  EXPECT_EQ(alone.film().resolve().color.pixels, two.film().resolve().color.pixels);
+}
+
+}  // namespace
+}  // namespace foveola::analysis
