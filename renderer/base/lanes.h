@@ -161,6 +161,11 @@ inline Floats max_component(const Vec3s& v) { return larger(v.x, larger(v.y, v.z
 inline Floats luminance(const Vec3s& rgb) {
   return 0.2126F * rgb.x + 0.7152F * rgb.y + 0.0722F * rgb.z;
 }
+inline LaneMask is_finite(const Vec3s& v) {
+  const Vec3s size = magnitude(v);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  return (size.x < infinity) & (size.y < infinity) & (size.z < infinity);
+}
 inline Vec3s chosen(const LaneMask& mask, const Vec3s& a, const Vec3s& b) {
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }

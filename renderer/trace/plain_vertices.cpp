@@ -160,12 +160,11 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
 
 LaneMask BlockTracer::finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
                              const Vec3s& direction) {
-  const Vec3s nothing = (radiance - radiance) + (direction - direction);
-  const LaneMask is_finite = (nothing.x + nothing.y + nothing.z) == 0.0F;
-  for_each_lane(lanes & ~is_finite, [&](std::size_t lane) {
+  const LaneMask all_finite = is_finite(radiance) & is_finite(direction);
+  for_each_lane(lanes & ~all_finite, [&](std::size_t lane) {
     radiance_[paths_->job[group.first + lane]] = not_a_number;
   });
-  return lanes & is_finite;
+  return lanes & all_finite;
 }
 
 }  // namespace foveola

@@ -73,6 +73,16 @@ TEST(LanesTest, VectorsAreThoseOfGlm) {
   }
 }
 
+TEST(LanesTest, WhatIsNotFiniteIsFound) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const Floats odd{1.0F, infinity, -infinity, nan, -nan, 3e38F, 0.0F, -1e-45F};
+  const Floats even = all_lanes(2.0F);
+  for (const Vec3s& v : {Vec3s{odd, even, even}, Vec3s{even, odd, even}, Vec3s{even, even, odd}}) {
+    EXPECT_EQ(bits_of(is_finite(v)), 0b11100001U);
+  }
+}
+
 TEST(LanesTest, FramesAreOrthonormalAndRightHanded) {
   Pcg32 random(2);
   for (int i = 0; i < 100; ++i) {
