@@ -1,6 +1,5 @@
 #include "renderer/scene/gltf_textures.h"
 
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -8,7 +7,6 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "renderer/base/parallel.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/image_decoder.h"
 
@@ -80,37 +78,25 @@ int TextureSet::add(int texture, Encoding encoding) {
   if (source.source < 0) {
     throw GltfFault(fmt::format("textures[{}]", texture), "has no source image");
   }
-  Use use{.image = source.source, .encoding = encoding};
-  if (source.sampler >= 0) {
-    use.sampler = sampler_of(model_.samplers[static_cast<std::size_t>(source.sampler)]);
-  }
-  const auto [known, is_new] = index_of_.try_emplace(use, static_cast<int>(uses_.size()));
-  if (is_new) {
-    images_.load(use.image);
-    uses_.push_back(use);
-  }
-  return known->second;
+  images_.load(source.source);
+  const Sampler sampler =
+      source.sampler < 0 ? Sampler()
+                         : sampler_of(model_.samplers[static_cast<std::size_t>(source.sampler)]);
+  return textures_.add({.image = source.source, .encoding = encoding}, sampler);
 }
 
 std::vector<Texture> TextureSet::decode() const {
   require_modest_size();
-  std::vector<std::optional<Texture>> decoded(uses_.size());
-  const Workers workers;
-  workers.for_each_block(uses_.size(), 1,
-                         [&](std::size_t i, std::size_t) { decoded[i] = decode(uses_[i]); });
-  std::vector<Texture> textures;
-  textures.reserve(decoded.size());
-  for (std::optional<Texture>& texture : decoded) {
-    textures.push_back(std::move(*texture));
-  }
-  return textures;
+  return textures_.decode(
+      [this](const Content& content, bool with_mips) { return texels_of(content, with_mips); });
 }
 
 void TextureSet::require_modest_size() const {
   constexpr std::size_t most_pixels = std::size_t{1} << 29;
   std::size_t pixels = 0;
-  for (const Use& use : uses_) {
-    pixels += with_place(use.image, [&] { return pixel_count(images_.encoded(use.image)); });
+  for (const Content& content : textures_.contents()) {
+    pixels +=
+        with_place(content.image, [&] { return pixel_count(images_.encoded(content.image)); });
   }
   if (pixels > most_pixels) {
     throw GltfFault("images",
@@ -118,10 +104,10 @@ void TextureSet::require_modest_size() const {
   }
 }
 
-Texture TextureSet::decode(const Use& use) const {
+Texels TextureSet::texels_of(const Content& content, bool with_mips) const {
   DecodedImage image =
-      with_place(use.image, [&] { return decode_image(images_.encoded(use.image)); });
-  return {std::move(image), use.encoding == Encoding::srgb, use.sampler};
+      with_place(content.image, [&] { return decode_image(images_.encoded(content.image)); });
+  return {std::move(image), content.encoding == Encoding::srgb, with_mips};
 }
 
 }  // namespace foveola

@@ -1,14 +1,15 @@
-// Which images a glTF file's materials use, and how: decoded once for each use.
+// Which images a glTF file's materials use, and how: decoded once for each encoding.
 #pragma once
 
 #include <compare>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_images.h"
+#include "renderer/scene/scene_hash.h"
 #include "renderer/scene/texture.h"
+#include "renderer/scene/texture_list.h"
 
 namespace tinygltf {
 class Model;
@@ -35,22 +36,19 @@ class TextureSet {
   FileHashes image_hashes() const { return images_.hashes(); }
 
  private:
-  /// An image and everything that makes another Texture of it.
-  struct Use {
+  struct Content {
     int image = -1;
     Encoding encoding = Encoding::linear;
-    Sampler sampler;
 
-    auto operator<=>(const Use&) const = default;
+    auto operator<=>(const Content&) const = default;
   };
 
   void require_modest_size() const;
-  Texture decode(const Use& use) const;
+  Texels texels_of(const Content& content, bool with_mips) const;
 
   const tinygltf::Model& model_;
   GltfImages images_;
-  std::vector<Use> uses_;
-  std::map<Use, int> index_of_;  ///< into uses_
+  TextureList<Content> textures_;
 };
 
 }  // namespace foveola

@@ -240,9 +240,9 @@ class MaterialReader {
   }
 
   /// -s scales and -o moves the coordinates of OBJ, whose v runs upwards.
-  TextureUse use_of(ObjTexture texture, const tinyobj::texture_option_t& options) const {
-    texture.wrap = options.clamp ? Wrap::clamp_to_edge : Wrap::repeat;
-    TextureUse use{.texture = textures_.add(texture)};
+  TextureUse use_of(const ObjTexture& texture, const tinyobj::texture_option_t& options) const {
+    const Wrap wrap = options.clamp ? Wrap::clamp_to_edge : Wrap::repeat;
+    TextureUse use{.texture = textures_.add(texture, wrap)};
     const float su = options.scale[0];
     const float sv = options.scale[1];
     const float ou = options.origin_offset[0];

@@ -9,7 +9,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/base/parallel.h"
 #include "renderer/scene/image_channels.h"
 #include "renderer/scene/image_decoder.h"
 
@@ -46,34 +45,20 @@ DecodedImage content_of(const ObjTexture& texture) {
 
 }  // namespace
 
-int ObjTextureSet::add(const ObjTexture& texture) {
-  const auto [known, is_new] = index_of_.try_emplace(texture, static_cast<int>(textures_.size()));
-  if (is_new) {
-    textures_.push_back(texture);
-  }
-  return known->second;
+int ObjTextureSet::add(const ObjTexture& texture, Wrap wrap) {
+  return textures_.add(texture, {.wrap_u = wrap, .wrap_v = wrap});
 }
 
 std::vector<Texture> ObjTextureSet::decode() const {
   require_modest_size();
-  std::vector<std::optional<Texture>> decoded(textures_.size());
-  const Workers workers;
-  workers.for_each_block(textures_.size(), 1, [&](std::size_t i, std::size_t) {
-    const ObjTexture& texture = textures_[i];
-    decoded[i].emplace(content_of(texture), texture.is_srgb,
-                       Sampler{.wrap_u = texture.wrap, .wrap_v = texture.wrap});
+  return textures_.decode([](const ObjTexture& texture, bool with_mips) {
+    return Texels(content_of(texture), texture.is_srgb, with_mips);
   });
-  std::vector<Texture> textures;
-  textures.reserve(decoded.size());
-  for (std::optional<Texture>& texture : decoded) {
-    textures.push_back(std::move(*texture));
-  }
-  return textures;
 }
 
 std::set<fs::path> ObjTextureSet::files() const {
   std::set<fs::path> files;
-  for (const ObjTexture& texture : textures_) {
+  for (const ObjTexture& texture : textures_.contents()) {
     files.insert({texture.first, texture.second});
   }
   files.erase(fs::path());
@@ -83,7 +68,7 @@ std::set<fs::path> ObjTextureSet::files() const {
 void ObjTextureSet::require_modest_size() const {
   constexpr std::size_t most_pixels = std::size_t{1} << 29;
   std::size_t pixels = 0;
-  for (const ObjTexture& texture : textures_) {
+  for (const ObjTexture& texture : textures_.contents()) {
     for (const fs::path& file : {texture.first, texture.second}) {
       if (file.empty()) {
         continue;

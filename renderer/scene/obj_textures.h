@@ -1,20 +1,20 @@
-// The textures that an OBJ file's materials use: each decoded once for each use.
+// The textures that an OBJ file's materials use: each decoded once.
 #pragma once
 
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "renderer/scene/texture.h"
+#include "renderer/scene/texture_list.h"
 
 namespace foveola {
 
-/// What a Texture is made of.
+/// What a texture's texels are made of.
 struct ObjTexture {
   enum class Content : std::uint8_t {
     plain,               ///< `first` as it is
@@ -25,15 +25,14 @@ struct ObjTexture {
   std::filesystem::path first;  ///< empty: none
   std::filesystem::path second;
   bool is_srgb = false;
-  Wrap wrap = Wrap::repeat;
 
   auto operator<=>(const ObjTexture&) const = default;
 };
 
 class ObjTextureSet {
  public:
-  /// The index of `texture` in what decode() will return.
-  int add(const ObjTexture& texture);
+  /// The index, in what decode() will return, of `texture` continued by `wrap`.
+  int add(const ObjTexture& texture, Wrap wrap);
 
   /// All textures that were added. Throws Error if an image is none, is damaged, or all together
   /// have more than 2^29 pixels.
@@ -45,8 +44,7 @@ class ObjTextureSet {
  private:
   void require_modest_size() const;
 
-  std::vector<ObjTexture> textures_;
-  std::map<ObjTexture, int> index_of_;  ///< into textures_
+  TextureList<ObjTexture> textures_;
 };
 
 }  // namespace foveola

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace foveola {
 namespace {
@@ -85,8 +86,12 @@ class FactFinder {
         facts_.geometry_bytes += bytes_of(mesh);
       }
     }
+    std::set<const Texels*> counted;
     for (const Texture& texture : scene_.textures) {
-      facts_.texture_bytes += texture.memory_bytes();
+      facts_.texture_bytes += sizeof texture;
+      if (counted.insert(&texture.texels()).second) {
+        facts_.texture_bytes += texture.texels().memory_bytes();
+      }
     }
     facts_.environment_bytes = scene_.environment ? bytes_of(scene_.environment->map) : 0;
   }

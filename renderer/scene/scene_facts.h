@@ -19,7 +19,7 @@ struct SceneFacts {
   std::size_t materials = 0;
   std::size_t textures = 0;
   std::size_t geometry_bytes = 0;  ///< of the loaded arrays; the tracer's hierarchy comes on top
-  std::size_t texture_bytes = 0;   ///< with their mip levels
+  std::size_t texture_bytes = 0;   ///< with their mip levels; shared texels once
   std::size_t environment_bytes = 0;
   Bounds bounds;
   /// What surfaces and light need of the renderer, by name, and what nothing here needs.

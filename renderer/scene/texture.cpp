@@ -1,7 +1,6 @@
 #include "renderer/scene/texture.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -110,28 +109,27 @@ Vec4 filtered(const std::uint8_t* codes, int width, const float* linear_from_byt
 
 }  // namespace
 
-Texture::Texture(DecodedImage image, bool is_srgb, const Sampler& sampler, bool with_mips)
-    : texels_(std::move(image.texels)),
-      linear_from_byte_(linear_from_byte(is_srgb).data()),
-      channels_(image.channels),
+Texture::Texture(std::shared_ptr<const Texels> texels, const Sampler& sampler)
+    : texels_(std::move(texels)),
+      levels_(texels_->levels()),
+      codes_(texels_->codes()),
+      linear_from_byte_(linear_from_byte(texels_->is_srgb()).data()),
+      channels_(texels_->channels()),
       sampler_(sampler) {
-  assert(image.width > 0 && image.height > 0 && channels_ >= 1 && channels_ <= 4);
-  assert(texels_.size() == static_cast<std::size_t>(channels_) * image.width * image.height);
-  if (with_mips && sampler.mip != MipFilter::none) {
-    levels_ = append_mip_chain(texels_, image.width, image.height, channels_, is_srgb);
-  } else {
-    levels_ = {{.width = image.width, .height = image.height, .offset = 0}};
+  if (sampler.mip == MipFilter::none) {
+    levels_ = levels_.first(1);
   }
 }
+
+Texture::Texture(DecodedImage image, bool is_srgb, const Sampler& sampler, bool with_mips)
+    : Texture(std::make_shared<const Texels>(std::move(image), is_srgb,
+                                             with_mips && sampler.mip != MipFilter::none),
+              sampler) {}
 
 Texture::Texture(int width, int height, std::vector<std::uint8_t> texels, bool is_srgb, Wrap wrap_u,
                  Wrap wrap_v)
     : Texture({.width = width, .height = height, .channels = 4, .texels = std::move(texels)},
               is_srgb, {.wrap_u = wrap_u, .wrap_v = wrap_v}) {}
-
-std::size_t Texture::memory_bytes() const {
-  return sizeof *this + texels_.capacity() + levels_.capacity() * sizeof(MipLevel);
-}
 
 Vec4 Texture::sample(const Vec2& uv) const {
   return sample_level(levels_[0], sampler_.magnification, uv);
@@ -167,7 +165,7 @@ Vec4 Texture::sample_level(const MipLevel& level, Filter filter, const Vec2& uv)
     u = nearest(u);
     v = nearest(v);
   }
-  const std::uint8_t* codes = texels_.data() + level.offset;
+  const std::uint8_t* codes = codes_ + level.offset;
   switch (channels_) {
     case 1:
       return filtered<1>(codes, level.width, linear_from_byte_, u, v);

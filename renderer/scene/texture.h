@@ -2,13 +2,15 @@
 #pragma once
 
 #include <compare>
-#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/base/vec.h"
 #include "renderer/scene/image_decoder.h"
 #include "renderer/scene/mip_chain.h"
+#include "renderer/scene/texels.h"
 
 namespace foveola {
 
@@ -32,9 +34,10 @@ struct Sampler {
 /// a missing alpha as 1.
 class Texture {
  public:
-  /// is_srgb: whether grey or red, green and blue are sRGB-encoded; alpha never is. with_mips:
-  /// whether coarser levels are built, for a third more memory; if not, all footprints read the
-  /// finest.
+  /// Shows the coarser levels, if there are any, unless the sampler says not to.
+  Texture(std::shared_ptr<const Texels> texels, const Sampler& sampler);
+
+  /// With texels of its own; see Texels. Without mips, all footprints read the finest level.
   Texture(DecodedImage image, bool is_srgb, const Sampler& sampler, bool with_mips = true);
 
   /// texels: 4 * width * height bytes of red, green, blue, alpha.
@@ -44,7 +47,8 @@ class Texture {
   int width() const { return levels_[0].width; }
   int height() const { return levels_[0].height; }
   bool has_alpha() const { return channels_ % 2 == 0; }
-  std::size_t memory_bytes() const;
+  /// Which other textures may show too.
+  const Texels& texels() const { return *texels_; }
 
   /// The linear value at `uv`, whatever its magnitude, in the finest level and with the filter for
   /// magnification; texel centres lie at half-integers. A non-finite uv reads texel (0, 0).
@@ -58,8 +62,10 @@ class Texture {
  private:
   Vec4 sample_level(const MipLevel& level, Filter filter, const Vec2& uv) const;
 
-  std::vector<MipLevel> levels_;  ///< the image itself first
-  std::vector<std::uint8_t> texels_;
+  std::shared_ptr<const Texels> texels_;
+  // What of them is read most, and how.
+  std::span<const MipLevel> levels_;  ///< the image itself first
+  const std::uint8_t* codes_;
   const float* linear_from_byte_;  ///< 256 values that live as long as the program
   int channels_;
   Sampler sampler_;

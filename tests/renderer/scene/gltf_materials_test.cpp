@@ -191,6 +191,39 @@ TEST_F(GltfMaterials, SamplersSayHowToWrap) {
   EXPECT_EQ(load(glb).textures.at(0).sample({1.25F, 0.25F}).r, 0.0F);
 }
 
+/// The first sampler never reads a coarser level, and the third does.
+TEST_F(GltfMaterials, AnImageUnderThreeSamplersIsDecodedOnce) {
+  constexpr int linear = 9729;
+  constexpr int clamp = 33071;
+  GlbBuilder glb = with_material(plain);
+  glb.add_texture(png(2, 1, 1, std::vector<std::uint8_t>{0, 255}));
+  glb.document["textures"] = Json::array();
+  for (const Json& sampler :
+       {Json{{"minFilter", linear}}, Json{{"minFilter", linear}, {"wrapS", clamp}}, plain}) {
+    glb.add("textures", {{"source", 0}, {"sampler", glb.add("samplers", sampler)}});
+  }
+  glb.document["materials"][0] = {
+      {"pbrMetallicRoughness",
+       {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 0}}}}},
+      {"emissiveFactor", {1, 1, 1}},
+      {"emissiveTexture", {{"index", 1}}},
+      {"extensions",
+       {{"KHR_materials_sheen",
+         {{"sheenColorFactor", {1, 1, 1}}, {"sheenColorTexture", {{"index", 2}}}}}}}};
+  const Scene scene = load(glb);
+  ASSERT_EQ(scene.textures.size(), 4U);
+  const auto texture = [&](const TextureUse& use) -> const Texture& {
+    return scene.textures[static_cast<std::size_t>(use.texture)];
+  };
+  const Material& m = scene.materials.at(0);
+  const Texture& base = texture(m.base_color_texture);
+  EXPECT_EQ(&texture(m.emissive_texture).texels(), &base.texels());
+  EXPECT_EQ(&texture(m.sheen_color_texture).texels(), &base.texels());
+  EXPECT_NE(&texture(m.metallic_roughness_texture).texels(), &base.texels()) << "is linear";
+  EXPECT_EQ(base.sample({0.25F, 0.5F}, 1.0F).r, 0.0F);
+  EXPECT_NEAR(texture(m.sheen_color_texture).sample({0.25F, 0.5F}, 1.0F).r, 0.5F, 0.01F);
+}
+
 /// A black and a white column of texels, whose centres are at u = 0.25 and 0.75: at 0.4 linear
 /// filtering gives (0.4 - 0.25) / 0.5 and the nearest texel is black; over both, at the centre of
 /// the only coarser level, the mean is a half.

@@ -177,6 +177,13 @@ TEST_F(MtlMaterials, MapsOfRoughnessAndMetalnessShareATexture) {
   EXPECT_FLOAT_EQ(value.b, 0.8F);
 }
 
+TEST_F(MtlMaterials, ClampedOrNotAMapIsDecodedOnce) {
+  grey("grey.png", 188);
+  const Scene scene = scene_of("map_Kd grey.png\nKs 1 1 1\nmap_Ks -clamp on grey.png\n");
+  ASSERT_EQ(scene.textures.size(), 2U);
+  EXPECT_EQ(&scene.textures[0].texels(), &scene.textures[1].texels());
+}
+
 TEST_F(MtlMaterials, ColoursAreSrgbAndDataLinear) {
   grey("grey.png", 188);
   EXPECT_NEAR(scene_of("map_Kd grey.png\n").textures.at(0).sample({0, 0}).r, 0.502886F, 1e-5F);

@@ -1,5 +1,7 @@
 #include "renderer/scene/scene_facts.h"
 
+#include <memory>
+
 #include <gmock/gmock.h>
 
 namespace foveola {
@@ -46,6 +48,17 @@ TEST(SceneFacts, CountsTheBytesOfItsArrays) {
   EXPECT_EQ(facts_of(scene).geometry_bytes, 2U * (3 * 12 + 12));
   scene.meshes[0].uv_sets = {{{0, 0}, {1, 0}, {0, 1}}};
   EXPECT_EQ(facts_of(scene).geometry_bytes, 2U * (3 * 12 + 12) + 3 * 8);
+}
+
+TEST(SceneFacts, CountsSharedTexelsOnce) {
+  const auto texels = std::make_shared<const Texels>(
+      DecodedImage{
+          .width = 64, .height = 64, .channels = 1, .texels = std::vector<std::uint8_t>(64 * 64)},
+      true, false);
+  Scene scene = small_scene();
+  scene.textures = {Texture(texels, {}), Texture(texels, {.wrap_u = Wrap::clamp_to_edge})};
+  EXPECT_EQ(facts_of(scene).textures, 2U);
+  EXPECT_EQ(facts_of(scene).texture_bytes, texels->memory_bytes() + 2 * sizeof(Texture));
 }
 
 TEST(SceneFacts, NamesWhatUsedMaterialsNeed) {

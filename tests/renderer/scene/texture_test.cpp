@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -167,12 +168,25 @@ TEST(Texture, TakesTheMemoryOfItsBytes) {
                            .height = 256,
                            .channels = 3,
                            .texels = std::vector<std::uint8_t>(3 * 256 * 256, 7)};
-  const std::size_t plain = Texture(image, true, {}, false).memory_bytes();
+  const std::size_t plain = Texels(image, true, false).memory_bytes();
   EXPECT_GE(plain, 3U * 256U * 256U);
   EXPECT_LE(plain, 3U * 256U * 256U + 1000U);
-  const std::size_t with_levels = Texture(image, true, {}).memory_bytes();
+  const std::size_t with_levels = Texels(image, true, true).memory_bytes();
   EXPECT_GE(with_levels, 4U * 256U * 256U - 4U);
   EXPECT_LE(with_levels, 4U * 256U * 256U + 1000U);
+}
+
+TEST(Texture, SharesTexelsUnderSamplersOfItsOwn) {
+  const auto texels = std::make_shared<const Texels>(
+      DecodedImage{.width = 4, .height = 1, .channels = 1, .texels = {0, 0, 120, 240}}, false,
+      true);
+  const Texture smooth(texels, {.wrap_u = Wrap::clamp_to_edge});
+  const Texture flat(texels, {.mip = MipFilter::none});
+  const Texture coarse(texels, {.magnification = Filter::nearest});
+  EXPECT_EQ(&smooth.texels(), &flat.texels());
+  EXPECT_NEAR(smooth.sample({0.75F, 0.5F}, 0.5F).r * 255.0F, 180.0F, 1e-3F);
+  EXPECT_NEAR(flat.sample({0.625F, 0.5F}, 1.0F).r * 255.0F, 120.0F, 1e-3F);
+  EXPECT_NEAR(red_at(coarse, 0.7F), 120.0F, 1e-4F);
 }
 
 /// Levels of 0, 0, 120, 240: then 0, 180; then 90.

@@ -1,0 +1,35 @@
+// What a texture shows: an image in 8 bits with its coarser levels, which several textures can
+// share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/scene/image_decoder.h"
+#include "renderer/scene/mip_chain.h"
+
+namespace foveola {
+
+class Texels {
+ public:
+  /// is_srgb: whether grey or red, green and blue are sRGB-encoded; alpha never is. with_mips:
+  /// whether coarser levels are built, for a third more memory.
+  Texels(DecodedImage image, bool is_srgb, bool with_mips);
+
+  /// Levels of `channels()` interleaved bytes a texel, the image itself first.
+  const std::vector<MipLevel>& levels() const { return levels_; }
+  const std::uint8_t* codes() const { return codes_.data(); }
+  int channels() const { return channels_; }
+  bool is_srgb() const { return is_srgb_; }
+
+  std::size_t memory_bytes() const;
+
+ private:
+  std::vector<MipLevel> levels_;
+  std::vector<std::uint8_t> codes_;
+  int channels_;
+  bool is_srgb_;
+};
+
+}  // namespace foveola
