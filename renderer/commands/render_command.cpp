@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/render.h"
+#include "renderer/commands/render_report.h"
 #include "renderer/image/image_file.h"
 
 namespace foveola {
@@ -190,115 +190,6 @@ void apply_lighting(const CLI::App& command, const RenderArguments& arguments,
   }
 }
 
-nlohmann::json json_angles(const AzimuthElevation& angles) {
-  return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};
-}
-
-nlohmann::json json_non_finite(const std::vector<DroppedSample>& dropped, int width) {
-  constexpr std::size_t listed = 100;
-  nlohmann::json list = nlohmann::json::array();
-  for (std::size_t i = 0; i < std::min(dropped.size(), listed); ++i) {
-    list.push_back({{"x", dropped[i].pixel % static_cast<unsigned>(width)},
-                    {"y", dropped[i].pixel / static_cast<unsigned>(width)},
-                    {"sample", dropped[i].sample_number}});
-  }
-  return list;
-}
-
-nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
-                           const RenderArguments& arguments) {
-  const nlohmann::json clamp = std::isfinite(settings.largest_radiance)
-                                   ? nlohmann::json(settings.largest_radiance)
-                                   : nlohmann::json(nullptr);
-  return {{"scene", arguments.scene},
-          {"output", arguments.output},
-          {"clamp", clamp},
-          {"spare_done_contrast", settings.spare_done_contrast},
-          {"method", settings.method},
-          {"width", settings.size.x},
-          {"height", settings.size.y},
-          {"seed", settings.seed},
-          {"max_depth", settings.max_depth},
-          {"threads", report.threads},
-          {"triangles", report.triangles},
-          {"camera", {report.camera.x, report.camera.y, report.camera.z}},
-          {"head_deg", json_angles(report.head)},
-          {"gaze_deg", json_angles(report.gaze)},
-          {"fov_deg", {settings.fov_deg, settings.vertical_fov_deg.value_or(settings.fov_deg)}},
-          {"samples", report.samples},
-          {"seconds", report.seconds},
-          {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
-          {"rays", report.rays},
-          {"non_finite", report.non_finite.size()},
-          {"non_finite_samples", json_non_finite(report.non_finite, settings.size.x)},
-          {"peak_memory_bytes", peak_memory_bytes()},
-          {"load_seconds", report.load_seconds},
-          {"build_seconds", report.build_seconds},
-          {"stopped", report.stopped},
-          {"warnings", report.warnings}};
-}
-
-void print_report(const RenderReport& report, const RenderArguments& arguments) {
-  for (const std::string& warning : report.warnings) {
-    fmt::print(stderr, "foveola: warning: {}\n", warning);
-  }
-  if (!report.non_finite.empty()) {
-    fmt::print(stderr, "foveola: warning: {} samples were not finite and were dropped (seed {})\n",
-               report.non_finite.size(), arguments.seed);
-  }
-  fmt::print("{}: {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}\n",
-             arguments.output, report.samples, report.seconds,
-             static_cast<double>(report.samples) / report.seconds,
-             static_cast<double>(report.rays) / static_cast<double>(report.samples),
-             report.stopped ? ", stopped early" : "");
-}
-
-nlohmann::json json_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-nlohmann::json json_path(const ReplayedPath& path) {
-  nlohmann::json vertices = nlohmann::json::array();
-  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
-    const PathVertex& vertex = path.record.vertices[i];
-    nlohmann::json json = {{"vertex", vertex.number},
-                           {"direction", json_vector(vertex.direction)},
-                           {"throughput", json_vector(vertex.throughput)},
-                           {"radiance", json_vector(vertex.radiance)},
-                           {"pdf", vertex.pdf}};
-    if (vertex.object) {
-      json["object"] = path.object_names[i];
-      json["distance_m"] = vertex.distance_m;
-      json["position"] = json_vector(vertex.position);
-      json["normal"] = json_vector(vertex.normal);
-    }
-    vertices.push_back(json);
-  }
-  return {{"direction", json_vector(path.job.direction)},
-          {"pixel", path.job.pixel},
-          {"sample", path.job.sample_number},
-          {"radiance", json_vector(path.record.radiance)},
-          {"vertices", vertices}};
-}
-
-std::string text_of(const Vec3& v) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
-}
-
-void print_path(const ReplayedPath& path) {
-  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
-    const PathVertex& vertex = path.record.vertices[i];
-    fmt::print("{:2}  along {}: ", vertex.number, text_of(vertex.direction));
-    if (vertex.object) {
-      fmt::print("'{}' after {:.6g} m at {}, normal {}", path.object_names[i], vertex.distance_m,
-                 text_of(vertex.position), text_of(vertex.normal));
-    } else {
-      fmt::print("out of the scene");
-    }
-    fmt::print("\n    throughput {}, radiance {}, pdf {:.6g}\n", text_of(vertex.throughput),
-               text_of(vertex.radiance), vertex.pdf);
-  }
-  fmt::print("radiance {}\n", text_of(path.record.radiance));
-}
-
 void run_replay(const CLI::App& command, const RenderArguments& arguments,
                 const RenderSettings& settings, const SceneFinder& find_scene,
                 const std::stop_token& stop) {
@@ -314,21 +205,18 @@ void run_replay(const CLI::App& command, const RenderArguments& arguments,
   }
 }
 
-std::string text_of(const AzimuthElevation& angles) {
-  return fmt::format("{:.9g},{:.9g}", degrees(angles.azimuth_rad), degrees(angles.elevation_rad));
-}
-
-/// What the image was made with, for its header.
-ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
-                    const RenderArguments& arguments) {
-  return {{"foveola:version", build_info().version},
-          {"foveola:scene", arguments.scene},
-          {"foveola:method", settings.method},
-          {"foveola:seed", std::to_string(settings.seed)},
-          {"foveola:samples", std::to_string(report.samples)},
-          {"foveola:max_depth", std::to_string(settings.max_depth)},
-          {"foveola:head_deg", text_of(report.head)},
-          {"foveola:gaze_deg", text_of(report.gaze)}};
+/// What the image was made with, the light as typed included.
+ImageFacts header_of(const RenderReport& report, const RenderSettings& settings,
+                     const CLI::App& command, const RenderArguments& arguments) {
+  ImageFacts facts = facts_of(report, settings, arguments.scene);
+  for (const char* name : {"environment", "environment-rotation", "environment-strength",
+                           "light-radius", "sun-radius"}) {
+    const CLI::Option* option = command.get_option(fmt::format("--{}", name));
+    if (option->count() > 0) {
+      facts[fmt::format("foveola:{}", name)] = option->as<std::string>();
+    }
+  }
+  return facts;
 }
 
 void run_render(const CLI::App& command, const RenderArguments& arguments,
@@ -352,14 +240,15 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
     return;
   }
   write_film_image(arguments.output, rendering.image, source.exposure_stops,
-                   facts_of(rendering.report, settings, arguments));
+                   header_of(rendering.report, settings, command, arguments));
   if (settings.view) {
     write_image(arguments.view, rendering.view, source.exposure_stops);
   }
+  const RenderNames names{.scene = arguments.scene, .output = arguments.output};
   if (arguments.json) {
-    fmt::print("{}\n", json_report(rendering.report, settings, arguments).dump(2));
+    fmt::print("{}\n", json_report(rendering.report, settings, names).dump(2));
   } else {
-    print_report(rendering.report, arguments);
+    print_report(rendering.report, settings, names);
   }
 }
 

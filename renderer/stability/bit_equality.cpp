@@ -71,7 +71,7 @@ std::vector<StabilityFigure> check_bit_equality(const StabilityRun& run) {
       {.name = "2 threads, passes of 1000", .threads = 2, .pass = 1000},
       {.name = "4 threads, passes of 7777", .threads = 4, .pass = 7777},
       {.name = "stopped and continued", .threads = 2, .pass = 5000, .stops = true}};
-  const Scene scene = furnished_room();
+  const Scene scene = room_of_everything();
   const std::uint64_t points =
       static_cast<std::uint64_t>(width) * height * run.effort.picture_samples_per_pixel;
   std::vector<StabilityFigure> figures;

@@ -12,6 +12,11 @@ constexpr float room_size_m = 2.0F;
 /// a diffuse ball and a glossy metal ring, both smoothly shaded. Everything lies in `meshes`.
 Scene furnished_room();
 
+/// The same room with all that paths treat in ways of their own: glass, smooth, rough and tinted,
+/// with a lamp in it; a window and a sky behind it; a blended sheet; coats, sheen, a mirror;
+/// textures and a normal map; instances, one of them mirrored; a sun and points of light.
+Scene room_of_everything();
+
 /// A viewpoint in the middle of the room that sees all of it.
 constexpr Vec3 room_viewpoint{0.1F, 0.15F, 0.2F};
 

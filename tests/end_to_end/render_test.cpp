@@ -59,7 +59,8 @@ TEST_F(Render, OdGivesEveryPixelItsSamples) {
 
 TEST_F(Render, KeepsVariancesAndSaysInTheFileWhatItDid) {
   ASSERT_EQ(render("a.exr", {"--size", "64x32", "--samples", "3000", "--method", "fv:cutoff=70",
-                             "--seed", "11", "--gaze", "20,-5", "--variance"})
+                             "--seed", "11", "--gaze", "20,-5", "--variance", "--clamp", "7.5",
+                             "--environment", "0.25,0.5,0.75"})
                 .exit_code,
             0);
   const FilmImage image = read_film_image(folder_ / "a.exr");
@@ -74,7 +75,8 @@ TEST_F(Render, KeepsVariancesAndSaysInTheFileWhatItDid) {
   EXPECT_GT(sum, 0.0);
   const std::string bytes = read_file(folder_ / "a.exr");
   for (const char* fact : {"foveola:method", "fv:cutoff=70", "foveola:seed", "foveola:gaze_deg",
-                           "20,-5", "foveola:head_deg", "room.gltf"}) {
+                           "20,-5", "foveola:head_deg", "room.gltf", "foveola:clamp", "7.5",
+                           "foveola:environment", "0.25,0.5,0.75", "foveola:camera_m"}) {
     EXPECT_THAT(bytes, testing::HasSubstr(fact));
   }
   ASSERT_EQ(render("b.exr", {"--size", "64x32", "--samples", "3000"}).exit_code, 0);

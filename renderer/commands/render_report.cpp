@@ -1,0 +1,157 @@
+#include "renderer/commands/render_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "renderer/base/build_info.h"
+
+namespace foveola {
+namespace {
+
+nlohmann::json json_angles(const AzimuthElevation& angles) {
+  return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};
+}
+
+nlohmann::json json_non_finite(const std::vector<DroppedSample>& dropped, int width) {
+  constexpr std::size_t listed = 100;
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < std::min(dropped.size(), listed); ++i) {
+    list.push_back({{"x", dropped[i].pixel % static_cast<unsigned>(width)},
+                    {"y", dropped[i].pixel / static_cast<unsigned>(width)},
+                    {"sample", dropped[i].sample_number}});
+  }
+  return list;
+}
+
+nlohmann::json json_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
+}
+
+std::string text_of(const AzimuthElevation& angles) {
+  return fmt::format("{:.9g},{:.9g}", degrees(angles.azimuth_rad), degrees(angles.elevation_rad));
+}
+
+}  // namespace
+
+nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
+                           const RenderNames& names) {
+  const nlohmann::json clamp = std::isfinite(settings.largest_radiance)
+                                   ? nlohmann::json(settings.largest_radiance)
+                                   : nlohmann::json(nullptr);
+  return {{"scene", names.scene},
+          {"output", names.output},
+          {"clamp", clamp},
+          {"spare_done_contrast", settings.spare_done_contrast},
+          {"method", settings.method},
+          {"width", settings.size.x},
+          {"height", settings.size.y},
+          {"seed", settings.seed},
+          {"max_depth", settings.max_depth},
+          {"threads", report.threads},
+          {"triangles", report.triangles},
+          {"camera", {report.camera.x, report.camera.y, report.camera.z}},
+          {"head_deg", json_angles(report.head)},
+          {"gaze_deg", json_angles(report.gaze)},
+          {"fov_deg", {settings.fov_deg, settings.vertical_fov_deg.value_or(settings.fov_deg)}},
+          {"samples", report.samples},
+          {"seconds", report.seconds},
+          {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
+          {"rays", report.rays},
+          {"non_finite", report.non_finite.size()},
+          {"non_finite_samples", json_non_finite(report.non_finite, settings.size.x)},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"load_seconds", report.load_seconds},
+          {"build_seconds", report.build_seconds},
+          {"stopped", report.stopped},
+          {"warnings", report.warnings}};
+}
+
+void print_report(const RenderReport& report, const RenderSettings& settings,
+                  const RenderNames& names) {
+  for (const std::string& warning : report.warnings) {
+    fmt::print(stderr, "foveola: warning: {}\n", warning);
+  }
+  if (!report.non_finite.empty()) {
+    const DroppedSample& first = report.non_finite.front();
+    const auto width = static_cast<unsigned>(settings.size.x);
+    fmt::print(stderr,
+               "foveola: warning: {} samples were not finite and were dropped; --seed {} --replay "
+               "{},{},{} traces the first of them again, --json lists more\n",
+               report.non_finite.size(), settings.seed, first.pixel % width, first.pixel / width,
+               first.sample_number);
+  }
+  fmt::print("{}: {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}\n", names.output,
+             report.samples, report.seconds, static_cast<double>(report.samples) / report.seconds,
+             static_cast<double>(report.rays) / static_cast<double>(report.samples),
+             report.stopped ? ", stopped early" : "");
+}
+
+nlohmann::json json_path(const ReplayedPath& path) {
+  nlohmann::json vertices = nlohmann::json::array();
+  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
+    const PathVertex& vertex = path.record.vertices[i];
+    nlohmann::json json = {{"vertex", vertex.number},
+                           {"direction", json_vector(vertex.direction)},
+                           {"throughput", json_vector(vertex.throughput)},
+                           {"radiance", json_vector(vertex.radiance)},
+                           {"pdf", vertex.pdf}};
+    if (vertex.object) {
+      json["object"] = path.object_names[i];
+      json["distance_m"] = vertex.distance_m;
+      json["position"] = json_vector(vertex.position);
+      json["normal"] = json_vector(vertex.normal);
+    }
+    vertices.push_back(json);
+  }
+  return {{"direction", json_vector(path.job.direction)},
+          {"pixel", path.job.pixel},
+          {"sample", path.job.sample_number},
+          {"radiance", json_vector(path.record.radiance)},
+          {"vertices", vertices}};
+}
+
+void print_path(const ReplayedPath& path) {
+  for (std::size_t i = 0; i < path.record.vertices.size(); ++i) {
+    const PathVertex& vertex = path.record.vertices[i];
+    fmt::print("{:2}  along {}: ", vertex.number, text_of(vertex.direction));
+    if (vertex.object) {
+      fmt::print("'{}' after {:.6g} m at {}, normal {}", path.object_names[i], vertex.distance_m,
+                 text_of(vertex.position), text_of(vertex.normal));
+    } else {
+      fmt::print("out of the scene");
+    }
+    fmt::print("\n    throughput {}, radiance {}, pdf {:.6g}\n", text_of(vertex.throughput),
+               text_of(vertex.radiance), vertex.pdf);
+  }
+  fmt::print("radiance {}\n", text_of(path.record.radiance));
+}
+
+ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
+                    const std::string& scene) {
+  ImageFacts facts{{"foveola:version", build_info().version},
+                   {"foveola:scene", scene},
+                   {"foveola:method", settings.method},
+                   {"foveola:seed", std::to_string(settings.seed)},
+                   {"foveola:samples", std::to_string(report.samples)},
+                   {"foveola:max_depth", std::to_string(settings.max_depth)},
+                   {"foveola:camera_m", fmt::format("{:.9g},{:.9g},{:.9g}", report.camera.x,
+                                                    report.camera.y, report.camera.z)},
+                   {"foveola:head_deg", text_of(report.head)},
+                   {"foveola:gaze_deg", text_of(report.gaze)}};
+  if (std::isfinite(settings.largest_radiance)) {
+    facts["foveola:clamp"] = fmt::format("{:.9g}", settings.largest_radiance);
+  }
+  if (settings.diffuse) {
+    facts["foveola:materials"] = "diffuse";
+  }
+  if (settings.spare_done_contrast > 0.0) {
+    facts["foveola:spare_done_contrast"] = fmt::format("{:.9g}", settings.spare_done_contrast);
+  }
+  return facts;
+}
+
+}  // namespace foveola

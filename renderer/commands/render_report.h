@@ -1,0 +1,31 @@
+// What a render tells: on the terminal, as JSON, and in its image's header.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/commands/render.h"
+#include "renderer/image/image_file.h"
+
+namespace foveola {
+
+/// As the person typed them.
+struct RenderNames {
+  std::string scene;
+  std::string output;
+};
+
+nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
+                           const RenderNames& names);
+void print_report(const RenderReport& report, const RenderSettings& settings,
+                  const RenderNames& names);
+
+nlohmann::json json_path(const ReplayedPath& path);
+void print_path(const ReplayedPath& path);
+
+/// What the image was made with, for its header.
+ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
+                    const std::string& scene);
+
+}  // namespace foveola
