@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -35,6 +36,7 @@ struct TracingArguments {
   int max_depth = 8;
   int rounds = 5;
   bool diffuse = false;
+  bool no_skip = false;
   bool json = false;
 };
 
@@ -79,12 +81,20 @@ struct EmbreeFigure {
   std::vector<EmbreeTime> all;
 };
 
+/// The general path beside what a scene lets us skip.
+struct GeneralFigures {
+  double seconds = 0.0;
+  double share_of_pixels = 0.0;  ///< that differ by more than a thousandth
+  double relative_mean = 1.0;    ///< of the picture, to the usual one's
+};
+
 struct TracingFigures {
   int threads = 0;
   double seconds = 0.0;           ///< for all paths: sampled, traced and filmed
   double sampling_seconds = 0.0;  ///< of them, for points and directions, on one thread
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
+  std::optional<GeneralFigures> general;
 
   /// Of the time of all threads, the part that draws directions.
   double sampling_share() const { return sampling_seconds / (threads * seconds); }
@@ -123,8 +133,13 @@ class Course {
 
   /// Once through, from the first sample to the film. Returns the seconds.
   double render(RayCounts& rays) const {
+    EquirectFilm film(settings_.size.x, settings_.size.y);
+    return render(film, rays);
+  }
+
+  double render(EquirectFilm& film, RayCounts& rays) const {
     rays = {};
-    return run([&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    return run(film, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
       const RayCounts counts = stage_.tracer.trace(stage_.camera.position, jobs, radiance,
                                                    trace_settings(settings_), stage_.workers);
       for (const RayKind& kind : ray_kinds) {
@@ -152,7 +167,8 @@ class Course {
   /// The rays of all that.
   RayLog log_rays() const {
     RayLog log;
-    run([&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    EquirectFilm film(settings_.size.x, settings_.size.y);
+    run(film, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
       const RayLog more =
           stage_.tracer.log_rays(stage_.camera.position, jobs, trace_settings(settings_));
       for (const RayKind& kind : ray_kinds) {
@@ -165,8 +181,7 @@ class Course {
   }
 
  private:
-  double run(const SamplePass::Trace& trace) const {
-    EquirectFilm film(settings_.size.x, settings_.size.y);
+  double run(EquirectFilm& film, const SamplePass::Trace& trace) const {
     SamplePass pass;
     const SteadyClock clock;
     const Nanoseconds start = clock.now();
@@ -183,17 +198,49 @@ class Course {
   std::unique_ptr<ViewSampler> sampler_;
 };
 
+/// How the general path's picture differs; both have the same samples.
+void compare_pictures(const Course& usual, const Course& general, const IVec2& size,
+                      GeneralFigures& figures) {
+  RayCounts rays;
+  EquirectFilm usual_film(size.x, size.y);
+  EquirectFilm general_film(size.x, size.y);
+  usual.render(usual_film, rays);
+  general.render(general_film, rays);
+  const RgbImage a = usual_film.resolve().color;
+  const RgbImage b = general_film.resolve().color;
+  std::size_t differing = 0;
+  DVec3 sum_a(0.0);
+  DVec3 sum_b(0.0);
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgb difference = glm::abs(a.pixels[i] - b.pixels[i]);
+    differing += max_component(difference) > 1e-3F * max_component(a.pixels[i]) ? 1 : 0;
+    sum_a += DVec3(a.pixels[i]);
+    sum_b += DVec3(b.pixels[i]);
+  }
+  figures.share_of_pixels = static_cast<double>(differing) / static_cast<double>(a.pixels.size());
+  figures.relative_mean = luminance(sum_b) / luminance(sum_a);
+}
+
 /// Full renders and Embree alone take turns, so that a busy machine slows both.
-TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int rounds) {
+TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int rounds,
+                       bool with_general) {
   const Stage stage(source, settings);
   const Course course(stage, settings);
+  RenderSettings general_settings = settings;
+  general_settings.is_general = true;
+  const Course general(stage, general_settings);
   const RayLog log = course.log_rays();
   TracingFigures figures{.threads = stage.workers.threads(), .rays = {}, .embree = {}};
   std::vector<double> render_s;
   std::vector<double> sampling_s;
+  std::vector<double> general_s;
   std::array<EmbreeRound, ray_kinds.size()> embree;
   for (int round = 0; round < rounds; ++round) {
     render_s.push_back(course.render(figures.rays));
+    if (with_general) {
+      RayCounts rays;
+      general_s.push_back(general.render(rays));
+    }
     sampling_s.push_back(course.draw_directions());
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       embree[i].add(time_embree(stage.tracer.ray_scene(), log.*ray_kinds[i].rays,
@@ -204,6 +251,10 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   figures.sampling_seconds = median(sampling_s);
   for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
     figures.embree.push_back(fastest_of(ray_kinds[i].name, embree[i]));
+  }
+  if (with_general) {
+    figures.general.emplace().seconds = median(general_s);
+    compare_pictures(course, general, settings.size, *figures.general);
   }
   return figures;
 }
@@ -223,8 +274,16 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
     }
     embree[figure.kind] = {{"fastest", figure.entry_point}, {"seconds", all}};
   }
+  nlohmann::ordered_json general;
+  if (figures.general) {
+    general = {{"seconds", figures.general->seconds},
+               {"gain", figures.general->seconds / figures.seconds},
+               {"share_of_pixels_that_differ", figures.general->share_of_pixels},
+               {"relative_mean", figures.general->relative_mean}};
+  }
   return {{"threads", figures.threads},
           {"seconds", figures.seconds},
+          {"general_path", general},
           {"paths_per_second", static_cast<double>(paths) / figures.seconds},
           {"rays", rays},
           {"rays_per_second", rays_per_second},
@@ -267,6 +326,13 @@ void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
     fmt::print("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
                1e9 * figures.sampling_seconds / static_cast<double>(paths),
                100.0 * figures.sampling_share());
+    if (figures.general) {
+      fmt::print(
+          "  the general path takes {:.2f} times as long; {:.2f} % of its picture's pixels differ "
+          "by more than a thousandth, its mean by {:+.4f} %\n",
+          figures.general->seconds / figures.seconds, 100.0 * figures.general->share_of_pixels,
+          100.0 * (figures.general->relative_mean - 1.0));
+    }
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
       if (rays > 0.0) {
@@ -305,7 +371,7 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
   std::vector<TracingFigures> runs;
   for (const int threads : arguments.threads.empty() ? usual_threads() : arguments.threads) {
     settings.threads = threads;
-    runs.push_back(measure(source, settings, arguments.rounds));
+    runs.push_back(measure(source, settings, arguments.rounds, arguments.no_skip));
   }
   arguments.json ? print_json(runs, arguments, settings)
                  : print_table(runs, settings.budget.samples);
@@ -336,6 +402,8 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   command->add_flag("--diffuse", arguments->diffuse, "Every material Lambertian, as render's");
+  command->add_flag("--no-skip", arguments->no_skip,
+                    "Run the general path too, which skips nothing, and say what skipping gains");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
   command->callback([arguments, find_scene] { run(*arguments, find_scene); });

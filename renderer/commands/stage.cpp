@@ -71,7 +71,8 @@ TraceSettings trace_settings(const RenderSettings& settings) {
   return {.max_depth = settings.max_depth,
           .seed = settings.seed,
           .pixel_angle_rad = static_cast<float>(pixel_angle_rad),
-          .largest_radiance = settings.largest_radiance};
+          .largest_radiance = settings.largest_radiance,
+          .is_general = settings.is_general};
 }
 
 }  // namespace foveola

@@ -104,7 +104,7 @@ BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {
   } else if (is_last(object_of(hit))) {
     return Arrival::ended;
   }
-  return object_of(hit).is_plain ? Arrival::plain : Arrival::other;
+  return object_of(hit).is_plain && !settings_.is_general ? Arrival::plain : Arrival::other;
 }
 
 bool BlockTracer::is_last(const TracedObject& object) const {

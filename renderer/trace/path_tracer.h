@@ -22,6 +22,8 @@ struct TraceSettings {
   float pixel_angle_rad = 0.0F;
   /// Each channel of a sample is cut to this. Anything but infinity makes pictures too dark.
   float largest_radiance = std::numeric_limits<float>::infinity();
+  /// Every vertex goes the way that can do everything: for measuring what the other ways gain.
+  bool is_general = false;
 };
 
 /// Rays traced, by kind.

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "paths.h"
+#include "renderer/stability/furnished_room.h"
 #include "scenes.h"
 #include "statistics.h"
 
@@ -436,6 +437,23 @@ TEST(PathTracerTest, WhatIsNotANumberIsNotHidden) {
       EXPECT_FALSE(is_finite(value));
     }
   }
+}
+
+// Rounding sends a few paths elsewhere; the others are the same.
+TEST(PathTracerTest, TheGeneralPathSeesTheSame) {
+  const Scene scene = room_of_everything();
+  const PathTracer tracer(scene, workers());
+  const std::vector<SampleJob> jobs = jobs_all_around(20000);
+  const std::vector<Rgb> usual = trace(tracer, room_viewpoint, jobs, 6);
+  std::vector<Rgb> general(jobs.size());
+  tracer.trace(room_viewpoint, jobs, general, {.max_depth = 6, .seed = 1, .is_general = true},
+               workers());
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    differing += std::abs(usual[i].g - general[i].g) > 1e-3F * usual[i].g ? 1 : 0;
+  }
+  EXPECT_LT(differing, jobs.size() / 50);
+  expect_mean(mean_of(general), mean_of(usual).mean(), 0.1);
 }
 
 }  // namespace
