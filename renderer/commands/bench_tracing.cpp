@@ -4,7 +4,6 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/stage.h"
+#include "renderer/commands/tracing_figures.h"
 #include "renderer/film/sample_pass.h"
 #include "renderer/trace/embree_alone.h"
 
@@ -40,19 +40,6 @@ struct TracingArguments {
   bool json = false;
 };
 
-/// A kind of ray, and how often it was asked for.
-struct RayKind {
-  const char* name;
-  std::uint64_t RayCounts::*count;
-  std::vector<Ray> RayLog::*rays;
-  RayQuery query;
-};
-constexpr std::array<RayKind, 4> ray_kinds{
-    {{"primary", &RayCounts::primary, &RayLog::primary, RayQuery::closest_hit},
-     {"bounce", &RayCounts::bounce, &RayLog::bounce, RayQuery::closest_hit},
-     {"shadow", &RayCounts::shadow, &RayLog::shadow, RayQuery::is_blocked},
-     {"window", &RayCounts::window, &RayLog::window, RayQuery::closest_hit}}};
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -71,40 +58,6 @@ struct EmbreeRound {
       entry_points[i] = times[i].entry_point;
       seconds[i].push_back(times[i].seconds);
     }
-  }
-};
-
-struct EmbreeFigure {
-  std::string kind;
-  std::string entry_point;  ///< the fastest
-  double seconds = 0.0;
-  std::vector<EmbreeTime> all;
-};
-
-/// The general path beside what a scene lets us skip.
-struct GeneralFigures {
-  double seconds = 0.0;
-  double share_of_pixels = 0.0;  ///< that differ by more than a thousandth
-  double relative_mean = 1.0;    ///< of the picture, to the usual one's
-};
-
-struct TracingFigures {
-  int threads = 0;
-  double seconds = 0.0;           ///< for all paths: sampled, traced and filmed
-  double sampling_seconds = 0.0;  ///< of them, for points and directions, on one thread
-  RayCounts rays;
-  std::vector<EmbreeFigure> embree;
-  std::optional<GeneralFigures> general;
-
-  /// Of the time of all threads, the part that draws directions.
-  double sampling_share() const { return sampling_seconds / (threads * seconds); }
-
-  double embree_seconds() const {
-    double sum_s = 0.0;
-    for (const EmbreeFigure& figure : embree) {
-      sum_s += figure.seconds;
-    }
-    return sum_s;
   }
 };
 
@@ -259,41 +212,6 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   return figures;
 }
 
-nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t paths) {
-  nlohmann::ordered_json rays;
-  nlohmann::ordered_json rays_per_second;
-  for (const RayKind& kind : ray_kinds) {
-    rays[kind.name] = figures.rays.*kind.count;
-    rays_per_second[kind.name] = static_cast<double>(figures.rays.*kind.count) / figures.seconds;
-  }
-  nlohmann::ordered_json embree;
-  for (const EmbreeFigure& figure : figures.embree) {
-    nlohmann::ordered_json all;
-    for (const EmbreeTime& time : figure.all) {
-      all[time.entry_point] = time.seconds;
-    }
-    embree[figure.kind] = {{"fastest", figure.entry_point}, {"seconds", all}};
-  }
-  nlohmann::ordered_json general;
-  if (figures.general) {
-    general = {{"seconds", figures.general->seconds},
-               {"gain", figures.general->seconds / figures.seconds},
-               {"share_of_pixels_that_differ", figures.general->share_of_pixels},
-               {"relative_mean", figures.general->relative_mean}};
-  }
-  return {{"threads", figures.threads},
-          {"seconds", figures.seconds},
-          {"general_path", general},
-          {"paths_per_second", static_cast<double>(paths) / figures.seconds},
-          {"rays", rays},
-          {"rays_per_second", rays_per_second},
-          {"sampling_ns_per_path", 1e9 * figures.sampling_seconds / static_cast<double>(paths)},
-          {"sampling_share", figures.sampling_share()},
-          {"embree_seconds", figures.embree_seconds()},
-          {"ratio_to_embree", figures.seconds / figures.embree_seconds()},
-          {"embree", embree}};
-}
-
 void print_json(const std::vector<TracingFigures>& runs, const TracingArguments& arguments,
                 const RenderSettings& settings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -312,37 +230,6 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
                                        {"rounds", arguments.rounds},
                                        {"runs", list}};
   fmt::print("{}\n", json.dump(2));
-}
-
-void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
-  constexpr double per_mega = 1e-6;
-  for (const TracingFigures& figures : runs) {
-    fmt::print(
-        "{} thread{}: {:.0f} paths a second, {:.2f} times Embree alone, {:.2f} times as fast "
-        "as the first\n",
-        figures.threads, figures.threads == 1 ? "" : "s",
-        static_cast<double>(paths) / figures.seconds, figures.seconds / figures.embree_seconds(),
-        runs.front().seconds / figures.seconds);
-    fmt::print("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
-               1e9 * figures.sampling_seconds / static_cast<double>(paths),
-               100.0 * figures.sampling_share());
-    if (figures.general) {
-      fmt::print(
-          "  the general path takes {:.2f} times as long; {:.2f} % of its picture's pixels differ "
-          "by more than a thousandth, its mean by {:+.4f} %\n",
-          figures.general->seconds / figures.seconds, 100.0 * figures.general->share_of_pixels,
-          100.0 * (figures.general->relative_mean - 1.0));
-    }
-    for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
-      const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
-      if (rays > 0.0) {
-        fmt::print(
-            "  {:<8} {:6.2f} rays a path, {:6.2f} M rays a second; Embree alone {:6.2f} by {}\n",
-            ray_kinds[i].name, rays / static_cast<double>(paths), per_mega * rays / figures.seconds,
-            per_mega * rays / figures.embree[i].seconds, figures.embree[i].entry_point);
-      }
-    }
-  }
 }
 
 RenderSettings settings_from(const TracingArguments& arguments) {

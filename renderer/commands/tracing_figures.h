@@ -1,0 +1,69 @@
+// What `bench tracing` measures, and how it is told.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/trace/embree_alone.h"
+#include "renderer/trace/path_tracer.h"
+
+namespace foveola {
+
+/// A kind of ray, and how often it was asked for.
+struct RayKind {
+  const char* name;
+  std::uint64_t RayCounts::*count;
+  std::vector<Ray> RayLog::*rays;
+  RayQuery query;
+};
+inline constexpr std::array<RayKind, 4> ray_kinds{
+    {{"primary", &RayCounts::primary, &RayLog::primary, RayQuery::closest_hit},
+     {"bounce", &RayCounts::bounce, &RayLog::bounce, RayQuery::closest_hit},
+     {"shadow", &RayCounts::shadow, &RayLog::shadow, RayQuery::is_blocked},
+     {"window", &RayCounts::window, &RayLog::window, RayQuery::closest_hit}}};
+
+/// What Embree alone takes for the rays of a kind.
+struct EmbreeFigure {
+  std::string kind;
+  std::string entry_point;  ///< the fastest
+  double seconds = 0.0;
+  std::vector<EmbreeTime> all;
+};
+
+/// The general path beside what a scene lets us skip.
+struct GeneralFigures {
+  double seconds = 0.0;
+  double share_of_pixels = 0.0;  ///< that differ by more than a thousandth
+  double relative_mean = 1.0;    ///< of the picture, to the usual one's
+};
+
+struct TracingFigures {
+  int threads = 0;
+  double seconds = 0.0;           ///< for all paths: sampled, traced and filmed
+  double sampling_seconds = 0.0;  ///< of them, for points and directions, on one thread
+  RayCounts rays;
+  std::vector<EmbreeFigure> embree;
+  std::optional<GeneralFigures> general;
+
+  /// Of the time of all threads, the part that draws directions.
+  double sampling_share() const { return sampling_seconds / (threads * seconds); }
+
+  double embree_seconds() const {
+    double sum_s = 0.0;
+    for (const EmbreeFigure& figure : embree) {
+      sum_s += figure.seconds;
+    }
+    return sum_s;
+  }
+};
+
+/// paths: of each round.
+nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t paths);
+void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths);
+
+}  // namespace foveola
