@@ -9,6 +9,10 @@
 
 #include "renderer/base/vec.h"
 
+// Lanes pass between files that are all compiled for the same processor, so it does not matter that
+// one with AVX would pass them in other registers.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace foveola {
 
 inline constexpr std::size_t lane_count = 8;

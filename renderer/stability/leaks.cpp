@@ -3,8 +3,10 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/base/random.h"
 #include "renderer/scene/rebase.h"
@@ -85,16 +87,34 @@ Room room_behind_a_sheet() {
   return room;
 }
 
+/// Whose walls send light where their normals, which are interpolated, say.
+Room ball_of_smooth_mirrors() {
+  Room room{.name = "ball of 1280 smooth-shaded mirrors",
+            .scene = under_blue_sky(),
+            .viewpoint = [](Pcg32& random) { return 0.5F * point_in_box(random); }};
+  room.scene.materials[0] = metal(0.9F, 0.0F);
+  room.scene.meshes = {inward_sphere(1.0F, 3, 0)};
+  return room;
+}
+
 struct Placement {
   float scale = 1.0F;
-  double distance = 0.0;  ///< in multiples of the room's size
+  double distance = 0.0;      ///< in multiples of the room's size
+  bool by_instances = false;  ///< not by its vertices
 };
-constexpr std::array<Placement, 6> placements{
-    {{1.0F, 0.0}, {1e-3F, 0.0}, {1e6F, 0.0}, {1.0F, 10.0}, {1.0F, 100.0}, {1.0F, 1000.0}}};
+constexpr std::array<Placement, 9> placements{{{1.0F, 0.0},
+                                               {1e-3F, 0.0},
+                                               {1e6F, 0.0},
+                                               {1.0F, 10.0},
+                                               {1.0F, 100.0},
+                                               {1.0F, 1000.0},
+                                               {1.0F, 0.0, true},
+                                               {1e6F, 0.0, true},
+                                               {1.0F, 100.0, true}}};
 
 std::string describe(const Placement& placement) {
-  return fmt::format("at scale {:g}, moved by {:g} of its size", placement.scale,
-                     placement.distance);
+  return fmt::format("at scale {:g}, moved by {:g} of its size{}", placement.scale,
+                     placement.distance, placement.by_instances ? ", as instances" : "");
 }
 
 /// A room turned, scaled and moved, with the paths that are traced in it.
@@ -107,8 +127,12 @@ class PlacedRoom {
         place_(placement.scale * room_size_m * placement.distance *
                glm::normalize(DVec3(1.0, -0.7, 0.8))),
         scene_(room.scene) {
-    for (Mesh& mesh : scene_.meshes) {
-      mesh = placed(std::move(mesh), placement.scale, turn_, place_);
+    if (placement.by_instances) {
+      turn_into_instances();
+    } else {
+      for (Mesh& mesh : scene_.meshes) {
+        mesh = placed(std::move(mesh), placement.scale, turn_, place_);
+      }
     }
     rebase(scene_);  // as the loaders do
     tracer_.emplace(scene_, workers);
@@ -133,6 +157,16 @@ class PlacedRoom {
   }
 
  private:
+  void turn_into_instances() {
+    const Mat4 moved = glm::translate(Mat4(1.0F), place_);
+    const Mat4 turned = moved * glm::mat4_cast(turn_);
+    const Mat4 world_from_local = glm::scale(turned, Vec3(placement_.scale));
+    scene_.prototypes = std::exchange(scene_.meshes, {});
+    for (std::uint32_t i = 0; i < scene_.prototypes.size(); ++i) {
+      scene_.instances.push_back({.prototype = i, .world_from_local = world_from_local});
+    }
+  }
+
   std::uint64_t count_from(const Vec3& viewpoint, std::uint64_t paths, std::uint32_t seed,
                            const Workers& workers) const {
     const auto jobs = jobs_all_around(static_cast<std::uint32_t>(paths), seed);
@@ -155,15 +189,18 @@ class PlacedRoom {
 
 std::vector<StabilityFigure> check_leaks(const StabilityRun& run) {
   const std::vector<Room> rooms = {box_of_many_triangles(), tetrahedron_of_sharp_edges(),
-                                   room_behind_a_sheet()};
+                                   room_behind_a_sheet(), ball_of_smooth_mirrors()};
   const std::uint64_t paths_each =
       std::max<std::uint64_t>(1, run.effort.leak_paths / placements.size());
   std::vector<StabilityFigure> figures;
   double done = 0.0;
   for (const Room& room : rooms) {
-    StabilityFigure figure{.name = "light leaks: " + room.name,
-                           .unit = fmt::format("of {} paths", paths_each * placements.size()),
-                           .details = "turned, at scales 1e-3 to 1e6, moved by up to 1e3 sizes"};
+    StabilityFigure figure{
+        .name = "light leaks: " + room.name,
+        .unit = fmt::format("of {} paths", paths_each * placements.size()),
+        .details =
+            "turned, at scales 1e-3 to 1e6, moved by up to 1e3 sizes, by their vertices "
+            "or as instances"};
     for (const Placement& placement : placements) {
       const std::uint64_t leaks = PlacedRoom(room, placement, run.workers).count(paths_each, run);
       figure.measured += static_cast<double>(leaks);
