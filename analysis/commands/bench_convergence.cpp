@@ -249,7 +249,8 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   command
       ->add_option("--options", arguments->options,
                    "What to change of the first method, each for a row of its own: independent "
-                   "(random numbers instead of low-discrepancy sequences); or none")
+                   "(random numbers instead of low-discrepancy sequences), clamp (samples are cut "
+                   "at a radiance of 10), spare-done (as render's, at 0.01); or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,11 @@ struct Contender {
   std::string name;    ///< for tables: "fv", or "od, independent numbers"
   std::string method;  ///< as make_view_sampler reads it
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
+  /// Each channel of a sample is cut to this: less noise, and a bias that counts as error.
+  float largest_radiance = std::numeric_limits<float>::infinity();
+  /// As VisibleNoise::contrast, with low-discrepancy numbers only: samples of pixels that are done
+  /// go to others nearby, or are left out though they count as taken.
+  std::optional<double> spare_done_contrast;
 };
 
 /// A row of the quality-speed options: what it is called and what it changes of a contender.

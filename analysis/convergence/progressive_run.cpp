@@ -1,5 +1,6 @@
 #include "analysis/convergence/progressive_run.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "renderer/base/clock.h"
@@ -10,6 +11,9 @@ namespace {
 
 /// Keeps the pattern of the directions apart from the randomness of the paths.
 constexpr std::uint32_t view_stream = 0x76696577U;
+
+/// After so many samples it is looked at again what is done, as in a render.
+constexpr std::uint64_t spare_batch = 1 << 16;
 
 /// Points that one task draws.
 constexpr std::size_t point_block = 4096;
@@ -28,19 +32,31 @@ ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& pl
                                const Workers& workers)
     : subject_(&subject),
       workers_(&workers),
+      gaze_(aim.gaze),
       numbers_(contender.numbers),
       trace_(trace_settings(plan, seed)),
       sampler_(make_view_sampler(contender.method)),
-      film_(plan.size.x, plan.size.y) {
+      film_(plan.size.x, plan.size.y,
+            contender.spare_done_contrast ? FilmStatistics::mean_and_variance
+                                          : FilmStatistics::mean) {
+  trace_.largest_radiance = contender.largest_radiance;
+  if (contender.spare_done_contrast) {
+    spare_done_ = VisibleNoise{.contrast = *contender.spare_done_contrast,
+                               .exposure_stops = subject.exposure_stops};
+  }
   sampler_->aim(aim);
 }
 
 void ProgressiveRun::advance(std::uint64_t samples) {
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
-  numbers_ == RandomNumbers::independent ? advance_independent(samples) : advance_sequence(samples);
+  for (std::uint64_t left = samples; left > 0;) {
+    const std::uint64_t batch = spare_done_ ? std::min(left, spare_batch) : left;
+    numbers_ == RandomNumbers::independent ? advance_independent(batch) : advance_sequence(batch);
+    samples_ += batch;
+    left -= batch;
+  }
   seconds_ += foveola::seconds(clock.now() - start);
-  samples_ += samples;
 }
 
 void ProgressiveRun::advance_sequence(std::uint64_t samples) {
@@ -49,7 +65,17 @@ void ProgressiveRun::advance_sequence(std::uint64_t samples) {
   };
   const SobolRange points = {
       .first = samples_, .count = samples, .seed = mix(trace_.seed, view_stream)};
-  dropped_ += pass_.run(*sampler_, points, trace, film_, *workers_).size();
+  dropped_ += pass_.run(*sampler_, points, trace, film_, *workers_, adjust()).size();
+}
+
+SamplePass::Adjust ProgressiveRun::adjust() {
+  if (!spare_done_) {
+    return {};
+  }
+  const std::uint32_t seed = mix(mix(trace_.seed, view_stream), ++batches_);
+  return [this, seed](std::vector<ViewSample>& samples) {
+    spare_done_pixels(film_, gaze_, *spare_done_, seed, samples, *workers_);
+  };
 }
 
 void ProgressiveRun::advance_independent(std::uint64_t samples) {

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "analysis/convergence/plan.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
+#include "renderer/film/spare_done.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
@@ -34,11 +36,15 @@ class ProgressiveRun {
 
  private:
   void advance_sequence(std::uint64_t samples);
+  /// Takes away what its film says is done.
+  SamplePass::Adjust adjust();
   void advance_independent(std::uint64_t samples);
 
   const Subject* subject_;
   const Workers* workers_;
+  Vec3 gaze_;
   RandomNumbers numbers_;
+  std::optional<VisibleNoise> spare_done_;
   TraceSettings trace_;
   std::unique_ptr<ViewSampler> sampler_;
   EquirectFilm film_;
@@ -47,6 +53,7 @@ class ProgressiveRun {
   std::vector<ViewSample> view_samples_;
   NumberedBatch batch_;
   std::vector<Rgb> radiance_;
+  std::uint32_t batches_ = 0;
   std::uint64_t samples_ = 0;
   std::uint64_t dropped_ = 0;
   double seconds_ = 0.0;

@@ -32,6 +32,16 @@ TEST(Contenders, AreTheMethodsAndTheBaselineWithEachOption) {
   EXPECT_EQ(contenders[2].numbers, RandomNumbers::independent);
 }
 
+TEST(Contenders, ChangeOneThingEach) {
+  const std::vector<Contender> contenders = make_contenders({"od"}, {"clamp", "spare-done"});
+  ASSERT_EQ(contenders.size(), 3U);
+  EXPECT_FALSE(contenders[0].spare_done_contrast);
+  EXPECT_EQ(contenders[1].largest_radiance, 10.0F);
+  EXPECT_FALSE(contenders[1].spare_done_contrast);
+  EXPECT_GT(contenders[2].largest_radiance, 1e30F);
+  EXPECT_EQ(contenders[2].spare_done_contrast, 0.01);
+}
+
 TEST(Contenders, RefuseWhatMakesNoSense) {
   EXPECT_THAT(
       [] {
@@ -54,8 +64,8 @@ TEST(Checkpoints, DoubleUpToTheLastSample) {
   plan.size = {64, 32};
   plan.samples_per_pixel = 16;
   const std::vector<std::uint64_t> counts = checkpoints(plan);
-  ASSERT_EQ(counts.size(), 11U);
-  EXPECT_EQ(counts.front(), 32U);
+  ASSERT_EQ(counts.size(), 9U);
+  EXPECT_EQ(counts.front(), 128U);
   EXPECT_EQ(counts.back(), 32768U);
   for (std::size_t i = 1; i < counts.size(); ++i) {
     EXPECT_EQ(counts[i], 2 * counts[i - 1]);

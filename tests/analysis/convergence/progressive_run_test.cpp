@@ -1,5 +1,6 @@
 #include "analysis/convergence/progressive_run.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,14 @@ class ProgressiveRunTest : public testing::Test {
     return sum / (plan_.size.x * plan_.size.y);
   }
 
+  PreviewSettings preview_settings() const {
+    PreviewSettings settings;
+    settings.film_width = plan_.size.x;
+    settings.film_height = plan_.size.y;
+    settings.trace = trace_settings(plan_, 7);
+    return settings;
+  }
+
   Scene scene_ = box_room(0.5F);
   Workers workers_{2};
   PathTracer tracer_{scene_, workers_};
@@ -52,10 +61,7 @@ class ProgressiveRunTest : public testing::Test {
 
 // Benchmarks run what is shipped: the preview gives the same picture, to the bit.
 TEST_F(ProgressiveRunTest, IsWhatThePreviewRenders) {
-  PreviewSettings settings;
-  settings.film_width = plan_.size.x;
-  settings.film_height = plan_.size.y;
-  settings.trace = trace_settings(plan_, 7);
+  const PreviewSettings settings = preview_settings();
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = gaze_}});
   FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
   Preview preview(tracer_, settings, eye, head, workers_);
@@ -71,6 +77,36 @@ TEST_F(ProgressiveRunTest, IsWhatThePreviewRenders) {
       }
     }
   }
+}
+
+TEST_F(ProgressiveRunTest, SparesWhatThePreviewSpares) {
+  constexpr double contrast = 0.3;
+  constexpr std::uint64_t batch = 1 << 16;
+  PreviewSettings settings = preview_settings();
+  settings.spare_done = VisibleNoise{.contrast = contrast};
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = gaze_}});
+  FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
+  Preview preview(tracer_, settings, eye, head, workers_);
+  preview.restart("od", 7);
+  preview.render_frame(Nanoseconds(0), batch);
+  preview.render_frame(Nanoseconds(0), batch);
+  ProgressiveRun spared(subject_, plan_,
+                        {.name = "od", .method = "od", .spare_done_contrast = contrast}, aim_, 7,
+                        workers_);
+  spared.advance(2 * batch);
+  EXPECT_LT(spared.film().total_samples(), 2 * batch);
+  EXPECT_EQ(spared.film().resolve().color.pixels, preview.film().resolve().color.pixels);
+}
+
+TEST_F(ProgressiveRunTest, CutsSamples) {
+  ProgressiveRun cut(subject_, plan_, {.name = "od", .method = "od", .largest_radiance = 0.6F},
+                     aim_, 7, workers_);
+  cut.advance(10'000);
+  float largest = 0.0F;
+  for (const Rgb& pixel : cut.film().resolve().color.pixels) {
+    largest = std::max(largest, max_component(pixel));
+  }
+  EXPECT_EQ(largest, 0.6F);
 }
 
 TEST_F(ProgressiveRunTest, CountsItsSamples) {
