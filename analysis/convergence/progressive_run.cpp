@@ -1,10 +1,10 @@
 #include "analysis/convergence/progressive_run.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
+#include "renderer/view/equirect.h"
 
 namespace foveola::analysis {
 namespace {
@@ -21,10 +21,8 @@ constexpr std::size_t point_block = 4096;
 }  // namespace
 
 TraceSettings trace_settings(const ConvergencePlan& plan, std::uint32_t seed) {
-  const double pixel_angle_rad = 2.0 * std::numbers::pi / plan.size.x;
-  return {.max_depth = plan.max_depth,
-          .seed = seed,
-          .pixel_angle_rad = static_cast<float>(pixel_angle_rad)};
+  return {
+      .max_depth = plan.max_depth, .seed = seed, .pixel_angle_rad = pixel_angle_rad(plan.size.x)};
 }
 
 ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,

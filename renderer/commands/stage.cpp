@@ -1,10 +1,10 @@
 #include "renderer/commands/stage.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "renderer/base/clock.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/view/equirect.h"
 
 namespace foveola {
 namespace {
@@ -67,10 +67,9 @@ Stage::Stage(const SceneSource& source, const RenderSettings& settings)
       gaze(settings.gaze.value_or(camera.heading)) {}
 
 TraceSettings trace_settings(const RenderSettings& settings) {
-  const double pixel_angle_rad = 2.0 * std::numbers::pi / static_cast<double>(settings.size.x);
   return {.max_depth = settings.max_depth,
           .seed = settings.seed,
-          .pixel_angle_rad = static_cast<float>(pixel_angle_rad),
+          .pixel_angle_rad = pixel_angle_rad(settings.size.x),
           .largest_radiance = settings.largest_radiance,
           .is_general = settings.is_general};
 }

@@ -1,6 +1,9 @@
 // Directions and the 360-degree equirectangular image.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "renderer/base/turns.h"
 #include "renderer/base/vec.h"
 
@@ -22,6 +25,11 @@ inline Vec3 direction_from_equirect(const Vec2& image) {
   const auto [x, minus_z] = sine_cosine_of_turns(image.x - 0.5F);
   const auto [horizontal, y] = sine_cosine_of_turns(0.5F * image.y);
   return {horizontal * x, y, -horizontal * minus_z};
+}
+
+/// The angle that a pixel of an image `width` pixels wide spans along the horizon.
+inline float pixel_angle_rad(int width) {
+  return 2.0F * std::numbers::pi_v<float> / static_cast<float>(width);
 }
 
 /// Image area per steradian at `direction`, for the unit image [0, 1)^2: 1 / (2 pi^2

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "renderer/view/equirect.h"
+
 namespace foveola::study {
 namespace {
 
@@ -22,6 +24,7 @@ PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage)
   settings.viewpoint = stage.viewpoint();
   settings.exposure_stops = stage.source().exposure_stops;
   settings.trace.max_depth = protocol.film.max_depth;
+  settings.trace.pixel_angle_rad = pixel_angle_rad(settings.film_width);
   return settings;
 }
 
