@@ -20,7 +20,7 @@ namespace foveola {
 namespace {
 
 constexpr int gap = 8;
-constexpr double field_of_view_deg = 90.0;
+constexpr double view_extent_deg = 90.0;
 /// Of what is rendered beyond each side of the view, whose pixels lie askew to the film's.
 constexpr double margin_deg = 2.0;
 
@@ -53,10 +53,10 @@ SheetRow render_row(const SceneSource& source, RenderSettings settings,
   const int height = settings.size.y;
   row.panorama = render(source, settings, stop).image.color;
   settings.method = "vp";
-  settings.fov_deg = field_of_view_deg + 2.0 * margin_deg;
+  settings.fov_deg = view_extent_deg + 2.0 * margin_deg;
   settings.size *= 2;
   const RgbImage film = render(source, settings, stop).image.color;
-  const double fov_rad = radians(field_of_view_deg);
+  const double fov_rad = radians(view_extent_deg);
   row.view = viewport_image(film, Viewport(head_orientation(source.heading), fov_rad, fov_rad),
                             height, height);
   expose(row.panorama, source.exposure_stops);

@@ -13,7 +13,7 @@
 namespace foveola {
 namespace {
 
-constexpr int batches = 32;
+constexpr int picture_batches = 32;
 
 /// Pixels and blocks are numbered row by row from the top left.
 struct Grid {
@@ -50,14 +50,15 @@ std::vector<RadianceEstimate> render_blocks(const PathTracer& tracer, const Vec3
                                             const StabilityRun& run) {
   const Grid grid{.width = static_cast<std::uint32_t>(run.effort.picture_width),
                   .block = static_cast<std::uint32_t>(settings.block)};
-  const auto samples_each =
-      static_cast<std::uint32_t>(std::max(1, run.effort.picture_samples_per_pixel / batches));
+  const auto samples_each = static_cast<std::uint32_t>(
+      std::max(1, run.effort.picture_samples_per_pixel / picture_batches));
   const double block_samples = static_cast<double>(samples_each) * grid.block * grid.block;
   // By block, then by batch.
-  std::vector<std::vector<DVec3>> means(grid.blocks(), std::vector<DVec3>(batches, DVec3(0.0)));
+  std::vector<std::vector<DVec3>> means(grid.blocks(),
+                                        std::vector<DVec3>(picture_batches, DVec3(0.0)));
   std::vector<Rgb> radiance;
-  for (std::uint32_t batch = 0; batch < batches && !run.stop.stop_requested(); ++batch) {
-    const std::uint32_t seed = settings.seed * batches + batch;
+  for (std::uint32_t batch = 0; batch < picture_batches && !run.stop.stop_requested(); ++batch) {
+    const std::uint32_t seed = settings.seed * picture_batches + batch;
     const std::vector<SampleJob> jobs = jobs_of(grid, seed, samples_each);
     radiance.resize(jobs.size());
     tracer.trace(viewpoint, jobs, radiance, {.max_depth = settings.max_depth, .seed = seed},
@@ -69,7 +70,7 @@ std::vector<RadianceEstimate> render_blocks(const PathTracer& tracer, const Vec3
   std::vector<RadianceEstimate> estimates;
   for (const std::vector<DVec3>& of_batches : means) {
     estimates.push_back(mean_of_batches(of_batches));
-    estimates.back().samples = static_cast<std::uint64_t>(block_samples) * batches;
+    estimates.back().samples = static_cast<std::uint64_t>(block_samples) * picture_batches;
   }
   return estimates;
 }

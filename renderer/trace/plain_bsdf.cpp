@@ -8,8 +8,8 @@
 namespace foveola {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
+/// The BSDF of a white Lambertian surface.
+constexpr float white_diffuse = std::numbers::inv_pi_v<float>;
 
 Vec3s raised_above_grazing(const Vec3s& w) {
   const LaneMask is_grazing = w.z < smallest_cosine;
@@ -56,7 +56,7 @@ PlainBsdfs::PlainBsdfs(const PlainLayersLanes& layers, const Vec3s& outgoing,
     return;
   }
   const Vec3s base_color = layers.base_color_.load();
-  diffuse_ = all_lanes(inverse_pi) * base_color;
+  diffuse_ = all_lanes(white_diffuse) * base_color;
   const LaneMask is_black =
       (base_color.x == 0.0F) & (base_color.y == 0.0F) & (base_color.z == 0.0F);
   diffuse_probability_ = is_black ? Floats{} : all_lanes(1.0F);
@@ -69,7 +69,7 @@ void PlainBsdfs::set_layers(const PlainLayersLanes& layers) {
   lambda_outgoing_ = smith_lambda(alpha_, outgoing_);
   masking_outgoing_ = 1.0F / (1.0F + lambda_outgoing_);
   inverse_alpha_squared_ = 1.0F / (alpha_ * alpha_);
-  density_scale_ = 4.0F * pi * alpha_ * alpha_ * outgoing_.z;
+  density_scale_ = 4.0F * std::numbers::pi_v<float> * alpha_ * alpha_ * outgoing_.z;
 
   const Vec3s base_color = layers.base_color_.load();
   const Floats metallic = layers.metallic_.load();
@@ -85,7 +85,7 @@ void PlainBsdfs::set_layers(const PlainLayersLanes& layers) {
   layer_f0_ = is_below ? coat_f0 : Floats{};
   layer_f90_ = is_below ? coat_f90 : Floats{};
   const Floats layer =
-      inverse_pi * (1.0F - coat_albedo) / (is_below ? below_coat : all_lanes(1.0F));
+      white_diffuse * (1.0F - coat_albedo) / (is_below ? below_coat : all_lanes(1.0F));
   diffuse_ = (dielectric * layer) * base_color;
 
   const Floats lost = (1.0F - lobe.white) / lobe.white;
@@ -114,7 +114,7 @@ PlainBsdfs::Values PlainBsdfs::eval(const Vec3s& incoming) const {
   } else {
     values.times_cosine = cosine * diffuse_;
   }
-  values.pdf = diffuse_probability_ * cosine * inverse_pi;
+  values.pdf = diffuse_probability_ * cosine * white_diffuse;
   if (any_shiny_) {
     add_facets({incoming.x, incoming.y, is_above ? incoming.z : all_lanes(1.0F)}, values);
     const Vec3s none{};

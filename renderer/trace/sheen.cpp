@@ -12,10 +12,10 @@
 namespace foveola {
 namespace {
 
-constexpr int roughness_steps = 40;
-constexpr int cosine_steps = 64;
-constexpr std::size_t rows = roughness_steps + 1;
-constexpr std::size_t nodes_in_row = cosine_steps + 1;
+constexpr int sheen_roughness_steps = 40;
+constexpr int sheen_cosine_steps = 64;
+constexpr std::size_t sheen_rows = sheen_roughness_steps + 1;
+constexpr std::size_t sheen_nodes_in_row = sheen_cosine_steps + 1;
 
 constexpr float roughness_range = 1.0F - CharlieSheen::smallest_roughness;
 
@@ -25,7 +25,7 @@ float roughness_position(float roughness) {
 }
 
 float roughness_of_row(std::size_t row) {
-  const float position = static_cast<float>(row) / roughness_steps;
+  const float position = static_cast<float>(row) / sheen_roughness_steps;
   return CharlieSheen::smallest_roughness + roughness_range * position * position;
 }
 
@@ -33,7 +33,7 @@ float roughness_of_row(std::size_t row) {
 float cosine_position(float cosine) { return std::sqrt(std::sqrt(cosine)); }
 
 float cosine_of_node(std::size_t node) {
-  const float position = std::max(static_cast<float>(node) / cosine_steps, 1e-2F);
+  const float position = std::max(static_cast<float>(node) / sheen_cosine_steps, 1e-2F);
   return position * position * position * position;
 }
 
@@ -92,20 +92,20 @@ float CharlieSheen::times_cosine(const Vec3& incoming) const {
   return density / (4.0F * outgoing_.z * (1.0F + lambda_outgoing_ + lambda(incoming.z)));
 }
 
-SheenAlbedo::SheenAlbedo(const Workers& workers) : nodes_(rows * nodes_in_row) {
-  workers.for_each_block(rows, 1, [&](std::size_t i, std::size_t) {
-    for (std::size_t k = 0; k < nodes_in_row; ++k) {
-      nodes_[i * nodes_in_row + k] = integrate_albedo(roughness_of_row(i), cosine_of_node(k));
+SheenAlbedo::SheenAlbedo(const Workers& workers) : nodes_(sheen_rows * sheen_nodes_in_row) {
+  workers.for_each_block(sheen_rows, 1, [&](std::size_t i, std::size_t) {
+    for (std::size_t k = 0; k < sheen_nodes_in_row; ++k) {
+      nodes_[i * sheen_nodes_in_row + k] = integrate_albedo(roughness_of_row(i), cosine_of_node(k));
     }
   });
 }
 
 float SheenAlbedo::of(const CharlieSheen& sheen, float roughness, float cosine) const {
-  const NodePosition row(roughness_position(roughness), roughness_steps);
-  const NodePosition place(cosine_position(cosine), cosine_steps);
-  const float* finer = &nodes_[static_cast<std::size_t>(row.below) * nodes_in_row +
+  const NodePosition row(roughness_position(roughness), sheen_roughness_steps);
+  const NodePosition place(cosine_position(cosine), sheen_cosine_steps);
+  const float* finer = &nodes_[static_cast<std::size_t>(row.below) * sheen_nodes_in_row +
                                static_cast<std::size_t>(place.below)];
-  const float* rougher = finer + nodes_in_row;
+  const float* rougher = finer + sheen_nodes_in_row;
   return sheen.outgoing_factor() * glm::mix(glm::mix(finer[0], finer[1], place.fraction),
                                             glm::mix(rougher[0], rougher[1], place.fraction),
                                             row.fraction);
