@@ -1,22 +1,22 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/scene/decoded_memory.h"
+#include "renderer/scene/encoded_image.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/srgb.h"
 
 namespace foveola {
 namespace {
 
-/// 16384 x 8192, 1.6 GB.
-constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
-
-/// Before OpenImageIO tries every format that it knows on the path.
 void require_regular_file(const std::filesystem::path& path) {
   std::error_code failure;
   const auto status = std::filesystem::status(path, failure);
@@ -28,60 +28,94 @@ void require_regular_file(const std::filesystem::path& path) {
   }
 }
 
-float light_of(float value) { return std::isfinite(value) ? std::max(value, 0.0F) : 0.0F; }
-
-/// The first three of `channels` values, or the first alone as a grey.
-Rgb colour_of(const float* values, int channels) {
-  return channels >= 3 ? Rgb(light_of(values[0]), light_of(values[1]), light_of(values[2]))
-                       : Rgb(light_of(values[0]));
+/// The first three channels, or the first alone as a grey.
+Environment decode(std::span<const unsigned char> encoded) {
+  const OpenImage image = open_image(encoded, ImageFormats::environment);
+  const OIIO::ImageSpec& spec = image.spec;
+  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  require_modest_memory(pixels * sizeof(Rgb), encoded.size());
+  Environment environment;
+  environment.map_width = spec.width;
+  environment.map_height = spec.height;
+  environment.map.resize(pixels);
+  const bool is_grey = spec.nchannels < 3;
+  if (!image.input->read_image(0, 0, 0, is_grey ? 1 : 3, OIIO::TypeDesc::FLOAT,
+                               environment.map.data(), sizeof(Rgb))) {
+    throw std::runtime_error("is damaged: " + image.input->geterror());
+  }
+  for (Rgb& texel : environment.map) {
+    texel = is_grey ? Rgb(texel.r) : texel;
+    if (!spec.format.is_floating_point()) {
+      texel = Rgb(linear_from_srgb(texel.r), linear_from_srgb(texel.g), linear_from_srgb(texel.b));
+    }
+  }
+  return environment;
 }
 
-void decode_srgb(std::vector<Rgb>& texels) {
-  for (Rgb& texel : texels) {
+/// What stands for infinity: it comes of suns that were too bright for half floats, so no less than
+/// these hold, nor less than anything else in the map.
+float brightest_of(const std::vector<Rgb>& map) {
+  constexpr float largest_half = 65504.0F;
+  float brightest = largest_half;
+  for (const Rgb& texel : map) {
     for (int channel = 0; channel < 3; ++channel) {
-      texel[channel] = static_cast<float>(linear_from_srgb(texel[channel]));
+      if (std::isfinite(texel[channel])) {
+        brightest = std::max(brightest, texel[channel]);
+      }
     }
+  }
+  return brightest;
+}
+
+struct Repairs {
+  std::size_t darkened = 0;  ///< pixels with a negative value or NaN
+  std::size_t limited = 0;   ///< with infinity
+};
+
+Repairs repair(std::vector<Rgb>& map, float brightest) {
+  Repairs repairs;
+  for (Rgb& texel : map) {
+    bool is_no_light = false;
+    bool is_infinite = false;
+    for (int channel = 0; channel < 3; ++channel) {
+      const float value = texel[channel];
+      is_no_light = is_no_light || !(value >= 0.0F);
+      is_infinite = is_infinite || value > brightest;
+      texel[channel] = value >= 0.0F ? std::min(value, brightest) : 0.0F;
+    }
+    repairs.darkened += is_no_light ? 1 : 0;
+    repairs.limited += is_infinite ? 1 : 0;
+  }
+  return repairs;
+}
+
+void repair(Environment& environment, const std::string& file, Warnings& warnings) {
+  const float brightest = brightest_of(environment.map);
+  const Repairs repairs = repair(environment.map, brightest);
+  if (repairs.darkened > 0) {
+    warnings.add(
+        fmt::format("pixels of the environment that are negative or no number are black ({} in {})",
+                    repairs.darkened, file));
+  }
+  if (repairs.limited > 0) {
+    warnings.add(fmt::format("infinite pixels of the environment are limited to {} ({} in {})",
+                             brightest, repairs.limited, file));
   }
 }
 
 }  // namespace
 
-Environment load_environment(const std::filesystem::path& path) {
+Environment load_environment(const std::filesystem::path& path, Warnings& warnings) {
   require_regular_file(path);
-  const auto fail = [&](const std::string& what) {
-    throw Error(path.string(), what, "use an EXR, HDR, PNG or JPEG image");
-  };
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) {
-    fail("cannot be read as an image: " + OIIO::geterror());
+  const std::string bytes = read_file(path);
+  try {
+    Environment environment =
+        decode({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+    repair(environment, path.filename().string(), warnings);
+    return environment;
+  } catch (const std::runtime_error& fault) {
+    throw Error(path.string(), fault.what(), "use a whole EXR, HDR, PNG or JPEG image");
   }
-  const OIIO::ImageSpec& spec = input->spec();
-  const int channels = std::min(spec.nchannels, 3);
-  if (spec.width < 1 || spec.height < 1 || channels < 1 || spec.depth > 1) {
-    fail("is not a two-dimensional image");
-  }
-  if (std::int64_t{spec.width} * spec.height > most_pixels) {
-    fail(
-        fmt::format("has {} x {} pixels; up to {} are read", spec.width, spec.height, most_pixels));
-  }
-  const bool is_srgb = !spec.format.is_floating_point();
-  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
-  std::vector<float> values(pixels * static_cast<std::size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) {
-    fail("is damaged: " + input->geterror());
-  }
-  Environment environment;
-  environment.map_width = spec.width;
-  environment.map_height = spec.height;
-  environment.map.reserve(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    environment.map.push_back(
-        colour_of(values.data() + i * static_cast<std::size_t>(channels), channels));
-  }
-  if (is_srgb) {
-    decode_srgb(environment.map);
-  }
-  return environment;
 }
 
 }  // namespace foveola

@@ -20,19 +20,32 @@ std::span<const unsigned char> bytes_of(const std::string& content) {
 }  // namespace
 
 void GltfImages::load(int image) {
-  const tinygltf::Image& source = file_.model->images[static_cast<std::size_t>(image)];
-  if (source.bufferView >= 0 || !source.image.empty() || paths_.contains(image)) {
+  if (!loaded_.insert(image).second) {
     return;
   }
-  try {
-    const std::filesystem::path path = confined_file(file_.folder, source.uri);
-    if (!contents_.contains(path)) {
-      contents_[path] = read_file(path);
+  const tinygltf::Image& source = file_.model->images[static_cast<std::size_t>(image)];
+  if (source.bufferView >= 0) {
+    const int buffer = file_.model->bufferViews[static_cast<std::size_t>(source.bufferView)].buffer;
+    if (buffers_.insert(buffer).second) {
+      encoded_bytes_ += file_.model->buffers[static_cast<std::size_t>(buffer)].data.size();
     }
-    paths_[image] = path;
-  } catch (const std::runtime_error& refusal) {
-    throw GltfFault(fmt::format("images[{}].uri", image), refusal.what());
+  } else if (!source.image.empty()) {
+    encoded_bytes_ += source.image.size();
+  } else {
+    try {
+      load_file(image, confined_file(file_.folder, source.uri));
+    } catch (const std::runtime_error& refusal) {
+      throw GltfFault(fmt::format("images[{}].uri", image), refusal.what());
+    }
   }
+}
+
+void GltfImages::load_file(int image, const std::filesystem::path& path) {
+  if (!contents_.contains(path)) {
+    contents_[path] = read_file(path);
+    encoded_bytes_ += contents_[path].size();
+  }
+  paths_[image] = path;
 }
 
 std::span<const unsigned char> GltfImages::encoded(int image) const {

@@ -1,8 +1,10 @@
 // The encoded images of a glTF file, which are read when something uses them.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 
@@ -23,11 +25,19 @@ class GltfImages {
   /// The PNG or JPEG bytes, or whatever they are, of an image that has been loaded.
   std::span<const unsigned char> encoded(int image) const;
 
+  /// Of what the images that have been loaded lie in: buffers, data: uris and files, each once.
+  std::size_t encoded_bytes() const { return encoded_bytes_; }
+
   /// Of the files that were read.
   FileHashes hashes() const;
 
  private:
+  void load_file(int image, const std::filesystem::path& path);
+
   const GltfFile& file_;
+  std::set<int> loaded_;
+  std::set<int> buffers_;  ///< that hold images
+  std::size_t encoded_bytes_ = 0;
   std::map<int, std::filesystem::path> paths_;             ///< of images in files of their own
   std::map<std::filesystem::path, std::string> contents_;  ///< of those files
 };

@@ -13,7 +13,7 @@
 namespace foveola {
 namespace {
 
-constexpr double brightest = 1e9;
+constexpr double brightest_light = 1e9;
 
 PunctualLight::Kind kind_of(const tinygltf::Light& source) {
   if (source.type == "directional") {
@@ -26,7 +26,7 @@ Rgb intensity_of(const tinygltf::Light& source, const std::string& place, Warnin
   const DVec3 color =
       source.color.empty() ? DVec3(1.0) : DVec3(source.color[0], source.color[1], source.color[2]);
   const DVec3 intensity = color * source.intensity;
-  const DVec3 limited = glm::clamp(intensity, DVec3(0.0), DVec3(brightest));
+  const DVec3 limited = glm::clamp(intensity, DVec3(0.0), DVec3(brightest_light));
   if (limited != intensity) {
     warnings.add("the intensity of a light is limited to the range it may have", place);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/image_decoder.h"
 
@@ -92,15 +93,15 @@ std::vector<Texture> TextureSet::decode() const {
 }
 
 void TextureSet::require_modest_size() const {
-  constexpr std::size_t most_pixels = std::size_t{1} << 29;
-  std::size_t pixels = 0;
+  std::size_t bytes = 0;
   for (const Content& content : textures_.contents()) {
-    pixels +=
-        with_place(content.image, [&] { return pixel_count(images_.encoded(content.image)); });
+    bytes += with_place(content.image,
+                        [&] { return size_of_image(images_.encoded(content.image)).bytes(); });
   }
-  if (pixels > most_pixels) {
-    throw GltfFault("images",
-                    fmt::format("have {} pixels together; up to {} are read", pixels, most_pixels));
+  try {
+    require_modest_memory(bytes, images_.encoded_bytes());
+  } catch (const std::runtime_error& refusal) {
+    throw GltfFault("images", refusal.what());
   }
 }
 

@@ -29,7 +29,7 @@ class TextureSet {
   int add(int texture, Encoding encoding);
 
   /// All textures that were added. Throws GltfFault if an image cannot be decoded or all together
-  /// take more than 2 GiB.
+  /// take more memory than require_modest_memory grants.
   std::vector<Texture> decode() const;
 
   /// Of the files of the images that are used.

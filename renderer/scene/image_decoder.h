@@ -17,9 +17,17 @@ struct DecodedImage {
   std::vector<std::uint8_t> texels;
 };
 
-/// The number of pixels that `encoded` will decode to, from its header. Throws as decode_image
-/// does.
-std::size_t pixel_count(std::span<const unsigned char> encoded);
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+
+  std::size_t pixels() const { return static_cast<std::size_t>(width) * height; }
+  std::size_t bytes() const { return pixels() * static_cast<std::size_t>(channels); }
+};
+
+/// What decode_image will return, from the header of `encoded`. Throws as decode_image does.
+ImageSize size_of_image(std::span<const unsigned char> encoded);
 
 /// Decodes a PNG or JPEG image to its own channels; 16 bits become 8. Throws std::runtime_error
 /// that says what is wrong if it is neither, damaged, or larger than 16384 pixels on a side.

@@ -185,7 +185,7 @@ Scene load_obj(const fs::path& path) {
     Scene scene;
     scene.meshes = meshes_of(obj, materials, warnings);
     rebase(scene);
-    scene.textures = materials.textures().decode();
+    scene.textures = materials.textures().decode(path.string());
     scene.sha256 = sha256_of_all(obj, library.files, materials.textures());
     scene.materials = std::move(materials).take_materials();
     if (scene.meshes.empty()) {

@@ -96,8 +96,9 @@ void require_valid(const SceneSource& source) {
     throw Error(source.name, "the metres of a unit are not positive");
   }
   const auto is_size = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!is_size(source.environment_strength)) {
-    throw Error(source.name, "the strength of the environment is negative or not finite");
+  if (!is_size(static_cast<float>(source.environment_strength))) {
+    throw Error(source.name, "the strength of the environment is negative or beyond any float",
+                "give a factor up to 3e38");
   }
   if (!std::isfinite(source.environment_rotation_rad)) {
     throw Error(source.name, "the rotation of the environment is not finite");
@@ -174,12 +175,12 @@ void add_sun_of_sky(Scene& scene, SunAndSky sky, const SceneSource& source) {
   }
 }
 
-void replace_environment(Scene& scene, const SceneSource& source) {
+void replace_environment(Scene& scene, const SceneSource& source, Warnings& warnings) {
   if (source.environment_radiance) {
     scene.environment.emplace().radiance = *source.environment_radiance;
   }
   if (source.environment_file) {
-    scene.environment = load_environment(*source.environment_file);
+    scene.environment = load_environment(*source.environment_file, warnings);
   }
   if (source.sky) {
     scene.environment = sky_environment(*source.sky);
@@ -235,7 +236,10 @@ Scene load_scene(const SceneSource& source) {
   for (const Sun& sun : source.suns) {
     add_sun(scene, sun);
   }
-  replace_environment(scene, source);
+  Warnings warnings;
+  replace_environment(scene, source, warnings);
+  const std::vector<std::string> lines = warnings.lines();
+  scene.warnings.insert(scene.warnings.end(), lines.begin(), lines.end());
   resize_lights(scene, source);
   return scene;
 }

@@ -7,6 +7,7 @@
 
 #include "renderer/base/scene_source.h"
 #include "renderer/scene/scene.h"
+#include "renderer/scene/warnings.h"
 
 namespace foveola {
 
@@ -33,7 +34,10 @@ Scene load_scene(const SceneSource& source);
 /// for, if it does. It is the first of the warnings of what load_scene returns.
 std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source);
 
-/// An equirect EXR, HDR, PNG or JPEG image as environment. Throws Error if it cannot be read.
-Environment load_environment(const std::filesystem::path& path);
+/// An equirect EXR, HDR, PNG or JPEG image as environment. Pixels that are negative or NaN become
+/// black, infinite ones 65504, the most that a half float holds, or as bright as the brightest
+/// other one: with warnings. Throws Error if it cannot be read or, for its size, would take too
+/// much memory: see require_modest_memory.
+Environment load_environment(const std::filesystem::path& path, Warnings& warnings);
 
 }  // namespace foveola

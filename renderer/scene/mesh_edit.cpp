@@ -21,7 +21,7 @@ DMat3 normal_transform(const DMat3& linear) {
 }
 
 /// Twice the area, along the normal of the front face.
-DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
+DVec3 area_vector_of(const Mesh& mesh, const Triangle& triangle) {
   const DVec3 a(mesh.positions[triangle[0]]);
   return glm::cross(DVec3(mesh.positions[triangle[1]]) - a, DVec3(mesh.positions[triangle[2]]) - a);
 }
@@ -29,7 +29,7 @@ DVec3 area_vector(const Mesh& mesh, const Triangle& triangle) {
 /// False as well for a triangle that is not finite: every comparison with NaN fails, and an
 /// infinite corner makes the length infinite or NaN.
 bool has_area(const Mesh& mesh, const Triangle& triangle) {
-  const double length = glm::length(area_vector(mesh, triangle));
+  const double length = glm::length(area_vector_of(mesh, triangle));
   return length > 0.0 && std::isfinite(length);
 }
 
@@ -110,7 +110,7 @@ std::size_t repair_normals(Mesh& mesh) {
   }
   std::vector<DVec3> around(mesh.positions.size(), DVec3(0.0));
   for (const Triangle& triangle : mesh.triangles) {
-    const DVec3 area = area_vector(mesh, triangle);
+    const DVec3 area = area_vector_of(mesh, triangle);
     for (const std::uint32_t vertex : triangle) {
       around[vertex] += area;
     }

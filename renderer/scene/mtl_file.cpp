@@ -12,7 +12,7 @@
 namespace foveola {
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 26;
+constexpr std::size_t largest_library = std::size_t{1} << 26;
 
 /// An option of a map, and what stands for an argument of it that may be left out.
 struct MapOption {
@@ -106,7 +106,7 @@ MtlMaterial material_in(const std::string& lines) {
 }  // namespace
 
 std::vector<MtlMaterial> read_mtl_file(const std::filesystem::path& path) {
-  std::string text = read_text_file(path, largest_file);
+  std::string text = read_text_file(path, largest_library);
   blank_byte_order_mark(text);
   std::vector<MtlMaterial> materials;
   std::string lines;

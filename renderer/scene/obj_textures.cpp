@@ -1,5 +1,7 @@
 #include "renderer/scene/obj_textures.h"
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -9,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/image_channels.h"
 #include "renderer/scene/image_decoder.h"
 
@@ -43,14 +46,26 @@ DecodedImage content_of(const ObjTexture& texture) {
   return decode(texture.first).value();
 }
 
+/// A texture of two images is as large as the larger of them, and has up to four channels.
+std::size_t most_bytes_of(const ObjTexture& texture, const std::map<fs::path, ImageSize>& sizes) {
+  if (texture.content == ObjTexture::Content::plain) {
+    return sizes.at(texture.first).bytes();
+  }
+  std::size_t pixels = 0;
+  for (const fs::path& file : {texture.first, texture.second}) {
+    pixels = std::max(pixels, file.empty() ? 0 : sizes.at(file).pixels());
+  }
+  return 4 * pixels;
+}
+
 }  // namespace
 
 int ObjTextureSet::add(const ObjTexture& texture, Wrap wrap) {
   return textures_.add(texture, {.wrap_u = wrap, .wrap_v = wrap});
 }
 
-std::vector<Texture> ObjTextureSet::decode() const {
-  require_modest_size();
+std::vector<Texture> ObjTextureSet::decode(const std::string& place) const {
+  require_modest_size(place);
   return textures_.decode([](const ObjTexture& texture, bool with_mips) {
     return Texels(content_of(texture), texture.is_srgb, with_mips);
   });
@@ -65,21 +80,21 @@ std::set<fs::path> ObjTextureSet::files() const {
   return files;
 }
 
-void ObjTextureSet::require_modest_size() const {
-  constexpr std::size_t most_pixels = std::size_t{1} << 29;
-  std::size_t pixels = 0;
+void ObjTextureSet::require_modest_size(const std::string& place) const {
+  std::size_t encoded_bytes = 0;
+  std::map<fs::path, ImageSize> sizes;
+  for (const fs::path& file : files()) {
+    encoded_bytes += fs::file_size(file);
+    sizes[file] = with_image(file, size_of_image);
+  }
+  std::size_t decoded_bytes = 0;
   for (const ObjTexture& texture : textures_.contents()) {
-    for (const fs::path& file : {texture.first, texture.second}) {
-      if (file.empty()) {
-        continue;
-      }
-      pixels += with_image(file, pixel_count);
-      if (pixels > most_pixels) {
-        throw Error(file.string(),
-                    fmt::format("brings the scene's textures to more than {} pixels", most_pixels),
-                    "use smaller images");
-      }
-    }
+    decoded_bytes += most_bytes_of(texture, sizes);
+  }
+  try {
+    require_modest_memory(decoded_bytes, encoded_bytes);
+  } catch (const std::runtime_error& refusal) {
+    throw Error(place, fmt::format("its textures {}", refusal.what()), "use smaller images");
   }
 }
 

@@ -34,15 +34,15 @@ class ObjTextureSet {
   /// The index, in what decode() will return, of `texture` continued by `wrap`.
   int add(const ObjTexture& texture, Wrap wrap);
 
-  /// All textures that were added. Throws Error if an image is none, is damaged, or all together
-  /// have more than 2^29 pixels.
-  std::vector<Texture> decode() const;
+  /// All textures that were added. place: the scene's, for messages. Throws Error if an image is
+  /// none, is damaged, or all together take more memory than require_modest_memory grants.
+  std::vector<Texture> decode(const std::string& place) const;
 
   /// The images that the textures are made of, each once.
   std::set<std::filesystem::path> files() const;
 
  private:
-  void require_modest_size() const;
+  void require_modest_size(const std::string& place) const;
 
   TextureList<ObjTexture> textures_;
 };

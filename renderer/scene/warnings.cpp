@@ -20,9 +20,11 @@ std::vector<std::string> Warnings::lines() const {
   std::vector<std::string> lines;
   for (const Kind& kind : kinds_) {
     std::string line = kind.what;
+    const bool has_place = !kind.first_place.empty();
     if (kind.count > 1) {
-      line += fmt::format(" ({} times, first at {})", kind.count, kind.first_place);
-    } else if (!kind.first_place.empty()) {
+      line += fmt::format(" ({} times{}{})", kind.count, has_place ? ", first at " : "",
+                          kind.first_place);
+    } else if (has_place) {
       line += fmt::format(" ({})", kind.first_place);
     }
     lines.push_back(std::move(line));

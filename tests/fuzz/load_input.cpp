@@ -1,5 +1,6 @@
 #include "tests/fuzz/load_input.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -104,11 +105,36 @@ void check(const Scene& scene) {
   }
 }
 
+void check(const Environment& environment) {
+  const auto width = static_cast<std::size_t>(environment.map_width);
+  require(environment.map.size() == width * static_cast<std::size_t>(environment.map_height),
+          "pixels are missing");
+  for (const Rgb& pixel : environment.map) {
+    require(is_finite(pixel) && pixel.r >= 0.0F && pixel.g >= 0.0F && pixel.b >= 0.0F,
+            "a pixel is no light");
+  }
+}
+
+/// By their first bytes: EXR, HDR, PNG and JPEG.
+bool is_image(std::string_view input) {
+  constexpr std::array<std::string_view, 4> beginnings = {"\x76\x2F\x31\x01", "#?", "\x89PNG",
+                                                          "\xFF\xD8\xFF"};
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return input.starts_with(beginning); });
+}
+
+constexpr const char* environment_name = "environment";
+
 }  // namespace
 
 fs::path write_input(const fs::path& folder, std::string_view input) {
   if (input.starts_with("glTF") || input.starts_with("{")) {
     const fs::path file = folder / (input.starts_with("{") ? "scene.gltf" : "scene.glb");
+    write(file, input);
+    return file;
+  }
+  if (is_image(input)) {
+    const fs::path file = folder / environment_name;
     write(file, input);
     return file;
   }
@@ -126,9 +152,14 @@ void write_surroundings(const fs::path& folder) {
   write(folder / "t.png", image_bytes());
 }
 
-bool load_input(const fs::path& scene_file) {
+bool load_input(const fs::path& file) {
   try {
-    check(load_scene_file(scene_file));
+    if (file.filename() == environment_name) {
+      Warnings warnings;
+      check(load_environment(file, warnings));
+    } else {
+      check(load_scene_file(file));
+    }
   } catch (const Error&) {
     return false;
   }

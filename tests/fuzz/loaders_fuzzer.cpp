@@ -1,5 +1,5 @@
-// A libFuzzer target: scene files that no exporter would write must never make a loader crash, hang
-// or take much memory. Run it as
+// A libFuzzer target: scenes and environments that no program would write must never make a loader
+// crash, hang or take much memory. Run it as
 //   foveola_fuzz_loaders -dict=tests/fuzz/scenes.dict -rss_limit_mb=2048 -timeout=10 NEW_CORPUS
 //   tests/fuzz/corpus
 #include <cstddef>

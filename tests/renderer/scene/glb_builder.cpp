@@ -1,5 +1,6 @@
 #include "tests/renderer/scene/glb_builder.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
@@ -45,6 +46,18 @@ std::string png(int width, int height, int channels, const std::vector<std::uint
 
 std::string png(int width, int height, int channels, const std::vector<std::uint16_t>& samples) {
   return encode("png", {width, height, channels, OIIO::TypeDesc::UINT16}, samples.data());
+}
+
+std::string huge_png(std::size_t size) {
+  std::string image = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
+  image.replace(16, 8, std::string("\0\0\x40\0\0\0\x40\0", 8));
+  image.replace(29, 4, "\x26\xAA\x87\xD3");  // the header's checksum
+  image.resize(std::max(image.size(), size));
+  return image;
+}
+
+std::string exr(int width, int height, const std::vector<float>& values) {
+  return encode("openexr", {width, height, 3, OIIO::TypeDesc::FLOAT}, values.data());
 }
 
 std::string jpeg(int width, int height, std::uint8_t grey) {

@@ -138,6 +138,13 @@ class LoadGltf : public InTemporaryFolder {
 std::string png(int width, int height, int channels, const std::vector<std::uint8_t>& samples);
 std::string png(int width, int height, int channels, const std::vector<std::uint16_t>& samples);
 
+/// A PNG image whose header announces 16384 x 16384 pixels of 8-bit red, green and blue, padded to
+/// `size` bytes where it has less.
+std::string huge_png(std::size_t size);
+
+/// An EXR image of floats: red, green and blue of each pixel.
+std::string exr(int width, int height, const std::vector<float>& values);
+
 /// A small JPEG image of one colour.
 std::string jpeg(int width, int height, std::uint8_t grey);
 

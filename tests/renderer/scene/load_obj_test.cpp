@@ -307,6 +307,15 @@ TEST_F(LoadObj, RefusesImagesThatAreNone) {
               HasSubstr("red.tga: is neither a PNG nor a JPEG image; convert it to PNG or JPEG"));
 }
 
+/// A texture of two images is as large as the larger, in four channels: 1 GiB here.
+TEST_F(LoadObj, RefusesSmallImagesThatAskForMuchMemory) {
+  write("m.mtl", "newmtl m\nmap_Kd red.png\nmap_d huge.png\n");
+  write("red.png", png(1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}));
+  write("huge.png", huge_png(100000));
+  EXPECT_THAT(error_of("mtllib m.mtl\n" + corners + textured),
+              HasSubstr("scene.obj: its textures would take 1024 MiB of memory, more than 256"));
+}
+
 /// Either a scene whose every index is in range, or an Error.
 void expect_scene_or_error(const std::filesystem::path& path, const std::string& text) {
   try {

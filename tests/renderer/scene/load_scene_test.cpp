@@ -85,6 +85,13 @@ TEST_F(LoadScene, LoadsTheEnvironmentsImage) {
   EXPECT_EQ(load_scene(lit).environment->map_width, 2);
 }
 
+TEST_F(LoadScene, WarnsOfTheEnvironmentsPixels) {
+  SceneSource lit = source();
+  lit.environment_file = write("sky.exr", exr(1, 1, {1, -1, 1}));
+  EXPECT_THAT(load_scene(lit).warnings,
+              testing::ElementsAre(HasSubstr("are black (1 in sky.exr)")));
+}
+
 /// The sky's rotation and strength are its sun's too.
 TEST_F(LoadScene, AddsDaylightWithItsSun) {
   SceneSource lit = source();
@@ -131,6 +138,7 @@ TEST_F(LoadScene, RefusesEnvironmentsThatMakeNoSense) {
   };
   refuses([](SceneSource& s) { s.environment_strength = -1.0; });
   refuses([](SceneSource& s) { s.environment_strength = nan; });
+  refuses([](SceneSource& s) { s.environment_strength = 1e39; });
   refuses([](SceneSource& s) { s.environment_rotation_rad = nan; });
   refuses([](SceneSource& s) { s.light_radius_m = -1.0F; });
   refuses([](SceneSource& s) { s.sun_angular_radius_rad = -1.0F; });
