@@ -33,7 +33,9 @@ Environment decode(std::span<const unsigned char> encoded) {
   const OpenImage image = open_image(encoded, ImageFormats::environment);
   const OIIO::ImageSpec& spec = image.spec;
   const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
-  require_modest_memory(pixels * sizeof(Rgb), encoded.size());
+  // A tile, which OpenImageIO holds as a whole, may be announced far larger than the image.
+  require_modest_memory(std::max<std::size_t>(pixels * sizeof(Rgb), spec.tile_bytes(true)),
+                        encoded.size());
   Environment environment;
   environment.map_width = spec.width;
   environment.map_height = spec.height;

@@ -22,10 +22,12 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 class LoadEnvironment : public InTemporaryFolder {
  protected:
   std::filesystem::path write_floats(const std::string& name, int width, int height, int channels,
-                                     const std::vector<float>& values) const {
+                                     const std::vector<float>& values, int tile_side = 0) const {
     const std::filesystem::path path = folder() / name;
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path.string());
-    const OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
+    spec.tile_width = tile_side;
+    spec.tile_height = tile_side;
     EXPECT_TRUE(output->open(path.string(), spec)) << output->geterror();
     EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data())) << output->geterror();
     EXPECT_TRUE(output->close());
@@ -126,6 +128,19 @@ TEST_F(LoadEnvironment, RefusesSmallFilesThatAskForMuchMemory) {
   palette.append(100000, '\0');
   EXPECT_THAT(error_of(write("huge.png", palette)),
               HasSubstr("huge.png: would take 1536 MiB of memory, more than 256 and"));
+}
+
+TEST_F(LoadEnvironment, RefusesTilesThatAskForMuchMemory) {
+  const std::filesystem::path file =
+      write_floats("tiled.exr", 16, 16, 3, std::vector<float>(std::size_t{3} * 16 * 16, 1), 16);
+  EXPECT_EQ(load(file).map_width, 16);
+  std::string bytes = read_file(file);
+  const std::string attribute("tiles\0tiledesc\0\x09\0\0\0", 19);
+  const std::size_t place = bytes.find(attribute);
+  ASSERT_NE(place, std::string::npos);
+  bytes.replace(place + attribute.size(), 8, std::string("\0\x30\0\0\0\x30\0\0", 8));
+  EXPECT_THAT(error_of(write("huge.exr", bytes)),
+              HasSubstr("huge.exr: would take 1728 MiB of memory, more than 256"));
 }
 
 TEST_F(LoadEnvironment, ReadsWhatIsCompressedAsFarAsCanBe) {
