@@ -29,7 +29,7 @@ void path_numbers_side_by_side(benchmark::State& state) {
   for (std::size_t i = 0; i < SampleStreams::size; ++i) {
     streams.put(i, SampleStream(1, static_cast<std::uint32_t>(i), 3));
   }
-  SampleStreams::Pairs pairs;
+  Vec2Lanes pairs;
   for (auto _ : state) {
     streams.next_2d(pairs);
     benchmark::DoNotOptimize(pairs);

@@ -453,7 +453,7 @@ TEST(PathTracerTest, TheGeneralPathSeesTheSame) {
     differing += std::abs(usual[i].g - general[i].g) > 1e-3F * usual[i].g ? 1 : 0;
   }
   EXPECT_LT(differing, jobs.size() / 50);
-  expect_mean(mean_of(general), mean_of(usual).mean(), 0.1);
+  EXPECT_NEAR(mean_of(general).mean(), mean_of(usual).mean(), mean_of(usual).standard_error());
 }
 
 }  // namespace
