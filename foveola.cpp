@@ -21,6 +21,7 @@
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/scene_info.h"
+#include "renderer/commands/scene_pick.h"
 #include "renderer/commands/scene_sheet.h"
 #include "scenes/builtin.h"
 #include "scenes/commands.h"
@@ -156,6 +157,7 @@ int run(int argc, char** argv) {
   analysis::add_bench_compare(bench);
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_info(scene, scenes::find_scene);
+  add_scene_pick(scene, scenes::find_scene);
   add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());
   study::add_study_commands(app, scenes::find_scene, signals.token());
   analysis::add_analysis_commands(app, signals.token());

@@ -246,14 +246,35 @@ TEST_F(Render, SheetShowsScenesBelowEachOther) {
   EXPECT_GT(luminance(sheet.at(72 + 31, 40 + 31)), 0.0F);
 }
 
+TEST_F(Render, PickTellsWhatTheGazeMeets) {
+  const auto pick = [&](const std::string& camera, const std::string& gaze) {
+    const ProgramResult result = run_foveola({"scene", "pick", (folder_ / "room.gltf").string(),
+                                              "--camera", camera, "--gaze", gaze, "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output);
+  };
+  const nlohmann::json lamp = pick("0.2,0,0.1", "0,90");
+  EXPECT_EQ(lamp.at("material"), "lamp");
+  EXPECT_NEAR(lamp.at("distance_m"), 1.9, 1e-5);
+  EXPECT_NEAR(lamp.at("position")[0], 0.2, 1e-5);
+  EXPECT_NEAR(lamp.at("position")[1], 1.9, 1e-5);
+  const nlohmann::json wall = pick("0,0,0", "90,0");
+  EXPECT_EQ(wall.at("material"), "wall");
+  EXPECT_NEAR(wall.at("position")[0], 2.0, 1e-5);
+  EXPECT_EQ(pick("9,0,0", "90,0"), nullptr);
+}
+
 TEST(Bench, TracingIsMeasuredAgainstEmbreeAlone) {
   const ProgramResult result =
       run_foveola({"bench", "tracing", "studio-car", "--paths", "20000", "--rounds", "1",
-                   "--threads", "1,2", "--size", "256x128", "--json"});
+                   "--threads", "1,2", "--size", "256x128", "--no-skip", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   ASSERT_EQ(json["runs"].size(), 2U);
   for (const auto& run : json["runs"]) {
+    EXPECT_GT(run["general_path"]["gain"], 0.0);
+    EXPECT_LT(run["general_path"]["share_of_pixels_that_differ"], 0.1);
+    EXPECT_NEAR(run["general_path"]["relative_mean"], 1.0, 0.01);
     EXPECT_EQ(run["rays"], json["runs"][0]["rays"]);
     EXPECT_GE(run["rays"]["primary"], 20000);
     EXPECT_GT(run["rays_per_second"]["shadow"], 0.0);

@@ -1,0 +1,88 @@
+#include "renderer/commands/scene_pick.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/stage.h"
+
+namespace foveola {
+namespace {
+
+struct PickArguments {
+  std::string scene;
+  std::string gaze;
+  std::string camera;
+  bool json = false;
+};
+
+/// What was met, in the file's own world.
+struct Answer {
+  std::string object;
+  std::string material;
+  DVec3 position;
+  float distance_m;
+};
+
+std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& source) {
+  RenderSettings settings;
+  if (!arguments.gaze.empty()) {
+    settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
+  }
+  if (!arguments.camera.empty()) {
+    settings.camera = parse_vec3("--camera", arguments.camera);
+  }
+  const Stage stage(source, settings);
+  const auto picked = stage.tracer.pick(stage.camera.position, direction_from(stage.gaze));
+  if (!picked) {
+    return std::nullopt;
+  }
+  return Answer{.object = stage.scene.object_name(picked->object),
+                .material = stage.scene.materials[static_cast<std::size_t>(picked->material)].name,
+                .position = DVec3(picked->position) + stage.scene.origin,
+                .distance_m = picked->distance_m};
+}
+
+void print(const std::optional<Answer>& answer, bool as_json) {
+  if (as_json) {
+    nlohmann::json json;
+    if (answer) {
+      json = {{"object", answer->object},
+              {"material", answer->material},
+              {"position", {answer->position.x, answer->position.y, answer->position.z}},
+              {"distance_m", answer->distance_m}};
+    }
+    fmt::print("{}\n", json.dump(2));
+  } else if (answer) {
+    fmt::print("'{}' of '{}' at ({:.6g}, {:.6g}, {:.6g}), {:.6g} m away\n", answer->object,
+               answer->material, answer->position.x, answer->position.y, answer->position.z,
+               answer->distance_m);
+  } else {
+    fmt::print("nothing\n");
+  }
+}
+
+}  // namespace
+
+void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
+  const auto arguments = std::make_shared<PickArguments>();
+  CLI::App* command = scene.add_subcommand(
+      "pick", "Which object, of which material, a gaze meets first, and where");
+  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
+      ->required();
+  command->add_option("--gaze", arguments->gaze,
+                      "azimuth,elevation in degrees, world (default: the scene's heading)");
+  command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
+  command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
+  command->footer("Example: foveola scene pick arcade --gaze 78,-9");
+  command->callback([arguments, find_scene] {
+    print(pick(*arguments, find_scene(arguments->scene)), arguments->json);
+  });
+}
+
+}  // namespace foveola
