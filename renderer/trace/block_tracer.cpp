@@ -19,6 +19,7 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
   start(viewpoint, jobs);
   for (vertex_ = 1; active_ > 0; ++vertex_) {
     find_hits();
+    prefetch_group(0);
     for (std::size_t first = 0; first < active_; first += lane_count) {
       const Group group{.first = first, .size = std::min(lane_count, active_ - first)};
       const LaneMask lanes = advance(group);
@@ -56,6 +57,12 @@ void BlockTracer::find_hits() {
   }
 }
 
+void BlockTracer::prefetch_group(std::size_t first) const {
+  for (std::size_t i = first; i < std::min(first + lane_count, active_); ++i) {
+    prefetch_vertices(traced_.scene, hits_[i]);
+  }
+}
+
 Hit BlockTracer::closest_hit(const Ray& ray) {
   ++(vertex_ == 1 ? counts_.primary : counts_.bounce);
   if (notes_.rays != nullptr) {
@@ -65,9 +72,7 @@ Hit BlockTracer::closest_hit(const Ray& ray) {
 }
 
 LaneMask BlockTracer::advance(const Group& group) {
-  for (std::size_t i = group.first; i < std::min(group.first + 2 * lane_count, active_); ++i) {
-    prefetch_vertices(traced_.scene, hits_[i]);
-  }
+  prefetch_group(group.first + lane_count);
   LaneMask plain{};
   LaneMask other{};
   for (std::size_t lane = 0; lane < group.size; ++lane) {

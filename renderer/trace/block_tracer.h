@@ -62,6 +62,8 @@ class BlockTracer {
 
   void start(const Vec3& viewpoint, std::span<const SampleJob> jobs);
   void find_hits();
+  /// Fetches what the next group will need into the cache.
+  void prefetch_group(std::size_t first) const;
   Hit closest_hit(const Ray& ray);
   const TracedObject& object_of(const Hit& hit) const { return traced_.objects[hit.object]; }
 
