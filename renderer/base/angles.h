@@ -46,47 +46,30 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
 /// Two unit vectors that complete the unit vector `n` to a right-handed orthonormal frame
 /// (tangent, bitangent, n), without a branch on its direction (Duff et al. 2017, "Building an
 /// Orthonormal Basis, Revisited").
-struct Frame {
-  Vec3 tangent;
-  Vec3 bitangent;
-  Vec3 normal;
+///
+/// Number and Vector: float and Vec3, or lanes of them.
+template <typename Number, typename Vector>
+struct FrameOf {
+  Vector tangent;
+  Vector bitangent;
+  Vector normal;
 
-  explicit Frame(const Vec3& n) : normal(n) {
-    const float sign = std::copysign(1.0F, n.z);
-    const float a = -1.0F / (sign + n.z);
-    const float b = n.x * n.y * a;
-    tangent = Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x);
-    bitangent = Vec3(b, sign + n.y * n.y * a, -n.y);
-  }
-
-  Vec3 to_world(const Vec3& local) const {
-    return local.x * tangent + local.y * bitangent + local.z * normal;
-  }
-  Vec3 to_local(const Vec3& world) const {
-    return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
-  }
-};
-
-/// The same, one a lane.
-struct Frames {
-  Vec3s tangent;
-  Vec3s bitangent;
-  Vec3s normal;
-
-  explicit Frames(const Vec3s& n) : normal(n) {
-    const Floats sign = with_sign(all_lanes(1.0F), n.z);
-    const Floats a = -1.0F / (sign + n.z);
-    const Floats b = n.x * n.y * a;
+  explicit FrameOf(const Vector& n) : normal(n) {
+    const Number sign = with_sign(1.0F, n.z);
+    const Number a = -1.0F / (sign + n.z);
+    const Number b = n.x * n.y * a;
     tangent = {1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x};
     bitangent = {b, sign + n.y * n.y * a, -n.y};
   }
 
-  Vec3s to_world(const Vec3s& local) const {
+  Vector to_world(const Vector& local) const {
     return local.x * tangent + local.y * bitangent + local.z * normal;
   }
-  Vec3s to_local(const Vec3s& world) const {
+  Vector to_local(const Vector& world) const {
     return {dot(world, tangent), dot(world, bitangent), dot(world, normal)};
   }
 };
+using Frame = FrameOf<float, Vec3>;
+using Frames = FrameOf<Floats, Vec3s>;
 
 }  // namespace foveola

@@ -27,12 +27,6 @@ using LaneMask = Ints;
 /// The same for all lanes.
 inline Floats all_lanes(float value) { return Floats{} + value; }
 
-/// The first `count` of the lanes.
-inline LaneMask first_lanes(std::size_t count) {
-  const Ints numbers{0, 1, 2, 3, 4, 5, 6, 7};
-  return numbers < static_cast<std::int32_t>(count);
-}
-
 /// A bit for each lane, the first the lowest.
 inline std::uint32_t bits_of(const LaneMask& mask) {
   std::uint32_t bits = 0;
@@ -88,10 +82,13 @@ inline Floats magnitude(const Floats& x) {
 }
 
 /// The first one's magnitude with the second one's sign.
+inline float with_sign(float x, float sign) { return std::copysign(x, sign); }
 inline Floats with_sign(const Floats& x, const Floats& sign) {
   const Ints sign_bit = reinterpret_cast<Ints>(sign) & std::numeric_limits<std::int32_t>::min();
   return reinterpret_cast<Floats>(reinterpret_cast<Ints>(magnitude(x)) | sign_bit);
 }
+
+inline Floats with_sign(float x, const Floats& sign) { return with_sign(all_lanes(x), sign); }
 
 inline float nearest_integer(float x) { return std::nearbyint(x); }
 inline Floats nearest_integer(const Floats& x) {

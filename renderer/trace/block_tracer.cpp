@@ -96,20 +96,19 @@ LaneMask BlockTracer::advance(const Group& group) {
 
 BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {
   const Hit& hit = hits_[index];
-  if (hit.missed() || traced_.has_absorption || notes_.vertices != nullptr ||
-      object_of(hit).shines) {
+  const bool is_absorbed =
+      traced_.has_absorption && paths_->absorption_per_m.at(index) != Rgb(0.0F);
+  if (hit.missed() || is_absorbed || notes_.vertices != nullptr || object_of(hit).shines) {
     Path path = paths_->at(index);
     if (!gather(path, hit)) {
       return Arrival::ended;
     }
     paths_->throughput.put(index, path.throughput);
-    if (path.absorption_per_m != Rgb(0.0F)) {
-      return Arrival::other;
-    }
   } else if (is_last(object_of(hit))) {
     return Arrival::ended;
   }
-  return object_of(hit).is_plain && !settings_.is_general ? Arrival::plain : Arrival::other;
+  const bool is_plain = object_of(hit).is_plain && !is_absorbed && !settings_.is_general;
+  return is_plain ? Arrival::plain : Arrival::other;
 }
 
 bool BlockTracer::is_last(const TracedObject& object) const {

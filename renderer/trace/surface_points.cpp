@@ -139,7 +139,7 @@ SurfacePoints SurfaceHits::points(const Vec3s& direction) const {
       (1.0F - u - v) * normals_.p0.load() + u * normals_.p1.load() + v * normals_.p2.load();
   points.smooth_normal = normalized_or(between, front);
   const Floats side = dot(points.smooth_normal, points.geometric_normal);
-  const Vec3s shading = with_sign(all_lanes(1.0F), side) * points.smooth_normal;
+  const Vec3s shading = with_sign(1.0F, side) * points.smooth_normal;
   points.shading_normal = chosen(dot(shading, direction) < 0.0F, shading, points.geometric_normal);
   return points;
 }
