@@ -39,20 +39,28 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
 void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) {
   shadow_rays_.reserve(jobs.size());
   pending_.reserve(jobs.size());
+  paths_->fill({.ray = {.origin = viewpoint},
+                .pdf = certain,
+                .spread_rad = settings_.pixel_angle_rad});
   for (const SampleJob& job : jobs) {
-    Path path{.ray = {.origin = viewpoint, .direction = job.direction},
-              .pdf = certain,
-              .spread_rad = settings_.pixel_angle_rad,
-              .random = SampleStream(settings_.seed, job.pixel, job.sample_number),
-              .job = static_cast<std::uint32_t>(active_)};
-    path.ray.key = path.random.next_bits();
-    paths_->put(active_++, path);
+    SampleStream random(settings_.seed, job.pixel, job.sample_number);
+    paths_->direction.put(active_, job.direction);
+    paths_->key[active_] = random.next_bits();
+    paths_->random[active_] = random;
+    paths_->job[active_] = static_cast<std::uint32_t>(active_);
+    ++active_;
   }
 }
 
 void BlockTracer::find_hits() {
+  const std::span<HitQuery> queries = std::span(queries_).first(active_);
   for (std::size_t i = 0; i < active_; ++i) {
-    hits_[i] = closest_hit(paths_->ray(i));
+    queries[i].ask(paths_->ray(i));
+    count(queries[i].ray);
+  }
+  traced_.rays.find_hits(queries);
+  for (std::size_t i = 0; i < active_; ++i) {
+    hits_[i] = queries[i].hit();
     prefetch_triangle(traced_.scene, hits_[i]);
   }
 }
@@ -63,12 +71,11 @@ void BlockTracer::prefetch_group(std::size_t first) const {
   }
 }
 
-Hit BlockTracer::closest_hit(const Ray& ray) {
+void BlockTracer::count(const Ray& ray) {
   ++(vertex_ == 1 ? counts_.primary : counts_.bounce);
   if (notes_.rays != nullptr) {
     (vertex_ == 1 ? notes_.rays->primary : notes_.rays->bounce).push_back(ray);
   }
-  return traced_.rays.closest_hit(ray);
 }
 
 LaneMask BlockTracer::advance(const Group& group) {
@@ -158,16 +165,17 @@ bool BlockTracer::finite(std::uint32_t job, const Rgb& radiance, const Vec3& dir
 }
 
 void BlockTracer::close_gaps() {
-  for (std::size_t i = 0; i < active_;) {
-    if (goes_on_[i]) {
+  for (std::size_t i = 0;; ++i) {
+    while (i < active_ && goes_on_[i]) {
       ++i;
-      continue;
     }
-    --active_;
-    if (i != active_) {
-      paths_->put(i, paths_->at(active_));
-      goes_on_[i] = goes_on_[active_];
+    while (i < active_ && !goes_on_[active_ - 1]) {
+      --active_;
     }
+    if (i == active_) {
+      return;
+    }
+    paths_->put(i, paths_->at(--active_));
   }
 }
 

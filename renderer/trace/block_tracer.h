@@ -64,7 +64,8 @@ class BlockTracer {
   void find_hits();
   /// Fetches what the next group will need into the cache.
   void prefetch_group(std::size_t first) const;
-  Hit closest_hit(const Ray& ray);
+  /// Counts a ray that asks for its closest hit, and notes it.
+  void count(const Ray& ray);
   const TracedObject& object_of(const Hit& hit) const { return traced_.objects[hit.object]; }
 
   /// Gathers light where a group's paths have arrived, and sends them on. Returns those that go on.
@@ -124,6 +125,7 @@ class BlockTracer {
   int vertex_ = 0;           ///< the one that the active paths are on their way to; the first is 1
   std::size_t active_ = 0;   ///< paths
   std::unique_ptr<PathStates> paths_;
+  std::array<HitQuery, most_paths> queries_;
   std::array<Hit, most_paths> hits_;
   std::array<bool, most_paths + lane_count> goes_on_{};
   std::vector<Ray> shadow_rays_;

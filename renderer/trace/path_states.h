@@ -49,6 +49,11 @@ struct PathStates {
   struct Vectors {
     Numbers x, y, z;
 
+    void fill(const Vec3& v) {
+      x.fill(v.x);
+      y.fill(v.y);
+      z.fill(v.z);
+    }
     Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
     void put(std::size_t i, const Vec3& v) {
       x[i] = v.x;
@@ -87,6 +92,19 @@ struct PathStates {
             .spread_rad = spread_rad[i],
             .random = random[i],
             .job = job[i]};
+  }
+  /// What is the same for all paths; what is their own is to be written after.
+  void fill(const Path& path) {
+    origin.fill(path.ray.origin);
+    throughput.fill(path.throughput);
+    pdf.fill(path.pdf);
+    receiver_position.fill(path.receiver.position);
+    receiver_normal.fill(path.receiver.normal);
+    receiver_transmits.fill(path.receiver.transmits);
+    radiance_scale.fill(path.radiance_scale);
+    absorption_per_m.fill(path.absorption_per_m);
+    width_m.fill(path.width_m);
+    spread_rad.fill(path.spread_rad);
   }
   /// Its ray must begin at its origin.
   void put(std::size_t i, const Path& path) {

@@ -28,6 +28,13 @@ static_assert(offsetof(Ray, direction) == offsetof(RTCRay, dir_x));
 static_assert(offsetof(Ray, t_max) == offsetof(RTCRay, tfar));
 static_assert(offsetof(Ray, mask) == offsetof(RTCRay, mask));
 static_assert(offsetof(Ray, flags) == offsetof(RTCRay, flags));
+static_assert(sizeof(HitQuery) == sizeof(RTCRayHit));
+static_assert(alignof(HitQuery) == alignof(RTCRayHit));
+static_assert(offsetof(HitQuery, u) == offsetof(RTCRayHit, hit.u));
+static_assert(offsetof(HitQuery, triangle) == offsetof(RTCRayHit, hit.primID));
+static_assert(offsetof(HitQuery, geometry) == offsetof(RTCRayHit, hit.geomID));
+static_assert(offsetof(HitQuery, instance) == offsetof(RTCRayHit, hit.instID));
+static_assert(Hit::nothing == RTC_INVALID_GEOMETRY_ID);
 
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -43,11 +50,6 @@ struct Sieve {
   const Mesh* mesh = nullptr;
 };
 
-/// In an instance, geometries are numbered anew.
-std::uint32_t object_of(unsigned instance, unsigned geometry) {
-  return instance == RTC_INVALID_GEOMETRY_ID ? geometry : instance;
-}
-
 /// Calls `passes(sieve, ray id, hit)` for each hit that Embree asks about, and takes back those
 /// that it is true for. Embree may ask about the same hit more than once, so the answer must not
 /// change.
@@ -61,8 +63,8 @@ void take_back_hits(const RTCFilterFunctionNArguments* arguments, Passes passes)
     }
     const Hit hit{
         .barycentric = {RTCHitN_u(arguments->hit, count, i), RTCHitN_v(arguments->hit, count, i)},
-        .object = object_of(RTCHitN_instID(arguments->hit, count, i, 0),
-                            RTCHitN_geomID(arguments->hit, count, i)),
+        .object = object_number(RTCHitN_instID(arguments->hit, count, i, 0),
+                                RTCHitN_geomID(arguments->hit, count, i)),
         .triangle = RTCHitN_primID(arguments->hit, count, i)};
     if (passes(sieve, RTCRayN_id(arguments->ray, count, i), hit)) {
       arguments->valid[i] = 0;
@@ -240,21 +242,17 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Hit RayScene::closest_hit(const Ray& ray) const {
-  RTCRayHit query;
-  query.ray = {ray.origin.x,    ray.origin.y,    ray.origin.z,    ray.t_min,
-               ray.direction.x, ray.direction.y, ray.direction.z, 0.0F,
-               ray.t_max,       ray.mask,        ray.key,         0};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  HitQuery query(ray);
+  find_hits({&query, 1});
+  return query.hit();
+}
+
+void RayScene::find_hits(std::span<HitQuery> queries) const {
   RayQueryContext context;
-  rtcIntersect1(embree_->scene.get(), &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-    return {};
+  for (HitQuery& query : queries) {
+    // The same bytes (asserted above).
+    rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
   }
-  return {.t = query.ray.tfar,
-          .barycentric = {query.hit.u, query.hit.v},
-          .object = object_of(query.hit.instID[0], query.hit.geomID),
-          .triangle = query.hit.primID};
 }
 
 std::size_t RayScene::memory_bytes() const {

@@ -43,6 +43,38 @@ struct Hit {
   bool missed() const { return object == nothing; }
 };
 
+/// In an instance, geometries are numbered anew.
+inline std::uint32_t object_number(std::uint32_t instance, std::uint32_t geometry) {
+  return instance == Hit::nothing ? geometry : instance;
+}
+
+/// A ray on its way to the first triangle on it. Laid out as Embree's single ray with its hit, so
+/// that it need not be copied: what was just written piece by piece is slow to read as a whole.
+struct alignas(16) HitQuery {
+  Ray ray;
+  Vec3 normal;  ///< Embree's, which nothing reads
+  float u, v;
+  std::uint32_t triangle, geometry, instance;
+
+  HitQuery() = default;
+  explicit HitQuery(const Ray& wanted) { ask(wanted); }
+  void ask(const Ray& wanted) {
+    ray = wanted;
+    geometry = Hit::nothing;
+    instance = Hit::nothing;
+  }
+
+  Hit hit() const {
+    if (geometry == Hit::nothing) {
+      return {};
+    }
+    return {.t = ray.t_max,
+            .barycentric = {u, v},
+            .object = object_number(instance, geometry),
+            .triangle = triangle};
+  }
+};
+
 /// Answers depend on the ray alone, to the bit: not on the rays that are traced with it, nor on the
 /// number of threads that built the scene. A ray meets a surface with the probability of its
 /// opacity, as decided by the ray's key. Non-finite triangles are never hit.
@@ -64,6 +96,8 @@ class RayScene {
   Hit closest_hit(const Vec3& origin, const Vec3& direction) const {
     return closest_hit(Ray{.origin = origin, .direction = direction});
   }
+  /// The same for each of the queries.
+  void find_hits(std::span<HitQuery> queries) const;
 
   /// Marks the rays that meet a triangle as blocked. Windows (see opacity.h) do not block but tint,
   /// so the rays that met one are marked too. Their order is of no importance.

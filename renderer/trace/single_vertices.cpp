@@ -54,7 +54,8 @@ bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
     }
     numbers = VertexNumbers(path.random);
     path.ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
-    hit = closest_hit(path.ray);
+    count(path.ray);
+    hit = traced_.rays.closest_hit(path.ray);
     if (!gather(path, hit)) {
       return false;
     }
