@@ -25,11 +25,6 @@ constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-/// The same for numbers whose highest bit comes first.
-constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-  return reverse_bits(laine_karras(reverse_bits(x), seed));
-}
-
 /// The second Sobol dimension with its bits reversed (the first, reversed, is the index itself).
 /// Its generator matrix is Pascal's triangle modulo 2, so bit j is the sum of the bits i whose
 /// binary digits contain those of j (Lucas 1878): a transform over the five digits of i.
@@ -48,12 +43,16 @@ constexpr float scrambled(std::uint32_t reversed, std::uint32_t seed) {
   return unit_float(reverse_bits(laine_karras(reversed, seed)));
 }
 
-/// The numbers of the dimension, or pair of dimensions, that `key` stands for.
-constexpr float point_1d(std::uint32_t key, std::uint32_t sample_number) {
-  return scrambled(owen_scramble(sample_number, key), mix(key));
+/// Where the sample whose number's bits are `reversed` comes in the sequence of the dimension, or
+/// pair of dimensions, that `key` stands for.
+constexpr std::uint32_t shuffled(std::uint32_t reversed, std::uint32_t key) {
+  return reverse_bits(laine_karras(reversed, key));
 }
-constexpr float point_y(std::uint32_t key, std::uint32_t sample_number) {
-  const std::uint32_t index = owen_scramble(sample_number, key);
+/// The numbers of those dimensions.
+constexpr float point_x(std::uint32_t index, std::uint32_t key) {
+  return scrambled(index, mix(key));
+}
+constexpr float point_y(std::uint32_t index, std::uint32_t key) {
   return scrambled(reversed_sobol_dimension_1(index), mix(mix(key)));
 }
 
@@ -68,36 +67,49 @@ Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed) {
   return {scrambled(i, mix(key, 0)), scrambled(reversed_sobol_dimension_1(i), mix(key, 1))};
 }
 
-float SampleStream::next_1d() { return point_1d(mix(key_, dimension_++), sample_number_); }
+float SampleStream::next_1d() {
+  const std::uint32_t key = mix(key_, dimension_++);
+  return point_x(shuffled(reverse_bits(sample_number_), key), key);
+}
 
 Vec2 SampleStream::next_2d() {
   const std::uint32_t key = mix(key_, dimension_++);
-  return {point_1d(key, sample_number_), point_y(key, sample_number_)};
+  const std::uint32_t index = shuffled(reverse_bits(sample_number_), key);
+  return {point_x(index, key), point_y(index, key)};
 }
 
 void SampleStreams::put(std::size_t i, const SampleStream& stream) {
   key_[i] = stream.key_;
   sample_number_[i] = stream.sample_number_;
+  reversed_sample_number_[i] = reverse_bits(stream.sample_number_);
   dimension_[i] = stream.dimension_;
 }
 
 void SampleStreams::next_1d(FloatLanes& numbers) {
   for (std::size_t i = 0; i < size; ++i) {
-    numbers[i] = point_1d(mix(key_[i], dimension_[i]++), sample_number_[i]);
+    const std::uint32_t key = mix(key_[i], dimension_[i]++);
+    numbers[i] = point_x(shuffled(reversed_sample_number_[i], key), key);
   }
 }
 
 void SampleStreams::next_2d(Vec2Lanes& numbers) {
   for (std::size_t i = 0; i < size; ++i) {
     const std::uint32_t key = mix(key_[i], dimension_[i]++);
-    numbers.x[i] = point_1d(key, sample_number_[i]);
-    numbers.y[i] = point_y(key, sample_number_[i]);
+    const std::uint32_t index = shuffled(reversed_sample_number_[i], key);
+    numbers.x[i] = point_x(index, key);
+    numbers.y[i] = point_y(index, key);
   }
 }
 
 void SampleStreams::next_bits(Bits& numbers) {
   for (std::size_t i = 0; i < size; ++i) {
     numbers[i] = mix(mix(key_[i], dimension_[i]++), sample_number_[i]);
+  }
+}
+
+void SampleStreams::skip(std::uint32_t numbers) {
+  for (std::uint32_t& dimension : dimension_) {
+    dimension += numbers;
   }
 }
 

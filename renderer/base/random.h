@@ -74,10 +74,13 @@ class SampleStreams {
   void next_1d(FloatLanes& numbers);
   void next_2d(Vec2Lanes& numbers);
   void next_bits(Bits& numbers);
+  /// Passes over so many numbers.
+  void skip(std::uint32_t numbers);
 
  private:
   Bits key_{};
   Bits sample_number_{};
+  Bits reversed_sample_number_{};  ///< its highest bit first
   Bits dimension_{};
 };
 

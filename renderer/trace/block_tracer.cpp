@@ -90,7 +90,10 @@ LaneMask BlockTracer::advance(const Group& group) {
   if (!any_lane(plain | other)) {
     return LaneMask{};
   }
-  const GroupNumbers numbers(std::span(paths_->random).subspan(group.first, group.size));
+  const GroupNumbers numbers(std::span(paths_->random).subspan(group.first, group.size),
+                             {.light_kind = traced_.lights.has_several_kinds(),
+                              .roulette = vertex_ > vertices_before_roulette,
+                              .keys = traced_.rays.asks_for_keys()});
   LaneMask goes_on{};
   if (any_lane(other)) {
     goes_on = advance_alone(group, other, numbers);

@@ -54,6 +54,11 @@ class Lights {
   /// Nothing shines: every radiance is zero.
   bool empty() const { return empty_; }
 
+  /// u_kind decides something.
+  bool has_several_kinds() const {
+    return (environment_ ? 1 : 0) + (suns_.empty() ? 0 : 1) + (local_.empty() ? 0 : 1) > 1;
+  }
+
   /// Empty if the light drawn does not reach the receiver, or if what shines is found by rays only
   /// (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
   std::optional<LightSample> sample(const Receiver& receiver, float u_kind, const Vec2& u_choice,

@@ -119,6 +119,7 @@ struct RayScene::Embree {
   std::atomic<std::ptrdiff_t> memory_bytes = 0;
   std::string error;
   bool has_windows = false;
+  bool asks_for_keys = false;
   std::vector<std::unique_ptr<Sieve>> sieves;  ///< Embree keeps their addresses
   Owned<RTCDevice> device;
   std::vector<Owned<RTCScene>> prototypes;  ///< null where invisible
@@ -157,6 +158,7 @@ struct RayScene::Embree {
       rtcSetGeometryUserData(geometry, sieves.back().get());
     }
     if (is_sieve) {
+      asks_for_keys = true;
       rtcSetGeometryIntersectFilterFunction(geometry, filter_by_opacity);
       rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);
     }
@@ -254,6 +256,8 @@ void RayScene::find_hits(std::span<HitQuery> queries) const {
     rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
   }
 }
+
+bool RayScene::asks_for_keys() const { return embree_->asks_for_keys; }
 
 std::size_t RayScene::memory_bytes() const {
   return static_cast<std::size_t>(embree_->memory_bytes);

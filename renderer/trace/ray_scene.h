@@ -103,6 +103,9 @@ class RayScene {
   /// so the rays that met one are marked too. Their order is of no importance.
   void find_blocked(std::span<Ray> rays) const;
 
+  /// Rays' keys decide something: there are surfaces that only some rays meet.
+  bool asks_for_keys() const;
+
   /// What Embree keeps: its hierarchy and its copy of the vertices.
   std::size_t memory_bytes() const;
 

@@ -14,8 +14,15 @@ namespace foveola {
 
 struct GroupNumbers;
 
-/// The random numbers of one vertex, always drawn all of them and in this order, so that a decision
-/// has its own dimension whatever was decided before.
+/// Which of a vertex's numbers decide something; the others need not be computed.
+struct NeededNumbers {
+  bool light_kind;  ///< there are lights of several kinds
+  bool roulette;
+  bool keys;  ///< there are surfaces that only some rays meet
+};
+
+/// The random numbers of one vertex, in this order. Each has its own dimension whatever was decided
+/// before.
 struct VertexNumbers {
   float light_kind, lobe, roulette;
   Vec2 light_choice, light_point, scattering;
@@ -36,26 +43,30 @@ struct VertexNumbers {
   VertexNumbers(const GroupNumbers& group, std::size_t lane);
 };
 
-/// The same for a group of paths.
+/// The same for a group of paths; those that are not needed are 0.
 struct GroupNumbers {
-  LightNumbers light;
-  FloatLanes lobe, roulette;
+  LightNumbers light{};
+  FloatLanes lobe, roulette{};
   Vec2Lanes scattering;
-  SampleStreams::Bits shadow_key, next_key;
+  SampleStreams::Bits shadow_key{}, next_key{};
 
-  explicit GroupNumbers(std::span<SampleStream> streams) {
+  GroupNumbers(std::span<SampleStream> streams, const NeededNumbers& needed) {
     SampleStreams random;
     for (std::size_t lane = 0; lane < streams.size(); ++lane) {
       random.put(lane, streams[lane]);
     }
-    random.next_1d(light.kind);
+    needed.light_kind ? random.next_1d(light.kind) : random.skip(1);
     random.next_2d(light.choice);
     random.next_2d(light.point);
     random.next_1d(lobe);
     random.next_2d(scattering);
-    random.next_1d(roulette);
-    random.next_bits(shadow_key);
-    random.next_bits(next_key);
+    needed.roulette ? random.next_1d(roulette) : random.skip(1);
+    if (needed.keys) {
+      random.next_bits(shadow_key);
+      random.next_bits(next_key);
+    } else {
+      random.skip(2);
+    }
     for (std::size_t lane = 0; lane < streams.size(); ++lane) {
       random.take(lane, streams[lane]);
     }
