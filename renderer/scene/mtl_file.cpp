@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -68,6 +69,36 @@ bool is_map(std::string_view keyword) {
          keyword == "norm" || keyword == "refl";
 }
 
+constexpr std::array<std::string_view, 6> colours = {"Ka", "Kd", "Ke", "Ks", "Kt", "Tf"};
+constexpr std::array<std::string_view, 12> single_numbers = {
+    "Ni", "Ns", "Pc", "Pcr", "Pm", "Pr", "Ps", "Tr", "aniso", "anisor", "d", "illum"};
+
+/// How many numbers a statement takes; 0 for those that take none.
+std::size_t numbers_of(std::string_view keyword) {
+  const auto is_in = [&](const auto& keywords) {
+    return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+  };
+  return is_in(colours) ? 3 : is_in(single_numbers) ? 1 : 0;
+}
+
+/// The `count` numbers that `text` begins with, as tinyobjloader wants them; empty if one is none.
+/// A colour's second and third are its first where they are left out.
+std::optional<std::string> numbers_in(std::string_view text, std::size_t count) {
+  const std::string_view first = statement_in(text).keyword;
+  std::string numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Statement next = statement_in(text);
+    const bool is_left_out = next.keyword.empty() || next.keyword.front() == '#';
+    const std::string_view number = is_left_out ? first : next.keyword;
+    if (!is_number(number)) {
+      return std::nullopt;
+    }
+    numbers.append(" ").append(number);
+    text = is_left_out ? std::string_view() : next.rest;
+  }
+  return numbers;
+}
+
 tinyobj::material_t values_in(const std::string& lines) {
   std::map<std::string, int> indices;
   std::vector<tinyobj::material_t> materials;
@@ -77,22 +108,43 @@ tinyobj::material_t values_in(const std::string& lines) {
   return materials.at(0);
 }
 
+/// The statement as tinyobjloader reads it aright; empty if it is to be left out, as `material`
+/// then says.
+std::optional<std::string> readable(const Statement& statement, MtlMaterial& material) {
+  if (is_map(statement.keyword)) {
+    const Map map = map_in(statement.rest);
+    if (map.file.empty()) {
+      ++material.maps_without_file;
+      return std::nullopt;
+    }
+    return fmt::format("{} {}{}", statement.keyword, map.options, map.file);
+  }
+  const std::size_t count = numbers_of(statement.keyword);
+  if (count == 0) {
+    return fmt::format("{} {}", statement.keyword, statement.rest);
+  }
+  const Statement halo = statement_in(statement.rest);
+  const bool has_halo = statement.keyword == "d" && halo.keyword == "-halo";
+  const auto numbers = numbers_in(has_halo ? halo.rest : statement.rest, count);
+  if (!numbers) {
+    material.without_numbers.emplace(statement.keyword);
+    return std::nullopt;
+  }
+  material.has_halo = material.has_halo || has_halo;
+  return fmt::format("{}{}", statement.keyword, *numbers);
+}
+
 /// One material's lines, which begin with its "newmtl".
 MtlMaterial material_in(const std::string& lines) {
   MtlMaterial material;
   std::string readable_lines;
   for_each_line(lines, [&](std::string_view line) {
     const Statement statement = statement_in(line);
-    std::string readable(line);
-    if (is_map(statement.keyword)) {
-      const Map map = map_in(statement.rest);
-      if (map.file.empty()) {
-        ++material.maps_without_file;
-        return;
-      }
-      readable = fmt::format("{} {}{}", statement.keyword, map.options, map.file);
+    const auto readable_line = readable(statement, material);
+    if (!readable_line) {
+      return;
     }
-    readable_lines.append(readable).append("\n");
+    readable_lines.append(*readable_line).append("\n");
     if (statement.keyword == "newmtl") {
       material.name = statement.rest;
     } else {

@@ -21,6 +21,10 @@ struct MtlMaterial {
   std::set<std::string, std::less<>> statements;
   /// The statements of maps that name no file, which are in neither of the above.
   std::size_t maps_without_file = 0;
+  /// Those with words in place of numbers, such as "Kd spectral file.rfl" or "Ns nan", likewise.
+  std::set<std::string, std::less<>> without_numbers;
+  /// "d -halo", whose number is read as if it stood alone.
+  bool has_halo = false;
 
   bool has(std::string_view statement) const { return statements.contains(statement); }
 };

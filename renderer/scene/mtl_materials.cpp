@@ -221,6 +221,12 @@ class MaterialReader {
       }
     }
     warnings_.add("a map that names no file is ignored", place_, source_.maps_without_file);
+    for (const std::string& statement : source_.without_numbers) {
+      warnings_.add(fmt::format("{} is ignored, for it has no numbers", statement), place_);
+    }
+    if (source_.has_halo) {
+      warnings_.add("-halo is ignored", place_);
+    }
     if (values_.anisotropy != 0.0F) {
       warnings_.add("anisotropy is ignored", place_);
     }

@@ -39,9 +39,8 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
 void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) {
   shadow_rays_.reserve(jobs.size());
   pending_.reserve(jobs.size());
-  paths_->fill({.ray = {.origin = viewpoint},
-                .pdf = certain,
-                .spread_rad = settings_.pixel_angle_rad});
+  paths_->fill(
+      {.ray = {.origin = viewpoint}, .pdf = certain, .spread_rad = settings_.pixel_angle_rad});
   for (const SampleJob& job : jobs) {
     SampleStream random(settings_.seed, job.pixel, job.sample_number);
     paths_->direction.put(active_, job.direction);
@@ -91,9 +90,7 @@ LaneMask BlockTracer::advance(const Group& group) {
     return LaneMask{};
   }
   const GroupNumbers numbers(std::span(paths_->random).subspan(group.first, group.size),
-                             {.light_kind = traced_.lights.has_several_kinds(),
-                              .roulette = vertex_ > vertices_before_roulette,
-                              .keys = traced_.rays.asks_for_keys()});
+                             needed_numbers());
   LaneMask goes_on{};
   if (any_lane(other)) {
     goes_on = advance_alone(group, other, numbers);
@@ -102,6 +99,13 @@ LaneMask BlockTracer::advance(const Group& group) {
     goes_on |= advance_plain(group, plain, numbers);
   }
   return goes_on;
+}
+
+NeededNumbers BlockTracer::needed_numbers() const {
+  const bool all = settings_.is_general;
+  return {.light_kind = all || traced_.lights.has_several_kinds(),
+          .roulette = all || vertex_ > vertices_before_roulette,
+          .keys = all || traced_.rays.asks_for_keys()};
 }
 
 BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {

@@ -70,6 +70,7 @@ class BlockTracer {
 
   /// Gathers light where a group's paths have arrived, and sends them on. Returns those that go on.
   LaneMask advance(const Group& group);
+  NeededNumbers needed_numbers() const;
   Arrival arrive(std::size_t index);
   /// Adds what shines where a path has arrived. False if the path ends there.
   bool gather(Path& path, const Hit& hit);

@@ -96,7 +96,6 @@ TEST(SampleStream, DependsOnEveryPartOfItsKey) {
   EXPECT_NE(first, SampleStream(1, 2, 4).next_1d());
 }
 
-// Whatever pixel and dimension: the scrambles keep the sequence's stratification.
 TEST(SampleStreams, GiveWhatEachStreamGivesAlone) {
   std::vector<SampleStream> alone;
   SampleStreams together;
@@ -114,10 +113,14 @@ TEST(SampleStreams, GiveWhatEachStreamGivesAlone) {
   together.next_1d(numbers);
   together.next_2d(pairs);
   together.next_bits(bits);
+  together.skip(3);
   for (std::size_t i = 0; i < SampleStreams::size; ++i) {
     EXPECT_EQ(numbers[i], alone[i].next_1d());
     EXPECT_EQ(Vec2(pairs.x[i], pairs.y[i]), alone[i].next_2d());
     EXPECT_EQ(bits[i], alone[i].next_bits());
+    alone[i].next_1d();
+    alone[i].next_2d();
+    alone[i].next_bits();
     SampleStream continued(7, 1000 * static_cast<std::uint32_t>(i),
                            3 * static_cast<std::uint32_t>(i));
     together.take(i, continued);
@@ -125,6 +128,7 @@ TEST(SampleStreams, GiveWhatEachStreamGivesAlone) {
   }
 }
 
+// Whatever pixel and dimension: the scrambles keep the sequence's stratification.
 TEST(SampleStream, EveryAlignedRunOfSampleNumbersIsANet) {
   for (const std::uint32_t start : {0U, 64U * 12345U}) {
     std::vector<SampleStream> streams;

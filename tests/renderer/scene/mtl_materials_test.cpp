@@ -224,6 +224,32 @@ TEST_F(MtlMaterials, MapsWithoutAFileAreNoMaps) {
   }
 }
 
+TEST_F(MtlMaterials, WhatIsNoNumberIsNotZero) {
+  for (const std::string statement :
+       {"Kd nan 0.5 0.5", "Kd spectral red.rfl", "Kd 0,5 0,5 0,5", "Kd"}) {
+    const auto [material, warnings] = read("Kd 0.8 0.5 0.25\n" + statement + "\n");
+    expect_lambertian(material, Rgb(0.8F, 0.5F, 0.25F));
+    EXPECT_THAT(warnings, ElementsAre("Kd is ignored, for it has no numbers (m.mtl: m)"))
+        << statement;
+  }
+  EXPECT_THAT(read("Ke inf inf inf\nNs 1.#QNAN\nd half\n").second,
+              ElementsAre("Ke is ignored, for it has no numbers (m.mtl: m)",
+                          "Ns is ignored, for it has no numbers (m.mtl: m)",
+                          "d is ignored, for it has no numbers (m.mtl: m)"));
+}
+
+TEST_F(MtlMaterials, OneNumberIsAGrey) {
+  expect_lambertian(material("Kd 0.5\n"), Rgb(0.5F));
+  expect_lambertian(material("Kd 0.5 # of all\n"), Rgb(0.5F));
+}
+
+TEST_F(MtlMaterials, HaloIsReadWithoutItsHalo) {
+  const auto [material, warnings] = read("Kd 1 1 1\nd -halo 0.25\n");
+  EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
+  EXPECT_FLOAT_EQ(material.alpha, 0.25F);
+  EXPECT_THAT(warnings, ElementsAre("-halo is ignored (m.mtl: m)"));
+}
+
 TEST_F(MtlMaterials, SaysWhatItIgnoresAndLimits) {
   grey("bump.png", 9);
   EXPECT_THAT(read("Kd 2 0.5 -1\nmap_Bump bump.png\nmap_Ns bump.png\n").second,
