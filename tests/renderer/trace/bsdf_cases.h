@@ -1,6 +1,7 @@
 // Materials, directions and random numbers that the tests of the BSDF share.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -26,6 +27,39 @@ inline Reflectance reflectance_of(const ReferenceMaterial& m) {
           .clearcoat_roughness = narrow(m.clearcoat_roughness),
           .sheen_color = Rgb(narrow(m.sheen)),
           .sheen_roughness = narrow(m.sheen_roughness)};
+}
+
+/// Red, green and blue, which differ in their colours only.
+using ReferenceChannels = std::array<ReferenceMaterial, 3>;
+
+inline Reflectance reflectance_of(const ReferenceChannels& channels) {
+  Reflectance reflectance = reflectance_of(channels[0]);
+  for (int c = 0; c < 3; ++c) {
+    const ReferenceMaterial& m = channels[static_cast<std::size_t>(c)];
+    reflectance.base_color[c] = static_cast<float>(m.base);
+    reflectance.specular_color[c] = static_cast<float>(m.specular_colour);
+    reflectance.sheen_color[c] = static_cast<float>(m.sheen);
+  }
+  return reflectance;
+}
+
+inline ReferenceChannels grey(const ReferenceMaterial& material) {
+  return {material, material, material};
+}
+/// The same in colours of which some channel is strong in each.
+inline ReferenceChannels coloured(const ReferenceMaterial& material) {
+  ReferenceChannels channels = grey(material);
+  constexpr std::array<double, 3> base = {0.9, 0.4, 0.1};
+  constexpr std::array<double, 3> specular = {0.3, 0.6, 1.2};
+  constexpr std::array<double, 3> sheen = {0.2, 1.0, 0.5};
+  for (std::size_t c = 0; c < 3; ++c) {
+    channels[c].base = base[c];
+    channels[c].specular_colour = specular[c];
+    channels[c].brightest_specular_colour = 1.2;
+    channels[c].sheen = material.sheen * sheen[c];
+    channels[c].brightest_sheen = material.sheen;
+  }
+  return channels;
 }
 
 /// With sheen, and rough solid glass of indices 1.001, 1.3 and 1.5.

@@ -1,5 +1,5 @@
 // The material model a second time, from the formulas of renderer/MATERIALS.md, in double and by
-// quadrature: the oracle that the tests hold against the tracer. Grey materials only.
+// quadrature: the oracle that the tests hold against the tracer. One channel of colour at a time.
 #pragma once
 
 #include <algorithm>
@@ -12,24 +12,34 @@
 
 namespace foveola {
 
+/// The brightest channels' values say how much light the layers below get; 0 in greys.
 struct ReferenceMaterial {
   double base = 1.0;
   double metallic = 0.0;
   double roughness = 1.0;
   double ior = 1.5;
   double specular = 1.0;
+  double specular_colour = 1.0;
+  double brightest_specular_colour = 0.0;
   double transmission = 0.0;
   bool is_solid = false;
   bool from_inside = false;
   double clearcoat = 0.0;
   double clearcoat_roughness = 0.0;
   double sheen = 0.0;
+  double brightest_sheen = 0.0;
   double sheen_roughness = 0.0;
 
   double alpha() const { return roughness * roughness; }
-  double f0() const { return std::pow((ior - 1.0) / (ior + 1.0), 2.0) * specular; }
+  double f0() const { return f0_of(specular_colour); }
+  double brightest_f0() const {
+    return f0_of(std::max(specular_colour, brightest_specular_colour));
+  }
   double f90() const { return ior > 1.0 ? specular : 0.0; }
   double eta() const { return from_inside ? 1.0 / ior : ior; }
+  double f0_of(double colour) const {
+    return std::pow((ior - 1.0) / (ior + 1.0), 2.0) * specular * colour;
+  }
 };
 
 inline double reference_lambda(const DVec3& w, double alpha) {
@@ -176,7 +186,8 @@ class ReferenceCoat {
       mean_ += 2.0 * at(c) * c / 1000.0;
     }
   }
-  explicit ReferenceCoat(const ReferenceMaterial& m) : ReferenceCoat(m.alpha(), m.f0(), m.f90()) {}
+  explicit ReferenceCoat(const ReferenceMaterial& m)
+      : ReferenceCoat(m.alpha(), m.brightest_f0(), m.f90()) {}
 
   double at(double cosine) const { return interpolate(coat_, cosine); }
   double white_at(double cosine) const { return interpolate(white_, cosine); }
@@ -268,7 +279,7 @@ inline double reference_bsdf(const ReferenceMaterial& m, const ReferenceCoat& co
   }
   if (m.sheen > 0.0) {
     const double albedo = sheen_albedo(m.sheen_roughness, o.z);
-    below_sheen = 1.0 - m.sheen * std::min(1.0, albedo);
+    below_sheen = 1.0 - std::max(m.sheen, m.brightest_sheen) * std::min(1.0, albedo);
     sheen = m.sheen * reference_sheen(o, i, m.sheen_roughness) / std::max(1.0, albedo);
   }
   const double base = below_sheen * reference_base(m, coat, o, i, glass);
