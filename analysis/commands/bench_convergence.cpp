@@ -132,8 +132,15 @@ class ConvergenceBench {
     settings.size = plan_.size;
     settings.threads = arguments_.threads;
     const Stage stage(source, settings);
+    std::optional<PathTracer> by_power_alone;
+    if (std::any_of(plan_.contenders.begin(), plan_.contenders.end(), [](const Contender& c) {
+          return c.light_selection == LightSelection::by_power_alone;
+        })) {
+      by_power_alone.emplace(stage.scene, stage.workers, LightSelection::by_power_alone);
+    }
     const Subject subject{.scene = source.name,
                           .tracer = &stage.tracer,
+                          .tracer_by_power_alone = by_power_alone ? &*by_power_alone : nullptr,
                           .key = stage.scene.sha256 + ";" + study::added_to_file(source),
                           .viewpoint = stage.camera.position,
                           .exposure_stops = source.exposure_stops};

@@ -62,8 +62,16 @@ const std::vector<OptionRow>& option_rows() {
       {.name = "clamp",
        .suffix = ", samples cut at 10",
        .apply = [](Contender& contender) { contender.largest_radiance = 10.0F; }},
-      {.name = "spare-done", .suffix = ", done pixels spared", .apply = [](Contender& contender) {
-         contender.spare_done_contrast = 0.01;
+      {.name = "spare-done",
+       .suffix = ", done pixels spared",
+       .apply = [](Contender& contender) { contender.spare_done_contrast = 0.01; }},
+      {.name = "no-skip",
+       .suffix = ", nothing skipped",
+       .apply = [](Contender& contender) { contender.is_general = true; }},
+      {.name = "no-hierarchy",
+       .suffix = ", lights by power alone",
+       .apply = [](Contender& contender) {
+         contender.light_selection = LightSelection::by_power_alone;
        }}};
   return rows;
 }

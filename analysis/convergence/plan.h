@@ -29,6 +29,8 @@ struct Contender {
   /// As VisibleNoise::contrast, with low-discrepancy numbers only: samples of pixels that are done
   /// go to others nearby, or are left out though they count as taken.
   std::optional<double> spare_done_contrast;
+  bool is_general = false;  ///< see TraceSettings
+  LightSelection light_selection = LightSelection::usual;
 };
 
 /// A row of the quality-speed options: what it is called and what it changes of a contender.
@@ -75,6 +77,7 @@ std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
 struct Subject {
   std::string scene;
   const PathTracer* tracer = nullptr;
+  const PathTracer* tracer_by_power_alone = nullptr;  ///< where a contender asks for it
   std::string key;  ///< of all that the radiance depends on, as reference_image
   Vec3 viewpoint{0.0F};
   double exposure_stops = 0.0;

@@ -29,6 +29,8 @@ ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& pl
                                const Contender& contender, const Aim& aim, std::uint32_t seed,
                                const Workers& workers)
     : subject_(&subject),
+      tracer_(contender.light_selection == LightSelection::usual ? subject.tracer
+                                                                 : subject.tracer_by_power_alone),
       workers_(&workers),
       gaze_(aim.gaze),
       numbers_(contender.numbers),
@@ -38,6 +40,7 @@ ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& pl
             contender.spare_done_contrast ? FilmStatistics::mean_and_variance
                                           : FilmStatistics::mean) {
   trace_.largest_radiance = contender.largest_radiance;
+  trace_.is_general = contender.is_general;
   if (contender.spare_done_contrast) {
     spare_done_ = VisibleNoise{.contrast = *contender.spare_done_contrast,
                                .exposure_stops = subject.exposure_stops};
@@ -59,7 +62,7 @@ void ProgressiveRun::advance(std::uint64_t samples) {
 
 void ProgressiveRun::advance_sequence(std::uint64_t samples) {
   const auto trace = [this](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    subject_->tracer->trace(subject_->viewpoint, jobs, radiance, trace_, *workers_);
+    tracer_->trace(subject_->viewpoint, jobs, radiance, trace_, *workers_);
   };
   const SobolRange points = {
       .first = samples_, .count = samples, .seed = mix(trace_.seed, view_stream)};
@@ -96,7 +99,7 @@ void ProgressiveRun::advance_independent(std::uint64_t samples) {
     job.pixel = mix(job.pixel, job.sample_number);
     job.sample_number = 0;
   }
-  subject_->tracer->trace(subject_->viewpoint, batch_.jobs, radiance_, trace_, *workers_);
+  tracer_->trace(subject_->viewpoint, batch_.jobs, radiance_, trace_, *workers_);
   dropped_ += film_.add(batch_, radiance_, *workers_).size();
 }
 

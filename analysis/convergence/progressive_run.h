@@ -41,6 +41,7 @@ class ProgressiveRun {
   void advance_independent(std::uint64_t samples);
 
   const Subject* subject_;
+  const PathTracer* tracer_;
   const Workers* workers_;
   Vec3 gaze_;
   RandomNumbers numbers_;

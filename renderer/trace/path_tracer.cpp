@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <limits>
 
 #include "renderer/trace/block_tracer.h"
 
@@ -22,13 +23,17 @@ std::size_t block_size(std::size_t jobs, int threads) {
 }  // namespace
 
 struct PathTracer::Implementation {
-  Implementation(const Scene& scene, const Workers& workers) : traced(scene, workers) {}
+  Implementation(const Scene& scene, const Workers& workers, std::size_t most_lights_in_table)
+      : traced(scene, workers, most_lights_in_table) {}
 
   TracedScene traced;
 };
 
-PathTracer::PathTracer(const Scene& scene, const Workers& workers)
-    : implementation_(std::make_unique<Implementation>(scene, workers)) {}
+PathTracer::PathTracer(const Scene& scene, const Workers& workers, LightSelection selection)
+    : implementation_(std::make_unique<Implementation>(
+          scene, workers,
+          selection == LightSelection::usual ? LightChoice::usual_most_in_table
+                                             : std::numeric_limits<std::size_t>::max())) {}
 PathTracer::~PathTracer() = default;
 PathTracer::PathTracer(PathTracer&&) noexcept = default;
 PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;

@@ -69,11 +69,18 @@ struct PathRecord {
   Rgb radiance{0.0F};
 };
 
+/// How a light is drawn where there are several.
+enum class LightSelection : std::uint8_t {
+  usual,           ///< many lights by what they may give to the receiver
+  by_power_alone,  ///< for measuring what that gains
+};
+
 /// A scene ready to be traced. It refers to the Scene it was built from, which must outlive it.
 /// All calls are const and may be made from several threads.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const Workers& workers);
+  PathTracer(const Scene& scene, const Workers& workers,
+             LightSelection selection = LightSelection::usual);
   ~PathTracer();
   PathTracer(PathTracer&&) noexcept;
   PathTracer& operator=(PathTracer&&) noexcept;

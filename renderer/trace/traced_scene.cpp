@@ -34,8 +34,12 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
 
 }  // namespace
 
-TracedScene::TracedScene(const Scene& source, const Workers& workers)
-    : scene(source), rays(source, workers), lights(source), tables(source.materials, workers) {
+TracedScene::TracedScene(const Scene& source, const Workers& workers,
+                         std::size_t most_lights_in_table)
+    : scene(source),
+      rays(source, workers),
+      lights(source, most_lights_in_table),
+      tables(source.materials, workers) {
   has_absorption = false;
   is_dark = lights.empty();
   for (std::uint32_t object = 0; object < source.object_count(); ++object) {

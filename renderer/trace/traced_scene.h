@@ -1,6 +1,7 @@
 // A scene with all that is built for tracing it.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "renderer/base/parallel.h"
@@ -36,7 +37,8 @@ struct TracedScene {
   bool has_absorption;  ///< of some solid
   bool is_dark;         ///< nothing shines: every radiance is zero
 
-  TracedScene(const Scene& source, const Workers& workers);
+  /// most_lights_in_table: see LightChoice.
+  TracedScene(const Scene& source, const Workers& workers, std::size_t most_lights_in_table);
 };
 
 }  // namespace foveola

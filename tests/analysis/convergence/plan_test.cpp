@@ -33,13 +33,18 @@ TEST(Contenders, AreTheMethodsAndTheBaselineWithEachOption) {
 }
 
 TEST(Contenders, ChangeOneThingEach) {
-  const std::vector<Contender> contenders = make_contenders({"od"}, {"clamp", "spare-done"});
-  ASSERT_EQ(contenders.size(), 3U);
+  const std::vector<Contender> contenders =
+      make_contenders({"od"}, {"clamp", "spare-done", "no-skip", "no-hierarchy"});
+  ASSERT_EQ(contenders.size(), 5U);
   EXPECT_FALSE(contenders[0].spare_done_contrast);
   EXPECT_EQ(contenders[1].largest_radiance, 10.0F);
   EXPECT_FALSE(contenders[1].spare_done_contrast);
   EXPECT_GT(contenders[2].largest_radiance, 1e30F);
   EXPECT_EQ(contenders[2].spare_done_contrast, 0.01);
+  EXPECT_FALSE(contenders[2].is_general);
+  EXPECT_TRUE(contenders[3].is_general);
+  EXPECT_EQ(contenders[3].light_selection, LightSelection::usual);
+  EXPECT_EQ(contenders[4].light_selection, LightSelection::by_power_alone);
 }
 
 TEST(Contenders, RefuseWhatMakesNoSense) {

@@ -41,6 +41,14 @@ class ProgressiveRunTest : public testing::Test {
     return sum / (plan_.size.x * plan_.size.y);
   }
 
+  Rgb mean(const EquirectFilm& film) const {
+    DVec3 sum(0.0);
+    for (const Rgb& pixel : film.resolve().color.pixels) {
+      sum += DVec3(pixel);
+    }
+    return Rgb(sum / static_cast<double>(plan_.size.x * plan_.size.y));
+  }
+
   PreviewSettings preview_settings() const {
     PreviewSettings settings;
     settings.film_width = plan_.size.x;
@@ -107,6 +115,26 @@ TEST_F(ProgressiveRunTest, CutsSamples) {
     largest = std::max(largest, max_component(pixel));
   }
   EXPECT_EQ(largest, 0.6F);
+}
+
+// Other noise, but no other picture.
+TEST_F(ProgressiveRunTest, WaysOfTracingShowTheSame) {
+  const PathTracer by_power_alone(scene_, workers_, LightSelection::by_power_alone);
+  subject_.tracer_by_power_alone = &by_power_alone;
+  constexpr std::uint64_t samples = 100'000;
+  ProgressiveRun usual = run("od");
+  usual.advance(samples);
+  const Rgb expected = mean(usual.film());
+  for (const Contender& contender :
+       {Contender{.name = "general", .method = "od", .is_general = true},
+        Contender{.name = "by power",
+        .method = "od",
+        .light_selection = LightSelection::by_power_alone}}) {
+    ProgressiveRun changed(subject_, plan_, contender, aim_, 8, workers_);
+    changed.advance(samples);
+    EXPECT_NE(changed.film().mean(3, 3), usual.film().mean(3, 3)) << contender.name;
+    EXPECT_NEAR(mean(changed.film()).g, expected.g, 0.01F * expected.g) << contender.name;
+  }
 }
 
 TEST_F(ProgressiveRunTest, CountsItsSamples) {
