@@ -178,61 +178,60 @@ json measured_json(const std::vector<GazeMeasurement>& measurements) {
   return list;
 }
 
-json speed_ups_json(const ConvergenceTables& tables) {
+/// describe(row) for each of the rows.
+template <typename Row, typename Describe>
+json list_of(const std::vector<Row>& rows, const Describe& describe) {
   json list = json::array();
-  for (const SpeedUp& row : tables.speed_ups) {
-    list.push_back({{"scene", row.scene},
-                    {"gaze", row.gaze},
-                    {"contender", row.contender},
-                    {"region", row.region},
-                    {"metric", name_of(row.metric)},
-                    {"level", name_of(row.level)},
-                    {"samples", estimate(row.samples)},
-                    {"time", estimate(row.time)},
-                    {"predicted", number(row.predicted)}});
+  for (const Row& row : rows) {
+    list.push_back(describe(row));
   }
   return list;
+}
+
+json speed_ups_json(const ConvergenceTables& tables) {
+  return list_of(tables.speed_ups, [](const SpeedUp& row) -> json {
+    return {{"scene", row.scene},
+            {"gaze", row.gaze},
+            {"contender", row.contender},
+            {"region", row.region},
+            {"metric", name_of(row.metric)},
+            {"level", name_of(row.level)},
+            {"samples", estimate(row.samples)},
+            {"time", estimate(row.time)},
+            {"predicted", number(row.predicted)}};
+  });
 }
 
 json overall_json(const ConvergenceTables& tables) {
-  json list = json::array();
-  for (const OverallSpeedUp& row : tables.overall) {
-    list.push_back({{"contender", row.contender},
-                    {"region", row.region},
-                    {"metric", name_of(row.metric)},
-                    {"level", name_of(row.level)},
-                    {"samples", estimate(row.samples)},
-                    {"time", estimate(row.time)},
-                    {"predicted", number(row.predicted)}});
-  }
-  return list;
+  return list_of(tables.overall, [](const OverallSpeedUp& row) -> json {
+    return {{"contender", row.contender},        {"region", row.region},
+            {"metric", name_of(row.metric)},     {"level", name_of(row.level)},
+            {"samples", estimate(row.samples)},  {"time", estimate(row.time)},
+            {"predicted", number(row.predicted)}};
+  });
 }
 
 json costs_json(const ConvergenceTables& tables) {
-  json list = json::array();
-  for (const PathCost& row : tables.costs) {
-    list.push_back({{"scene", row.scene},
-                    {"gaze", row.gaze},
-                    {"contender", row.contender},
-                    {"ns_per_path", estimate(row.ns_per_path)},
-                    {"ratio", estimate(row.ratio)}});
-  }
-  return list;
+  return list_of(tables.costs, [](const PathCost& row) -> json {
+    return {{"scene", row.scene},
+            {"gaze", row.gaze},
+            {"contender", row.contender},
+            {"ns_per_path", estimate(row.ns_per_path)},
+            {"ratio", estimate(row.ratio)}};
+  });
 }
 
 json convergence_rows_json(const ConvergenceTables& tables) {
-  json list = json::array();
-  for (const Convergence& row : tables.convergence) {
-    list.push_back({{"scene", row.scene},
-                    {"gaze", row.gaze},
-                    {"contender", row.contender},
-                    {"region", row.region},
-                    {"slope_in_samples", estimate(row.slope_in_samples)},
-                    {"slope_in_time", estimate(row.slope_in_time)},
-                    {"efficiency", estimate(row.efficiency)},
-                    {"efficiency_ratio", estimate(row.efficiency_ratio)}});
-  }
-  return list;
+  return list_of(tables.convergence, [](const Convergence& row) -> json {
+    return {{"scene", row.scene},
+            {"gaze", row.gaze},
+            {"contender", row.contender},
+            {"region", row.region},
+            {"slope_in_samples", estimate(row.slope_in_samples)},
+            {"slope_in_time", estimate(row.slope_in_time)},
+            {"efficiency", estimate(row.efficiency)},
+            {"efficiency_ratio", estimate(row.efficiency_ratio)}};
+  });
 }
 
 // --- Words ---

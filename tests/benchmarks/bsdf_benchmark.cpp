@@ -6,6 +6,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/trace/bsdf.h"
+#include "renderer/trace/surface.h"
 
 namespace foveola {
 namespace {
@@ -27,19 +28,6 @@ Material material_of(Kind kind) {
   return material;
 }
 
-Reflectance reflectance_of(const Material& material) {
-  return {.base_color = material.base_color,
-          .metallic = material.metallic,
-          .roughness = material.roughness,
-          .specular = material.specular,
-          .transmission = material.transmission,
-          .is_solid = material.is_solid,
-          .clearcoat = material.clearcoat,
-          .clearcoat_roughness = material.clearcoat_roughness,
-          .sheen_color = material.sheen_color,
-          .sheen_roughness = material.sheen_roughness};
-}
-
 /// The numbers, and directions above the surface, that the benchmarks go round.
 struct Course {
   static constexpr std::size_t size = 1024;
@@ -58,35 +46,33 @@ struct Course {
   }
 };
 
-void bsdf_sampled(benchmark::State& state, Kind kind) {
+/// Makes a BSDF, and has it used: use(bsdf, course, i) for a number i of the course.
+template <typename Use>
+void run(benchmark::State& state, Kind kind, const Use& use) {
   const Workers workers(1);
   const Material material = material_of(kind);
   const ScatteringTables tables(std::span(&material, 1), workers);
-  const Reflectance reflectance = reflectance_of(material);
+  const Reflectance reflectance = untextured_reflectance(material);
   const Course course;
   std::size_t i = 0;
   for (auto _ : state) {
-    const Vec2& point = course.points[i];
     const Bsdf bsdf(reflectance, course.directions[i], tables);
-    benchmark::DoNotOptimize(bsdf.sample(course.points[Course::size - 1 - i].x, point));
+    benchmark::DoNotOptimize(use(bsdf, course, i));
     i = (i + 1) % Course::size;
   }
   state.SetItemsProcessed(state.iterations());
 }
 
+void bsdf_sampled(benchmark::State& state, Kind kind) {
+  run(state, kind, [](const Bsdf& bsdf, const Course& course, std::size_t i) {
+    return bsdf.sample(course.points[Course::size - 1 - i].x, course.points[i]);
+  });
+}
+
 void bsdf_evaluated(benchmark::State& state, Kind kind) {
-  const Workers workers(1);
-  const Material material = material_of(kind);
-  const ScatteringTables tables(std::span(&material, 1), workers);
-  const Reflectance reflectance = reflectance_of(material);
-  const Course course;
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const Bsdf bsdf(reflectance, course.directions[i], tables);
-    benchmark::DoNotOptimize(bsdf.eval(course.directions[Course::size - 1 - i]));
-    i = (i + 1) % Course::size;
-  }
-  state.SetItemsProcessed(state.iterations());
+  run(state, kind, [](const Bsdf& bsdf, const Course& course, std::size_t i) {
+    return bsdf.eval(course.directions[Course::size - 1 - i]);
+  });
 }
 
 BENCHMARK_CAPTURE(bsdf_sampled, diffuse, Kind::diffuse);
