@@ -156,12 +156,15 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
   return settings;
 }
 
-/// "r,g,b" is a constant radiance, "sky:..." daylight, anything else a file.
+/// "r,g,b" is a constant radiance, "sky:..." daylight, anything else a file. What a descriptor says
+/// of its own environment does not hold for another.
 void apply_environment(const std::string& environment, SceneSource& source) {
   constexpr std::string_view sky = "sky:";
   source.environment_radiance.reset();
   source.sky.reset();
   source.suns.clear();
+  source.environment_strength = 1.0;
+  source.environment_rotation_rad = 0.0;
   if (environment.starts_with(sky)) {
     source.sky = parse_sky("--environment", environment.substr(sky.size()));
   } else if (std::count(environment.begin(), environment.end(), ',') == 2) {

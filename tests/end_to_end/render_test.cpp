@@ -213,6 +213,16 @@ TEST_F(Render, AConstantEnvironmentFillsTheSkyOfAnOpenScene) {
               testing::Each(Rgb(0.25F, 0.5F, 2.0F)));
 }
 
+// Not at the strength of the scene's own, which its descriptor gives.
+TEST_F(Render, AnotherEnvironmentShinesAsItIsGiven) {
+  const std::string image = (folder_ / "court.exr").string();
+  const ProgramResult result =
+      run_foveola({"render", "arcade", "-o", image, "--size", "64x32", "--spp", "1", "--max-depth",
+                   "1", "--environment", "7,7,7"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(read_film_image(image).color.pixels, testing::Contains(Rgb(7.0F)));
+}
+
 TEST_F(Render, CompareFindsNoErrorBetweenAnImageAndItself) {
   ASSERT_EQ(render("a.exr", {"--size", "32x16", "--spp", "1"}).exit_code, 0);
   const std::string image = (folder_ / "a.exr").string();
