@@ -67,15 +67,21 @@ void add_row(std::vector<float>& sums, const std::uint8_t* codes, float weight,
   }
 }
 
+/// What rounding has taken from each channel so far, to be given to the next texel: texels of a
+/// coarse level are much alike, and rounding all of them the same way would move their mean.
+using Carry = std::array<float, 4>;
+
 void write_row(const std::vector<float>& sums, const std::vector<Cover>& columns,
-               std::uint8_t* codes, const Codec& codec) {
+               std::uint8_t* codes, const Codec& codec, Carry& carry) {
   for (const Cover& cover : columns) {
     for (std::size_t channel = 0; channel < codec.channels(); ++channel) {
-      float sum = 0.0F;
+      float sum = carry[channel];
       for (std::size_t i = 0; i < cover.count; ++i) {
         sum += cover.weights[i] * sums[(cover.first + i) * codec.channels() + channel];
       }
-      *codes++ = codec.code(sum, channel);
+      *codes = codec.code(std::clamp(sum, 0.0F, 1.0F), channel);
+      carry[channel] = sum - codec.linear(*codes, channel);
+      ++codes;
     }
   }
 }
@@ -86,13 +92,14 @@ void write_next_level(std::vector<std::uint8_t>& texels, const MipLevel& level,
   const std::vector<Cover> columns = covers(level.width, next.width);
   std::uint8_t* to = texels.data() + next.offset;
   std::vector<float> sums(row_bytes);
+  Carry carry{};
   for (const Cover& rows : covers(level.height, next.height)) {
     std::fill(sums.begin(), sums.end(), 0.0F);
     for (std::size_t i = 0; i < rows.count; ++i) {
       add_row(sums, texels.data() + level.offset + (rows.first + i) * row_bytes, rows.weights[i],
               codec);
     }
-    write_row(sums, columns, to, codec);
+    write_row(sums, columns, to, codec, carry);
     to += codec.channels() * static_cast<std::size_t>(next.width);
   }
 }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "renderer/base/random.h"
+#include "renderer/scene/srgb.h"
 
 namespace foveola {
 namespace {
@@ -115,6 +116,28 @@ TEST(MipChain, KeepsTheMean) {
           const double after = mean_code(level_bytes(texels, levels[i], 3), channel, 3, is_srgb);
           EXPECT_NEAR(after, before, 0.5001) << width << " x " << height << " level " << i;
         }
+      }
+    }
+  }
+}
+
+// Its texels are all much alike in a coarse level, and would all be rounded the same way.
+TEST(MipChain, CoarseLevelsOfDarkTexturesKeepTheirMean) {
+  const auto mean = [](const Bytes& codes) {
+    double sum = 0.0;
+    for (const std::uint8_t code : codes) {
+      sum += linear_from_byte(/*is_srgb=*/true)[code];
+    }
+    return sum / static_cast<double>(codes.size());
+  };
+  for (const std::uint32_t brightest : {20U, 45U, 90U}) {
+    Bytes texels = random_bytes(128 * 128, 1, brightest);
+    const double expected = mean(texels);
+    const std::vector<MipLevel> levels = append_mip_chain(texels, 128, 128, 1, true);
+    for (const MipLevel& level : levels) {
+      if (level.width >= 8) {
+        EXPECT_NEAR(mean(level_bytes(texels, level, 1)), expected, 0.002 * expected)
+            << brightest << ' ' << level.width;
       }
     }
   }
