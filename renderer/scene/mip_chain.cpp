@@ -110,12 +110,16 @@ std::vector<MipLevel> append_mip_chain(std::vector<std::uint8_t>& texels, int wi
                                        int channels, bool is_srgb) {
   std::vector<MipLevel> levels{{.width = width, .height = height, .offset = 0}};
   std::size_t bytes = texels.size();
-  while (levels.back().width > 1 || levels.back().height > 1) {
+  for (;;) {
     const MipLevel next{.width = std::max(levels.back().width / 2, 1),
                         .height = std::max(levels.back().height / 2, 1),
                         .offset = bytes};
-    bytes += static_cast<std::size_t>(channels) * static_cast<std::size_t>(next.width) *
-             static_cast<std::size_t>(next.height);
+    const std::size_t count =
+        static_cast<std::size_t>(next.width) * static_cast<std::size_t>(next.height);
+    if (count < least_mip_texels) {
+      break;
+    }
+    bytes += static_cast<std::size_t>(channels) * count;
     levels.push_back(next);
   }
   texels.reserve(bytes);

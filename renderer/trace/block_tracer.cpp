@@ -39,8 +39,9 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
 void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) {
   shadow_rays_.reserve(jobs.size());
   pending_.reserve(jobs.size());
-  paths_->fill(
-      {.ray = {.origin = viewpoint}, .pdf = certain, .spread_rad = settings_.pixel_angle_rad});
+  paths_->fill({.ray = {.origin = viewpoint},
+                .pdf = certain,
+                .spread_rad = camera_spread_rad(settings_.pixel_angle_rad)});
   for (const SampleJob& job : jobs) {
     SampleStream random(settings_.seed, job.pixel, job.sample_number);
     paths_->direction.put(active_, job.direction);

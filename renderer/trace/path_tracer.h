@@ -18,7 +18,8 @@ namespace foveola {
 struct TraceSettings {
   int max_depth = 8;  ///< surface vertices with next-event estimation; 1 is direct light only
   std::uint32_t seed = 0;
-  /// Of a pixel of the film, over which textures are averaged; 0 reads them at their finest.
+  /// Of a pixel of the film, over part of which textures are averaged; 0 reads them at their
+  /// finest.
   float pixel_angle_rad = 0.0F;
   /// Each channel of a sample is cut to this. Anything but infinity makes pictures too dark.
   float largest_radiance = std::numeric_limits<float>::infinity();

@@ -192,11 +192,20 @@ TEST_F(GltfMaterials, SamplersSayHowToWrap) {
 }
 
 /// The first sampler never reads a coarser level, and the third does.
+/// Sixteen times a black and a white column of texels.
+std::string sixteen_stripes() {
+  std::vector<std::uint8_t> codes(32);
+  for (std::size_t i = 1; i < codes.size(); i += 2) {
+    codes[i] = 255;
+  }
+  return png(32, 1, 1, codes);
+}
+
 TEST_F(GltfMaterials, AnImageUnderThreeSamplersIsDecodedOnce) {
   constexpr int linear = 9729;
   constexpr int clamp = 33071;
   GlbBuilder glb = with_material(plain);
-  glb.add_texture(png(2, 1, 1, std::vector<std::uint8_t>{0, 255}));
+  glb.add_texture(sixteen_stripes());
   glb.document["textures"] = Json::array();
   for (const Json& sampler :
        {Json{{"minFilter", linear}}, Json{{"minFilter", linear}, {"wrapS", clamp}}, plain}) {
@@ -220,17 +229,18 @@ TEST_F(GltfMaterials, AnImageUnderThreeSamplersIsDecodedOnce) {
   EXPECT_EQ(&texture(m.emissive_texture).texels(), &base.texels());
   EXPECT_EQ(&texture(m.sheen_color_texture).texels(), &base.texels());
   EXPECT_NE(&texture(m.metallic_roughness_texture).texels(), &base.texels()) << "is linear";
-  EXPECT_EQ(base.sample({0.25F, 0.5F}, 1.0F).r, 0.0F);
-  EXPECT_NEAR(texture(m.sheen_color_texture).sample({0.25F, 0.5F}, 1.0F).r, 0.5F, 0.01F);
+  const Vec2 black(0.25F / 16.0F, 0.5F);
+  EXPECT_EQ(base.sample(black, 1.0F).r, 0.0F);
+  EXPECT_NEAR(texture(m.sheen_color_texture).sample(black, 1.0F).r, 0.5F, 0.01F);
 }
 
-/// A black and a white column of texels, whose centres are at u = 0.25 and 0.75: at 0.4 linear
-/// filtering gives (0.4 - 0.25) / 0.5 and the nearest texel is black; over both, at the centre of
-/// the only coarser level, the mean is a half.
+/// The centres of two stripes are at a quarter and three quarters of their width: at 0.4 linear
+/// filtering gives (0.4 - 0.25) / 0.5 and the nearest texel is black; in the only coarser level
+/// all is their mean, a half.
 TEST_F(GltfMaterials, SamplersSayHowToFilter) {
   const auto texture = [&](const Json& sampler) {
     GlbBuilder glb = with_material(plain);
-    const int index = glb.add_texture(png(2, 1, 1, std::vector<std::uint8_t>{0, 255}));
+    const int index = glb.add_texture(sixteen_stripes());
     glb.document["textures"][index]["sampler"] = glb.add("samplers", sampler);
     // Of its linear channels, so that the mean of the codes is that of the values.
     glb.document["materials"][0] = {
@@ -241,7 +251,7 @@ TEST_F(GltfMaterials, SamplersSayHowToFilter) {
   constexpr int linear = 9729;
   constexpr int nearest_mipmap_nearest = 9984;
   constexpr int linear_mipmap_linear = 9987;
-  const Vec2 uv(0.4F, 0.5F);
+  const Vec2 uv(0.4F / 16.0F, 0.5F);
   EXPECT_NEAR(texture(plain).sample(uv).g, 0.3F, 1e-6F);
   EXPECT_NEAR(texture({{"magFilter", linear}}).sample(uv).g, 0.3F, 1e-6F);
   EXPECT_EQ(texture({{"magFilter", nearest}}).sample(uv).g, 0.0F);

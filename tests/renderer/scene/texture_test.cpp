@@ -176,36 +176,46 @@ TEST(Texture, TakesTheMemoryOfItsBytes) {
   EXPECT_LE(with_levels, 4U * 256U * 256U + 1000U);
 }
 
+/// The codes 0, 0, 120, 240 sixteen times in a row. Each four are 0, 180 in the next level and 90
+/// in the last.
+DecodedImage sixteen_fours() {
+  DecodedImage image{.width = 64, .height = 1, .channels = 1, .texels = {}};
+  for (int i = 0; i < 16; ++i) {
+    image.texels.insert(image.texels.end(), {0, 0, 120, 240});
+  }
+  return image;
+}
+
+/// As a code, at `u` of one of those fours, of a footprint `width` of them wide.
+float red_of_four(const Texture& texture, float u, float width) {
+  return texture.sample({(8.0F + u) / 16.0F, 0.5F}, width / 16.0F).r * 255.0F;
+}
+
 TEST(Texture, SharesTexelsUnderSamplersOfItsOwn) {
-  const auto texels = std::make_shared<const Texels>(
-      DecodedImage{.width = 4, .height = 1, .channels = 1, .texels = {0, 0, 120, 240}}, false,
-      true);
+  const auto texels = std::make_shared<const Texels>(sixteen_fours(), false, true);
   const Texture smooth(texels, {.wrap_u = Wrap::clamp_to_edge});
   const Texture flat(texels, {.mip = MipFilter::none});
   const Texture coarse(texels, {.magnification = Filter::nearest});
   EXPECT_EQ(&smooth.texels(), &flat.texels());
-  EXPECT_NEAR(smooth.sample({0.75F, 0.5F}, 0.5F).r * 255.0F, 180.0F, 1e-3F);
-  EXPECT_NEAR(flat.sample({0.625F, 0.5F}, 1.0F).r * 255.0F, 120.0F, 1e-3F);
-  EXPECT_NEAR(red_at(coarse, 0.7F), 120.0F, 1e-4F);
+  EXPECT_NEAR(red_of_four(smooth, 0.75F, 0.5F), 180.0F, 1e-3F);
+  EXPECT_NEAR(red_of_four(flat, 0.625F, 1.0F), 120.0F, 1e-3F);
+  EXPECT_NEAR(red_at(coarse, (8.0F + 0.7F) / 16.0F), 120.0F, 1e-4F);
 }
 
-/// Levels of 0, 0, 120, 240: then 0, 180; then 90.
 TEST(Texture, WideFootprintsReadCoarserLevels) {
-  const Texture texture = grey(4, 1, {0, 0, 120, 240}, {.wrap_u = Wrap::clamp_to_edge});
-  const auto red = [&](float u, float width) {
-    return texture.sample({u, 0.5F}, width).r * 255.0F;
-  };
-  EXPECT_NEAR(red(0.625F, 0.25F), 120.0F, 1e-3F) << "a footprint of one texel";
-  EXPECT_NEAR(red(0.75F, 0.5F), 180.0F, 1e-3F) << "a footprint of two";
-  EXPECT_NEAR(red(0.5F, 0.5F), 90.0F, 1e-3F) << "linear within a level";
-  EXPECT_NEAR(red(0.3F, 1.0F), 90.0F, 1e-3F);
-  EXPECT_NEAR(red(0.3F, 1e30F), 90.0F, 1e-3F);
+  const Texture texture(sixteen_fours(), false, {});
+  EXPECT_NEAR(red_of_four(texture, 0.625F, 0.25F), 120.0F, 1e-3F) << "a footprint of one texel";
+  EXPECT_NEAR(red_of_four(texture, 0.75F, 0.5F), 180.0F, 1e-3F) << "a footprint of two";
+  EXPECT_NEAR(red_of_four(texture, 0.5F, 0.5F), 90.0F, 1e-3F) << "linear within a level";
+  EXPECT_NEAR(red_of_four(texture, 0.3F, 1.0F), 90.0F, 1e-3F);
+  EXPECT_NEAR(red_of_four(texture, 0.3F, 1e30F), 90.0F, 1e-3F);
   const float between = 0.25F * std::sqrt(2.0F);
-  EXPECT_NEAR(red(0.875F, between), 0.5F * (240.0F + 180.0F), 1e-2F) << "linear between levels";
+  EXPECT_NEAR(red_of_four(texture, 0.875F, between), 0.5F * (240.0F + 135.0F), 1e-2F)
+      << "linear between levels, and in the coarser one a quarter of the way to the next 0";
 }
 
 TEST(Texture, WidthsThatAreNoneReadTheFinestLevel) {
-  const Texture texture = grey(4, 1, {0, 0, 120, 240});
+  const Texture texture(sixteen_fours(), false, {});
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (const float width :
        {0.0F, -1.0F, 1e-30F, infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
@@ -214,9 +224,8 @@ TEST(Texture, WidthsThatAreNoneReadTheFinestLevel) {
 }
 
 TEST(Texture, WithoutLevelsEveryFootprintReadsTheFinest) {
-  const std::vector<std::uint8_t> codes{0, 0, 120, 240};
-  for (const Texture& texture :
-       {grey(4, 1, codes, {}, false), grey(4, 1, codes, {.mip = MipFilter::none})}) {
+  for (const Texture& texture : {Texture(sixteen_fours(), false, {}, false),
+                                 Texture(sixteen_fours(), false, {.mip = MipFilter::none})}) {
     EXPECT_EQ(texture.sample({0.7F, 0.5F}, 1.0F), texture.sample({0.7F, 0.5F}));
   }
 }
@@ -235,12 +244,9 @@ TEST(Texture, NearestTakesTheTexelThatHoldsThePoint) {
 }
 
 TEST(Texture, MinificationHasFiltersOfItsOwn) {
-  const std::vector<std::uint8_t> codes{0, 0, 120, 240};
-  const auto red = [&](Filter minification, MipFilter mip, float u, float width) {
-    return grey(4, 1, codes, {.minification = minification, .mip = mip})
-               .sample({u, 0.5F}, width)
-               .r *
-           255.0F;
+  const auto red = [](Filter minification, MipFilter mip, float u, float width) {
+    const Texture texture(sixteen_fours(), false, {.minification = minification, .mip = mip});
+    return red_of_four(texture, u, width);
   };
   EXPECT_NEAR(red(Filter::nearest, MipFilter::nearest, 0.55F, 0.5F), 180.0F, 1e-3F);
   EXPECT_NEAR(red(Filter::linear, MipFilter::nearest, 0.5F, 0.6F), 90.0F, 1e-3F);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -89,6 +90,42 @@ TEST(TransportTest, LampsInSolidsAreAbsorbedWhicheverWayTheyAreFound) {
   const auto radiance =
       trace(PathTracer(scene, workers()), Vec3(1.2F, 10, 0), jobs_along({0, -1, 0}, 20000), 2);
   expect_mean(mean_of(radiance), expected, 2e-3);
+}
+
+/// A closed room of 4 m that shines 0.8 and whose sides show a half of a texture, which reflects
+/// 0.2, so that 1 comes from everywhere. The other half is white.
+Scene room_of_half_a_texture() {
+  constexpr int size = 256;
+  DecodedImage image{.width = size, .height = size, .channels = 1, .texels = {}};
+  for (int i = 0; i < size * size; ++i) {
+    image.texels.push_back(i % size < size / 2 ? 51 : 255);
+  }
+  Material wall = matte(Rgb(1.0F));
+  wall.emission = Rgb(0.8F);
+  wall.base_color_texture.texture = 0;
+  Scene scene;
+  scene.materials = {wall};
+  scene.textures.emplace_back(std::move(image), /*is_srgb=*/false, Sampler{});
+  Mesh box = inward_box(Vec3(0.0F), 2.0F, 0);
+  for (int side = 0; side < 6; ++side) {
+    // In the order of a side's corners, and not quite up to where the halves meet.
+    const std::vector<Vec2> corners{{0.02F, 0.0F}, {0.48F, 0.0F}, {0.02F, 1.0F}, {0.48F, 1.0F}};
+    box.uv_sets.resize(1);
+    box.uv_sets[0].insert(box.uv_sets[0].end(), corners.begin(), corners.end());
+  }
+  scene.meshes = {std::move(box)};
+  return scene;
+}
+
+// Averaged over all that a ray stands for, the sides would show some of the other half.
+TEST(TransportTest, TexturesShowWhatIsInView) {
+  const Scene scene = room_of_half_a_texture();
+  const std::vector<SampleJob> jobs = jobs_all_around(200000);
+  std::vector<Rgb> radiance(jobs.size());
+  PathTracer(scene, workers())
+      .trace(Vec3(0.5F, 0.0F, 0.0F), jobs, radiance,
+             {.max_depth = 10, .seed = 1, .pixel_angle_rad = 0.025F}, workers());
+  expect_mean(mean_of(radiance), 1.0, 2e-3);
 }
 
 TEST(TransportTest, WhatIsNotANumberIsNotHidden) {
