@@ -9,6 +9,7 @@ namespace foveola {
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
+using DVec2 = glm::dvec2;
 using DVec3 = glm::dvec3;
 using DMat3 = glm::dmat3;
 using IVec2 = glm::ivec2;

@@ -166,11 +166,21 @@ void add_sun(Scene& scene, const Sun& sun) {
   scene.lights.push_back(std::move(light));
 }
 
+/// `radiance` times the environment's strength. Throws Error where no float holds that.
+Rgb strengthened(const Rgb& radiance, const SceneSource& source) {
+  const Rgb result = radiance * static_cast<float>(source.environment_strength);
+  if (!is_radiance(result)) {
+    throw Error(source.name, "the environment times its strength is beyond any float",
+                "give a smaller strength");
+  }
+  return result;
+}
+
 /// The environment's rotation carries the sun along, which is not in its map.
 void add_sun_of_sky(Scene& scene, SunAndSky sky, const SceneSource& source) {
   sky.sun.azimuth_rad += source.environment_rotation_rad;
   if (std::optional<PunctualLight> sun = sun_light(sky)) {
-    sun->intensity *= static_cast<float>(source.environment_strength);
+    sun->intensity = strengthened(sun->intensity, source);
     scene.lights.push_back(*sun);
   }
 }
@@ -187,7 +197,7 @@ void replace_environment(Scene& scene, const SceneSource& source, Warnings& warn
     add_sun_of_sky(scene, *source.sky, source);
   }
   if (scene.environment) {
-    scene.environment->radiance *= static_cast<float>(source.environment_strength);
+    scene.environment->radiance = strengthened(scene.environment->radiance, source);
     scene.environment->rotation_rad += source.environment_rotation_rad;
   }
 }

@@ -139,6 +139,10 @@ TEST_F(LoadScene, RefusesEnvironmentsThatMakeNoSense) {
   refuses([](SceneSource& s) { s.environment_strength = -1.0; });
   refuses([](SceneSource& s) { s.environment_strength = nan; });
   refuses([](SceneSource& s) { s.environment_strength = 1e39; });
+  refuses([](SceneSource& s) {
+    s.environment_radiance = Rgb(1e30F);
+    s.environment_strength = 1e30;
+  });
   refuses([](SceneSource& s) { s.environment_rotation_rad = nan; });
   refuses([](SceneSource& s) { s.light_radius_m = -1.0F; });
   refuses([](SceneSource& s) { s.sun_angular_radius_rad = -1.0F; });
