@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "renderer/commands/bench_density.h"
+#include "renderer/commands/medians.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/image/image_file.h"
 
@@ -33,15 +35,6 @@ void write_weights(const std::filesystem::path& path) {
   }
   write_image(path, image, 0.0);
 }
-
-/// A median and where it lies with 97 % confidence.
-struct Median {
-  double value = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-
-  Median operator*(double factor) const { return {factor * value, factor * low, factor * high}; }
-};
 
 struct Measured {
   std::string name;
@@ -61,11 +54,7 @@ Median median_s(
     call();
     times_s.push_back(seconds(clock.now() - start));
   }
-  std::sort(times_s.begin(), times_s.end());
-  // As many of 31 values as tosses of a coin lie below the true median: 9 or fewer, or 22 or more,
-  // in 2.9 % of all cases.
-  constexpr int least_below = 10;
-  return {times_s[runs / 2], times_s[least_below - 1], times_s[runs - least_below]};
+  return median_of(std::move(times_s));
 }
 
 /// The points from `first` on.
@@ -171,18 +160,16 @@ void run(const std::vector<std::string>& methods, bool as_json) {
     }
     return;
   }
-  nlohmann::json list = nlohmann::json::array();
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Measured& figure : measured) {
-    list.push_back({{"name", figure.name},
-                    {"median", figure.median.value},
-                    {"low", figure.median.low},
-                    {"high", figure.median.high},
-                    {"unit", figure.unit}});
+    nlohmann::ordered_json entry = {{"name", figure.name}, {"unit", figure.unit}};
+    entry.update(json_of(figure.median));
+    list.push_back(entry);
   }
-  const nlohmann::json json = {{"version", build_info().version},
-                               {"compiler", build_info().compiler},
-                               {"processor", machine_info().processor},
-                               {"figures", list}};
+  const nlohmann::ordered_json json = {{"version", build_info().version},
+                                       {"compiler", build_info().compiler},
+                                       {"processor", machine_info().processor},
+                                       {"figures", list}};
   fmt::print("{}\n", json.dump(2));
 }
 

@@ -15,6 +15,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
+#include "renderer/commands/medians.h"
 #include "renderer/commands/stage.h"
 #include "renderer/commands/tracing_figures.h"
 #include "renderer/film/sample_pass.h"
@@ -34,20 +35,14 @@ struct TracingArguments {
   std::vector<int> threads;
   std::uint64_t paths = 1 << 18;
   int max_depth = 8;
-  int rounds = 5;
+  int rounds = 7;
   bool diffuse = false;
   bool no_skip = false;
   bool json = false;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Embree's time for the rays of one kind, by each entry point: a median of the rounds.
-struct EmbreeRound {
+/// Embree's times for the rays of one kind.
+struct EmbreeRounds {
   std::vector<std::vector<double>> seconds;  ///< by entry point, then by round
   std::vector<std::string> entry_points;
 
@@ -61,17 +56,47 @@ struct EmbreeRound {
   }
 };
 
-EmbreeFigure fastest_of(const char* kind, const EmbreeRound& rounds) {
+/// The entry point of the least median.
+std::size_t fastest_of(const EmbreeRounds& rounds) {
+  std::size_t fastest = 0;
+  for (std::size_t i = 1; i < rounds.seconds.size(); ++i) {
+    if (median_of(rounds.seconds[i]).value < median_of(rounds.seconds[fastest]).value) {
+      fastest = i;
+    }
+  }
+  return fastest;
+}
+
+EmbreeFigure figure_of(const char* kind, const EmbreeRounds& rounds) {
   EmbreeFigure figure{.kind = kind, .entry_point = "", .all = {}};
   for (std::size_t i = 0; i < rounds.entry_points.size(); ++i) {
-    figure.all.push_back({rounds.entry_points[i], median(rounds.seconds[i])});
+    figure.all.push_back({rounds.entry_points[i], median_of(rounds.seconds[i]).value});
   }
-  const auto best =
-      std::min_element(figure.all.begin(), figure.all.end(),
-                       [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
-  figure.entry_point = best->entry_point;
-  figure.seconds = best->seconds;
+  const EmbreeTime& fastest = figure.all[fastest_of(rounds)];
+  figure.entry_point = fastest.entry_point;
+  figure.seconds = fastest.seconds;
   return figure;
+}
+
+/// Of each round, all kinds of rays together, each by its fastest entry point.
+template <std::size_t kinds>
+std::vector<double> embree_seconds(const std::array<EmbreeRounds, kinds>& embree) {
+  std::vector<double> sums;
+  for (const EmbreeRounds& rounds : embree) {
+    const std::vector<double>& fastest = rounds.seconds[fastest_of(rounds)];
+    sums.resize(fastest.size());
+    std::transform(sums.begin(), sums.end(), fastest.begin(), sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+/// Element by element.
+std::vector<double> ratios(const std::vector<double>& numerators,
+                           const std::vector<double>& denominators) {
+  std::vector<double> result(numerators.size());
+  std::transform(numerators.begin(), numerators.end(), denominators.begin(), result.begin(),
+                 std::divides<>());
+  return result;
 }
 
 /// The paths of a render, over and over.
@@ -187,7 +212,7 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   std::vector<double> render_s;
   std::vector<double> sampling_s;
   std::vector<double> general_s;
-  std::array<EmbreeRound, ray_kinds.size()> embree;
+  std::array<EmbreeRounds, ray_kinds.size()> embree;
   for (int round = 0; round < rounds; ++round) {
     render_s.push_back(course.render(figures.rays));
     if (with_general) {
@@ -200,13 +225,17 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
                                 ray_kinds[i].query, stage.workers));
     }
   }
-  figures.seconds = median(render_s);
-  figures.sampling_seconds = median(sampling_s);
   for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
-    figures.embree.push_back(fastest_of(ray_kinds[i].name, embree[i]));
+    figures.embree.push_back(figure_of(ray_kinds[i].name, embree[i]));
   }
+  const std::vector<double> embree_s = embree_seconds(embree);
+  figures.seconds = median_of(render_s);
+  figures.sampling_seconds = median_of(sampling_s).value;
+  figures.ratio_to_embree = median_of(ratios(render_s, embree_s));
+  figures.embree_seconds = median_of(embree_s);
   if (with_general) {
-    figures.general.emplace().seconds = median(general_s);
+    figures.general.emplace().gain = median_of(ratios(general_s, render_s));
+    figures.general->seconds = median_of(general_s);
     compare_pictures(course, general, settings.size, *figures.general);
   }
   return figures;

@@ -9,7 +9,8 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
   nlohmann::ordered_json rays_per_second;
   for (const RayKind& kind : ray_kinds) {
     rays[kind.name] = figures.rays.*kind.count;
-    rays_per_second[kind.name] = static_cast<double>(figures.rays.*kind.count) / figures.seconds;
+    rays_per_second[kind.name] =
+        static_cast<double>(figures.rays.*kind.count) / figures.seconds.value;
   }
   nlohmann::ordered_json embree;
   for (const EmbreeFigure& figure : figures.embree) {
@@ -21,49 +22,62 @@ nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t path
   }
   nlohmann::ordered_json general;
   if (figures.general) {
-    general = {{"seconds", figures.general->seconds},
-               {"gain", figures.general->seconds / figures.seconds},
+    general = {{"seconds", json_of(figures.general->seconds)},
+               {"gain", json_of(figures.general->gain)},
                {"share_of_pixels_that_differ", figures.general->share_of_pixels},
                {"relative_mean", figures.general->relative_mean}};
   }
   return {{"threads", figures.threads},
-          {"seconds", figures.seconds},
+          {"seconds", json_of(figures.seconds)},
           {"general_path", general},
-          {"paths_per_second", static_cast<double>(paths) / figures.seconds},
+          {"paths_per_second", json_of(static_cast<double>(paths) / figures.seconds)},
           {"rays", rays},
           {"rays_per_second", rays_per_second},
           {"sampling_ns_per_path", 1e9 * figures.sampling_seconds / static_cast<double>(paths)},
           {"sampling_share", figures.sampling_share()},
-          {"embree_seconds", figures.embree_seconds()},
-          {"ratio_to_embree", figures.seconds / figures.embree_seconds()},
+          {"embree_seconds", json_of(figures.embree_seconds)},
+          {"ratio_to_embree", json_of(figures.ratio_to_embree)},
           {"embree", embree}};
 }
+
+namespace {
+
+/// " (2.41 to 2.47)", or nothing where that is not known.
+std::string interval_text(const Median& median) {
+  return median.interval
+             ? fmt::format(" ({:.2f} to {:.2f})", median.interval->first, median.interval->second)
+             : "";
+}
+
+}  // namespace
 
 void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths) {
   constexpr double per_mega = 1e-6;
   for (const TracingFigures& figures : runs) {
+    const double time_s = figures.seconds.value;
     fmt::print(
-        "{} thread{}: {:.0f} paths a second, {:.2f} times Embree alone, {:.2f} times as fast "
+        "{} thread{}: {:.0f} paths a second, {:.2f}{} times Embree alone, {:.2f} times as fast "
         "as the first\n",
-        figures.threads, figures.threads == 1 ? "" : "s",
-        static_cast<double>(paths) / figures.seconds, figures.seconds / figures.embree_seconds(),
-        runs.front().seconds / figures.seconds);
+        figures.threads, figures.threads == 1 ? "" : "s", static_cast<double>(paths) / time_s,
+        figures.ratio_to_embree.value, interval_text(figures.ratio_to_embree),
+        runs.front().seconds.value / time_s);
     fmt::print("  directions take {:.1f} ns a path, {:.2f} % of the time\n",
                1e9 * figures.sampling_seconds / static_cast<double>(paths),
                100.0 * figures.sampling_share());
     if (figures.general) {
       fmt::print(
-          "  the general path takes {:.2f} times as long; {:.2f} % of its picture's pixels differ "
+          "  the general path takes {:.2f}{} times as long; {:.2f} % of its picture's pixels "
+          "differ "
           "by more than a thousandth, its mean by {:+.4f} %\n",
-          figures.general->seconds / figures.seconds, 100.0 * figures.general->share_of_pixels,
-          100.0 * (figures.general->relative_mean - 1.0));
+          figures.general->gain.value, interval_text(figures.general->gain),
+          100.0 * figures.general->share_of_pixels, 100.0 * (figures.general->relative_mean - 1.0));
     }
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       const auto rays = static_cast<double>(figures.rays.*ray_kinds[i].count);
       if (rays > 0.0) {
         fmt::print(
             "  {:<8} {:6.2f} rays a path, {:6.2f} M rays a second; Embree alone {:6.2f} by {}\n",
-            ray_kinds[i].name, rays / static_cast<double>(paths), per_mega * rays / figures.seconds,
+            ray_kinds[i].name, rays / static_cast<double>(paths), per_mega * rays / time_s,
             per_mega * rays / figures.embree[i].seconds, figures.embree[i].entry_point);
       }
     }

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/commands/medians.h"
 #include "renderer/trace/embree_alone.h"
 #include "renderer/trace/path_tracer.h"
 
@@ -37,29 +38,25 @@ struct EmbreeFigure {
 
 /// The general path beside what a scene lets us skip.
 struct GeneralFigures {
-  double seconds = 0.0;
+  Median seconds;
+  Median gain;                   ///< its seconds over the usual path's, round by round
   double share_of_pixels = 0.0;  ///< that differ by more than a thousandth
   double relative_mean = 1.0;    ///< of the picture, to the usual one's
 };
 
+/// Times are medians over the rounds.
 struct TracingFigures {
   int threads = 0;
-  double seconds = 0.0;           ///< for all paths: sampled, traced and filmed
+  Median seconds;                 ///< for all paths: sampled, traced and filmed
   double sampling_seconds = 0.0;  ///< of them, for points and directions, on one thread
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
+  Median embree_seconds;   ///< for the same rays, each kind by its fastest entry point
+  Median ratio_to_embree;  ///< of what was measured in the same round
   std::optional<GeneralFigures> general;
 
   /// Of the time of all threads, the part that draws directions.
-  double sampling_share() const { return sampling_seconds / (threads * seconds); }
-
-  double embree_seconds() const {
-    double sum_s = 0.0;
-    for (const EmbreeFigure& figure : embree) {
-      sum_s += figure.seconds;
-    }
-    return sum_s;
-  }
+  double sampling_share() const { return sampling_seconds / (threads * seconds.value); }
 };
 
 /// paths: of each round.

@@ -14,6 +14,8 @@ namespace foveola {
 /// environment (open) and in a closed sphere that emits and reflects one half (closed); all
 /// varieties of Material, roughness 0.001 to 1, angles to grazing.
 std::vector<StabilityFigure> check_white_furnaces(const StabilityRun& run);
+/// White furnaces of materials with any mixture of layers.
+std::vector<StabilityFigure> check_mixed_layers(const StabilityRun& run);
 
 /// Emitting and reflecting enclosure, sphere and rectangle lights, point, spot and directional
 /// lights, and a slab of absorbing glass against their closed forms.

@@ -6,6 +6,7 @@ namespace foveola {
 
 std::vector<StabilityCheck> stability_checks(const std::vector<SceneSource>& scenes) {
   return {{"white furnaces", 40.0, check_white_furnaces},
+          {"mixed layers", 15.0, check_mixed_layers},
           {"known answers", 5.0, check_known_answers},
           {"scale and place", 15.0, check_scale_and_place},
           {"light leaks", 20.0, check_leaks},

@@ -80,8 +80,11 @@ float CharlieSheen::lambda_exponent(float cosine) const {
 }
 
 float CharlieSheen::lambda(float cosine) const {
+  // The cosine of a direction along the normal may be rounded to more than 1, and a power of less
+  // than 0 is not a number.
   return std::exp(cosine < 0.5F ? lambda_exponent(cosine)
-                                : 2.0F * lambda_exponent(0.5F) - lambda_exponent(1.0F - cosine));
+                                : 2.0F * lambda_exponent(0.5F) -
+                                      lambda_exponent(std::max(0.0F, 1.0F - cosine)));
 }
 
 float CharlieSheen::times_cosine(const Vec3& incoming) const {

@@ -1,6 +1,9 @@
 // From a hit to what light does there: position, normals and the material's values.
 #pragma once
 
+#include <limits>
+
+#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/bsdf_value.h"
@@ -48,16 +51,17 @@ Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_b
 /// double_area: of the triangle, in square metres.
 float relative_width(float ray_width_m, float facing, float double_area);
 
-/// A point off the surface by its rounding error, and back along the ray: where the ray came
-/// through there is no other surface in between, and so no light leaks in where walls meet. At
-/// grazing angles that way would be long; the rest of it goes along the normal. normal: on the side
-/// that the ray came from. distance: that it came. Numbers and vectors, or lanes of them.
+/// A point off the surface by its rounding error, back along the ray: where the ray came through
+/// there is no other surface in between, and so no light leaks in where walls meet. At grazing
+/// angles that way is long, but so is the stretch of the ray on which the hit may be; half of the
+/// ray is not exceeded, the rest goes along the normal. normal: on the side that the ray came from.
+/// distance: that it came. Numbers and vectors, or lanes of them.
 template <typename Number, typename Vector>
 Vector origin_before(const Vector& position, const Vector& direction, const Vector& normal,
                      const Number& distance, const Number& rounding_error) {
-  constexpr float longest = 10.0F;  // in rounding errors
-  const Number cosine = -dot(normal, direction);
-  const Number back = smaller(rounding_error * smaller(1.0F / cosine, longest), 0.5F * distance);
+  constexpr float no_zero = std::numeric_limits<float>::min();
+  const Number cosine = larger(-dot(normal, direction), no_zero);
+  const Number back = smaller(rounding_error / cosine, 0.5F * distance);
   const Number rest = larger(rounding_error - back * cosine, 0.0F);
   return position - (back * direction - rest * normal);
 }

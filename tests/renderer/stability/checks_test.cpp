@@ -38,6 +38,8 @@ void expect_all(const std::vector<StabilityFigure>& figures) {
 
 TEST(StabilityCheckTest, WhiteFurnaces) { expect_all(check_white_furnaces(small_run())); }
 
+TEST(StabilityCheckTest, MixedLayers) { expect_all(check_mixed_layers(small_run())); }
+
 TEST(StabilityCheckTest, KnownAnswers) { expect_all(check_known_answers(small_run())); }
 
 TEST(StabilityCheckTest, ScaleAndPlace) { expect_all(check_scale_and_place(small_run())); }
@@ -71,8 +73,8 @@ TEST_F(FiniteRadianceTest, PassesInARoom) {
 /// A sky so bright that no float holds it.
 TEST_F(FiniteRadianceTest, NamesTheFirstPathThatOverflows) {
   source_.camera_position = Vec3(0, 2, 0);
-  source_.environment_radiance = Rgb(1e30F);
-  source_.environment_strength = 1e30;
+  // One of twenty is sampled, for all of them.
+  source_.suns.assign(20, {.place = {.elevation_rad = 1.0}, .irradiance = Rgb(3e38F)});
   const auto figures = check_finite_radiance(small_run(), {source_});
   EXPECT_GT(figures.front().measured, 10.0);
   EXPECT_FALSE(figures.front().passes());

@@ -49,7 +49,7 @@ TEST(StabilityTest, TheCheckThatIsStoppedHasNoFigures) {
 
 TEST(StabilityTest, EveryCheckIsInTheList) {
   const auto checks = stability_checks({});
-  EXPECT_EQ(checks.size(), 8U);
+  EXPECT_EQ(checks.size(), 9U);
   for (const StabilityCheck& check : checks) {
     EXPECT_TRUE(check.run);
     EXPECT_GT(check.weight, 0.0);

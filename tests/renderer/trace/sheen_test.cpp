@@ -1,5 +1,6 @@
 #include "renderer/trace/sheen.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -24,6 +25,20 @@ TEST(SheenTest, ValueIsThePublishedFormula) {
       }
     }
   }
+}
+
+// As the normal's own component along itself may be, after rounding.
+TEST(SheenTest, CosinesThatAreRoundedUpAreOne) {
+  const Vec3 beyond(0.0F, 0.0F, std::nextafter(1.0F, 2.0F));
+  const Vec3 ahead(0.0F, 0.0F, 1.0F);
+  const Vec3 slanted(0.6F, 0.0F, 0.8F);
+  const CharlieSheen sheen(0.8F, beyond);
+  const CharlieSheen exact(0.8F, ahead);
+  EXPECT_NEAR(sheen.times_cosine(slanted), exact.times_cosine(slanted), 1e-6F);
+  EXPECT_NEAR(CharlieSheen(0.8F, slanted).times_cosine(beyond),
+              CharlieSheen(0.8F, slanted).times_cosine(ahead), 1e-6F);
+  const SheenAlbedo table(Workers(2));
+  EXPECT_NEAR(table.of(sheen, 0.8F, beyond.z), table.of(exact, 0.8F, 1.0F), 1e-5F);
 }
 
 TEST(SheenTest, AlbedoIsTheIntegral) {

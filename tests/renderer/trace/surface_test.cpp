@@ -31,6 +31,20 @@ TEST(SurfaceTest, RaysLeaveOnTheSideTheyCameFrom) {
   EXPECT_LT(below.origin.y, 0.0F);
 }
 
+/// Where two walls meet, a wall that is grazed is found anywhere on a long stretch of the ray.
+TEST(SurfaceTest, RaysStartWhereTheGrazingOneCameAlong) {
+  const Vec3 direction = glm::normalize(Vec3(1.0F, -0.005F, 0.0F));
+  const Vec3 up(0, 1, 0);
+  const Vec3 on_the_ray = origin_before(Vec3(0.0F), direction, up, 2.0F, 1e-6F);
+  EXPECT_NEAR(on_the_ray.x, -2e-4F, 1e-8F);
+  EXPECT_NEAR(on_the_ray.y, 1e-6F, 1e-11F);
+  const Vec3 after_a_short_way = origin_before(Vec3(0.0F), direction, up, 1e-4F, 1e-6F);
+  EXPECT_NEAR(after_a_short_way.x, -5e-5F, 1e-8F) << "half of it";
+  EXPECT_NEAR(after_a_short_way.y, 1e-6F, 1e-11F) << "off the wall all the same";
+  const Vec3 along_the_wall = origin_before(Vec3(0.0F), Vec3(1, 0, 0), up, 2.0F, 1e-6F);
+  EXPECT_EQ(along_the_wall, Vec3(-1.0F, 1e-6F, 0.0F));
+}
+
 TEST(SurfaceTest, ShadingNormalIsInterpolatedOnTheRaysSide) {
   Scene scene = floor_scene(dielectric(0.5F));
   const Vec3 tilted = glm::normalize(Vec3(0.2F, 1.0F, 0.0F));

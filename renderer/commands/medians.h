@@ -1,0 +1,32 @@
+// Medians of repeated measurements, with intervals that assume nothing of how these are spread.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace foveola {
+
+/// A median, and where the true one lies with at least 95 % confidence: between two of the values,
+/// for as many of n lie below it as tosses of a coin (Conover 1999, "Practical Nonparametric
+/// Statistics", section 3.2). Fewer than six values say too little.
+struct Median {
+  double value = 0.0;
+  std::optional<std::pair<double, double>> interval;  ///< low and high
+};
+
+/// values: at least one; the upper of the two in the middle of an even number.
+Median median_of(std::vector<double> values);
+
+/// factor: positive.
+Median operator*(const Median& median, double factor);
+/// amount / median; the median must be positive.
+Median operator/(double amount, const Median& median);
+
+/// {"median": 3, "low": 2, "high": 4}, as `bench compare` reads it; ends that are not known are
+/// null.
+nlohmann::ordered_json json_of(const Median& median);
+
+}  // namespace foveola

@@ -1,0 +1,42 @@
+#include "renderer/preview/frame_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foveola {
+
+void CostEstimate::add(double cost) {
+  // RFC 6298's gains: 1/8 for the mean, 1/4 for the deviation, which is first of the old mean.
+  constexpr double mean_gain = 0.125;
+  constexpr double deviation_gain = 0.25;
+  if (count_++ == 0) {
+    mean_ = cost;
+    deviation_ = 0.5 * cost;
+    return;
+  }
+  deviation_ += deviation_gain * (std::abs(cost - mean_) - deviation_);
+  mean_ += mean_gain * (cost - mean_);
+}
+
+std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
+  constexpr double share = 0.75;
+  return std::max(smallest_batch, static_cast<std::uint64_t>(share * samples_in(left)));
+}
+
+std::uint64_t FrameBudget::second_batch(Nanoseconds left) const {
+  const auto samples = static_cast<std::uint64_t>(samples_in(left));
+  return samples >= smallest_batch ? samples : 0;
+}
+
+void FrameBudget::batch_took(std::uint64_t samples, Nanoseconds time) {
+  sample_s_.add(seconds(time) / static_cast<double>(samples));
+}
+
+void FrameBudget::rest_took(Nanoseconds time) { rest_s_.add(seconds(time)); }
+
+double FrameBudget::samples_in(Nanoseconds left) const {
+  const double left_s = seconds(left) - rest_s_.seldom_exceeded();
+  return sample_s_.empty() || left_s <= 0.0 ? 0.0 : left_s / sample_s_.seldom_exceeded();
+}
+
+}  // namespace foveola

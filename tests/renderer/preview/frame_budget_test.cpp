@@ -1,0 +1,106 @@
+#include "renderer/preview/frame_budget.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/random.h"
+
+namespace foveola {
+namespace {
+
+constexpr Nanoseconds frame_time{14'285'714};  // 70 Hz
+
+/// A machine whose costs vary by up to so much of themselves, and which is disturbed now and then.
+struct Machine {
+  double sample_s = 2e-6;
+  double rest_s = 3e-3;
+  double variation = 0.1;
+  Pcg32 random{5};
+
+  Nanoseconds take(double cost_s) {
+    const double factor = 1.0 + variation * (2.0 * random.uniform() - 1.0);
+    return nanoseconds_from_seconds(cost_s * factor);
+  }
+};
+
+struct Frame {
+  Nanoseconds took{0};
+  std::uint64_t samples = 0;
+};
+
+Frame run_frame(FrameBudget& budget, Machine& machine) {
+  Frame frame;
+  const auto trace = [&](std::uint64_t samples) {
+    if (samples > 0) {
+      const Nanoseconds time = machine.take(machine.sample_s * static_cast<double>(samples));
+      budget.batch_took(samples, time);
+      frame.took += time;
+      frame.samples += samples;
+    }
+  };
+  trace(budget.first_batch(frame_time));
+  trace(budget.second_batch(frame_time - frame.took));
+  const Nanoseconds rest = machine.take(machine.rest_s);
+  budget.rest_took(rest);
+  frame.took += rest;
+  return frame;
+}
+
+TEST(CostEstimate, FollowsRfc6298) {
+  CostEstimate cost;
+  EXPECT_TRUE(cost.empty());
+  cost.add(8.0);
+  EXPECT_DOUBLE_EQ(cost.mean(), 8.0);
+  EXPECT_DOUBLE_EQ(cost.seldom_exceeded(), 8.0 + 4.0 * 4.0);
+  cost.add(16.0);
+  EXPECT_DOUBLE_EQ(cost.mean(), 9.0);
+  EXPECT_DOUBLE_EQ(cost.seldom_exceeded(), 9.0 + 4.0 * (0.75 * 4.0 + 0.25 * 8.0));
+}
+
+TEST(FrameBudget, FirstTracesTheSmallestBatch) {
+  const FrameBudget budget;
+  EXPECT_EQ(budget.first_batch(frame_time), FrameBudget::smallest_batch);
+  EXPECT_EQ(budget.second_batch(frame_time), 0U);
+}
+
+TEST(FrameBudget, FramesAreInTimeAndTheirTimeIsUsed) {
+  FrameBudget budget;
+  Machine machine;
+  constexpr int frames = 10000;
+  int late = 0;
+  double samples = 0.0;
+  for (int i = 0; i < frames; ++i) {
+    const Frame frame = run_frame(budget, machine);
+    late += frame.took > frame_time ? 1 : 0;
+    samples += static_cast<double>(frame.samples);
+  }
+  EXPECT_LE(late, frames / 100);
+  const double possible = (seconds(frame_time) - machine.rest_s) / machine.sample_s;
+  EXPECT_GE(samples / frames, 0.8 * possible);
+}
+
+TEST(FrameBudget, LearnsThatAllTakesLonger) {
+  FrameBudget budget;
+  Machine machine;
+  for (int i = 0; i < 100; ++i) {
+    run_frame(budget, machine);
+  }
+  machine.sample_s *= 3.0;  // from the sky into a wood
+  EXPECT_GT(run_frame(budget, machine).took, frame_time);
+  int late = 0;
+  for (int i = 0; i < 20; ++i) {
+    late += run_frame(budget, machine).took > frame_time ? 1 : 0;
+  }
+  EXPECT_LE(late, 1);
+}
+
+TEST(FrameBudget, LateFramesStillTraceSomething) {
+  FrameBudget budget;
+  Machine machine;
+  machine.rest_s = 2.0 * seconds(frame_time);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_GE(run_frame(budget, machine).samples, FrameBudget::smallest_batch);
+  }
+}
+
+}  // namespace
+}  // namespace foveola
