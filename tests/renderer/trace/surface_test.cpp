@@ -34,7 +34,6 @@ TEST(SurfaceTest, RaysLeaveOnTheSideTheyCameFrom) {
 /// Where two walls meet, a wall that is grazed is found anywhere on a long stretch of the ray.
 TEST(SurfaceTest, RaysStartWhereTheGrazingOneCameAlong) {
   const Vec3 direction = glm::normalize(Vec3(1.0F, -0.005F, 0.0F));
-  const Vec3 up(0, 1, 0);
   const Vec3 on_the_ray = origin_before(Vec3(0.0F), direction, up, 2.0F, 1e-6F);
   EXPECT_NEAR(on_the_ray.x, -2e-4F, 1e-8F);
   EXPECT_NEAR(on_the_ray.y, 1e-6F, 1e-11F);
