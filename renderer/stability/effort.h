@@ -24,7 +24,7 @@ struct StabilityEffort {
 };
 
 constexpr StabilityEffort quick_effort{};
-/// For the figures of a release: about a quarter of an hour on two cores.
+/// For the figures of a release: about an hour on two cores.
 constexpr StabilityEffort thorough_effort{.tolerance = 0.001,
                                           .most_samples = std::uint64_t{1} << 28,
                                           .picture_samples_per_pixel = 1024,
