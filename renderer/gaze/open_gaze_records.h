@@ -14,6 +14,12 @@
 
 namespace foveola {
 
+/// Where Gazepoint's program listens.
+struct OpenGazeAddress {
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 4242;
+};
+
 /// What has to be sent before records come: each eye's point of gaze and the better one, the
 /// tracker's time and a counter, and then that they be sent at all.
 std::string open_gaze_requests();

@@ -5,7 +5,6 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
@@ -18,12 +17,6 @@
 #include "renderer/gaze/tcp_connection.h"
 
 namespace foveola {
-
-/// Where Gazepoint's program listens.
-struct OpenGazeAddress {
-  std::string host = "127.0.0.1";
-  std::uint16_t port = 4242;
-};
 
 struct OpenGazeSettings {
   OpenGazeAddress address;

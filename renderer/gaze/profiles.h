@@ -11,7 +11,7 @@
 
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/known_duration.h"
-#include "renderer/gaze/open_gaze_tracker.h"
+#include "renderer/gaze/open_gaze_records.h"
 #include "renderer/gaze/screen.h"
 
 namespace foveola {

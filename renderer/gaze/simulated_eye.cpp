@@ -75,8 +75,10 @@ SimulatedEye::SimulatedEye(const SimulatedEyeSettings& settings)
       blink_random_(settings.seed, 2) {
   assert(settings.shortest_fixation_s > 0.0);
   assert(settings.longest_fixation_s >= settings.shortest_fixation_s);
-  assert(settings.spread_deg > 0.0 && settings.smallest_saccade_deg > 0.0);
-  assert(settings.farthest_deg > settings.smallest_saccade_deg && settings.farthest_deg <= 90.0);
+  // So that a next fixation is found soon.
+  assert(settings.smallest_saccade_deg > 0.0);
+  assert(settings.spread_deg >= settings.smallest_saccade_deg);
+  assert(settings.farthest_deg >= settings.spread_deg && settings.farthest_deg <= 90.0);
 }
 
 std::optional<Vec3> SimulatedEye::gaze(Nanoseconds time) {

@@ -30,7 +30,7 @@ struct SimulatedEyeSettings {
   /// Fixations are normally distributed around straight ahead: standard deviation in azimuth and in
   /// elevation, and the angle from straight ahead beyond which there are none (few shifts leave
   /// +-20 degrees, Stahl 1999). The next one is at least smallest_saccade_deg away, and less than
-  /// farthest_deg.
+  /// farthest_deg. 0 < smallest_saccade_deg <= spread_deg <= farthest_deg <= 90.
   double spread_deg = 10.0;
   double farthest_deg = 30.0;
   double smallest_saccade_deg = 1.0;

@@ -187,7 +187,7 @@ TEST(OpenGazeTracker, SaysWhenItIsNotConnected) {
   EXPECT_TRUE(becomes_true([&] { return !tracker.counters().is_connected; }));
 }
 
-// A name can stand for several addresses, and the server may listen at one of them only.
+// A name can stand for several addresses: where localhost is ::1 first, it is at the second.
 TEST(OpenGazeTracker, FindsTheServerByTheHostsName) {
   TrackerServer server;
   OpenGazeSettings settings = settings_for(server.port());

@@ -1,12 +1,13 @@
 #include "renderer/gaze/profiles.h"
 
-#include <cstdlib>
+#include <functional>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "renderer/gaze/latency.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola {
@@ -14,7 +15,6 @@ namespace {
 
 using test::TemporaryFolder;
 using testing::AllOf;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -68,6 +68,19 @@ TEST(TrackerProfile, ThePublishedTracker) {
   EXPECT_EQ(fove.simulated.rate_hz, 120.0);
   EXPECT_NEAR(fove.simulated.latency_s, 0.014, 1e-15);
   EXPECT_EQ(fove.simulated.bias_right_deg, 0.0);
+}
+
+// Koskela et al. 2018, figure 7, with frames of 14 ms.
+TEST(TrackerProfile, WithTheHeadsetGivesThePublishedLatency) {
+  const TrackerProfile fove = read_tracker_profile("fove0");
+  const LatencyInputs inputs{.tracker_rate_hz = fove.rate_hz,
+                             .exposure = fove.exposure,
+                             .transfer = fove.transfer,
+                             .processing = fove.processing,
+                             .frame_interval = {.duration_s = 0.014},
+                             .tracing = {.duration_s = 0.014},
+                             .scan_out = read_display_profile("fove0").scan_out};
+  EXPECT_NEAR(total_latency(latency_stages(inputs)).best_s, 0.038, 1e-15);
 }
 
 TEST(TrackerProfile, TheOthersCanBeReadToo) {

@@ -17,7 +17,6 @@ namespace {
 using std::chrono::milliseconds;
 using test::TemporaryFolder;
 using testing::AllOf;
-using testing::EndsWith;
 using testing::HasSubstr;
 
 const std::string header = "time_ns,x,y,z,valid\n";
