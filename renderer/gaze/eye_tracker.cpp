@@ -19,6 +19,15 @@ Vec3 with_noise(const Vec3& direction, double precision_deg, Pcg32& noise) {
                         static_cast<float>(up) * frame.bitangent);
 }
 
+Vec3 with_bias(const Vec3& direction, double right_deg, double up_deg) {
+  if (right_deg == 0.0 && up_deg == 0.0) {
+    return direction;  // bit for bit
+  }
+  const AzimuthElevation angles = azimuth_elevation(direction);
+  return direction_from({.azimuth_rad = angles.azimuth_rad + radians(right_deg),
+                         .elevation_rad = angles.elevation_rad + radians(up_deg)});
+}
+
 }  // namespace
 
 std::optional<GazeSample> FixedEyeTracker::newest(Nanoseconds now) {
@@ -61,8 +70,12 @@ GazeSample SimulatedEyeTracker::expose(std::int64_t index) const {
   }
   // Keyed by the sample's index: what the host polls does not change what the tracker saw.
   Pcg32 noise(settings_.seed, static_cast<std::uint64_t>(index));
-  return {
-      .time = time, .direction = with_noise(*eye, settings_.precision_deg, noise), .valid = true};
+  const Vec3 biased = with_bias(*eye, settings_.bias_right_deg, settings_.bias_up_deg);
+  const Vec3 seen = with_noise(biased, settings_.precision_deg, noise);
+  if (noise.uniform() < settings_.data_loss) {
+    return {.time = time};
+  }
+  return {.time = time, .direction = seen, .valid = true};
 }
 
 }  // namespace foveola

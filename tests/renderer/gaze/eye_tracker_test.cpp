@@ -84,6 +84,40 @@ TEST(SimulatedEyeTracker, NoiseHasItsStandardDeviationOnBothAxes) {
   EXPECT_NEAR(lagged / count / 0.25, 0.0, 5.0 / std::sqrt(count));
 }
 
+TEST(SimulatedEyeTracker, BiasIsAddedToBothAngles) {
+  const AzimuthElevation true_gaze{.azimuth_rad = radians(12.0), .elevation_rad = radians(-7.0)};
+  SimulatedEyeTracker tracker(
+      {.latency_s = 0.0, .precision_deg = 0.0, .bias_right_deg = 1.5, .bias_up_deg = -0.5},
+      [&](Nanoseconds) { return direction_from(true_gaze); });
+  const AzimuthElevation seen = azimuth_elevation(tracker.newest(milliseconds(0))->direction);
+  EXPECT_NEAR(degrees(seen.azimuth_rad), 13.5, 1e-5);
+  EXPECT_NEAR(degrees(seen.elevation_rad), -7.5, 1e-5);
+}
+
+TEST(SimulatedEyeTracker, LosesItsPartOfTheSamples) {
+  SimulatedEyeTracker tracker({.rate_hz = 1000.0, .latency_s = 0.0, .data_loss = 0.2, .seed = 5},
+                              [](Nanoseconds) { return ahead; });
+  constexpr int count = 20000;
+  int lost = 0;
+  for (int i = 0; i < count; ++i) {
+    lost += tracker.newest(milliseconds(i))->valid ? 0 : 1;
+  }
+  EXPECT_NEAR(lost, 0.2 * count, 5.0 * std::sqrt(0.2 * 0.8 * count));
+}
+
+TEST(SimulatedEyeTracker, WhatIsNotLostIsSeenAsIfNothingWere) {
+  SimulatedTrackerSettings settings{.rate_hz = 1000.0, .latency_s = 0.0, .seed = 6};
+  SimulatedEyeTracker whole(settings, [](Nanoseconds) { return ahead; });
+  settings.data_loss = 0.5;
+  SimulatedEyeTracker lossy(settings, [](Nanoseconds) { return ahead; });
+  for (int i = 0; i < 1000; ++i) {
+    const auto sample = lossy.newest(milliseconds(i));
+    const auto expected = whole.newest(milliseconds(i));
+    ASSERT_TRUE(expected->valid);
+    ASSERT_TRUE(!sample->valid || sample->direction == expected->direction);
+  }
+}
+
 TEST(SimulatedEyeTracker, NoiseDoesNotDependOnWhenItIsPolled) {
   const SimulatedTrackerSettings settings{.rate_hz = 100.0, .latency_s = 0.01, .seed = 9};
   const auto eye = [](Nanoseconds) { return ahead; };

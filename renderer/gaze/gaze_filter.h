@@ -1,0 +1,86 @@
+// What may stand between a tracker and who uses its gaze: holding it through blinks, and smoothing.
+// Without being asked for, nothing does.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+#include "renderer/gaze/eye_tracker.h"
+
+namespace foveola {
+
+/// The longest a blink lasts, about.
+inline constexpr Nanoseconds longest_hold = std::chrono::milliseconds(600);
+
+/// While no valid gaze comes, be it that samples are invalid or that there are none: the last valid
+/// one, with its own time, so that its age stays true.
+class HoldFilter final : public EyeTracker {
+ public:
+  /// limit: beyond this age (now less the sample's time) it is invalid; in (0, longest_hold].
+  explicit HoldFilter(std::unique_ptr<EyeTracker> source, Nanoseconds limit = longest_hold);
+  std::optional<GazeSample> newest(Nanoseconds now) override;
+
+ private:
+  std::unique_ptr<EyeTracker> source_;
+  Nanoseconds limit_;
+  std::optional<GazeSample> last_valid_;
+};
+
+/// The defaults suit a simulated tracker of 120 Hz with 0.1 degrees of noise: a third of the noise
+/// is left, and at the end of a saccade of 10 degrees 0.4 are still to go. To tune them, first
+/// lower min_cutoff_hz with the eye at rest until jitter is gone, then raise beta until saccades no
+/// longer lag.
+struct OneEuroSettings {
+  double min_cutoff_hz = 1.0;          ///< > 0: of the low pass for an eye at rest
+  double beta_per_deg = 0.3;           ///< >= 0: Hz more for each degree per second
+  double derivative_cutoff_hz = 10.0;  ///< > 0: of the low pass of the velocity
+  /// After a longer time without samples it begins anew.
+  Nanoseconds reset_after = std::chrono::milliseconds(100);
+};
+
+/// The 1-Euro filter (Casiez, Roussel and Vogel 2012, algorithms 1 and 2) on the sphere: a value is
+/// a direction, a difference is a turn, and the derivative is an angular velocity, as a vector.
+/// Along a great circle it is the published filter of the angle.
+class OneEuro {
+ public:
+  explicit OneEuro(const OneEuroSettings& settings);
+
+  /// The smoothed direction at `time`. The intervals between samples may differ. Of the same time
+  /// as the last one: what it was; earlier: begins anew.
+  Vec3 smoothed(Nanoseconds time, const Vec3& direction);
+
+ private:
+  struct State {
+    Nanoseconds time{0};
+    DVec3 direction{0.0, 0.0, -1.0};
+    DVec3 velocity_deg_s{0.0, 0.0, 0.0};
+  };
+
+  OneEuroSettings settings_;
+  std::optional<State> state_;
+};
+
+/// Smooths the valid samples that pass through it. Those that nobody asked for in time do not.
+class OneEuroFilter final : public EyeTracker {
+ public:
+  OneEuroFilter(std::unique_ptr<EyeTracker> source, const OneEuroSettings& settings);
+  std::optional<GazeSample> newest(Nanoseconds now) override;
+
+ private:
+  std::unique_ptr<EyeTracker> source_;
+  OneEuro filter_;
+};
+
+/// Which of them are wanted.
+struct GazeFilterSettings {
+  std::optional<Nanoseconds> hold;
+  std::optional<OneEuroSettings> one_euro;
+};
+
+/// `source`, smoothed and then held, as wanted; itself if neither is.
+std::unique_ptr<EyeTracker> filtered(std::unique_ptr<EyeTracker> source,
+                                     const GazeFilterSettings& settings);
+
+}  // namespace foveola

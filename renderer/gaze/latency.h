@@ -1,0 +1,48 @@
+// How long it takes from the eye's movement to the light of a frame that knows of it: the budget of
+// Koskela et al. 2018, figure 7.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "renderer/gaze/known_duration.h"
+
+namespace foveola {
+
+/// What the budget is made of. Rates are positive.
+struct LatencyInputs {
+  double tracker_rate_hz = 0.0;
+  KnownDuration exposure;  ///< of one of the tracker's images
+  KnownDuration transfer;
+  KnownDuration processing;
+  KnownDuration frame_interval;  ///< from one look at the newest gaze to the next
+  KnownDuration tracing;
+  KnownDuration film_and_resample;
+  KnownDuration present;   ///< with the wait for the display's next refresh
+  KnownDuration scan_out;  ///< until all of the frame is lit
+};
+
+struct LatencyStage {
+  std::string_view name;
+  double best_s = 0.0;
+  double worst_s = 0.0;
+  Provenance provenance = Provenance::assumed;
+};
+
+/// In the order of time. An image shows the eye as in the middle of its exposure, so:
+///
+/// - exposure: at best the eye has moved just before the middle, and half of it is left; at worst
+///   just after, and the next image, 1 / tracker_rate_hz later, is the first to show it;
+/// - waiting for the frame: at best the gaze arrives as a frame looks at it; at worst just after,
+///   and waits for a whole frame interval;
+/// - all others take what they take.
+///
+/// FOVE 0 with frames of 14 ms: at best 4 + 2 + 4 + 0 + 14 + 14 = 38 ms, as published, and at worst
+/// 12.3 + 2 + 4 + 14 + 14 + 14 = 60.3 ms.
+std::array<LatencyStage, 8> latency_stages(const LatencyInputs& inputs);
+
+/// The sums over `stages`, measured only if all of them are.
+LatencyStage total_latency(std::span<const LatencyStage> stages);
+
+}  // namespace foveola

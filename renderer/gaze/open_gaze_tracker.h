@@ -1,0 +1,97 @@
+// Gaze from a tracker whose program speaks the Open Gaze API, over TCP.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/clock_alignment.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/open_gaze_records.h"
+#include "renderer/gaze/screen.h"
+#include "renderer/gaze/tcp_connection.h"
+
+namespace foveola {
+
+struct OpenGazeSettings {
+  OpenGazeAddress address;
+  Screen screen;  ///< what fractions of the screen are fractions of
+  /// From when the eye was there to when its record can arrive at the earliest.
+  Nanoseconds latency{0};
+  /// How long the fastest delivery stands for the one without delay.
+  Nanoseconds alignment_window = std::chrono::seconds(10);
+  Nanoseconds reconnect_after = std::chrono::milliseconds(500);
+  /// A connection over which nothing comes for so long is given up for a new one.
+  Nanoseconds longest_silence = std::chrono::seconds(2);
+};
+
+struct OpenGazeCounters {
+  std::uint64_t records = 0;
+  std::uint64_t garbage = 0;     ///< lines that are no elements
+  std::uint64_t gaps = 0;        ///< jumps of the tracker's counter: some samples never came
+  std::uint64_t reconnects = 0;  ///< connections that were made after the first
+  bool is_connected = false;
+};
+
+/// From the bytes of one connection to samples.
+class OpenGazeDecoder {
+ public:
+  /// Counts in `counters`.
+  OpenGazeDecoder(const OpenGazeSettings& settings, OpenGazeCounters counters);
+
+  /// The newest sample of the records that end in `bytes`, which arrived at `arrival`. Its time is
+  /// the record's own, where it has one, else the arrival; less the latency. When a record comes
+  /// faster than all before it, times step back by as much. Arrivals may not go backwards.
+  std::optional<GazeSample> decode(std::string_view bytes, Nanoseconds arrival);
+  /// Those given, and what came since.
+  OpenGazeCounters counters() const;
+
+ private:
+  GazeSample sample_from(const OpenGazeRecord& record, Nanoseconds arrival);
+  void count(const OpenGazeRecord& record);
+
+  Screen screen_;
+  Nanoseconds latency_;
+  OpenGazeStream stream_;
+  ClockAlignment alignment_;
+  OpenGazeCounters counters_;
+  std::optional<std::int64_t> last_count_;
+};
+
+/// Listens in a thread of its own from its beginning to its end, and while there is no connection
+/// tries again and again, at each of the host's addresses in turn. Sample times are those of
+/// SteadyClock.
+class OpenGazeTracker final : public EyeTracker {
+ public:
+  /// Does not wait for the connection. Throws Error if the host is unknown.
+  explicit OpenGazeTracker(const OpenGazeSettings& settings);
+
+  /// What has arrived before the call; `now` does not matter. After the connection is lost, still
+  /// the last sample, whose age tells.
+  std::optional<GazeSample> newest(Nanoseconds now) override;
+  OpenGazeCounters counters() const;
+
+ private:
+  void run(const std::stop_token& stop);
+  /// One connection from its beginning to its end.
+  void converse(const TcpAddress& address, const std::stop_token& stop);
+  void listen(const TcpConnection& connection, const std::stop_token& stop);
+  void publish(const std::optional<GazeSample>& sample, const OpenGazeCounters& counters);
+
+  OpenGazeSettings settings_;
+  std::vector<TcpAddress> addresses_;
+  bool was_connected_ = false;  ///< the thread's own
+
+  mutable std::mutex mutex_;
+  std::optional<GazeSample> newest_;
+  OpenGazeCounters counters_;
+
+  std::jthread thread_;  ///< the last, so that it ends before what it uses
+};
+
+}  // namespace foveola

@@ -1,0 +1,243 @@
+#include "renderer/gaze/profiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/toml_reader.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+constexpr std::string_view displays = "displays";
+constexpr std::string_view trackers = "trackers";
+
+fs::path profile_folder(std::string_view folder) { return resource_folder() / "data" / folder; }
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code failure;
+  fs::directory_iterator entry(folder, failure);
+  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    if (entry->path().extension() == ".toml") {
+      names.push_back(entry->path().stem().string());
+    }
+  }
+  if (failure) {
+    throw Error(folder.string(), "cannot be read: " + failure.message(),
+                "install Foveola again, or set FOVEOLA_RESOURCES to the folder that holds data/");
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path profile_file(std::string_view folder, const std::string& name_or_path) {
+  if (name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml")) {
+    return name_or_path;
+  }
+  const std::vector<std::string> names = names_in(profile_folder(folder));
+  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+    throw Error(fmt::format("profile '{}'", name_or_path), fmt::format("is none of the {}", folder),
+                fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
+  }
+  return profile_folder(folder) / (name_or_path + ".toml");
+}
+
+template <typename Value>
+struct Word {
+  std::string_view text;
+  Value value;
+};
+
+/// The value whose text stands under `key`, which must be there.
+template <typename Value, std::size_t count>
+Value read_word(TomlReader& table, std::string_view key,
+                const std::array<Word<Value>, count>& words) {
+  const std::string text = table.require_text(key);
+  std::vector<std::string_view> known;
+  for (const Word<Value>& word : words) {
+    if (word.text == text) {
+      return word.value;
+    }
+    known.push_back(word.text);
+  }
+  table.fail(table.source(key), fmt::format("there is no {} '{}'", key, text),
+             fmt::format("choose one of {}", fmt::join(known, ", ")));
+}
+
+double require_number(TomlReader& table, std::string_view key, double minimum, double maximum) {
+  double value = 0.0;
+  table.require(key);
+  table.read(key, value, minimum, maximum);
+  return value;
+}
+
+int require_whole_number(TomlReader& table, std::string_view key, int minimum, int maximum) {
+  int value = 0;
+  table.require(key);
+  table.read(key, value, minimum, maximum);
+  return value;
+}
+
+/// { duration_ms = 8.0, provenance = "assumed" }
+KnownDuration require_duration(TomlReader& table, std::string_view key) {
+  constexpr std::array words{Word<Provenance>{"measured", Provenance::measured},
+                             Word<Provenance>{"assumed", Provenance::assumed}};
+  table.require(key);
+  TomlReader inner = table.table(key);
+  KnownDuration duration;
+  duration.duration_s = 1e-3 * require_number(inner, "duration_ms", 0.0, 1000.0);
+  duration.provenance = read_word(inner, "provenance", words);
+  inner.reject_unknown_keys();
+  return duration;
+}
+
+void read_headset(TomlReader& table, DisplayProfile& display) {
+  display.horizontal_fov_deg = require_number(table, "horizontal_fov_deg", 1.0, 179.0);
+  display.vertical_fov_deg = require_number(table, "vertical_fov_deg", 1.0, 179.0);
+  if (display.width_px % 2 != 0) {
+    table.fail(table.source("width_px"), "two views side by side need an even width",
+               "give the width of both together");
+  }
+  if (table.has("lens")) {
+    TomlReader lens = table.table("lens");
+    display.lens = LensDistortion{.k1 = require_number(lens, "k1", -10.0, 10.0),
+                                  .k2 = require_number(lens, "k2", -10.0, 10.0)};
+    lens.reject_unknown_keys();
+  }
+}
+
+double fov_deg(double size_m, double distance_m) {
+  return degrees(2.0 * std::atan2(0.5 * size_m, distance_m));
+}
+
+void read_monitor(TomlReader& table, DisplayProfile& display) {
+  constexpr double largest_stretch = 1.25;
+  display.width_m = require_number(table, "width_m", 0.01, 20.0);
+  display.height_m = require_number(table, "height_m", 0.01, 20.0);
+  display.viewing_distance_m = require_number(table, "viewing_distance_m", 0.05, 50.0);
+  const double stretch =
+      (display.width_m / display.width_px) / (display.height_m / display.height_px);
+  if (std::max(stretch, 1.0 / stretch) > largest_stretch) {
+    table.fail(table.source("width_m"), "such a size has no square pixels",
+               "give the size of the picture, without the frame");
+  }
+  display.horizontal_fov_deg = fov_deg(display.width_m, display.viewing_distance_m);
+  display.vertical_fov_deg = fov_deg(display.height_m, display.viewing_distance_m);
+}
+
+DisplayProfile display_from(TomlReader table) {
+  constexpr std::array words{Word<DisplayKind>{"headset", DisplayKind::headset},
+                             Word<DisplayKind>{"monitor", DisplayKind::monitor}};
+  DisplayProfile display;
+  display.title = table.require_text("title");
+  display.kind = read_word(table, "kind", words);
+  display.width_px = require_whole_number(table, "width_px", 16, 65536);
+  display.height_px = require_whole_number(table, "height_px", 16, 65536);
+  display.refresh_rate_hz = require_number(table, "refresh_rate_hz", 1.0, 1000.0);
+  if (display.kind == DisplayKind::headset) {
+    read_headset(table, display);
+  } else {
+    read_monitor(table, display);
+  }
+  display.scan_out = require_duration(table, "scan_out");
+  table.reject_unknown_keys();
+  return display;
+}
+
+void read_open_gaze(TomlReader table, OpenGazeAddress& address) {
+  int port = address.port;
+  if (table.has("host")) {
+    address.host = table.require_text("host");
+  }
+  table.read("port", port, 1, 65535);
+  address.port = static_cast<std::uint16_t>(port);
+  table.reject_unknown_keys();
+}
+
+void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
+  table.read("precision_deg", settings.precision_deg, 0.0, 10.0);
+  table.read("bias_right_deg", settings.bias_right_deg, -30.0, 30.0);
+  table.read("bias_up_deg", settings.bias_up_deg, -30.0, 30.0);
+  table.read("data_loss", settings.data_loss, 0.0, 1.0);
+  table.reject_unknown_keys();
+}
+
+TrackerProfile tracker_from(TomlReader table) {
+  constexpr std::array words{Word<TrackerSource>{"hid", TrackerSource::hid},
+                             Word<TrackerSource>{"open-gaze", TrackerSource::open_gaze},
+                             Word<TrackerSource>{"simulated", TrackerSource::simulated}};
+  TrackerProfile tracker;
+  tracker.title = table.require_text("title");
+  tracker.source = read_word(table, "source", words);
+  tracker.rate_hz = require_number(table, "rate_hz", 1.0, 10000.0);
+  tracker.exposure = require_duration(table, "exposure");
+  tracker.transfer = require_duration(table, "transfer");
+  tracker.processing = require_duration(table, "processing");
+  if (tracker.source == TrackerSource::open_gaze) {
+    read_open_gaze(table.table("open_gaze"), tracker.open_gaze);
+  }
+  if (tracker.source == TrackerSource::simulated) {
+    read_simulated(table.table("simulated"), tracker.simulated);
+  }
+  tracker.simulated.rate_hz = tracker.rate_hz;
+  tracker.simulated.latency_s =
+      tracker.exposure.duration_s + tracker.transfer.duration_s + tracker.processing.duration_s;
+  table.reject_unknown_keys();
+  return tracker;
+}
+
+/// Reads the profile with `from`.
+template <typename From>
+auto read_profile(std::string_view folder, const std::string& name_or_path, const From& from) {
+  const fs::path file = profile_file(folder, name_or_path);
+  std::string text = read_file(file);
+  const toml::table content = parse_toml(
+      file.string(), text, fmt::format("see those in {}", profile_folder(folder).string()));
+  auto profile = from(TomlReader(file.string(), content, ""));
+  profile.name = file.stem().string();
+  profile.toml = std::move(text);
+  return profile;
+}
+
+}  // namespace
+
+DisplayProfile read_display_profile(const std::string& name_or_path) {
+  return read_profile(displays, name_or_path, display_from);
+}
+
+TrackerProfile read_tracker_profile(const std::string& name_or_path) {
+  return read_profile(trackers, name_or_path, tracker_from);
+}
+
+std::vector<std::string> display_profile_names() { return names_in(profile_folder(displays)); }
+
+std::vector<std::string> tracker_profile_names() { return names_in(profile_folder(trackers)); }
+
+Screen screen_of(const DisplayProfile& display) {
+  constexpr double headset_distance_m = 1.0;
+  Screen screen{.width_m = display.width_m,
+                .height_m = display.height_m,
+                .horizontal_fov_deg = display.horizontal_fov_deg,
+                .vertical_fov_deg = display.vertical_fov_deg};
+  if (display.kind == DisplayKind::headset) {
+    screen.width_m = 2.0 * headset_distance_m * std::tan(radians(0.5 * display.horizontal_fov_deg));
+    screen.height_m = 2.0 * headset_distance_m * std::tan(radians(0.5 * display.vertical_fov_deg));
+  }
+  return screen;
+}
+
+}  // namespace foveola

@@ -1,0 +1,272 @@
+#include "renderer/gaze/eye_movements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/gaze/simulated_eye.h"
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::minutes;
+
+using enum EyeMovementKind;
+
+GazeSample seen(int time_ms, double azimuth_deg) {
+  return {.time = milliseconds(time_ms),
+          .direction = direction_from({.azimuth_rad = radians(azimuth_deg)}),
+          .valid = true};
+}
+GazeSample blink(int time_ms) { return {.time = milliseconds(time_ms)}; }
+
+std::vector<EyeMovement> movements_in(const std::vector<GazeSample>& samples,
+                                      const EyeMovementSettings& settings = {}) {
+  EyeMovementDetector detector(settings);
+  std::vector<EyeMovement> movements;
+  for (const GazeSample& sample : samples) {
+    for (const EyeMovement& movement : detector.push(sample)) {
+      movements.push_back(movement);
+    }
+  }
+  if (const auto last = detector.finish()) {
+    movements.push_back(*last);
+  }
+  return movements;
+}
+
+/// "F 0-100 S 100-120": kinds and times in milliseconds.
+std::string text_of(const std::vector<EyeMovement>& movements) {
+  std::string text;
+  for (const EyeMovement& m : movements) {
+    text += text.empty() ? "" : " ";
+    text += m.kind == fixation ? "F " : m.kind == saccade ? "S " : "- ";
+    text +=
+        std::to_string(m.start / milliseconds(1)) + "-" + std::to_string(m.end / milliseconds(1));
+  }
+  return text;
+}
+
+/// Every 10 ms, the azimuth by which it moves in each step.
+std::vector<GazeSample> moving_by(const std::vector<double>& steps_deg) {
+  std::vector<GazeSample> samples{seen(0, 0.0)};
+  double azimuth_deg = 0.0;
+  for (const double step_deg : steps_deg) {
+    azimuth_deg += step_deg;
+    samples.push_back(seen(10 * static_cast<int>(samples.size()), azimuth_deg));
+  }
+  return samples;
+}
+
+std::vector<double> steps(std::initializer_list<std::pair<int, double>> runs) {
+  std::vector<double> all;
+  for (const auto& [count, step_deg] : runs) {
+    all.insert(all.end(), static_cast<std::size_t>(count), step_deg);
+  }
+  return all;
+}
+
+TEST(EyeMovements, AStepFasterThanTheThresholdIsASaccade) {
+  const auto movements = movements_in(moving_by(steps({{10, 0.5}, {3, 2.0}, {10, 0.1}})));
+  EXPECT_EQ(text_of(movements), "F 0-100 S 100-130 F 130-230");
+  EXPECT_NEAR(amplitude_deg(movements[1]), 6.0, 1e-4);
+  EXPECT_NEAR(movements[1].fastest_deg_per_s, 200.0, 1e-2);
+  EXPECT_NEAR(movements[0].fastest_deg_per_s, 50.0, 1e-2);
+  EXPECT_NEAR(amplitude_deg(movements[0]), 5.0, 1e-4);
+}
+
+TEST(EyeMovements, TheThresholdIsASetting) {
+  const auto samples = moving_by(steps({{10, 0.1}, {3, 0.5}, {10, 0.1}}));
+  EXPECT_EQ(text_of(movements_in(samples)), "F 0-230");
+  EXPECT_EQ(text_of(movements_in(samples, {.threshold_deg_per_s = 40.0})),
+            "F 0-100 S 100-130 F 130-230");
+}
+
+// Ten degrees of azimuth at an elevation of 80 degrees are not two degrees of angle.
+TEST(EyeMovements, VelocityIsByTheTrueAngle) {
+  const auto high_up = [](int time_ms, double azimuth_deg) {
+    return GazeSample{.time = milliseconds(time_ms),
+                      .direction = direction_from(
+                          {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(80.0)}),
+                      .valid = true};
+  };
+  const auto movements = movements_in({high_up(0, 0.0), high_up(10, 10.0)});
+  const double angle_deg =
+      2.0 * degrees(std::asin(std::cos(radians(80.0)) * std::sin(radians(5.0))));
+  EXPECT_NEAR(movements[0].fastest_deg_per_s, 100.0 * angle_deg, 0.01);
+}
+
+TEST(EyeMovements, AShortSaccadeBelongsToTheFixationAroundIt) {
+  const auto samples = moving_by(steps({{10, 0.1}, {1, 2.0}, {10, 0.1}}));
+  EXPECT_EQ(text_of(movements_in(samples, {.shortest_saccade = milliseconds(11)})), "F 0-210");
+  EXPECT_EQ(text_of(movements_in(samples, {.shortest_saccade = milliseconds(10)})),
+            "F 0-100 S 100-110 F 110-210");
+}
+
+TEST(EyeMovements, AShortFixationBelongsToTheSaccadeAroundIt) {
+  const auto samples = moving_by(steps({{10, 0.1}, {3, 2.0}, {5, 0.1}, {3, 2.0}, {10, 0.1}}));
+  EXPECT_EQ(text_of(movements_in(samples)), "F 0-100 S 100-210 F 210-310");
+  EXPECT_EQ(text_of(movements_in(samples, {.shortest_fixation = milliseconds(50)})),
+            "F 0-100 S 100-130 F 130-180 S 180-210 F 210-310");
+}
+
+TEST(EyeMovements, WhatIsTooShortAtTheEndBelongsToWhatWasBefore) {
+  EXPECT_EQ(text_of(movements_in(moving_by(steps({{10, 0.1}, {3, 2.0}, {3, 0.1}})))),
+            "F 0-100 S 100-160");
+}
+
+TEST(EyeMovements, ALongBlinkIsNoData) {
+  EXPECT_EQ(text_of(movements_in({seen(0, 0.0), seen(10, 0.1), blink(20), blink(60), blink(100),
+                                  seen(200, 5.0), seen(210, 5.1), seen(220, 5.1)})),
+            "F 0-10 - 10-200 F 200-220");
+}
+
+TEST(EyeMovements, AGapInTheSamplesIsNoData) {
+  EXPECT_EQ(text_of(movements_in({seen(0, 0.0), seen(10, 0.1), seen(100, 0.1), seen(110, 0.1)})),
+            "F 0-10 - 10-100 F 100-110");
+}
+
+TEST(EyeMovements, AFewLostSamplesAreBridged) {
+  EXPECT_EQ(text_of(movements_in(
+                {seen(0, 0.0), seen(10, 0.1), blink(20), blink(30), seen(40, 0.2), seen(50, 0.3)})),
+            "F 0-50");
+  EXPECT_EQ(
+      text_of(movements_in({seen(0, 0.0), seen(10, 0.0), blink(20), seen(30, 3.0), seen(40, 3.0)})),
+      "F 0-10 S 10-40");
+}
+
+TEST(EyeMovements, AStreamMayBeginAndEndWithoutData) {
+  EXPECT_EQ(text_of(movements_in({blink(0), blink(10), seen(20, 0.0), seen(30, 0.0), blink(50),
+                                  blink(150), blink(300)})),
+            "- 0-20 F 20-30 - 30-300");
+  EXPECT_EQ(text_of(movements_in({blink(0), blink(500)})), "- 0-500");
+  EXPECT_EQ(text_of(movements_in({seen(0, 0.0), seen(500, 0.0)})), "- 0-500");
+  EXPECT_TRUE(movements_in({}).empty());
+  EXPECT_TRUE(movements_in({seen(0, 0.0)}).empty());
+}
+
+TEST(EyeMovements, RepeatedAndEarlierSamplesArePassedOver) {
+  EXPECT_EQ(text_of(movements_in(
+                {seen(0, 0.0), seen(10, 0.1), seen(10, 9.0), seen(5, 40.0), seen(20, 0.2)})),
+            "F 0-20");
+}
+
+TEST(EyeMovements, TellsAtOnceWhatTheNewestSamplesSay) {
+  EyeMovementDetector detector({});
+  EXPECT_EQ(detector.now(), no_data);
+  detector.push(seen(0, 0.0));
+  EXPECT_EQ(detector.now(), no_data);  // one sample has no velocity
+  detector.push(seen(10, 0.1));
+  EXPECT_EQ(detector.now(), fixation);
+  detector.push(seen(20, 3.0));
+  EXPECT_EQ(detector.now(), saccade);
+  detector.push(seen(20, 3.0));
+  EXPECT_EQ(detector.now(), saccade);
+  detector.push(blink(30));
+  EXPECT_EQ(detector.now(), no_data);
+  detector.push(seen(40, 3.1));
+  EXPECT_EQ(detector.now(), fixation);
+}
+
+TEST(EyeMovements, FinishingMakesADetectorAsNew) {
+  EyeMovementDetector detector({});
+  detector.push(seen(1000, 0.0));
+  detector.push(seen(1010, 0.0));
+  EXPECT_TRUE(detector.finish());
+  EXPECT_FALSE(detector.finish());
+  detector.push(seen(0, 0.0));
+  detector.push(seen(10, 0.0));
+  EXPECT_EQ(text_of({*detector.finish()}), "F 0-10");
+}
+
+/// What a tracker of this rate sees of the eye.
+std::vector<GazeSample> samples_of(SimulatedEye& eye, const SimulatedTrackerSettings& settings,
+                                   Nanoseconds end) {
+  SimulatedEyeTracker tracker(settings, [&](Nanoseconds time) { return eye.gaze(time); });
+  std::vector<GazeSample> samples;
+  for (Nanoseconds now{0}; now < end; now += nanoseconds_from_seconds(0.5 / settings.rate_hz)) {
+    if (const auto sample = tracker.newest(now);
+        sample && (samples.empty() || sample->time > samples.back().time)) {
+      samples.push_back(*sample);
+    }
+  }
+  return samples;
+}
+
+std::vector<EyeMovement> only(EyeMovementKind kind, std::vector<EyeMovement> movements) {
+  std::erase_if(movements, [&](const EyeMovement& m) { return m.kind != kind; });
+  return movements;
+}
+
+bool overlap(const EyeMovement& found, const SimulatedSaccade& truth) {
+  return found.start < truth.end && truth.start < found.end;
+}
+
+// By the formula of its progress, a saccade of 1 to 30 degrees exceeds 30 degrees per second from
+// up to 7 ms after its beginning until as long before its end, and goes 30 c / (2 eta) = 0.15
+// degrees before and after that. What an interval at each end holds comes on top.
+TEST(EyeMovements, FindsEverySaccadeOfAQuietEyeWhereItIs) {
+  for (const double rate_hz : {120.0, 1000.0}) {
+    SimulatedEye eye({.seed = 21, .microsaccade_interval_s = 0.0, .blinks_per_minute = 0.0});
+    const auto found = only(
+        saccade,
+        movements_in(samples_of(eye, {.rate_hz = rate_hz, .latency_s = 0.0, .precision_deg = 0.0},
+                                minutes(5)),
+                     {.threshold_deg_per_s = 30.0}));
+    std::vector<SimulatedSaccade> truth = eye.saccades(minutes(5) - milliseconds(200));
+    ASSERT_GT(truth.size(), 800U);
+    ASSERT_GE(found.size(), truth.size());
+    const double tolerance_s = 0.007 + 1.0 / rate_hz;
+    const double missed_deg = 0.3 + 2.0 * 30.0 / rate_hz;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      ASSERT_TRUE(overlap(found[i], truth[i])) << i;
+      ASSERT_NEAR(seconds(found[i].start - truth[i].start), 0.0, tolerance_s) << i;
+      ASSERT_NEAR(seconds(found[i].end - truth[i].end), 0.0, tolerance_s) << i;
+      ASSERT_GT(amplitude_deg(found[i]), truth[i].amplitude_deg - missed_deg) << i;
+      ASSERT_LT(amplitude_deg(found[i]), truth[i].amplitude_deg + 1e-4) << i;
+    }
+  }
+}
+
+// All that a simulated tracker has: noise, microsaccades, blinks and lost samples.
+TEST(EyeMovements, FindsTheLargeSaccadesOfARestlessEyeAndInventsNone) {
+  SimulatedEye eye({.seed = 22});
+  const auto movements =
+      movements_in(samples_of(eye, {.latency_s = 0.0, .data_loss = 0.02, .seed = 3}, minutes(20)));
+  const auto found = only(saccade, movements);
+  const std::vector<SimulatedSaccade> truth = eye.saccades(minutes(20));
+  const std::vector<SimulatedBlink> blinks = eye.blinks(minutes(20));
+
+  const auto is_seen = [&](const SimulatedSaccade& s) {
+    return std::none_of(blinks.begin(), blinks.end(), [&](const SimulatedBlink& b) {
+      return b.start < s.end + milliseconds(50) && s.start < b.end + milliseconds(50);
+    });
+  };
+  int large = 0;
+  int found_large = 0;
+  for (const SimulatedSaccade& s : truth) {
+    if (s.amplitude_deg >= 4.0 && is_seen(s)) {
+      ++large;
+      found_large += std::any_of(found.begin(), found.end(),
+                                 [&](const EyeMovement& m) { return overlap(m, s); });
+    }
+  }
+  const auto invented = std::count_if(found.begin(), found.end(), [&](const EyeMovement& m) {
+    return std::none_of(truth.begin(), truth.end(),
+                        [&](const SimulatedSaccade& s) { return !s.is_micro && overlap(m, s); });
+  });
+  ASSERT_GT(large, 2000);
+  EXPECT_GT(found_large, 0.99 * large);
+  EXPECT_LE(invented, 0.002 * static_cast<double>(found.size()));
+
+  // A blink of 100 ms and more leaves at least as much time without data.
+  EXPECT_EQ(only(no_data, movements).size(), blinks.size());
+}
+
+}  // namespace
+}  // namespace foveola

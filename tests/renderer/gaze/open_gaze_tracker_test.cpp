@@ -1,0 +1,253 @@
+#include "renderer/gaze/open_gaze_tracker.h"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "tests/renderer/gaze/tracker_server.h"
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test::TrackerServer;
+
+// Its right edge is 45 degrees off, and its lower edge as well.
+constexpr Screen square{
+    .width_m = 1.0, .height_m = 1.0, .horizontal_fov_deg = 90.0, .vertical_fov_deg = 90.0};
+
+/// The best point of gaze, valid.
+std::string record(double x, double y, int count = 1) {
+  return fmt::format("<REC CNT=\"{}\" BPOGX=\"{}\" BPOGY=\"{}\" BPOGV=\"1\" />\r\n", count, x, y);
+}
+
+std::string timed_record(double time_s) {
+  return fmt::format("<REC TIME=\"{}\" BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"1\" />\r\n", time_s);
+}
+
+bool is_near(const Vec3& direction, const Vec3& expected) {
+  return glm::distance(direction, glm::normalize(expected)) < 1e-6F;
+}
+
+OpenGazeDecoder decoder_with(const OpenGazeSettings& settings) { return {settings, {}}; }
+
+TEST(OpenGazeDecoder, FractionsBecomeDirections) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square});
+  const auto right = decoder.decode(record(1.0, 0.5), seconds(1));
+  ASSERT_TRUE(right);
+  EXPECT_TRUE(right->valid);
+  EXPECT_TRUE(is_near(right->direction, {1.0F, 0.0F, -1.0F}));
+  const auto corner = decoder.decode(record(0.0, 1.0), seconds(1));
+  EXPECT_TRUE(is_near(corner->direction, {-1.0F, -1.0F, -1.0F}));
+}
+
+TEST(OpenGazeDecoder, TwoEyesLookAtTheirMiddle) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square});
+  const auto sample = decoder.decode(
+      "<REC LPOGX=\"0.7\" LPOGY=\"0.5\" LPOGV=\"1\" RPOGX=\"0.8\" RPOGY=\"0.5\" RPOGV=\"1\" />\n",
+      seconds(1));
+  EXPECT_TRUE(is_near(sample->direction, {0.5F, 0.0F, -1.0F}));
+}
+
+TEST(OpenGazeDecoder, NoEyeIsAnInvalidSample) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square});
+  const auto sample =
+      decoder.decode("<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"0\" />\n", seconds(1));
+  ASSERT_TRUE(sample);
+  EXPECT_FALSE(sample->valid);
+}
+
+TEST(OpenGazeDecoder, OfSeveralRecordsTheNewest) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square});
+  const auto sample = decoder.decode(record(0.0, 0.5, 1) + record(1.0, 0.5, 2), seconds(1));
+  EXPECT_TRUE(is_near(sample->direction, {1.0F, 0.0F, -1.0F}));
+  EXPECT_EQ(decoder.counters().records, 2U);
+  EXPECT_FALSE(decoder.decode("<ACK ID=\"X\" />\n", seconds(2)));
+}
+
+TEST(OpenGazeDecoder, WithoutATimeASampleIsFromItsArrivalLessTheLatency) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square, .latency = milliseconds(20)});
+  EXPECT_EQ(decoder.decode(record(0.5, 0.5), seconds(7))->time, milliseconds(6980));
+}
+
+// The second record has waited for 8 ms on its way, and the third for 3.
+TEST(OpenGazeDecoder, TheTrackersTimeTakesTheWaitingOut) {
+  OpenGazeDecoder decoder = decoder_with({.screen = square, .latency = milliseconds(20)});
+  const auto time = [&](double time_s, int arrival_ms) {
+    return decoder.decode(timed_record(time_s), milliseconds(arrival_ms))->time;
+  };
+  EXPECT_EQ(time(100.0, 5000), milliseconds(4980));
+  EXPECT_EQ(time(100.016, 5024), milliseconds(4996));
+  EXPECT_EQ(time(100.032, 5035), milliseconds(5012));
+}
+
+TEST(OpenGazeDecoder, CountsWhatComes) {
+  OpenGazeDecoder decoder({.screen = square},
+                          {.records = 10, .garbage = 20, .gaps = 30, .reconnects = 40});
+  for (const int count : {1, 2, 5, 6, 9, 3}) {  // it jumps twice, and is set back once
+    decoder.decode(record(0.5, 0.5, count), seconds(1));
+  }
+  decoder.decode("nonsense\r\n<REC\r\n", seconds(2));
+  const OpenGazeCounters counters = decoder.counters();
+  EXPECT_EQ(counters.records, 16U);
+  EXPECT_EQ(counters.garbage, 22U);
+  EXPECT_EQ(counters.gaps, 32U);
+  EXPECT_EQ(counters.reconnects, 40U);
+}
+
+/// Until it holds, or for ten seconds; whether it holds.
+bool becomes_true(const std::function<bool()>& condition) {
+  for (int i = 0; i < 10000; ++i) {
+    if (condition()) {
+      return true;
+    }
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return false;
+}
+
+OpenGazeSettings settings_for(std::uint16_t port) {
+  return {.address = {.port = port},
+          .screen = square,
+          .reconnect_after = milliseconds(20),
+          .longest_silence = std::chrono::hours(1)};
+}
+
+void accept_and_answer_requests(TrackerServer& server) {
+  server.accept();
+  server.receive_until("<SET ID=\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n");
+}
+
+bool comes_to_look_along(OpenGazeTracker& tracker, const Vec3& direction) {
+  return becomes_true([&] {
+    const auto sample = tracker.newest(Nanoseconds(0));
+    return sample && sample->valid && is_near(sample->direction, direction);
+  });
+}
+
+TEST(OpenGazeTracker, AsksForDataAndDeliversIt) {
+  TrackerServer server;
+  OpenGazeTracker tracker(settings_for(server.port()));
+  EXPECT_FALSE(tracker.newest(Nanoseconds(0)));
+  server.accept();
+  EXPECT_EQ(server.receive_until("\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n"), open_gaze_requests());
+  const Nanoseconds before = SteadyClock().now();
+  server.send(record(1.0, 0.5));
+  EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
+  EXPECT_GE(tracker.newest(Nanoseconds(0))->time, before);
+  EXPECT_LE(tracker.newest(Nanoseconds(0))->time, SteadyClock().now());
+  EXPECT_TRUE(tracker.counters().is_connected);
+  EXPECT_EQ(tracker.counters().reconnects, 0U);
+}
+
+TEST(OpenGazeTracker, TakesARecordByteByByte) {
+  TrackerServer server;
+  OpenGazeTracker tracker(settings_for(server.port()));
+  accept_and_answer_requests(server);
+  for (const char& byte : record(0.0, 0.5)) {
+    server.send({&byte, 1});
+  }
+  EXPECT_TRUE(comes_to_look_along(tracker, {-1.0F, 0.0F, -1.0F}));
+  EXPECT_EQ(tracker.counters().records, 1U);
+  EXPECT_EQ(tracker.counters().garbage, 0U);
+}
+
+TEST(OpenGazeTracker, ComesBackAfterTheServerHungUp) {
+  TrackerServer server;
+  OpenGazeTracker tracker(settings_for(server.port()));
+  accept_and_answer_requests(server);
+  server.send(record(0.0, 0.5) + "<REC CNT=\"2\" BPO");
+  EXPECT_TRUE(comes_to_look_along(tracker, {-1.0F, 0.0F, -1.0F}));
+  accept_and_answer_requests(server);
+  EXPECT_TRUE(comes_to_look_along(tracker, {-1.0F, 0.0F, -1.0F}));  // it is still the newest
+  server.send(record(1.0, 0.5, 9));
+  EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
+  const OpenGazeCounters counters = tracker.counters();
+  EXPECT_EQ(counters.records, 2U);
+  EXPECT_EQ(counters.reconnects, 1U);
+  EXPECT_EQ(counters.garbage, 0U);  // half a line is no line
+  EXPECT_EQ(counters.gaps, 0U);     // nor does the counter go on
+}
+
+TEST(OpenGazeTracker, SaysWhenItIsNotConnected) {
+  TrackerServer server;
+  OpenGazeSettings settings = settings_for(server.port());
+  settings.reconnect_after = std::chrono::hours(1);
+  OpenGazeTracker tracker(settings);
+  accept_and_answer_requests(server);
+  EXPECT_TRUE(becomes_true([&] { return tracker.counters().is_connected; }));
+  server.hang_up();
+  EXPECT_TRUE(becomes_true([&] { return !tracker.counters().is_connected; }));
+}
+
+// A name can stand for several addresses: where localhost is ::1 first, it is at the second.
+TEST(OpenGazeTracker, FindsTheServerByTheHostsName) {
+  TrackerServer server;
+  OpenGazeSettings settings = settings_for(server.port());
+  settings.address.host = "localhost";
+  const OpenGazeTracker tracker(settings);
+  accept_and_answer_requests(server);
+}
+
+TEST(OpenGazeTracker, WaitsForAServerThatStartsLater) {
+  const std::uint16_t port = TrackerServer().port();
+  OpenGazeTracker tracker(settings_for(port));
+  std::this_thread::sleep_for(milliseconds(50));
+  TrackerServer server(port);
+  accept_and_answer_requests(server);
+  server.send(record(0.5, 0.0));
+  EXPECT_TRUE(comes_to_look_along(tracker, {0.0F, 1.0F, -1.0F}));
+}
+
+TEST(OpenGazeTracker, SkipsGarbage) {
+  TrackerServer server;
+  OpenGazeTracker tracker(settings_for(server.port()));
+  accept_and_answer_requests(server);
+  server.send(std::string(100000, '\0') + "\n<<<\r\n" + record(1.0, 0.5));
+  EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
+  EXPECT_EQ(tracker.counters().garbage, 2U);
+}
+
+TEST(OpenGazeTracker, GivesUpASilentServerForANewConnection) {
+  TrackerServer server;
+  OpenGazeSettings settings = settings_for(server.port());
+  settings.longest_silence = milliseconds(60);
+  OpenGazeTracker tracker(settings);
+  server.accept();
+  EXPECT_TRUE(becomes_true([&] { return tracker.counters().is_connected; }));
+  EXPECT_TRUE(becomes_true([&] { return tracker.counters().reconnects >= 1; }));
+}
+
+// Would wait for an hour otherwise.
+TEST(OpenGazeTracker, EndsWhateverItWaitsFor) {
+  TrackerServer server;
+  OpenGazeSettings settings = settings_for(server.port());
+  settings.reconnect_after = std::chrono::hours(1);
+  {
+    const OpenGazeTracker listening(settings);
+    accept_and_answer_requests(server);
+  }
+  {
+    const OpenGazeTracker pausing(settings);
+    server.accept();
+    server.hang_up();
+    std::this_thread::sleep_for(milliseconds(50));
+  }
+  const OpenGazeTracker just_begun(settings);
+}
+
+TEST(OpenGazeTracker, RefusesAHostThatCannotBe) {
+  OpenGazeSettings settings = settings_for(4242);
+  settings.address.host = std::string(300, 'x');
+  EXPECT_THROW(OpenGazeTracker{settings}, Error);
+}
+
+}  // namespace
+}  // namespace foveola

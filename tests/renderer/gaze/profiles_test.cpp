@@ -1,0 +1,250 @@
+#include "renderer/gaze/profiles.h"
+
+#include <functional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "renderer/gaze/latency.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola {
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(DisplayProfile, ThePublishedHeadset) {
+  const DisplayProfile fove = read_display_profile("fove0");
+  EXPECT_EQ(fove.name, "fove0");
+  EXPECT_EQ(fove.kind, DisplayKind::headset);
+  EXPECT_EQ(fove.width_px, 2560);
+  EXPECT_EQ(fove.height_px, 1440);
+  EXPECT_EQ(fove.refresh_rate_hz, 70.0);
+  EXPECT_EQ(fove.horizontal_fov_deg, 100.0);
+  EXPECT_FALSE(fove.lens);
+  EXPECT_EQ(fove.scan_out.provenance, Provenance::assumed);
+  EXPECT_NEAR(fove.scan_out.duration_s, 0.014, 1e-12);
+  EXPECT_THAT(fove.toml, HasSubstr("title = \"FOVE 0\""));
+}
+
+// 24 inches of 16:9 at 0.6 m, by trigonometry: half the width is 12 x 16 / sqrt(337) inches.
+TEST(DisplayProfile, TheDesktopsFieldOfViewIsThatOfItsSize) {
+  const DisplayProfile desktop = read_display_profile("desktop");
+  EXPECT_EQ(desktop.kind, DisplayKind::monitor);
+  EXPECT_EQ(desktop.width_px, 1920);
+  EXPECT_EQ(desktop.refresh_rate_hz, 60.0);
+  EXPECT_EQ(desktop.viewing_distance_m, 0.6);
+  EXPECT_NEAR(desktop.horizontal_fov_deg, 47.76, 0.02);
+  EXPECT_NEAR(desktop.vertical_fov_deg, 27.98, 0.02);
+}
+
+TEST(DisplayProfile, TheScreenOfAMonitorHasItsSize) {
+  const Screen screen = screen_of(read_display_profile("desktop"));
+  EXPECT_EQ(screen.width_m, 0.5313);
+  EXPECT_EQ(screen.height_m, 0.2989);
+  EXPECT_NEAR(screen.horizontal_fov_deg, 47.76, 0.02);
+}
+
+TEST(DisplayProfile, TheScreenOfAHeadsetIsAMetreAhead) {
+  const Screen screen = screen_of(read_display_profile("fove0"));
+  EXPECT_NEAR(screen.width_m, 2.383507, 1e-6);  // 2 tan 50 degrees
+  EXPECT_NEAR(screen.height_m, 2.383507, 1e-6);
+  EXPECT_EQ(screen.horizontal_fov_deg, 100.0);
+}
+
+TEST(TrackerProfile, ThePublishedTracker) {
+  const TrackerProfile fove = read_tracker_profile("fove0");
+  EXPECT_EQ(fove.name, "fove0");
+  EXPECT_EQ(fove.source, TrackerSource::simulated);
+  EXPECT_EQ(fove.rate_hz, 120.0);
+  EXPECT_NEAR(fove.exposure.duration_s, 0.008, 1e-15);
+  EXPECT_NEAR(fove.transfer.duration_s, 0.002, 1e-15);
+  EXPECT_NEAR(fove.processing.duration_s, 0.004, 1e-15);
+  EXPECT_EQ(fove.simulated.rate_hz, 120.0);
+  EXPECT_NEAR(fove.simulated.latency_s, 0.014, 1e-15);
+  EXPECT_EQ(fove.simulated.bias_right_deg, 0.0);
+}
+
+// Koskela et al. 2018, figure 7, with frames of 14 ms.
+TEST(TrackerProfile, WithTheHeadsetGivesThePublishedLatency) {
+  const TrackerProfile fove = read_tracker_profile("fove0");
+  const LatencyInputs inputs{.tracker_rate_hz = fove.rate_hz,
+                             .exposure = fove.exposure,
+                             .transfer = fove.transfer,
+                             .processing = fove.processing,
+                             .frame_interval = {.duration_s = 0.014},
+                             .tracing = {.duration_s = 0.014},
+                             .scan_out = read_display_profile("fove0").scan_out};
+  EXPECT_NEAR(total_latency(latency_stages(inputs)).best_s, 0.038, 1e-15);
+}
+
+TEST(TrackerProfile, TheOthersCanBeReadToo) {
+  EXPECT_EQ(read_tracker_profile("hid").source, TrackerSource::hid);
+  const TrackerProfile gaze_point = read_tracker_profile("open-gaze");
+  EXPECT_EQ(gaze_point.source, TrackerSource::open_gaze);
+  EXPECT_EQ(gaze_point.open_gaze.host, "127.0.0.1");
+  EXPECT_EQ(gaze_point.open_gaze.port, 4242);
+  const TrackerProfile simulated = read_tracker_profile("simulated");
+  EXPECT_EQ(simulated.simulated.bias_right_deg, 0.5);
+  EXPECT_EQ(simulated.simulated.bias_up_deg, -0.4);
+  EXPECT_EQ(simulated.simulated.data_loss, 0.02);
+}
+
+TEST(Profiles, AreListedByName) {
+  EXPECT_THAT(display_profile_names(), ElementsAre("desktop", "fove0"));
+  EXPECT_THAT(tracker_profile_names(), ElementsAre("fove0", "hid", "open-gaze", "simulated"));
+}
+
+std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Profiles, AnUnknownNameSaysWhichThereAre) {
+  EXPECT_THAT(error_of([] { read_display_profile("fove1"); }),
+              AllOf(HasSubstr("'fove1'"), HasSubstr("desktop, fove0")));
+  EXPECT_THAT(error_of([] { read_tracker_profile(""); }), HasSubstr("open-gaze"));
+  EXPECT_THAT(error_of([] { read_tracker_profile("."); }), HasSubstr("open-gaze"));
+  EXPECT_THAT(error_of([] { read_tracker_profile("./nowhere.toml"); }),
+              HasSubstr("./nowhere.toml: no such file"));
+}
+
+const char* const headset = R"(title = "Mine"
+kind = "headset"
+width_px = 2000
+height_px = 1000
+refresh_rate_hz = 90
+horizontal_fov_deg = 110
+vertical_fov_deg = 95.5
+lens = { k1 = 0.22, k2 = 0.24 }
+scan_out = { duration_ms = 3, provenance = "measured" }
+)";
+
+const char* const monitor = R"(title = "Mine"
+kind = "monitor"
+width_px = 1000
+height_px = 500
+refresh_rate_hz = 75.5
+width_m = 0.6
+height_m = 0.3
+viewing_distance_m = 0.3
+scan_out = { duration_ms = 13, provenance = "assumed" }
+)";
+
+const char* const tracker = R"(title = "Mine"
+source = "open-gaze"
+rate_hz = 150
+exposure = { duration_ms = 1, provenance = "assumed" }
+transfer = { duration_ms = 2, provenance = "measured" }
+processing = { duration_ms = 3, provenance = "assumed" }
+
+[open_gaze]
+host = "tracker.example"
+port = 4343
+)";
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+DisplayProfile display_from(const std::string& content) {
+  const TemporaryFolder folder;
+  return read_display_profile(folder.write("mine.toml", content).string());
+}
+
+TrackerProfile tracker_from(const std::string& content) {
+  const TemporaryFolder folder;
+  return read_tracker_profile(folder.write("mine.toml", content).string());
+}
+
+TEST(Profiles, AreReadFromAPath) {
+  const DisplayProfile mine = display_from(headset);
+  EXPECT_EQ(mine.name, "mine");
+  EXPECT_EQ(mine.title, "Mine");
+  EXPECT_EQ(mine.vertical_fov_deg, 95.5);
+  ASSERT_TRUE(mine.lens);
+  EXPECT_EQ(mine.lens->k1, 0.22);
+  EXPECT_EQ(mine.lens->k2, 0.24);
+  EXPECT_EQ(mine.scan_out.provenance, Provenance::measured);
+  EXPECT_EQ(mine.toml, headset);
+  EXPECT_NEAR(display_from(monitor).horizontal_fov_deg, 90.0, 1e-12);
+
+  const TrackerProfile other = tracker_from(tracker);
+  EXPECT_EQ(other.open_gaze.host, "tracker.example");
+  EXPECT_EQ(other.open_gaze.port, 4343);
+  EXPECT_EQ(other.transfer.provenance, Provenance::measured);
+}
+
+struct Fault {
+  const char* from;
+  const char* to;
+  const char* message;  ///< a part of it
+};
+
+TEST(Profiles, WhatIsWrongWithADisplayIsSaidWithItsPlace) {
+  for (const Fault& f :
+       {Fault{"title = \"Mine\"", "", "title is missing"},
+        {"\"headset\"", "\"helmet\"", "mine.toml:2:8: there is no kind 'helmet'"},
+        {"width_px = 2000", "width_px = 2001", "mine.toml:3:12: two views"},
+        {"width_px = 2000", "width_px = 2000.5", "mine.toml:3:12: width_px is out of range"},
+        {"height_px = 1000", "height_px = 0", "mine.toml:4:13: height_px is out of range"},
+        {"refresh_rate_hz = 90", "refresh_rate_hz = -90", "refresh_rate_hz is out of range"},
+        {"refresh_rate_hz = 90", "refresh_rate_hz = nan", "refresh_rate_hz is out of range"},
+        {"refresh_rate_hz = 90\n", "", "refresh_rate_hz is missing"},
+        {"horizontal_fov_deg = 110", "horizontal_fov_deg = 180", "horizontal_fov_deg is out"},
+        {"vertical_fov_deg = 95.5\n", "", "vertical_fov_deg is missing"},
+        {"k2 = 0.24", "k3 = 0.24", "lens.k2 is missing"},
+        {"k2 = 0.24", "k2 = 0.24, k3 = 1", "unknown key 'lens.k3'"},
+        {"duration_ms = 3, ", "", "scan_out.duration_ms is missing"},
+        {"\"measured\"", "\"guessed\"", "there is no provenance 'guessed'"},
+        {"scan_out = {", "scan_in = {", "scan_out is missing"},
+        {"kind", "width_m = 0.5\nkind", "mine.toml:2:1: unknown key 'width_m'"},
+        {"kind = ", "kind == ", "mine.toml:2:"}}) {
+    EXPECT_THAT(error_of([&] { display_from(with(headset, f.from, f.to)); }),
+                AllOf(HasSubstr("mine.toml:"), HasSubstr(f.message)))
+        << f.to;
+  }
+}
+
+TEST(Profiles, AMonitorHasASizeADistanceAndNoOtherFieldOfView) {
+  for (const Fault& f :
+       {Fault{"width_m = 0.6", "width_m = 0.2", "mine.toml:6:11: such a size has no square pixels"},
+        {"viewing_distance_m = 0.3\n", "", "viewing_distance_m is missing"},
+        {"viewing_distance_m = 0.3", "viewing_distance_m = 0",
+         "viewing_distance_m is out of range"},
+        {"kind", "horizontal_fov_deg = 90\nkind", "unknown key 'horizontal_fov_deg'"},
+        {"kind", "lens = { k1 = 0, k2 = 0 }\nkind", "unknown key 'lens'"}}) {
+    EXPECT_THAT(error_of([&] { display_from(with(monitor, f.from, f.to)); }), HasSubstr(f.message));
+  }
+}
+
+TEST(Profiles, WhatIsWrongWithATrackerIsSaidWithItsPlace) {
+  for (const Fault& f :
+       {Fault{"\"open-gaze\"", "\"open gaze\"", "mine.toml:2:10: there is no source 'open gaze'"},
+        {"rate_hz = 150", "rate_hz = 0", "mine.toml:3:11: rate_hz is out of range"},
+        {"transfer", "transport", "transfer is missing"},
+        {"duration_ms = 2", "duration_ms = -2", "transfer.duration_ms is out of range"},
+        {"duration_ms = 2", "duration_ms = 2000", "transfer.duration_ms is out of range"},
+        {"port = 4343", "port = 65536", "open_gaze.port is out of range"},
+        {"\"tracker.example\"", "\"\"", "open_gaze.host is missing or empty"},
+        {"[open_gaze]", "[simulated]", "unknown key 'simulated'"},
+        {"port = 4343", "porto = 4343", "unknown key 'open_gaze.porto'"}}) {
+    EXPECT_THAT(error_of([&] { tracker_from(with(tracker, f.from, f.to)); }),
+                AllOf(HasSubstr("mine.toml:"), HasSubstr(f.message)))
+        << f.to;
+  }
+}
+
+}  // namespace
+}  // namespace foveola

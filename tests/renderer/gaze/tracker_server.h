@@ -1,0 +1,34 @@
+// A tracker's program as far as a client sees it: a TCP server whose every step a test decides.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace foveola::test {
+
+/// Each wait gives up after ten seconds with std::runtime_error.
+class TrackerServer {
+ public:
+  /// port: 0 for any that is free.
+  explicit TrackerServer(std::uint16_t port = 0);
+  ~TrackerServer();
+  TrackerServer(const TrackerServer&) = delete;
+  TrackerServer& operator=(const TrackerServer&) = delete;
+
+  std::uint16_t port() const { return port_; }
+  /// Waits for a client, in place of the one before.
+  void accept();
+  /// What the client has sent, up to and with `end`.
+  std::string receive_until(std::string_view end) const;
+  /// To the client, at once.
+  void send(std::string_view bytes) const;
+  void hang_up();
+
+ private:
+  int listener_;
+  int client_ = -1;
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace foveola::test
