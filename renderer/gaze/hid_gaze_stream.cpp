@@ -96,9 +96,9 @@ GazeSample HidGazeStream::take_tracking(const HidTrackingData& data, Nanoseconds
     counters_.clock_restarts = earlier_restarts_ + clock_.restarts();
   }
   sample.time -= nanoseconds_from_seconds(settings_.latency_s);
-  if (data.gaze_point_m) {
-    sample.direction =
-        direction_at(settings_.screen, fraction_of(settings_.screen, *data.gaze_point_m));
+  const Screen& screen = settings_.screen;
+  if (data.gaze_point_m && screen.width_m > 0.0 && screen.height_m > 0.0) {
+    sample.direction = direction_at(screen, fraction_of(screen, *data.gaze_point_m));
     sample.valid = true;
   }
   count_interval(sensor_interval_s, arrival);

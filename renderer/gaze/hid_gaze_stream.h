@@ -15,7 +15,8 @@
 namespace foveola {
 
 struct HidGazeSettings {
-  /// What the tracker is calibrated to. A device that says how large that is knows better.
+  /// What the tracker is calibrated to. A device that says how large that is knows better; if only
+  /// the device can know, the size is 0, and without either no sample is valid.
   Screen screen;
   /// From the eye to the host for the report with the shortest way, in seconds, >= 0: the middle of
   /// the exposure, processing and transfer. The device says nothing of it; it is assumed.

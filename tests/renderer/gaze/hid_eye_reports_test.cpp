@@ -203,6 +203,15 @@ TEST(EyeReports, OfADeviceThatMeasuresGazeInSpace) {
   EXPECT_NEAR(*data->gaze_point_z_m, -0.01, 1e-12);
 }
 
+// The last usage stands for all numbers that are left.
+TEST(EyeReports, OfARepeatedPositionTheFirstCounts) {
+  const HidEyeReports reports = reports_of(tracker_with(
+      "16 18 fc 26 e8 03 65 11 55 0e 75 10 95 02 09 24 a1 00 09 22 81 02 09 21 81 02 c0"));
+  const auto data = read_report(reports.tracking, from_hex("64 00 01 00 c8 00 02 00"));
+  EXPECT_NEAR(data->gaze_point_m->y, 0.01, 1e-12);
+  EXPECT_NEAR(data->gaze_point_m->x, 0.02, 1e-12);
+}
+
 TEST(EyeReports, NeedAnEyeTrackerThatSendsAGazePoint) {
   const Bytes mouse = from_hex("05 01 09 02 a1 01 09 30 09 31 75 08 95 02 81 06 c0");
   EXPECT_THAT([&] { reports_of(mouse); },

@@ -167,8 +167,11 @@ TEST(HidEyeTracker, TheNewestSampleIsOfTheLastReport) {
   for (int i = 0; i < 240; ++i) {
     reads.push_back(tracking_report(8333 * static_cast<std::uint64_t>(i), 2500 * i, 150'000));
   }
+  reads.push_back(test::status_report(1, 120));  // no reason to forget the gaze
   HidEyeTracker tracker(opener_of({reads}, log), clock, quick_settings());
-  wait_for(tracker, has_reports(240));
+  const HidTrackerState state =
+      wait_for(tracker, [](const HidTrackerState& s) { return s.counters.other_reports == 1; });
+  EXPECT_EQ(state.counters.reports, 240U);
   const Nanoseconds now = clock.now();
   const auto sample = tracker.newest(now);
   ASSERT_TRUE(sample);

@@ -97,6 +97,16 @@ TEST(GazeStream, TheCalibratedScreenTakesTheSettingsPlace) {
   EXPECT_EQ(stream.screen().height_m, 0.6);
 }
 
+TEST(GazeStream, NoSampleIsValidBeforeTheSizeOfTheScreenIsKnown) {
+  HidGazeStream stream(reports_of(test::reference_descriptor()),
+                       {.screen = {.horizontal_fov_deg = 90.0, .vertical_fov_deg = 50.0}});
+  const auto unknown = stream.receive(tracking_report(0, 300'000, 150'000), milliseconds(1));
+  EXPECT_FALSE(unknown->valid);
+  EXPECT_EQ(unknown->direction, Vec3(0, 0, -1));
+  stream.learn(HidConfiguration{.screen_width_m = 0.6, .screen_height_m = 0.3});
+  EXPECT_TRUE(stream.receive(tracking_report(10, 300'000, 150'000), milliseconds(2))->valid);
+}
+
 TEST(GazeStream, CountsWhatMakesNoSense) {
   HidGazeStream stream = stream_of();
   EXPECT_FALSE(stream.receive(from_hex("77 00 00"), milliseconds(1)));
@@ -204,6 +214,7 @@ TEST(GazeStream, GoesOnAfterItIsConnectedAgain) {
   EXPECT_EQ(stream.counters().clock_restarts, 1U);
   stream.reconnect(reports_of(test::reference_descriptor()));
   EXPECT_FALSE(stream.status().sampling_frequency_hz);
+  stream.learn(HidStatus{.sampling_frequency_hz = 100.0});
   // Neither the pause nor the clock that begins anew is a fault.
   const auto sample = stream.receive(report_at_100_hz(0), milliseconds(9000));
   EXPECT_EQ(sample->time, milliseconds(9000));

@@ -42,6 +42,8 @@ TEST(SiUnits, NoneIfSomethingElseIsMeasured) {
   EXPECT_FALSE(si_units_in(0x14, 0, HidQuantity::length_m));    // degrees
   EXPECT_FALSE(si_units_in(0x21, 0, HidQuantity::length_m));    // square centimetres
   EXPECT_FALSE(si_units_in(0xF011, 0, HidQuantity::length_m));  // centimetres per second
+  EXPECT_FALSE(si_units_in(0x111, 0, HidQuantity::length_m));   // gram centimetres
+  EXPECT_FALSE(si_units_in(0x101001, 0, HidQuantity::time_s));  // ampere seconds
   EXPECT_FALSE(si_units_in(0x1001, 0, HidQuantity::frequency_hz));
   EXPECT_FALSE(si_units_in(0x101F, 0, HidQuantity::time_s));  // a vendor's own
   EXPECT_DOUBLE_EQ(*si_units_in(0x11, -4, HidQuantity::count), 1.0);

@@ -1,10 +1,10 @@
 // hidapi, udev and the device files, on an eye tracker that umockdev mocks.
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/renderer/gaze/hid_reference.h"
@@ -14,9 +14,8 @@ namespace foveola {
 namespace {
 
 using test::Bytes;
+using test::operator+;
 using test::to_hex;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 constexpr int reports = 240;  // two seconds of a tracker of 120 Hz
 
@@ -24,30 +23,27 @@ Bytes report(int index) {
   return test::tracking_report(8333 * static_cast<std::uint64_t>(index), 1000 * index, -index);
 }
 
-/// As umockdev-record would have written it: a USB device of the standard's descriptor.
-std::string device_description() {
-  const std::string hid = "/devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1234:ABCD.0001";
-  return "P: " + hid +
-         "/hidraw/hidraw0\n"
-         "N: hidraw0\n"
-         "E: DEVNAME=/dev/hidraw0\n"
-         "E: MAJOR=240\n"
-         "E: MINOR=0\n"
-         "E: SUBSYSTEM=hidraw\n"
-         "A: dev=240:0\\n\n"
-         "L: device=../../../0003:1234:ABCD.0001\n"
-         "\n"
-         "P: " +
-         hid +
-         "\n"
-         "E: DRIVER=hid-generic\n"
-         "E: HID_ID=0003:00001234:0000ABCD\n"
-         "E: HID_NAME=Reference Eye Tracker\n"
-         "E: HID_PHYS=usb-1/input0\n"
-         "E: HID_UNIQ=42\n"
-         "E: SUBSYSTEM=hid\n"
-         "H: report_descriptor=" +
-         to_hex(test::reference_descriptor()) + "\n";
+/// As umockdev-record would have written it: the USB device number `index` with its hidraw device.
+std::string device_description(int index, const std::string& name, const Bytes& descriptor) {
+  const std::string number = std::to_string(index);
+  const std::string hid = "0003:1234:ABC" + number + ".000" + number;
+  const std::string path = "/devices/pci0000:00/usb1/1-1/1-1:1.0/" + hid;
+  return "P: " + path + "/hidraw/hidraw" + number + "\nN: hidraw" + number +
+         "\nE: DEVNAME=/dev/hidraw" + number + "\nE: MAJOR=240\nE: MINOR=" + number +
+         "\nE: SUBSYSTEM=hidraw\nA: dev=240:" + number + "\\n\nL: device=../../../" + hid +
+         "\n\nP: " + path + "\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001234:0000ABC" + number +
+         "\nE: HID_NAME=" + name + "\nE: HID_PHYS=usb-1/input" + number + "\nE: HID_UNIQ=4" +
+         number + "\nE: SUBSYSTEM=hid\nH: report_descriptor=" + to_hex(descriptor) + "\n\n";
+}
+
+/// The reference device, a mouse, and a device with two eye trackers in it.
+std::string device_descriptions() {
+  // Within it is a pointer, usage 1 on another page.
+  const Bytes mouse =
+      test::from_hex("05 01 09 02 a1 01 09 01 a1 00 09 30 09 31 75 08 95 02 81 06 c0 c0");
+  const Bytes tracker = test::from_hex("05 12 09 01 a1 01 09 10 a1 02 c0 c0");
+  return device_description(0, "Reference Eye Tracker", test::reference_descriptor()) +
+         device_description(1, "Mouse", mouse) + device_description(2, "Twice", tracker + tracker);
 }
 
 std::string ioctls() {
@@ -102,7 +98,7 @@ class MockedTracker : public ::testing::Test {
     if (std::system("command -v umockdev-run >/dev/null") != 0) {
       GTEST_SKIP() << "umockdev-run is not installed (Debian package umockdev)";
     }
-    folder_.write("device", device_description());
+    folder_.write("devices", device_descriptions());
     folder_.write("ioctls", ioctls());
     folder_.write("script", script());
   }
@@ -110,7 +106,7 @@ class MockedTracker : public ::testing::Test {
   /// What the client prints in the mock's surroundings.
   std::string output_of_client(const std::string& arguments) const {
     const std::string folder = folder_.path().string();
-    return output_of("umockdev-run -d " + folder + "/device -i /dev/hidraw0=" + folder +
+    return output_of("umockdev-run -d " + folder + "/devices -i /dev/hidraw0=" + folder +
                      "/ioctls -s /dev/hidraw0=" + folder + "/script -- " + HID_UMOCKDEV_CLIENT +
                      " " + arguments + " 2>&1");
   }
@@ -119,8 +115,9 @@ class MockedTracker : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(MockedTracker, IsListedOnceAndReadWhole) {
-  std::string expected = "device /dev/hidraw0 1234 ABCD Reference Eye Tracker\n";
+TEST_F(MockedTracker, IsListedOnceAmongOthersAndReadWhole) {
+  std::string expected = "device /dev/hidraw0 1234 ABC0 Reference Eye Tracker\n";
+  expected += "device /dev/hidraw2 1234 ABC2 Twice\n";
   expected += "descriptor " + to_hex(test::reference_descriptor()) + "\n";
   expected += "configuration " + to_hex(test::configuration_report(600'000, 300'000)) + "\n";
   expected += "status " + to_hex(test::status_report(1, 120)) + "\n";
