@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,12 +29,29 @@ std::string device_description(int index, const std::string& name, const Bytes& 
   const std::string number = std::to_string(index);
   const std::string hid = "0003:1234:ABC" + number + ".000" + number;
   const std::string path = "/devices/pci0000:00/usb1/1-1/1-1:1.0/" + hid;
-  return "P: " + path + "/hidraw/hidraw" + number + "\nN: hidraw" + number +
-         "\nE: DEVNAME=/dev/hidraw" + number + "\nE: MAJOR=240\nE: MINOR=" + number +
-         "\nE: SUBSYSTEM=hidraw\nA: dev=240:" + number + "\\n\nL: device=../../../" + hid +
-         "\n\nP: " + path + "\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001234:0000ABC" + number +
-         "\nE: HID_NAME=" + name + "\nE: HID_PHYS=usb-1/input" + number + "\nE: HID_UNIQ=4" +
-         number + "\nE: SUBSYSTEM=hid\nH: report_descriptor=" + to_hex(descriptor) + "\n\n";
+  const std::vector<std::string> lines = {"P: " + path + "/hidraw/hidraw" + number,
+                                          "N: hidraw" + number,
+                                          "E: DEVNAME=/dev/hidraw" + number,
+                                          "E: MAJOR=240",
+                                          "E: MINOR=" + number,
+                                          "E: SUBSYSTEM=hidraw",
+                                          "A: dev=240:" + number + "\\n",
+                                          "L: device=../../../" + hid,
+                                          "",
+                                          "P: " + path,
+                                          "E: DRIVER=hid-generic",
+                                          "E: HID_ID=0003:00001234:0000ABC" + number,
+                                          "E: HID_NAME=" + name,
+                                          "E: HID_PHYS=usb-1/input" + number,
+                                          "E: HID_UNIQ=4" + number,
+                                          "E: SUBSYSTEM=hid",
+                                          "H: report_descriptor=" + to_hex(descriptor),
+                                          ""};
+  std::string text;
+  for (const std::string& line : lines) {
+    text += line + "\n";
+  }
+  return text;
 }
 
 /// The reference device, a mouse, and a device with two eye trackers in it.
@@ -60,8 +78,8 @@ std::string ioctls() {
          call("HIDIOCSFEATURE", 2, test::from_hex("1401"));
 }
 
-/// All reports, 4 ms apart. (umockdev's script-format.txt tells how bytes are escaped, but
-/// a blank is not.)
+/// All reports, 4 ms apart, from 300 ms on. umockdev's script-format.txt tells how bytes are
+/// escaped; in truth a blank is not.
 std::string script() {
   std::string text;
   for (int i = 0; i < reports; ++i) {
