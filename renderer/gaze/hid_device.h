@@ -1,0 +1,70 @@
+// HID devices: what is attached, and the bytes that go to and from one.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace foveola {
+
+/// One that is open. A report's bytes begin with its id if the device's reports have ids.
+class HidDevice {
+ public:
+  virtual ~HidDevice() = default;
+
+  /// Waits for the next input report, which goes to the beginning of `buffer`, and returns how many
+  /// bytes it has: at most the buffer's, 0 if none came within `timeout`. Empty once the device is
+  /// gone.
+  virtual std::optional<std::size_t> read(std::span<std::uint8_t> buffer,
+                                          std::chrono::milliseconds timeout) = 0;
+
+  /// The feature report with this id (0: reports have none), at most size_bytes long. Empty if the
+  /// device does not give it.
+  virtual std::optional<std::vector<std::uint8_t>> get_feature_report(std::uint8_t id,
+                                                                      std::size_t size_bytes) = 0;
+
+  /// Returns whether the device took it. id: as above.
+  virtual bool send_feature_report(std::uint8_t id, std::span<const std::uint8_t> report) = 0;
+};
+
+struct HidDeviceInfo {
+  std::string path;  ///< of its device file; it may change when the device is plugged in again
+  std::uint16_t vendor_id = 0;
+  std::uint16_t product_id = 0;
+  std::string manufacturer;
+  std::string product;
+  std::string serial_number;  ///< empty if it has none
+};
+
+/// Those attached that have an eye tracker among their collections, each once.
+std::vector<HidDeviceInfo> list_hid_eye_trackers();
+
+/// Which device is meant: it may have any value where nothing is said.
+struct HidDeviceChoice {
+  std::optional<std::uint16_t> vendor_id;
+  std::optional<std::uint16_t> product_id;
+  std::optional<std::string> serial_number;
+};
+
+bool is_chosen(const HidDeviceInfo& device, const HidDeviceChoice& choice);
+
+/// A device with what it says that its reports hold.
+struct HidConnection {
+  HidDeviceInfo info;
+  std::vector<std::uint8_t> report_descriptor;
+  std::unique_ptr<HidDevice> device;
+};
+
+/// Throws Error if the device is gone, or the user may not read and write it.
+HidConnection open_hid_device(const HidDeviceInfo& info);
+
+/// Opens the first eye tracker attached that is the chosen one; empty if there is none. Throws
+/// Error as above.
+std::optional<HidConnection> open_hid_eye_tracker(const HidDeviceChoice& choice = {});
+
+}  // namespace foveola

@@ -1,0 +1,139 @@
+#include "renderer/gaze/hid_eye_tracker.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace foveola {
+namespace {
+
+/// How long the thread cannot be stopped.
+constexpr std::chrono::milliseconds read_timeout{50};
+
+std::size_t longest_input(const HidEyeReports& reports) {
+  std::size_t size_bytes = 0;
+  for (const HidReportShape& shape : reports.inputs) {
+    size_bytes = std::max(size_bytes, shape.size_bytes);
+  }
+  return size_bytes;
+}
+
+/// What a feature report says; empty if the device has none or does not give it.
+template <typename Report>
+auto get_feature(HidDevice& device, const std::optional<Report>& report)
+    -> decltype(read_report(*report, {})) {
+  if (!report) {
+    return std::nullopt;
+  }
+  const auto bytes = device.get_feature_report(report->shape.id, report->shape.size_bytes);
+  return bytes ? read_report(*report, *bytes) : std::nullopt;
+}
+
+/// Returns whether the device took it, or needs none.
+bool request_gaze(HidDevice& device, const std::optional<HidControlReport>& control) {
+  return !control ||
+         device.send_feature_report(control->shape.id, mode_request(*control, HidMode::gaze_point));
+}
+
+}  // namespace
+
+HidEyeTracker::HidEyeTracker(Opener open, const Clock& clock, const HidTrackerSettings& settings)
+    : open_(std::move(open)),
+      clock_(&clock),
+      settings_(settings),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+std::optional<GazeSample> HidEyeTracker::newest(Nanoseconds /*now*/) {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+HidTrackerState HidEyeTracker::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+void HidEyeTracker::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    note_disconnected(connect_and_read(stop));
+    wait_to_retry(stop);
+  }
+}
+
+std::string HidEyeTracker::connect_and_read(const std::stop_token& stop) {
+  try {
+    const std::optional<HidConnection> connection = open_();
+    if (!connection) {
+      return "no eye tracker is attached";
+    }
+    const HidEyeReports reports =
+        find_eye_reports(parse_report_descriptor(connection->report_descriptor));
+    set_up(*connection, reports);
+    read_until_gone(stop, *connection->device, longest_input(reports));
+    return "the eye tracker was unplugged";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+void HidEyeTracker::set_up(const HidConnection& connection, const HidEyeReports& reports) {
+  HidDevice& device = *connection.device;
+  const auto configuration = get_feature(device, reports.configuration);
+  const auto capabilities = get_feature(device, reports.capabilities);
+  const auto status = get_feature(device, reports.status_feature);
+  // Only now: a host reads the configuration before it asks a device to measure.
+  const bool will_measure = request_gaze(device, reports.control);
+  if (stream_) {
+    stream_->reconnect(reports);
+  } else {
+    stream_.emplace(reports, settings_.gaze);
+  }
+  stream_->learn(configuration.value_or(HidConfiguration{}));
+  stream_->learn(status.value_or(HidStatus{}));
+
+  const std::lock_guard lock(mutex_);
+  state_.is_connected = true;
+  state_.device = connection.info;
+  state_.status = stream_->status();
+  state_.configuration = configuration;
+  state_.capabilities = capabilities;
+  ++state_.connections;
+  state_.trouble = will_measure ? "" : "the eye tracker refuses to be asked for gaze";
+}
+
+void HidEyeTracker::read_until_gone(const std::stop_token& stop, HidDevice& device,
+                                    std::size_t longest_report_bytes) {
+  std::vector<std::uint8_t> buffer(longest_report_bytes);
+  while (!stop.stop_requested()) {
+    const std::optional<std::size_t> size_bytes = device.read(buffer, read_timeout);
+    if (!size_bytes) {
+      return;
+    }
+    if (*size_bytes > 0) {
+      take(std::span(buffer).first(*size_bytes));
+    }
+  }
+}
+
+void HidEyeTracker::take(std::span<const std::uint8_t> bytes) {
+  const std::optional<GazeSample> sample = stream_->receive(bytes, clock_->now());
+  const std::lock_guard lock(mutex_);
+  if (sample) {
+    newest_ = sample;
+  }
+  state_.status = stream_->status();
+  state_.counters = stream_->counters();
+}
+
+void HidEyeTracker::note_disconnected(const std::string& trouble) {
+  const std::lock_guard lock(mutex_);
+  state_.is_connected = false;
+  state_.trouble = trouble;
+}
+
+void HidEyeTracker::wait_to_retry(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  retry_.wait_for(lock, stop, settings_.retry, [] { return false; });
+}
+
+}  // namespace foveola

@@ -1,0 +1,82 @@
+// From what a HID eye tracker sends to where the eye looked and when.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/hid_eye_reports.h"
+#include "renderer/gaze/hid_sensor_clock.h"
+#include "renderer/gaze/screen.h"
+
+namespace foveola {
+
+struct HidGazeSettings {
+  /// What the tracker is calibrated to. A device that says how large that is knows better; if only
+  /// the device can know, the size is 0, and without either no sample is valid.
+  Screen screen;
+  /// From the eye to the host for the report with the shortest way, in seconds, >= 0: the middle of
+  /// the exposure, processing and transfer. The device says nothing of it; it is assumed.
+  double latency_s = 0.0;
+  /// Off: reports count from when they arrive, for a device whose clock is wrong.
+  bool use_sensor_clock = true;
+};
+
+/// What has come from a device so far.
+struct HidGazeCounters {
+  std::uint64_t reports = 0;        ///< of tracking data
+  std::uint64_t other_reports = 0;  ///< that the device describes too
+  std::uint64_t wrong_ids = 0;      ///< reads, or what followed in one, with an id of no report
+  std::uint64_t short_reads = 0;    ///< which ended before the report did
+  /// Times that longer than one and a half periods went by between two reports. A device that does
+  /// not see the eyes may send nothing.
+  std::uint64_t gaps = 0;
+  std::uint64_t clock_restarts = 0;  ///< see HidSensorClock
+  double rate_hz = 0.0;  ///< of the last tracking reports to arrive; 0 before the second
+};
+
+/// Reads reports as they arrive, in their order. A pure function of what it is given.
+class HidGazeStream {
+ public:
+  HidGazeStream(const HidEyeReports& reports, const HidGazeSettings& settings);
+
+  /// What feature reports say, as far as a device has them: the period of the reports, of which the
+  /// rate is the judge without; and the size of the screen.
+  void learn(const HidStatus& status);
+  void learn(const HidConfiguration& configuration);
+
+  /// Another connection of the same tracker: its clock and its reports may be different now, the
+  /// counters go on.
+  void reconnect(const HidEyeReports& reports);
+
+  /// Takes the bytes of one read: a report, several behind one another if the reads were merged,
+  /// or none that makes sense. Zeros behind a report are padding. Returns the gaze of the last
+  /// tracking report among them; its direction is straight ahead if it is not valid. Arrivals may
+  /// not go backwards between calls.
+  std::optional<GazeSample> receive(std::span<const std::uint8_t> bytes, Nanoseconds arrival);
+
+  const HidGazeCounters& counters() const { return counters_; }
+  /// The newest that the device said, in a feature report that was learnt or an input report.
+  const HidStatus& status() const { return status_; }
+  const Screen& screen() const { return settings_.screen; }
+
+ private:
+  GazeSample take_tracking(const HidTrackingData& data, Nanoseconds arrival);
+  void take_status(std::span<const std::uint8_t> report);
+  void count_interval(std::optional<double> sensor_interval_s, Nanoseconds arrival);
+  void count_rate(Nanoseconds arrival);
+  std::optional<double> period_s() const;
+
+  HidEyeReports reports_;
+  HidGazeSettings settings_;
+  HidStatus status_;
+  HidSensorClock clock_;
+  std::uint64_t earlier_restarts_ = 0;  ///< of the clocks of earlier connections
+  std::deque<Nanoseconds> arrivals_;    ///< of the last tracking reports
+  HidGazeCounters counters_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,54 @@
+// From the time that a sensor stamps on its reports to the host's.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "renderer/base/clock.h"
+
+namespace foveola {
+
+/// Follows a clock whose origin is not known and which may run slightly fast or slow. A report can
+/// be late, never early: of those that arrived within the last five seconds, the one with the
+/// shortest way is taken to have had none, and tells how far the two clocks are apart.
+///
+/// A sensor clock that jumps back or stands still makes reports seem ever later. Once one seems
+/// more than a second late, longer than 60 Hz need to fill the 64 reports that Linux queues, the
+/// clocks are compared anew from there on.
+class HidSensorClock {
+ public:
+  /// period_s: the sensor's clock starts again from 0 after so many seconds; empty if never.
+  explicit HidSensorClock(std::optional<double> period_s = {}) : period_s_(period_s) {}
+
+  /// When the report stamped `sensor_time_s` would have arrived with no delay but the shortest; in
+  /// [arrival - 1 s, arrival]. Arrivals may not go backwards between calls.
+  Nanoseconds host_time(double sensor_time_s, Nanoseconds arrival);
+
+  /// Seconds of the sensor's clock from the report before the last one to the last one; empty if
+  /// the two cannot be compared.
+  std::optional<double> last_interval_s() const { return last_interval_s_; }
+
+  /// How often the clocks had to be compared anew.
+  std::uint64_t restarts() const { return restarts_; }
+
+ private:
+  struct Comparison {
+    Nanoseconds arrival{0};
+    double ahead_s = 0.0;  ///< of the host's clock to the sensor's
+  };
+
+  /// The same time without the sensor's starting again.
+  double continued(double sensor_time_s);
+  /// Adds to the window and drops what is now too old or no longer the least of anything.
+  void compare(const Comparison& comparison);
+
+  std::optional<double> period_s_;
+  double periods_s_ = 0.0;  ///< those that are over
+  std::optional<double> last_s_;
+  std::optional<double> last_interval_s_;
+  std::deque<Comparison> window_;  ///< ahead_s ascends, so the first is the least
+  std::uint64_t restarts_ = 0;
+};
+
+}  // namespace foveola

@@ -1,0 +1,158 @@
+#include "tests/fuzz/hid_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+
+#include "renderer/base/error.h"
+#include "renderer/gaze/hid_eye_reports.h"
+#include "renderer/gaze/hid_gaze_stream.h"
+#include "renderer/gaze/hid_report_descriptor.h"
+
+namespace foveola::test {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr Nanoseconds period = std::chrono::milliseconds(8);
+constexpr double latency_s = 0.014;
+
+/// Takes up to `size` bytes off the input.
+Bytes take(Bytes& input, std::size_t size) {
+  const Bytes taken = input.first(std::min(size, input.size()));
+  input = input.subspan(taken.size());
+  return taken;
+}
+
+/// Takes `digits` bytes off the input as a number.
+std::size_t take_number(Bytes& input, std::size_t digits) {
+  std::size_t number = 0;
+  std::size_t place = 1;
+  for (const std::uint8_t byte : take(input, digits)) {
+    number += place * byte;
+    place *= 256;
+  }
+  return number;
+}
+
+void check_that(bool holds, const char* what) {
+  if (!holds) {
+    throw std::logic_error(what);
+  }
+}
+
+void check(const HidReportDescriptor& descriptor) {
+  std::size_t fields = 0;
+  for (const HidReport& report : descriptor.reports) {
+    check_that(report.bit_size <= HidLimits::report_bits, "a report is too long");
+    check_that(8 * report.size_bytes >= report.bit_size, "a report is longer than its bytes");
+    fields += report.fields.size();
+    for (const HidField& field : report.fields) {
+      const std::uint64_t bits = std::uint64_t{field.bit_size} * field.count;
+      check_that(field.bit_offset + bits <= report.bit_size, "a field is outside its report");
+      check_that(field.logical_minimum <= field.logical_maximum, "a range is upside down");
+      check_that(field.collections.size() <= HidLimits::collection_depth, "too deep");
+    }
+  }
+  check_that(fields <= HidLimits::fields, "there are too many fields");
+}
+
+void check(const std::optional<HidNumber>& number, const HidReportShape& shape) {
+  if (number) {
+    check_that(number->bit_size >= 1 && number->bit_size <= 64, "a number has no size");
+    check_that(number->bit_offset + number->bit_size <= 8 * shape.size_bytes,
+               "a number is outside its report");
+  }
+}
+
+void check(const HidTrackingReport& report) {
+  check(report.sensor_time, report.shape);
+  for (const HidPoint& point :
+       {report.gaze_point, report.left_eye, report.right_eye, report.head, report.head_rotation}) {
+    check(point.x, report.shape);
+    check(point.y, report.shape);
+    check(point.z, report.shape);
+  }
+}
+
+void check(const std::optional<double>& value) {
+  check_that(!value || std::isfinite(*value), "a value is not finite");
+}
+
+void check(const std::optional<DVec3>& point) {
+  check_that(!point || std::isfinite(glm::dot(*point, *point)), "a point is not finite");
+}
+
+void check(const HidTrackingData& data) {
+  check(data.sensor_time_s);
+  check(data.gaze_point_z_m);
+  check(data.left_eye_m);
+  check(data.right_eye_m);
+  check(data.head_m);
+  check(data.head_rotation_rad);
+}
+
+void check(const GazeSample& sample, Nanoseconds arrival) {
+  const Nanoseconds latest = arrival - nanoseconds_from_seconds(latency_s);
+  check_that(sample.time <= latest && sample.time >= latest - std::chrono::seconds(1),
+             "a sample is of another time");
+  check_that(std::abs(glm::length(sample.direction) - 1.0F) < 1e-4F,
+             "a direction is not of unit length");
+}
+
+void learn_from(const HidEyeReports& reports, Bytes read, HidGazeStream& stream) {
+  if (reports.status_feature) {
+    stream.learn(read_report(*reports.status_feature, read).value_or(HidStatus{}));
+  }
+  if (reports.configuration) {
+    stream.learn(read_report(*reports.configuration, read).value_or(HidConfiguration{}));
+  }
+  if (reports.capabilities) {
+    if (const auto capabilities = read_report(*reports.capabilities, read)) {
+      check(capabilities->optimum_distance_m);
+    }
+  }
+  if (reports.control) {
+    check_that(mode_request(*reports.control, HidMode::gaze_point).size() ==
+                   reports.control->shape.size_bytes,
+               "a request has another size");
+  }
+}
+
+bool read_all(const HidEyeReports& reports, Bytes reads) {
+  const Screen screen{
+      .width_m = 0.6, .height_m = 0.3, .horizontal_fov_deg = 90.0, .vertical_fov_deg = 53.0};
+  HidGazeStream stream(reports, {.screen = screen, .latency_s = latency_s});
+  bool has_sample = false;
+  for (Nanoseconds now(0); !reads.empty(); now += period) {
+    const Bytes read = take(reads, take_number(reads, 1));
+    learn_from(reports, read, stream);
+    if (const auto data = read_report(reports.tracking, read)) {
+      check(*data);
+    }
+    if (const auto sample = stream.receive(read, now)) {
+      check(*sample, now);
+      has_sample = true;
+    }
+  }
+  return has_sample;
+}
+
+}  // namespace
+
+bool read_hid_input(std::span<const std::uint8_t> input) {
+  try {
+    const std::size_t descriptor_size = take_number(input, 2);
+    const HidReportDescriptor descriptor = parse_report_descriptor(take(input, descriptor_size));
+    check(descriptor);
+    const HidEyeReports reports = find_eye_reports(descriptor);
+    check(reports.tracking);
+    return read_all(reports, input);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace foveola::test
