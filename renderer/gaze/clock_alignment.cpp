@@ -4,24 +4,17 @@
 
 namespace foveola {
 
-ClockAlignment::ClockAlignment(Nanoseconds window) : window_(window) {
+ClockAlignment::ClockAlignment(Nanoseconds window) : offsets_(window) {
   assert(window > Nanoseconds::zero());
 }
 
 Nanoseconds ClockAlignment::host_time(Nanoseconds tracker_time, Nanoseconds arrival) {
   if (last_tracker_time_ && tracker_time < *last_tracker_time_) {
-    fastest_.clear();
+    offsets_.clear();
   }
   last_tracker_time_ = tracker_time;
-  const Nanoseconds offset = arrival - tracker_time;
-  while (!fastest_.empty() && fastest_.back().offset >= offset) {
-    fastest_.pop_back();
-  }
-  fastest_.push_back({.arrival = arrival, .offset = offset});
-  while (fastest_.front().arrival < arrival - window_) {
-    fastest_.pop_front();
-  }
-  return tracker_time + fastest_.front().offset;
+  offsets_.add(arrival, arrival - tracker_time);
+  return tracker_time + offsets_.least();
 }
 
 }  // namespace foveola

@@ -1,10 +1,10 @@
 // From a tracker's clock to the host's, when all that is known of it is what arrives.
 #pragma once
 
-#include <deque>
 #include <optional>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/sliding_minimum.h"
 
 namespace foveola {
 
@@ -22,15 +22,8 @@ class ClockAlignment {
   Nanoseconds host_time(Nanoseconds tracker_time, Nanoseconds arrival);
 
  private:
-  struct Delivery {
-    Nanoseconds arrival{0};
-    Nanoseconds offset{0};  ///< the arrival less the tracker's time
-  };
-
-  Nanoseconds window_;
   std::optional<Nanoseconds> last_tracker_time_;
-  /// Those that are or may become the fastest of the window: both fields ascend.
-  std::deque<Delivery> fastest_;
+  SlidingMinimum<Nanoseconds> offsets_;  ///< arrivals less the tracker's times
 };
 
 }  // namespace foveola

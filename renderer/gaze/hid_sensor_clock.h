@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/sliding_minimum.h"
 
 namespace foveola {
 
@@ -33,21 +33,15 @@ class HidSensorClock {
   std::uint64_t restarts() const { return restarts_; }
 
  private:
-  struct Comparison {
-    Nanoseconds arrival{0};
-    double ahead_s = 0.0;  ///< of the host's clock to the sensor's
-  };
-
   /// The same time without the sensor's starting again.
   double continued(double sensor_time_s);
-  /// Adds to the window and drops what is now too old or no longer the least of anything.
-  void compare(const Comparison& comparison);
 
   std::optional<double> period_s_;
   double periods_s_ = 0.0;  ///< those that are over
   std::optional<double> last_s_;
   std::optional<double> last_interval_s_;
-  std::deque<Comparison> window_;  ///< ahead_s ascends, so the first is the least
+  /// By how many seconds the host's clock was ahead of the sensor's as reports arrived.
+  SlidingMinimum<double> ahead_s_{std::chrono::seconds(5)};
   std::uint64_t restarts_ = 0;
 };
 
