@@ -23,6 +23,7 @@
 #include "renderer/commands/scene_info.h"
 #include "renderer/commands/scene_pick.h"
 #include "renderer/commands/scene_sheet.h"
+#include "renderer/commands/tracker_commands.h"
 #include "scenes/builtin.h"
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
@@ -159,6 +160,7 @@ int run(int argc, char** argv) {
   add_scene_info(scene, scenes::find_scene);
   add_scene_pick(scene, scenes::find_scene);
   add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());
+  add_tracker_commands(app, signals.token());
   study::add_study_commands(app, scenes::find_scene, signals.token());
   analysis::add_analysis_commands(app, signals.token());
   try {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
@@ -22,6 +23,8 @@ class EyeTracker {
   /// The newest sample that has arrived by `now`, valid or not; empty before the first. Time may
   /// not go backwards between calls.
   virtual std::optional<GazeSample> newest(Nanoseconds now) = 0;
+  /// Why no samples come, for the user; empty if all is well.
+  virtual std::string trouble() const { return {}; }
 };
 
 /// Always looks along `direction` (head's axes), as of now.

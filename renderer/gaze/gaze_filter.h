@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
@@ -21,6 +22,7 @@ class HoldFilter final : public EyeTracker {
   /// limit: beyond this age (now less the sample's time) it is invalid; in (0, longest_hold].
   explicit HoldFilter(std::unique_ptr<EyeTracker> source, Nanoseconds limit = longest_hold);
   std::optional<GazeSample> newest(Nanoseconds now) override;
+  std::string trouble() const override { return source_->trouble(); }
 
  private:
   std::unique_ptr<EyeTracker> source_;
@@ -67,6 +69,7 @@ class OneEuroFilter final : public EyeTracker {
  public:
   OneEuroFilter(std::unique_ptr<EyeTracker> source, const OneEuroSettings& settings);
   std::optional<GazeSample> newest(Nanoseconds now) override;
+  std::string trouble() const override { return source_->trouble(); }
 
  private:
   std::unique_ptr<EyeTracker> source_;

@@ -58,6 +58,8 @@ class HidEyeTracker final : public EyeTracker {
   /// sample stays as it is: its time tells how old it is.
   std::optional<GazeSample> newest(Nanoseconds now) override;
 
+  std::string trouble() const override { return state().trouble; }
+
   HidTrackerState state() const;
 
  private:

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace foveola {
 namespace {
 
@@ -89,6 +91,12 @@ OpenGazeTracker::OpenGazeTracker(const OpenGazeSettings& settings)
 std::optional<GazeSample> OpenGazeTracker::newest(Nanoseconds /*now*/) {
   const std::lock_guard lock(mutex_);
   return newest_;
+}
+
+std::string OpenGazeTracker::trouble() const {
+  return counters().is_connected ? ""
+                                 : fmt::format("nothing speaks the Open Gaze API at {}:{}",
+                                               settings_.address.host, settings_.address.port);
 }
 
 OpenGazeCounters OpenGazeTracker::counters() const {

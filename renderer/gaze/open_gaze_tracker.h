@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
@@ -74,6 +75,7 @@ class OpenGazeTracker final : public EyeTracker {
   /// What has arrived before the call; `now` does not matter. After the connection is lost, still
   /// the last sample, whose age tells.
   std::optional<GazeSample> newest(Nanoseconds now) override;
+  std::string trouble() const override;
   OpenGazeCounters counters() const;
 
  private:

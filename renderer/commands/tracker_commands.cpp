@@ -1,0 +1,219 @@
+#include "renderer/commands/tracker_commands.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/clock.h"
+#include "renderer/gaze/gaze_source.h"
+#include "renderer/gaze/hid_device.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/gaze/sample_rhythm.h"
+
+namespace foveola {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// --- list ---
+
+const char* name_of(TrackerSource source) {
+  switch (source) {
+    case TrackerSource::hid:
+      return "hid";
+    case TrackerSource::open_gaze:
+      return "open-gaze";
+    case TrackerSource::simulated:
+      break;
+  }
+  return "simulated";
+}
+
+std::vector<TrackerProfile> profiles() {
+  std::vector<TrackerProfile> list;
+  for (const std::string& name : tracker_profile_names()) {
+    list.push_back(read_tracker_profile(name));
+  }
+  return list;
+}
+
+void print_list_json(const std::vector<HidDeviceInfo>& devices) {
+  Json attached = Json::array();
+  for (const HidDeviceInfo& device : devices) {
+    attached.push_back({{"path", device.path},
+                        {"vendor_id", device.vendor_id},
+                        {"product_id", device.product_id},
+                        {"manufacturer", device.manufacturer},
+                        {"product", device.product},
+                        {"serial_number", device.serial_number}});
+  }
+  Json known = Json::array();
+  for (const TrackerProfile& profile : profiles()) {
+    known.push_back({{"name", profile.name},
+                     {"title", profile.title},
+                     {"source", name_of(profile.source)},
+                     {"rate_hz", profile.rate_hz}});
+  }
+  const Json json = {{"attached", attached}, {"profiles", known}};
+  // Devices may say what is no UTF-8.
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void print_list(const std::vector<HidDeviceInfo>& devices) {
+  if (devices.empty()) {
+    fmt::print("No HID eye tracker is attached.\n");
+  }
+  for (const HidDeviceInfo& device : devices) {
+    fmt::print("{}  {:04x}:{:04x}  {} {} {}\n", device.path, device.vendor_id, device.product_id,
+               device.manufacturer, device.product, device.serial_number);
+  }
+  fmt::print("Profiles, for tracker watch:\n");
+  for (const TrackerProfile& profile : profiles()) {
+    fmt::print("  {:<12} {:<10} {:>4.0f} Hz  {}\n", profile.name, name_of(profile.source),
+               profile.rate_hz, profile.title);
+  }
+}
+
+// --- watch ---
+
+struct WatchArguments {
+  std::string tracker = "hid";
+  std::string display = "desktop";
+  double seconds = 0.0;
+  bool json = false;
+};
+
+/// "azimuth  12.30 elevation  -3.10", or what is wrong.
+std::string describe(const std::optional<GazeSample>& sample, const std::string& trouble) {
+  if (!trouble.empty()) {
+    return trouble;
+  }
+  if (!sample) {
+    return "no sample yet";
+  }
+  if (!sample->valid) {
+    return "the eyes are not seen";
+  }
+  const AzimuthElevation gaze = azimuth_elevation(sample->direction);
+  return fmt::format("azimuth {:6.2f}  elevation {:6.2f}", degrees(gaze.azimuth_rad),
+                     degrees(gaze.elevation_rad));
+}
+
+std::string describe(const SampleRhythm& rhythm) {
+  return fmt::format("{:6.1f} Hz  jitter {:5.2f} ms  {} gaps  {} of {} valid",
+                     rhythm.rate_hz().value_or(0.0), rhythm.jitter_ms().value_or(0.0),
+                     rhythm.gaps(), rhythm.valid_samples(), rhythm.samples());
+}
+
+/// One line over the other on a terminal, and under the other elsewhere.
+class LiveLine {
+ public:
+  ~LiveLine() {
+    if (is_terminal_) {
+      fmt::print("\n");
+    }
+  }
+  void show(const std::string& text) const {
+    is_terminal_ ? fmt::print("\r{:<100}", text) : fmt::print("{}\n", text);
+    std::fflush(stdout);
+  }
+
+ private:
+  bool is_terminal_ = ::isatty(STDOUT_FILENO) == 1;
+};
+
+Json json_of(const SampleRhythm& rhythm, const std::string& tracker, const std::string& trouble) {
+  Json json = {{"tracker", tracker},
+               {"samples", rhythm.samples()},
+               {"valid_samples", rhythm.valid_samples()},
+               {"gaps", rhythm.gaps()},
+               {"rate_hz", nullptr},
+               {"jitter_ms", nullptr},
+               {"trouble", trouble}};
+  if (rhythm.rate_hz()) {
+    json["rate_hz"] = *rhythm.rate_hz();
+    json["jitter_ms"] = *rhythm.jitter_ms();
+  }
+  return json;
+}
+
+void watch(const WatchArguments& arguments, const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds poll_interval{1};
+  constexpr Nanoseconds show_interval = std::chrono::milliseconds(250);
+  const SteadyClock clock;
+  const auto tracker = open_eye_tracker(read_tracker_profile(arguments.tracker),
+                                        screen_of(read_display_profile(arguments.display)), clock);
+  const std::optional<LiveLine> line =
+      arguments.json ? std::nullopt : std::optional<LiveLine>(std::in_place);
+  SampleRhythm rhythm;
+  const Nanoseconds start = clock.now();
+  Nanoseconds shown = start;
+  const auto is_over = [&](Nanoseconds now) {
+    return arguments.seconds > 0.0 && seconds(now - start) >= arguments.seconds;
+  };
+  for (Nanoseconds now = start; !stop.stop_requested() && !is_over(now); now = clock.now()) {
+    const std::optional<GazeSample> sample = tracker->newest(now);
+    if (sample) {
+      rhythm.add(*sample);
+    }
+    if (line && now - shown >= show_interval) {
+      shown = now;
+      const double age_ms = sample ? 1e3 * seconds(now - sample->time) : 0.0;
+      line->show(fmt::format("{:<36} age {:5.1f} ms  {}", describe(sample, tracker->trouble()),
+                             age_ms, describe(rhythm)));
+    }
+    std::this_thread::sleep_for(poll_interval);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", json_of(rhythm, arguments.tracker, tracker->trouble())
+                           .dump(2, ' ', false, Json::error_handler_t::replace));
+  }
+}
+
+void add_list(CLI::App& tracker) {
+  const auto as_json = std::make_shared<bool>(false);
+  CLI::App* command = tracker.add_subcommand("list", "The HID eye trackers attached, and profiles");
+  command->add_flag("--json", *as_json, "Print it as JSON");
+  command->footer("Example: foveola tracker list");
+  command->callback([as_json] {
+    const std::vector<HidDeviceInfo> devices = list_hid_eye_trackers();
+    *as_json ? print_list_json(devices) : print_list(devices);
+  });
+}
+
+void add_watch(CLI::App& tracker, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<WatchArguments>();
+  CLI::App* command =
+      tracker.add_subcommand("watch", "Where the eyes look, and how regularly samples come");
+  command->add_option("TRACKER", arguments->tracker, "A profile's name or file (see tracker list)")
+      ->capture_default_str();
+  command->add_option("--display", arguments->display, "What they look at: a name or file")
+      ->capture_default_str();
+  command->add_option("--seconds", arguments->seconds, "Ends after so long (0: with Ctrl-C)")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print only how it was in the end, as JSON");
+  command->footer("Example: foveola tracker watch simulated --seconds 5");
+  command->callback([arguments, stop] { watch(*arguments, stop); });
+}
+
+}  // namespace
+
+void add_tracker_commands(CLI::App& app, const std::stop_token& stop) {
+  CLI::App* tracker = app.add_subcommand("tracker", "Eye trackers: list, watch");
+  tracker->require_subcommand(1);
+  add_list(*tracker);
+  add_watch(*tracker, stop);
+}
+
+}  // namespace foveola

@@ -1,0 +1,50 @@
+#include "renderer/gaze/gaze_source.h"
+
+#include "renderer/gaze/hid_eye_tracker.h"
+#include "renderer/gaze/open_gaze_tracker.h"
+#include "renderer/gaze/simulated_eye.h"
+
+namespace foveola {
+namespace {
+
+std::unique_ptr<EyeTracker> open_hid(const TrackerProfile& profile, const Screen& screen,
+                                     const Clock& clock) {
+  const HidTrackerSettings settings{
+      .gaze = {.screen = screen, .latency_s = seconds(shortest_delay(profile))}};
+  return std::make_unique<HidEyeTracker>([] { return open_hid_eye_tracker(); }, clock, settings);
+}
+
+std::unique_ptr<EyeTracker> open_open_gaze(const TrackerProfile& profile, const Screen& screen) {
+  OpenGazeSettings settings{.address = profile.open_gaze, .screen = screen};
+  settings.latency = shortest_delay(profile);
+  return std::make_unique<OpenGazeTracker>(settings);
+}
+
+std::unique_ptr<EyeTracker> watch_simulated_eye(const TrackerProfile& profile, const Clock& clock) {
+  const auto eye = std::make_shared<SimulatedEye>(SimulatedEyeSettings{});
+  const Nanoseconds start = clock.now();
+  return std::make_unique<SimulatedEyeTracker>(
+      profile.simulated, [eye, start](Nanoseconds time) { return eye->gaze(time - start); });
+}
+
+}  // namespace
+
+Nanoseconds shortest_delay(const TrackerProfile& profile) {
+  return nanoseconds_from_seconds(0.5 * profile.exposure.duration_s + profile.transfer.duration_s +
+                                  profile.processing.duration_s);
+}
+
+std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
+                                             const Clock& clock) {
+  switch (profile.source) {
+    case TrackerSource::hid:
+      return open_hid(profile, screen, clock);
+    case TrackerSource::open_gaze:
+      return open_open_gaze(profile, screen);
+    case TrackerSource::simulated:
+      break;
+  }
+  return watch_simulated_eye(profile, clock);
+}
+
+}  // namespace foveola

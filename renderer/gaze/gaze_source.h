@@ -1,0 +1,23 @@
+// From a tracker's profile to the tracker.
+#pragma once
+
+#include <memory>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/gaze/screen.h"
+
+namespace foveola {
+
+/// From the middle of an exposure until its sample can be here: what a sample's time is set back
+/// by.
+Nanoseconds shortest_delay(const TrackerProfile& profile);
+
+/// Begins to look for the tracker at once, and does not wait for it. screen: what it watches the
+/// eyes look at. clock: that of samples, steady, must outlive the tracker. A simulated one watches
+/// a simulated eye whose time begins now. Throws Error if a host is unknown.
+std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
+                                             const Clock& clock);
+
+}  // namespace foveola

@@ -1,0 +1,56 @@
+#include "renderer/gaze/sample_rhythm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace foveola {
+
+void SampleRhythm::add(const GazeSample& sample) {
+  if (last_time_ && sample.time <= *last_time_) {
+    return;
+  }
+  ++samples_;
+  valid_samples_ += sample.valid ? 1 : 0;
+  if (last_time_) {
+    constexpr double gap_intervals = 1.5;
+    const double interval_s = seconds(sample.time - *last_time_);
+    const std::optional<double> usual_s = median_interval_s();
+    gaps_ += usual_s && interval_s > gap_intervals * *usual_s ? 1 : 0;
+    intervals_s_.push_back(interval_s);
+    if (intervals_s_.size() > window) {
+      intervals_s_.pop_front();
+    }
+  }
+  last_time_ = sample.time;
+}
+
+std::optional<double> SampleRhythm::rate_hz() const {
+  const std::optional<double> interval_s = median_interval_s();
+  return interval_s ? std::optional(1.0 / *interval_s) : std::nullopt;
+}
+
+std::optional<double> SampleRhythm::jitter_ms() const {
+  const std::optional<double> usual_s = median_interval_s();
+  if (!usual_s) {
+    return std::nullopt;
+  }
+  double sum_s = 0.0;
+  for (const double interval_s : intervals_s_) {
+    sum_s += std::abs(interval_s - *usual_s);
+  }
+  constexpr double ms_per_s = 1e3;
+  return ms_per_s * sum_s / static_cast<double>(intervals_s_.size());
+}
+
+std::optional<double> SampleRhythm::median_interval_s() const {
+  if (intervals_s_.empty()) {
+    return std::nullopt;
+  }
+  std::vector<double> sorted(intervals_s_.begin(), intervals_s_.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+}  // namespace foveola

@@ -1,0 +1,42 @@
+#include "renderer/gaze/gaze_source.h"
+
+#include <gmock/gmock.h>
+
+#include "tracker_server.h"
+
+namespace foveola {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Screen screen{
+    .width_m = 0.5, .height_m = 0.3, .horizontal_fov_deg = 50.0, .vertical_fov_deg = 30.0};
+
+TEST(GazeSource, DelaysCountFromTheMiddleOfAnExposure) {
+  EXPECT_EQ(shortest_delay(read_tracker_profile("fove0")), std::chrono::milliseconds(10));
+}
+
+TEST(GazeSource, ASimulatedTrackerWatchesASimulatedEye) {
+  VirtualClock clock;
+  clock.advance(std::chrono::hours(1));
+  TrackerProfile profile = read_tracker_profile("fove0");
+  const auto tracker = open_eye_tracker(profile, screen, clock);
+  EXPECT_EQ(tracker->trouble(), "");
+  clock.advance(std::chrono::seconds(1));
+  const auto sample = tracker->newest(clock.now());
+  ASSERT_TRUE(sample);
+  EXPECT_LE(clock.now() - sample->time, std::chrono::milliseconds(23)) << "a period and 14 ms";
+  EXPECT_NEAR(glm::length(sample->direction), 1.0F, 1e-5F);
+}
+
+TEST(GazeSource, SaysThatNobodySpeaksOpenGaze) {
+  TrackerProfile profile = read_tracker_profile("open-gaze");
+  profile.open_gaze.port = test::TrackerServer().port();  // of a server that is gone
+  const SteadyClock clock;
+  const auto tracker = open_eye_tracker(profile, screen, clock);
+  EXPECT_FALSE(tracker->newest(clock.now()));
+  EXPECT_THAT(tracker->trouble(), HasSubstr("127.0.0.1:"));
+}
+
+}  // namespace
+}  // namespace foveola
