@@ -53,20 +53,23 @@ void Preview::restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed) 
 }
 
 FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
-  FrameReport report = aim(now);
-  const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    report.samples = jobs.size();
-    report.rays =
-        tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_).total();
-  };
-  add_samples(samples, trace);
+  FrameReport report = begin_frame(now);
+  trace(samples, report);
   return report;
+}
+
+void Preview::trace(std::uint64_t samples, FrameReport& report) {
+  add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    report.samples += jobs.size();
+    report.rays +=
+        tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_).total();
+  });
 }
 
 std::optional<SampleJob> Preview::find_job(Nanoseconds now, std::uint64_t samples,
                                            std::uint32_t pixel, std::uint32_t sample_number) {
   std::optional<SampleJob> found;
-  aim(now);
+  begin_frame(now);
   add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
     if (settings_.spare_done) {
       tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_);
@@ -100,7 +103,7 @@ void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace)
   next_point_ += samples;
 }
 
-FrameReport Preview::aim(Nanoseconds now) {
+FrameReport Preview::begin_frame(Nanoseconds now) {
   assert(sampler_ != nullptr);
   const HeadPose head = head_->pose(now);
   const std::optional<GazeSample> newest = eye_->newest(now);

@@ -70,6 +70,11 @@ class Preview {
   /// the caller to know (a budget, a model of a machine).
   FrameReport render_frame(Nanoseconds now, std::uint64_t samples);
 
+  /// The same in pieces: polls, and traces nothing yet.
+  FrameReport begin_frame(Nanoseconds now);
+  /// Traces so many samples more in the frame that `report` is of.
+  void trace(std::uint64_t samples, FrameReport& report);
+
   /// As render_frame, but returns the job that numbers `sample_number` of `pixel`, if it is among
   /// the frame's. Traces nothing and adds black to the film, unless what the samples bring decides
   /// where the next ones go.
@@ -94,8 +99,6 @@ class Preview {
   const std::vector<DroppedSample>& dropped() const { return dropped_; }
 
  private:
-  /// Polls head and gaze, and aims the sampler with them.
-  FrameReport aim(Nanoseconds now);
   /// Sends the next points through the sampler and `trace` into the film.
   void add_samples(std::uint64_t samples, const SamplePass::Trace& trace);
 
