@@ -101,5 +101,22 @@ TEST(BenchCompare, PrintsRatiosOfWhatABenchPrinted) {
             1);
 }
 
+TEST(BenchPreview, TellsWhichFramesAreLate) {
+  const ProgramResult result =
+      run_foveola({"bench", "preview", "studio-car", "--frames", "20", "--restart-every", "5",
+                   "--rate", "20", "--size", "512x256", "--view", "64x64", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json.at("frames"), 20);
+  EXPECT_LE(json.at("late_frames"), 20);
+  EXPECT_EQ(json.at("starts"), 4);
+  EXPECT_EQ(json.at("starts_seen_in_the_first_frame"), 4);
+  ASSERT_EQ(json.at("figures").size(), 5U);
+  const auto& samples = json.at("figures").at(4);
+  EXPECT_GE(samples.at("median"), 1024) << samples;
+  EXPECT_LE(samples.at("median"), samples.at("percentile_99"));
+  EXPECT_GT(json.at("figures").at(2).at("median"), 0.0) << "the view is resampled";
+}
+
 }  // namespace
 }  // namespace foveola::test
