@@ -34,8 +34,16 @@ void FrameBudget::batch_took(std::uint64_t samples, Nanoseconds time) {
 
 void FrameBudget::rest_took(Nanoseconds time) { rest_s_.add(seconds(time)); }
 
+void FrameBudget::frame_ended(bool is_late) {
+  constexpr double late_share = 0.005;
+  constexpr double step_s = 2e-4;
+  constexpr double largest_s = 5e-3;
+  const double change_s = is_late ? step_s : -step_s * late_share / (1.0 - late_share);
+  reserve_s_ = std::clamp(reserve_s_ + change_s, 0.0, largest_s);
+}
+
 double FrameBudget::samples_in(Nanoseconds left) const {
-  const double left_s = seconds(left) - rest_s_.seldom_exceeded();
+  const double left_s = seconds(left) - rest_s_.seldom_exceeded() - reserve_s_;
   return sample_s_.empty() || left_s <= 0.0 ? 0.0 : left_s / sample_s_.seldom_exceeded();
 }
 

@@ -40,6 +40,10 @@ class FrameBudget {
   void batch_took(std::uint64_t samples, Nanoseconds time);
   /// What the frame took between its last batch and its deadline's event.
   void rest_took(Nanoseconds time);
+  /// Whether the frame missed its deadline. Time is kept in reserve so that one of 200 does: more
+  /// after each that was late, less after the others (Robbins and Monro 1951, "A stochastic
+  /// approximation method").
+  void frame_ended(bool is_late);
 
  private:
   /// Samples that are done in time, were they traced now.
@@ -47,6 +51,7 @@ class FrameBudget {
 
   CostEstimate sample_s_;
   CostEstimate rest_s_;
+  double reserve_s_ = 0.0;
 };
 
 }  // namespace foveola

@@ -33,6 +33,7 @@ LiveFrame LiveFrames::next() {
     next_refresh_ += refresh_interval_;
     ++frame.missed_refreshes;
   }
+  budget_.frame_ended(frame.is_late());
   return frame;
 }
 
