@@ -45,19 +45,6 @@ struct PreviewRun {
   int threads = 0;
 };
 
-PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint) {
-  PreviewSettings preview;
-  preview.film_width = settings.size.x;
-  preview.film_height = settings.size.y;
-  preview.viewpoint = viewpoint;
-  preview.trace = trace_settings(settings);
-  if (settings.view) {
-    preview.view_width = settings.view->x;
-    preview.view_height = settings.view->y;
-  }
-  return preview;
-}
-
 /// Without a window: frames end when they are traced or, with a view, resampled to it.
 PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& source,
                       const RenderSettings& settings, const std::stop_token& stop) {
@@ -66,8 +53,9 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   const auto eye = open_eye_tracker(read_tracker_profile(arguments.tracker),
                                     screen_of(read_display_profile("fove0")), clock);
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = stage.camera.heading}});
-  Preview preview(stage.tracer, preview_settings(settings, stage.camera.position), *eye, head,
-                  stage.workers);
+  Preview preview(stage.tracer,
+                  preview_settings(settings, stage.camera.position, source.exposure_stops), *eye,
+                  head, stage.workers);
   preview.restart(settings.method, settings.seed);
   const auto wait_until = [](Nanoseconds time) {
     std::this_thread::sleep_until(std::chrono::steady_clock::time_point(time));

@@ -19,24 +19,6 @@ constexpr std::uint64_t largest_batch = 1 << 20;
 constexpr std::uint64_t spare_batch = 1 << 16;
 constexpr double batch_target_s = 0.1;
 
-PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint,
-                                 double exposure_stops) {
-  PreviewSettings preview;
-  preview.film_width = settings.size.x;
-  preview.film_height = settings.size.y;
-  preview.horizontal_fov_deg = settings.fov_deg;
-  preview.vertical_fov_deg = settings.vertical_fov_deg.value_or(settings.fov_deg);
-  preview.lens = settings.lens;
-  preview.keep_variances = settings.variance;
-  preview.viewpoint = viewpoint;
-  if (settings.spare_done_contrast > 0.0) {
-    preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
-  }
-  preview.exposure_stops = exposure_stops;
-  preview.trace = trace_settings(settings);
-  return preview;
-}
-
 /// A preview of a stage, seen by a head and an eye that hold still.
 struct StillPreview {
   Stage stage;

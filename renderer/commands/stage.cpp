@@ -74,4 +74,27 @@ TraceSettings trace_settings(const RenderSettings& settings) {
           .is_general = settings.is_general};
 }
 
+PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint,
+                                 double exposure_stops) {
+  PreviewSettings preview;
+  preview.film_width = settings.size.x;
+  preview.film_height = settings.size.y;
+  preview.horizontal_fov_deg = settings.fov_deg;
+  preview.vertical_fov_deg = settings.vertical_fov_deg.value_or(settings.fov_deg);
+  preview.lens = settings.lens;
+  preview.keep_variances = settings.variance;
+  preview.viewpoint = viewpoint;
+  if (settings.spare_done_contrast > 0.0) {
+    preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
+  }
+  if (settings.view) {
+    preview.view_width = settings.view->x;
+    preview.view_height = settings.view->y;
+  }
+  preview.unsampled = settings.unsampled;
+  preview.exposure_stops = exposure_stops;
+  preview.trace = trace_settings(settings);
+  return preview;
+}
+
 }  // namespace foveola

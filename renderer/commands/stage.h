@@ -3,6 +3,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/commands/render.h"
+#include "renderer/preview/preview.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/path_tracer.h"
 
@@ -23,5 +24,9 @@ struct Stage {
 
 /// What a render with these settings asks of the tracer.
 TraceSettings trace_settings(const RenderSettings& settings);
+
+/// What it asks of a preview.
+PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint,
+                                 double exposure_stops);
 
 }  // namespace foveola

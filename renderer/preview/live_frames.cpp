@@ -1,6 +1,5 @@
 #include "renderer/preview/live_frames.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 

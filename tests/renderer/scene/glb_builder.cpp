@@ -65,4 +65,24 @@ std::string jpeg(int width, int height, std::uint8_t grey) {
   return encode("jpeg", {width, height, 3, OIIO::TypeDesc::UINT8}, samples.data());
 }
 
+GlbBuilder with_material(const Json& material) {
+  GlbBuilder glb = one_triangle();
+  const int first = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}});
+  const int second = glb.add_uvs({{5, 5}, {6, 5}, {5, 6}});
+  Json& primitive = glb.document["meshes"][0]["primitives"][0];
+  primitive["attributes"]["TEXCOORD_0"] = first;
+  primitive["attributes"]["TEXCOORD_1"] = second;
+  primitive["material"] = glb.add("materials", material);
+  return glb;
+}
+
+Json textured(int texture, int uv_set) {
+  return {
+      {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}, {"texCoord", uv_set}}}}}};
+}
+
+std::string one_pixel(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+  return png(1, 1, 3, std::vector<std::uint8_t>{red, green, blue});
+}
+
 }  // namespace foveola::test

@@ -148,4 +148,13 @@ std::string exr(int width, int height, const std::vector<float>& values);
 /// A small JPEG image of one colour.
 std::string jpeg(int width, int height, std::uint8_t grey);
 
+/// A PNG image.
+std::string one_pixel(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
+
+/// A triangle whose only material is `material`, with both sets of texture coordinates.
+GlbBuilder with_material(const Json& material);
+
+/// The parts of a material that have a base colour texture.
+Json textured(int texture, int uv_set = 0);
+
 }  // namespace foveola::test
