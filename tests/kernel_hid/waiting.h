@@ -1,0 +1,23 @@
+// Waiting for what the kernel or another thread does in its own time.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace foveola::test {
+
+/// Waits until `holds`, however slow the machine; throws std::runtime_error if it never does.
+inline void wait_until(const std::string& what, const std::function<bool()>& holds) {
+  using Clock = std::chrono::steady_clock;
+  for (const auto end = Clock::now() + std::chrono::seconds(30); !holds();) {
+    if (Clock::now() > end) {
+      throw std::runtime_error("waited in vain: " + what);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace foveola::test
