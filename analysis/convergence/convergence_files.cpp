@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/publication/csv.h"
 #include "renderer/base/build_info.h"
+#include "renderer/base/csv.h"
 #include "renderer/measure/error_metrics.h"
 
 namespace foveola::analysis {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 
 namespace foveola::analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 
 namespace foveola::analysis {
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 #include "tests/analysis/convergence/made_up_measurement.h"
 
 namespace foveola::analysis {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 #include "tests/analysis/made_up_study.h"
 
 namespace foveola::analysis {

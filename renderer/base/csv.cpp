@@ -1,4 +1,4 @@
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 #include "renderer/base/error.h"
 
-namespace foveola::analysis {
+namespace foveola {
 namespace {
 
 std::string format_field(const std::string& field) {
@@ -110,4 +110,4 @@ std::string csv_number(std::optional<double> value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
 
-}  // namespace foveola::analysis
+}  // namespace foveola

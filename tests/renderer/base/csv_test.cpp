@@ -1,11 +1,11 @@
-#include "analysis/publication/csv.h"
+#include "renderer/base/csv.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
 
-namespace foveola::analysis {
+namespace foveola {
 namespace {
 
 using testing::ElementsAre;
@@ -41,4 +41,4 @@ TEST(Csv, NumbersKeepEveryDigit) {
 }
 
 }  // namespace
-}  // namespace foveola::analysis
+}  // namespace foveola

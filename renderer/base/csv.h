@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace foveola::analysis {
+namespace foveola {
 
 using CsvRow = std::vector<std::string>;
 
@@ -20,4 +20,4 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& where);
 /// The shortest text that reads back as the same number; empty where there is none.
 std::string csv_number(std::optional<double> value);
 
-}  // namespace foveola::analysis
+}  // namespace foveola
