@@ -33,6 +33,8 @@ const char* name_of(TrackerSource source) {
       return "hid";
     case TrackerSource::open_gaze:
       return "open-gaze";
+    case TrackerSource::recorded:
+      return "recorded";
     case TrackerSource::simulated:
       break;
   }
@@ -156,20 +158,24 @@ void watch(const WatchArguments& arguments, const std::stop_token& stop) {
   const std::optional<LiveLine> line =
       arguments.json ? std::nullopt : std::optional<LiveLine>(std::in_place);
   SampleRhythm rhythm;
+  std::vector<GazeSample> arrived;
+  std::optional<GazeSample> newest;
   const Nanoseconds start = clock.now();
   Nanoseconds shown = start;
   const auto is_over = [&](Nanoseconds now) {
     return arguments.seconds > 0.0 && seconds(now - start) >= arguments.seconds;
   };
   for (Nanoseconds now = start; !stop.stop_requested() && !is_over(now); now = clock.now()) {
-    const std::optional<GazeSample> sample = tracker->newest(now);
-    if (sample) {
-      rhythm.add(*sample);
+    arrived.clear();
+    tracker->poll(now, arrived);
+    for (const GazeSample& sample : arrived) {
+      rhythm.add(sample);
+      newest = sample;
     }
     if (line && now - shown >= show_interval) {
       shown = now;
-      const double age_ms = sample ? 1e3 * seconds(now - sample->time) : 0.0;
-      line->show(fmt::format("{:<36} age {:5.1f} ms  {}", describe(sample, tracker->trouble()),
+      const double age_ms = newest ? 1e3 * seconds(now - newest->time) : 0.0;
+      line->show(fmt::format("{:<36} age {:5.1f} ms  {}", describe(newest, tracker->trouble()),
                              age_ms, describe(rhythm)));
     }
     std::this_thread::sleep_for(poll_interval);

@@ -1,5 +1,6 @@
 #include "renderer/gaze/eye_tracker.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -30,8 +31,8 @@ Vec3 with_bias(const Vec3& direction, double right_deg, double up_deg) {
 
 }  // namespace
 
-std::optional<GazeSample> FixedEyeTracker::newest(Nanoseconds now) {
-  return GazeSample{.time = now, .direction = direction_, .valid = true};
+void FixedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
+  arrived.push_back({.time = now, .direction = direction_, .valid = true});
 }
 
 SimulatedEyeTracker::SimulatedEyeTracker(const SimulatedTrackerSettings& settings,
@@ -40,13 +41,13 @@ SimulatedEyeTracker::SimulatedEyeTracker(const SimulatedTrackerSettings& setting
   assert(settings_.rate_hz > 0.0);
 }
 
-std::optional<GazeSample> SimulatedEyeTracker::newest(Nanoseconds now) {
-  const std::int64_t index = last_exposure(now - nanoseconds_from_seconds(settings_.latency_s));
-  if (index >= 0 && index != newest_index_) {
-    newest_index_ = index;
-    newest_ = expose(index);
+void SimulatedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
+  const std::int64_t last = last_exposure(now - nanoseconds_from_seconds(settings_.latency_s));
+  std::int64_t index = next_.value_or(std::max(last, std::int64_t{0}));
+  for (; index <= last; ++index) {
+    arrived.push_back(expose(index));
   }
-  return newest_;
+  next_ = index;
 }
 
 Nanoseconds SimulatedEyeTracker::exposure_time(std::int64_t index) const {

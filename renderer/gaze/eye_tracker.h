@@ -5,33 +5,38 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
 
+/// What the eye did meanwhile.
+enum class GazeMark : std::uint8_t { none, fixation, saccade, blink };
+
 struct GazeSample {
   Nanoseconds time{0};                ///< when the eye was there
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, in the head's axes (-Z forward)
   bool valid = false;
+  GazeMark mark = GazeMark::none;  ///< no tracker knows it: see GazeMarker
 };
 
 class EyeTracker {
  public:
   virtual ~EyeTracker() = default;
-  /// The newest sample that has arrived by `now`, valid or not; empty before the first. Time may
-  /// not go backwards between calls.
-  virtual std::optional<GazeSample> newest(Nanoseconds now) = 0;
+  /// Appends what has arrived since the last call, by `now`, to `arrived`: all samples, valid or
+  /// not, in the order of their arrival. Time may not go backwards between calls.
+  virtual void poll(Nanoseconds now, std::vector<GazeSample>& arrived) = 0;
   /// Why no samples come, for the user; empty if all is well.
   virtual std::string trouble() const { return {}; }
 };
 
-/// Always looks along `direction` (head's axes), as of now.
+/// Always looks along `direction` (head's axes): whenever it is asked, one sample as of now.
 class FixedEyeTracker final : public EyeTracker {
  public:
   explicit FixedEyeTracker(const Vec3& direction) : direction_(direction) {}
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
  private:
   Vec3 direction_;
@@ -48,13 +53,14 @@ struct SimulatedTrackerSettings {
   std::uint32_t seed = 0;
 };
 
-/// Sees the eye at multiples of 1 / rate_hz and delivers each sample latency_s later.
+/// Sees the eye at multiples of 1 / rate_hz and delivers each sample latency_s later. Of what it
+/// saw before it was first asked, it delivers only the newest.
 class SimulatedEyeTracker final : public EyeTracker {
  public:
   /// true_gaze gives the eye's direction in the head's axes at a time; empty while it blinks.
   using TrueGaze = std::function<std::optional<Vec3>(Nanoseconds)>;
   SimulatedEyeTracker(const SimulatedTrackerSettings& settings, TrueGaze true_gaze);
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
  private:
   Nanoseconds exposure_time(std::int64_t index) const;
@@ -65,8 +71,7 @@ class SimulatedEyeTracker final : public EyeTracker {
 
   SimulatedTrackerSettings settings_;
   TrueGaze true_gaze_;
-  std::int64_t newest_index_ = -1;
-  std::optional<GazeSample> newest_;
+  std::optional<std::int64_t> next_;  ///< the number of the exposure to be delivered next
 };
 
 }  // namespace foveola

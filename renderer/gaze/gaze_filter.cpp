@@ -1,7 +1,9 @@
 #include "renderer/gaze/gaze_filter.h"
 
 #include <cassert>
+#include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "renderer/base/angles.h"
@@ -23,15 +25,24 @@ HoldFilter::HoldFilter(std::unique_ptr<EyeTracker> source, Nanoseconds limit)
   assert(limit > Nanoseconds::zero() && limit <= longest_hold);
 }
 
-std::optional<GazeSample> HoldFilter::newest(Nanoseconds now) {
-  const std::optional<GazeSample> sample = source_->newest(now);
-  if (sample && sample->valid) {
-    last_valid_ = sample;
+void HoldFilter::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
+  polled_.clear();
+  source_->poll(now, polled_);
+  for (const GazeSample& sample : polled_) {
+    if (sample.valid) {
+      held_ = sample.time;
+    }
+    const bool is_kept_back = !sample.valid && held_ && now - *held_ <= limit_;
+    if (!is_kept_back) {
+      arrived.push_back(sample);
+    }
   }
-  if (last_valid_ && now - last_valid_->time <= limit_) {
-    return last_valid_;
+  if (held_ && now - *held_ > limit_) {
+    held_.reset();
+    if (polled_.empty() || polled_.back().valid) {
+      arrived.push_back({.time = now});
+    }
   }
-  return sample ? std::optional(GazeSample{.time = sample->time}) : std::nullopt;
 }
 
 OneEuro::OneEuro(const OneEuroSettings& settings) : settings_(settings) {
@@ -61,12 +72,14 @@ Vec3 OneEuro::smoothed(Nanoseconds time, const Vec3& direction) {
 OneEuroFilter::OneEuroFilter(std::unique_ptr<EyeTracker> source, const OneEuroSettings& settings)
     : source_(std::move(source)), filter_(settings) {}
 
-std::optional<GazeSample> OneEuroFilter::newest(Nanoseconds now) {
-  std::optional<GazeSample> sample = source_->newest(now);
-  if (sample && sample->valid) {
-    sample->direction = filter_.smoothed(sample->time, sample->direction);
+void OneEuroFilter::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
+  const std::size_t before = arrived.size();
+  source_->poll(now, arrived);
+  for (GazeSample& sample : std::span(arrived).subspan(before)) {
+    if (sample.valid) {
+      sample.direction = filter_.smoothed(sample.time, sample.direction);
+    }
   }
-  return sample;
 }
 
 std::unique_ptr<EyeTracker> filtered(std::unique_ptr<EyeTracker> source,

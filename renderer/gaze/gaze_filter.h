@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
@@ -15,19 +16,21 @@ namespace foveola {
 /// The longest a blink lasts, about.
 inline constexpr Nanoseconds longest_hold = std::chrono::milliseconds(600);
 
-/// While no valid gaze comes, be it that samples are invalid or that there are none: the last valid
-/// one, with its own time, so that its age stays true.
+/// Keeps invalid samples back, so that the newest that passed stays the last valid one, with its
+/// own time, until that is too old. From then on they pass, and one is added if the source sends
+/// none.
 class HoldFilter final : public EyeTracker {
  public:
-  /// limit: beyond this age (now less the sample's time) it is invalid; in (0, longest_hold].
+  /// limit: the age (now less the sample's time) beyond which it is too old; in (0, longest_hold].
   explicit HoldFilter(std::unique_ptr<EyeTracker> source, Nanoseconds limit = longest_hold);
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
   std::string trouble() const override { return source_->trouble(); }
 
  private:
   std::unique_ptr<EyeTracker> source_;
   Nanoseconds limit_;
-  std::optional<GazeSample> last_valid_;
+  std::optional<Nanoseconds> held_;  ///< the time of the last valid sample, until it is too old
+  std::vector<GazeSample> polled_;
 };
 
 /// The defaults suit a simulated tracker of 120 Hz with 0.1 degrees of noise: a third of the noise
@@ -64,11 +67,11 @@ class OneEuro {
   std::optional<State> state_;
 };
 
-/// Smooths the valid samples that pass through it. Those that nobody asked for in time do not.
+/// Smooths the valid samples that pass through it.
 class OneEuroFilter final : public EyeTracker {
  public:
   OneEuroFilter(std::unique_ptr<EyeTracker> source, const OneEuroSettings& settings);
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
   std::string trouble() const override { return source_->trouble(); }
 
  private:

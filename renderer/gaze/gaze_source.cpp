@@ -2,6 +2,7 @@
 
 #include "renderer/gaze/hid_eye_tracker.h"
 #include "renderer/gaze/open_gaze_tracker.h"
+#include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/gaze/simulated_eye.h"
 
 namespace foveola {
@@ -18,6 +19,11 @@ std::unique_ptr<EyeTracker> open_open_gaze(const TrackerProfile& profile, const 
   OpenGazeSettings settings{.address = profile.open_gaze, .screen = screen};
   settings.latency = shortest_delay(profile);
   return std::make_unique<OpenGazeTracker>(settings);
+}
+
+std::unique_ptr<EyeTracker> replay(const TrackerProfile& profile, const Clock& clock) {
+  return std::make_unique<RecordedEyeTracker>(read_gaze_file(profile.recording), clock.now(),
+                                              shortest_delay(profile));
 }
 
 std::unique_ptr<EyeTracker> watch_simulated_eye(const TrackerProfile& profile, const Clock& clock) {
@@ -41,6 +47,8 @@ std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, cons
       return open_hid(profile, screen, clock);
     case TrackerSource::open_gaze:
       return open_open_gaze(profile, screen);
+    case TrackerSource::recorded:
+      return replay(profile, clock);
     case TrackerSource::simulated:
       break;
   }

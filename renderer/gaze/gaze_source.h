@@ -16,7 +16,8 @@ Nanoseconds shortest_delay(const TrackerProfile& profile);
 
 /// Begins to look for the tracker at once, and does not wait for it. screen: what it watches the
 /// eyes look at. clock: that of samples, steady, must outlive the tracker. A simulated one watches
-/// a simulated eye whose time begins now. Throws Error if a host is unknown.
+/// a simulated eye whose time begins now, as does a recording's. Throws Error if a host is unknown
+/// or a recording bad.
 std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                              const Clock& clock);
 

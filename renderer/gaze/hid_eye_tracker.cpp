@@ -43,9 +43,9 @@ HidEyeTracker::HidEyeTracker(Opener open, const Clock& clock, const HidTrackerSe
       settings_(settings),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-std::optional<GazeSample> HidEyeTracker::newest(Nanoseconds /*now*/) {
+void HidEyeTracker::poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived) {
   const std::lock_guard lock(mutex_);
-  return newest_;
+  samples_.take(arrived);
 }
 
 HidTrackerState HidEyeTracker::state() const {
@@ -116,11 +116,9 @@ void HidEyeTracker::read_until_gone(const std::stop_token& stop, HidDevice& devi
 }
 
 void HidEyeTracker::take(std::span<const std::uint8_t> bytes) {
-  const std::optional<GazeSample> sample = stream_->receive(bytes, clock_->now());
+  const std::vector<GazeSample> samples = stream_->receive(bytes, clock_->now());
   const std::lock_guard lock(mutex_);
-  if (sample) {
-    newest_ = sample;
-  }
+  samples_.push(samples);
   state_.status = stream_->status();
   state_.counters = stream_->counters();
 }

@@ -13,11 +13,13 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/hid_device.h"
 #include "renderer/gaze/hid_gaze_stream.h"
+#include "renderer/gaze/sample_queue.h"
 
 namespace foveola {
 
@@ -54,9 +56,10 @@ class HidEyeTracker final : public EyeTracker {
   HidEyeTracker(const HidEyeTracker&) = delete;
   HidEyeTracker& operator=(const HidEyeTracker&) = delete;
 
-  /// What has arrived when it is called has arrived by `now`. While no report comes, the last
-  /// sample stays as it is: its time tells how old it is.
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  /// What has arrived when it is called has arrived by `now`. A device that does not see the eyes
+  /// may send nothing: then data are lost without an invalid sample, and only the samples' times
+  /// tell.
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
   std::string trouble() const override { return state().trouble; }
 
@@ -81,7 +84,7 @@ class HidEyeTracker final : public EyeTracker {
 
   mutable std::mutex mutex_;  ///< of the next two
   HidTrackerState state_;
-  std::optional<GazeSample> newest_;
+  SampleQueue samples_;
 
   std::condition_variable_any retry_;
   std::jthread thread_;  ///< last: it ends before what it uses

@@ -61,29 +61,29 @@ void HidGazeStream::reconnect(const HidEyeReports& reports) {
   arrivals_.clear();
 }
 
-std::optional<GazeSample> HidGazeStream::receive(std::span<const std::uint8_t> bytes,
-                                                 Nanoseconds arrival) {
-  std::optional<GazeSample> newest;
+std::vector<GazeSample> HidGazeStream::receive(std::span<const std::uint8_t> bytes,
+                                               Nanoseconds arrival) {
+  std::vector<GazeSample> samples;
   do {
     const HidReportShape* shape = shape_at(reports_.inputs, bytes);
     if (shape == nullptr) {
       ++counters_.wrong_ids;
-      return newest;
+      return samples;
     }
     if (bytes.size() < shape->size_bytes) {
       ++counters_.short_reads;
-      return newest;
+      return samples;
     }
     const auto report = bytes.first(shape->size_bytes);
     if (const auto data = read_report(reports_.tracking, report)) {
-      newest = take_tracking(*data, arrival);
+      samples.push_back(take_tracking(*data, arrival));
     } else {
       ++counters_.other_reports;
     }
     take_status(report);
     bytes = bytes.subspan(shape->size_bytes);
   } while (!is_padding(bytes));
-  return newest;
+  return samples;
 }
 
 GazeSample HidGazeStream::take_tracking(const HidTrackingData& data, Nanoseconds arrival) {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_tracker.h"
@@ -53,10 +54,10 @@ class HidGazeStream {
   void reconnect(const HidEyeReports& reports);
 
   /// Takes the bytes of one read: a report, several behind one another if the reads were merged,
-  /// or none that makes sense. Zeros behind a report are padding. Returns the gaze of the last
-  /// tracking report among them; its direction is straight ahead if it is not valid. Arrivals may
-  /// not go backwards between calls.
-  std::optional<GazeSample> receive(std::span<const std::uint8_t> bytes, Nanoseconds arrival);
+  /// or none that makes sense. Zeros behind a report are padding. Returns the gaze of the tracking
+  /// reports among them, in their order; its direction is straight ahead if it is not valid.
+  /// Arrivals may not go backwards between calls.
+  std::vector<GazeSample> receive(std::span<const std::uint8_t> bytes, Nanoseconds arrival);
 
   const HidGazeCounters& counters() const { return counters_; }
   /// The newest that the device said, in a feature report that was learnt or an input report.

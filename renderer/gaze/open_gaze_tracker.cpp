@@ -44,16 +44,16 @@ OpenGazeDecoder::OpenGazeDecoder(const OpenGazeSettings& settings, OpenGazeCount
       alignment_(settings.alignment_window),
       counters_(counters) {}
 
-std::optional<GazeSample> OpenGazeDecoder::decode(std::string_view bytes, Nanoseconds arrival) {
-  std::optional<GazeSample> newest;
+std::vector<GazeSample> OpenGazeDecoder::decode(std::string_view bytes, Nanoseconds arrival) {
+  std::vector<GazeSample> samples;
   for (const OpenGazeElement& element : stream_.take(bytes)) {
     if (element.kind == OpenGazeKind::record) {
       const OpenGazeRecord record = record_from(element);
       count(record);
-      newest = sample_from(record, arrival);
+      samples.push_back(sample_from(record, arrival));
     }
   }
-  return newest;
+  return samples;
 }
 
 OpenGazeCounters OpenGazeDecoder::counters() const {
@@ -88,9 +88,9 @@ OpenGazeTracker::OpenGazeTracker(const OpenGazeSettings& settings)
       addresses_(resolve(settings.address.host, settings.address.port)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-std::optional<GazeSample> OpenGazeTracker::newest(Nanoseconds /*now*/) {
+void OpenGazeTracker::poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived) {
   const std::lock_guard lock(mutex_);
-  return newest_;
+  samples_.take(arrived);
 }
 
 std::string OpenGazeTracker::trouble() const {
@@ -139,18 +139,16 @@ void OpenGazeTracker::listen(const TcpConnection& connection, const std::stop_to
     if (received.is_closed) {
       return;
     }
-    const std::optional<GazeSample> sample = decoder.decode(received.bytes, clock.now());
-    publish(sample, decoder.counters());
+    const std::vector<GazeSample> samples = decoder.decode(received.bytes, clock.now());
+    publish(samples, decoder.counters());
   }
 }
 
-void OpenGazeTracker::publish(const std::optional<GazeSample>& sample,
+void OpenGazeTracker::publish(std::span<const GazeSample> samples,
                               const OpenGazeCounters& counters) {
   const std::lock_guard lock(mutex_);
   counters_ = counters;
-  if (sample) {
-    newest_ = sample;
-  }
+  samples_.push(samples);
 }
 
 }  // namespace foveola

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "renderer/gaze/clock_alignment.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/open_gaze_records.h"
+#include "renderer/gaze/sample_queue.h"
 #include "renderer/gaze/screen.h"
 #include "renderer/gaze/tcp_connection.h"
 
@@ -45,10 +47,10 @@ class OpenGazeDecoder {
   /// Counts in `counters`.
   OpenGazeDecoder(const OpenGazeSettings& settings, OpenGazeCounters counters);
 
-  /// The newest sample of the records that end in `bytes`, which arrived at `arrival`. Its time is
+  /// The samples of the records that end in `bytes`, which arrived at `arrival`. A sample's time is
   /// the record's own, where it has one, else the arrival; less the latency. When a record comes
   /// faster than all before it, times step back by as much. Arrivals may not go backwards.
-  std::optional<GazeSample> decode(std::string_view bytes, Nanoseconds arrival);
+  std::vector<GazeSample> decode(std::string_view bytes, Nanoseconds arrival);
   /// Those given, and what came since.
   OpenGazeCounters counters() const;
 
@@ -72,9 +74,8 @@ class OpenGazeTracker final : public EyeTracker {
   /// Does not wait for the connection. Throws Error if the host is unknown.
   explicit OpenGazeTracker(const OpenGazeSettings& settings);
 
-  /// What has arrived before the call; `now` does not matter. After the connection is lost, still
-  /// the last sample, whose age tells.
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  /// What has arrived before the call; `now` does not matter.
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
   std::string trouble() const override;
   OpenGazeCounters counters() const;
 
@@ -83,14 +84,14 @@ class OpenGazeTracker final : public EyeTracker {
   /// One connection from its beginning to its end.
   void converse(const TcpAddress& address, const std::stop_token& stop);
   void listen(const TcpConnection& connection, const std::stop_token& stop);
-  void publish(const std::optional<GazeSample>& sample, const OpenGazeCounters& counters);
+  void publish(std::span<const GazeSample> samples, const OpenGazeCounters& counters);
 
   OpenGazeSettings settings_;
   std::vector<TcpAddress> addresses_;
   bool was_connected_ = false;  ///< the thread's own
 
   mutable std::mutex mutex_;
-  std::optional<GazeSample> newest_;
+  SampleQueue samples_;
   OpenGazeCounters counters_;
 
   std::jthread thread_;  ///< the last, so that it ends before what it uses

@@ -45,7 +45,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 }
 
 fs::path profile_file(std::string_view folder, const std::string& name_or_path) {
-  if (name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml")) {
+  if (is_profile_path(name_or_path)) {
     return name_or_path;
   }
   const std::vector<std::string> names = names_in(profile_folder(folder));
@@ -114,8 +114,9 @@ void read_headset(TomlReader& table, DisplayProfile& display) {
   }
   if (table.has("lens")) {
     TomlReader lens = table.table("lens");
-    display.lens = LensDistortion{.k1 = require_number(lens, "k1", -10.0, 10.0),
-                                  .k2 = require_number(lens, "k2", -10.0, 10.0)};
+    lens.require("k1");
+    lens.require("k2");
+    display.lens = read_lens(lens, {});
     lens.reject_unknown_keys();
   }
 }
@@ -179,6 +180,7 @@ void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
 TrackerProfile tracker_from(TomlReader table) {
   constexpr std::array words{Word<TrackerSource>{"hid", TrackerSource::hid},
                              Word<TrackerSource>{"open-gaze", TrackerSource::open_gaze},
+                             Word<TrackerSource>{"recorded", TrackerSource::recorded},
                              Word<TrackerSource>{"simulated", TrackerSource::simulated}};
   TrackerProfile tracker;
   tracker.title = table.require_text("title");
@@ -189,6 +191,9 @@ TrackerProfile tracker_from(TomlReader table) {
   tracker.processing = require_duration(table, "processing");
   if (tracker.source == TrackerSource::open_gaze) {
     read_open_gaze(table.table("open_gaze"), tracker.open_gaze);
+  }
+  if (tracker.source == TrackerSource::recorded) {
+    tracker.recording = table.require_text("recording");
   }
   if (tracker.source == TrackerSource::simulated) {
     read_simulated(table.table("simulated"), tracker.simulated);
@@ -215,17 +220,37 @@ auto read_profile(std::string_view folder, const std::string& name_or_path, cons
 
 }  // namespace
 
+bool is_profile_path(const std::string& name_or_path) {
+  return name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+}
+
 DisplayProfile read_display_profile(const std::string& name_or_path) {
   return read_profile(displays, name_or_path, display_from);
 }
 
 TrackerProfile read_tracker_profile(const std::string& name_or_path) {
-  return read_profile(trackers, name_or_path, tracker_from);
+  TrackerProfile tracker = read_profile(trackers, name_or_path, tracker_from);
+  if (tracker.source == TrackerSource::recorded) {
+    tracker.recording = profile_file(trackers, name_or_path).parent_path() / tracker.recording;
+  }
+  return tracker;
 }
 
 std::vector<std::string> display_profile_names() { return names_in(profile_folder(displays)); }
 
 std::vector<std::string> tracker_profile_names() { return names_in(profile_folder(trackers)); }
+
+RadialLens read_lens(TomlReader& table, RadialLens lens) {
+  constexpr double strongest = 100.0;
+  double k1 = lens.k1;
+  double k2 = lens.k2;
+  table.read("axis", lens.axis, 0.0, 1.0);
+  table.read("k1", k1, -strongest, strongest);
+  table.read("k2", k2, -strongest, strongest);
+  lens.k1 = static_cast<float>(k1);
+  lens.k2 = static_cast<float>(k2);
+  return lens;
+}
 
 Screen screen_of(const DisplayProfile& display) {
   constexpr double headset_distance_m = 1.0;

@@ -5,10 +5,12 @@
 // file:line:column for bad TOML, unknown keys, missing ones, wrong types and values out of range.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/base/radial_lens.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/known_duration.h"
 #include "renderer/gaze/open_gaze_records.h"
@@ -16,16 +18,11 @@
 
 namespace foveola {
 
+class TomlReader;
+
 enum class DisplayKind {
   headset,  ///< two views side by side, each through a lens
   monitor   ///< one flat view
-};
-
-/// A point of a view that a lens shows at distance r from its axis, as a tangent, has to be drawn
-/// at r (1 + k1 r^2 + k2 r^4) (Brown 1966).
-struct LensDistortion {
-  double k1 = 0.0;
-  double k2 = 0.0;
 };
 
 struct DisplayProfile {
@@ -40,12 +37,12 @@ struct DisplayProfile {
   double width_m = 0.0;  ///< of a monitor; 0 for a headset, as the next two
   double height_m = 0.0;
   double viewing_distance_m = 0.0;
-  std::optional<LensDistortion> lens;  ///< of a headset whose lenses are known
-  KnownDuration scan_out;              ///< from a frame's presentation until all of it is lit
-  std::string toml;                    ///< the file's content, for the record
+  std::optional<RadialLens> lens;  ///< the left eye's, of a headset whose lenses are known
+  KnownDuration scan_out;          ///< from a frame's presentation until all of it is lit
+  std::string toml;                ///< the file's content, for the record
 };
 
-enum class TrackerSource { hid, open_gaze, simulated };
+enum class TrackerSource { hid, open_gaze, recorded, simulated };
 
 struct TrackerProfile {
   std::string name;  ///< the file's, without .toml
@@ -56,9 +53,13 @@ struct TrackerProfile {
   KnownDuration transfer;
   KnownDuration processing;
   OpenGazeAddress open_gaze;           ///< where an open_gaze source listens
+  std::filesystem::path recording;     ///< what a recorded source replays: see read_gaze_file
   SimulatedTrackerSettings simulated;  ///< what a simulated source does, with seed 0
   std::string toml;                    ///< the file's content, for the record
 };
+
+/// Whether it is a path; a name otherwise.
+bool is_profile_path(const std::string& name_or_path);
 
 DisplayProfile read_display_profile(const std::string& name_or_path);
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
@@ -66,6 +67,9 @@ TrackerProfile read_tracker_profile(const std::string& name_or_path);
 /// The program's own, in alphabetical order.
 std::vector<std::string> display_profile_names();
 std::vector<std::string> tracker_profile_names();
+
+/// The keys of a lens that `table` has, over those of `lens`: axis, a list of two; k1 and k2.
+RadialLens read_lens(TomlReader& table, RadialLens lens);
 
 /// One view of the display. Where a headset's would be is a matter of choice: a metre ahead.
 Screen screen_of(const DisplayProfile& display);

@@ -9,8 +9,8 @@
 //   8333333,,,,0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,17 +27,22 @@ std::vector<GazeSample> read_gaze_file(const std::filesystem::path& file);
 /// unit length where valid. Throws Error if they are not so, or the file cannot be written.
 void write_gaze_file(const std::filesystem::path& file, std::span<const GazeSample> samples);
 
+/// Samples that arrived one after the other, as they can be written and replayed: times count from
+/// the first one's, and what is not later than all before it is left out.
+std::vector<GazeSample> replayable(std::span<const GazeSample> arrived);
+
 /// Replays samples: one of time t is delivered at start + t + latency, as of start + t.
 class RecordedEyeTracker final : public EyeTracker {
  public:
   /// samples: times ascending; there may be none. Throws Error otherwise.
   RecordedEyeTracker(std::vector<GazeSample> samples, Nanoseconds start, Nanoseconds latency);
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
  private:
   std::vector<GazeSample> samples_;
   Nanoseconds start_;
   Nanoseconds latency_;
+  std::size_t next_ = 0;  ///< the index of the sample to be delivered next
 };
 
 }  // namespace foveola

@@ -16,14 +16,13 @@ class SampleRhythm {
   /// Over how many intervals the figures below are taken.
   static constexpr std::size_t window = 240;
 
-  /// Adds a sample unless it is the one before again, or older.
+  /// Adds a sample unless it is older than the one before, or as old.
   void add(const GazeSample& sample);
 
   /// All so far.
   std::uint64_t samples() const { return samples_; }
   std::uint64_t valid_samples() const { return valid_samples_; }
-  /// Intervals longer than one and a half times the usual one, so far: samples that never came, or
-  /// were not polled in time.
+  /// Intervals longer than one and a half times the usual one, so far: samples that never came.
   std::uint64_t gaps() const { return gaps_; }
 
   /// One over the median interval; empty before two samples.

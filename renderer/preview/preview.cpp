@@ -106,11 +106,7 @@ void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace)
 FrameReport Preview::begin_frame(Nanoseconds now) {
   assert(sampler_ != nullptr);
   const HeadPose head = head_->pose(now);
-  const std::optional<GazeSample> newest = eye_->newest(now);
-  const bool valid = newest && newest->valid;
-  if (valid) {
-    last_valid_gaze_ = newest;
-  }
+  poll_gaze(now);
   const GazeSample used = last_valid_gaze_.value_or(GazeSample{.time = now});
   viewport_ = viewport_for(settings_, head.heading);
   const Vec3 gaze = held_gaze_.value_or(glm::normalize(viewport_.head() * used.direction));
@@ -120,9 +116,20 @@ FrameReport Preview::begin_frame(Nanoseconds now) {
           .time = now,
           .head = head.heading,
           .gaze = gaze,
-          .gaze_valid = valid,
+          .gaze_valid = newest_gaze_is_valid_,
           .gaze_held = held_gaze_.has_value(),
           .gaze_age = now - used.time};
+}
+
+void Preview::poll_gaze(Nanoseconds now) {
+  arrived_gaze_.clear();
+  eye_->poll(now, arrived_gaze_);
+  for (const GazeSample& sample : arrived_gaze_) {
+    newest_gaze_is_valid_ = sample.valid;
+    if (sample.valid) {
+      last_valid_gaze_ = sample;
+    }
+  }
 }
 
 void Preview::hold_gaze(bool held) {

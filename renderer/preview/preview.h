@@ -93,12 +93,16 @@ class Preview {
   RgbImage present() const;
   /// The view of the last frame.
   const Viewport& viewport() const { return viewport_; }
+  /// All gaze samples that arrived for the last frame, after those of the frame before.
+  const std::vector<GazeSample>& arrived_gaze() const { return arrived_gaze_; }
   const EquirectFilm& film() const { return film_; }
   const PreviewSettings& settings() const { return settings_; }
   /// Samples dropped since the last restart because they were not finite.
   const std::vector<DroppedSample>& dropped() const { return dropped_; }
 
  private:
+  /// Polls the eye tracker for arrived_gaze and keeps what later frames need of it.
+  void poll_gaze(Nanoseconds now);
   /// Sends the next points through the sampler and `trace` into the film.
   void add_samples(std::uint64_t samples, const SamplePass::Trace& trace);
 
@@ -112,6 +116,8 @@ class Preview {
   std::unique_ptr<ViewSampler> sampler_;
   std::uint64_t next_point_ = 0;
   std::uint64_t next_frame_ = 0;
+  std::vector<GazeSample> arrived_gaze_;
+  bool newest_gaze_is_valid_ = false;
   std::optional<GazeSample> last_valid_gaze_;
   Vec3 last_gaze_{0.0F, 0.0F, -1.0F};  ///< world
   std::optional<Vec3> held_gaze_;      ///< world

@@ -5,29 +5,13 @@
 #include <optional>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/radial_lens.h"
 
 namespace foveola {
 
 /// The orientation that looks along `heading` with the horizon level: it maps the head's axes
 /// (+X right, +Y up, -Z forward) to the world.
 Quat head_orientation(const AzimuthElevation& heading);
-
-/// What a headset's lens does to one eye's display: a point at distance d from the lens' axis,
-/// measured on the image plane, is seen at distance d (1 + k1 d^2 + k2 d^4) (the radial terms of
-/// Brown 1966, "Decentering distortion of lenses").
-struct RadialLens {
-  Vec2 axis{0.5F, 0.5F};  ///< where it meets the display, as Viewport's plane
-  float k1 = 0.0F;
-  float k2 = 0.0F;
-
-  bool operator==(const RadialLens&) const = default;
-};
-
-/// The same lens before the other eye.
-inline RadialLens mirrored(RadialLens lens) {
-  lens.axis.x = 1.0F - lens.axis.x;
-  return lens;
-}
 
 /// A view, rectilinear but for its lens. Its image plane lies at distance 1 and is 2 tan(fov/2)
 /// wide and high: fields of view are those without the lens.

@@ -132,8 +132,8 @@ bool read_all(const HidEyeReports& reports, Bytes reads) {
     if (const auto data = read_report(reports.tracking, read)) {
       check(*data);
     }
-    if (const auto sample = stream.receive(read, now)) {
-      check(*sample, now);
+    for (const GazeSample& sample : stream.receive(read, now)) {
+      check(sample, now);
       has_sample = true;
     }
   }

@@ -190,10 +190,7 @@ std::vector<GazeSample> samples_of(SimulatedEye& eye, const SimulatedTrackerSett
   SimulatedEyeTracker tracker(settings, [&](Nanoseconds time) { return eye.gaze(time); });
   std::vector<GazeSample> samples;
   for (Nanoseconds now{0}; now < end; now += nanoseconds_from_seconds(0.5 / settings.rate_hz)) {
-    if (const auto sample = tracker.newest(now);
-        sample && (samples.empty() || sample->time > samples.back().time)) {
-      samples.push_back(*sample);
-    }
+    tracker.poll(now, samples);
   }
   return samples;
 }

@@ -2,20 +2,26 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
+#include "tests/renderer/gaze/newest_gaze.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
+using test::NewestGaze;
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 const Vec3 ahead(0.0F, 0.0F, -1.0F);
 
 TEST(FixedEyeTracker, AlwaysLooksThere) {
   FixedEyeTracker tracker(ahead);
-  const auto sample = tracker.newest(milliseconds(5));
+  NewestGaze newest(tracker);
+  const auto sample = newest(milliseconds(5));
   ASSERT_TRUE(sample);
   EXPECT_TRUE(sample->valid);
   EXPECT_EQ(sample->direction, ahead);
@@ -25,8 +31,9 @@ TEST(FixedEyeTracker, AlwaysLooksThere) {
 TEST(SimulatedEyeTracker, DeliversNothingBeforeItsLatency) {
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.02},
                               [](Nanoseconds) { return ahead; });
-  EXPECT_FALSE(tracker.newest(milliseconds(20) - Nanoseconds(1)));
-  EXPECT_TRUE(tracker.newest(milliseconds(20)));
+  NewestGaze newest(tracker);
+  EXPECT_FALSE(newest(milliseconds(20) - Nanoseconds(1)));
+  EXPECT_TRUE(newest(milliseconds(20)));
 }
 
 TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
@@ -35,24 +42,55 @@ TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
     return direction_from({.azimuth_rad = radians(seconds(time) * 1000.0)});
   };
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.014, .precision_deg = 0.0}, eye);
+  NewestGaze newest(tracker);
   for (const auto& [now_ms, exposed_ms] :
        {std::pair{14, 0}, {23, 0}, {24, 10}, {33, 10}, {44, 30}}) {
-    const auto sample = tracker.newest(milliseconds(now_ms));
+    const auto sample = newest(milliseconds(now_ms));
     ASSERT_TRUE(sample);
     EXPECT_EQ(sample->time, milliseconds(exposed_ms));
     EXPECT_LT(glm::distance(sample->direction, eye(milliseconds(exposed_ms))), 1e-6F);
   }
 }
 
+TEST(SimulatedEyeTracker, DeliversEachSampleOnceInOrder) {
+  SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.014},
+                              [](Nanoseconds) { return ahead; });
+  const auto times_ms = [&](int now_ms) {
+    std::vector<GazeSample> arrived;
+    tracker.poll(milliseconds(now_ms), arrived);
+    std::vector<int> times;
+    for (const GazeSample& sample : arrived) {
+      times.push_back(static_cast<int>(sample.time / milliseconds(1)));
+    }
+    return times;
+  };
+  EXPECT_THAT(times_ms(1013), ElementsAre(990)) << "what it saw before it was asked is over";
+  EXPECT_THAT(times_ms(1013), IsEmpty());
+  EXPECT_THAT(times_ms(1024), ElementsAre(1000, 1010));
+  EXPECT_THAT(times_ms(1033), IsEmpty());
+  EXPECT_THAT(times_ms(1064), ElementsAre(1020, 1030, 1040, 1050));
+}
+
+TEST(EyeTrackers, KeepWhatArrivedBefore) {
+  FixedEyeTracker tracker(ahead);
+  std::vector<GazeSample> arrived;
+  tracker.poll(milliseconds(1), arrived);
+  tracker.poll(milliseconds(2), arrived);
+  ASSERT_EQ(arrived.size(), 2U);
+  EXPECT_EQ(arrived[0].time, milliseconds(1));
+  EXPECT_EQ(arrived[1].time, milliseconds(2));
+}
+
 // A third of a second is no number of nanoseconds, and an hour at 120 Hz is many exposures.
 TEST(SimulatedEyeTracker, AgesLieBetweenTheLatencyAndAPeriodMore) {
   SimulatedEyeTracker tracker({.rate_hz = 120.0, .latency_s = 0.014},
                               [](Nanoseconds) { return ahead; });
+  NewestGaze newest(tracker);
   const Nanoseconds latency = milliseconds(14);
   const Nanoseconds period(8'333'334);
   for (Nanoseconds now = std::chrono::hours(1); now < std::chrono::seconds(3601);
        now += Nanoseconds(1'388'889)) {
-    const Nanoseconds age = now - tracker.newest(now)->time;
+    const Nanoseconds age = now - newest(now)->time;
     ASSERT_GE(age, latency);
     ASSERT_LT(age, latency + period);
   }
@@ -62,6 +100,7 @@ TEST(SimulatedEyeTracker, NoiseHasItsStandardDeviationOnBothAxes) {
   SimulatedEyeTracker tracker(
       {.rate_hz = 1000.0, .latency_s = 0.0, .precision_deg = 0.5, .seed = 3},
       [](Nanoseconds) { return ahead; });
+  NewestGaze newest(tracker);
   constexpr int count = 20000;
   double squares_x = 0.0;
   double squares_y = 0.0;
@@ -69,7 +108,7 @@ TEST(SimulatedEyeTracker, NoiseHasItsStandardDeviationOnBothAxes) {
   double lagged = 0.0;
   double last_x = 0.0;
   for (int i = 0; i < count; ++i) {
-    const auto sample = tracker.newest(milliseconds(i));
+    const auto sample = newest(milliseconds(i));
     const double x = degrees(std::atan(-sample->direction.x / sample->direction.z));
     const double y = degrees(std::atan(-sample->direction.y / sample->direction.z));
     squares_x += x * x;
@@ -89,7 +128,8 @@ TEST(SimulatedEyeTracker, BiasIsAddedToBothAngles) {
   SimulatedEyeTracker tracker(
       {.latency_s = 0.0, .precision_deg = 0.0, .bias_right_deg = 1.5, .bias_up_deg = -0.5},
       [&](Nanoseconds) { return direction_from(true_gaze); });
-  const AzimuthElevation seen = azimuth_elevation(tracker.newest(milliseconds(0))->direction);
+  NewestGaze newest(tracker);
+  const AzimuthElevation seen = azimuth_elevation(newest(milliseconds(0))->direction);
   EXPECT_NEAR(degrees(seen.azimuth_rad), 13.5, 1e-5);
   EXPECT_NEAR(degrees(seen.elevation_rad), -7.5, 1e-5);
 }
@@ -97,10 +137,11 @@ TEST(SimulatedEyeTracker, BiasIsAddedToBothAngles) {
 TEST(SimulatedEyeTracker, LosesItsPartOfTheSamples) {
   SimulatedEyeTracker tracker({.rate_hz = 1000.0, .latency_s = 0.0, .data_loss = 0.2, .seed = 5},
                               [](Nanoseconds) { return ahead; });
+  NewestGaze newest(tracker);
   constexpr int count = 20000;
   int lost = 0;
   for (int i = 0; i < count; ++i) {
-    lost += tracker.newest(milliseconds(i))->valid ? 0 : 1;
+    lost += newest(milliseconds(i))->valid ? 0 : 1;
   }
   EXPECT_NEAR(lost, 0.2 * count, 5.0 * std::sqrt(0.2 * 0.8 * count));
 }
@@ -108,11 +149,13 @@ TEST(SimulatedEyeTracker, LosesItsPartOfTheSamples) {
 TEST(SimulatedEyeTracker, WhatIsNotLostIsSeenAsIfNothingWere) {
   SimulatedTrackerSettings settings{.rate_hz = 1000.0, .latency_s = 0.0, .seed = 6};
   SimulatedEyeTracker whole(settings, [](Nanoseconds) { return ahead; });
+  NewestGaze newest_whole(whole);
   settings.data_loss = 0.5;
   SimulatedEyeTracker lossy(settings, [](Nanoseconds) { return ahead; });
+  NewestGaze newest_lossy(lossy);
   for (int i = 0; i < 1000; ++i) {
-    const auto sample = lossy.newest(milliseconds(i));
-    const auto expected = whole.newest(milliseconds(i));
+    const auto sample = newest_lossy(milliseconds(i));
+    const auto expected = newest_whole(milliseconds(i));
     ASSERT_TRUE(expected->valid);
     ASSERT_TRUE(!sample->valid || sample->direction == expected->direction);
   }
@@ -122,19 +165,22 @@ TEST(SimulatedEyeTracker, NoiseDoesNotDependOnWhenItIsPolled) {
   const SimulatedTrackerSettings settings{.rate_hz = 100.0, .latency_s = 0.01, .seed = 9};
   const auto eye = [](Nanoseconds) { return ahead; };
   SimulatedEyeTracker often(settings, eye);
+  NewestGaze newest_often(often);
   SimulatedEyeTracker once(settings, eye);
+  NewestGaze newest_once(once);
   for (int now_ms = 0; now_ms < 500; ++now_ms) {
-    often.newest(milliseconds(now_ms));
+    newest_often(milliseconds(now_ms));
   }
-  EXPECT_EQ(often.newest(milliseconds(500))->direction, once.newest(milliseconds(500))->direction);
+  EXPECT_EQ(newest_often(milliseconds(500))->direction, newest_once(milliseconds(500))->direction);
 }
 
 TEST(SimulatedEyeTracker, ABlinkIsAnInvalidSample) {
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.0}, [](Nanoseconds time) {
     return time < milliseconds(50) ? std::optional(ahead) : std::nullopt;
   });
-  EXPECT_TRUE(tracker.newest(milliseconds(45))->valid);
-  EXPECT_FALSE(tracker.newest(milliseconds(65))->valid);
+  NewestGaze newest(tracker);
+  EXPECT_TRUE(newest(milliseconds(45))->valid);
+  EXPECT_FALSE(newest(milliseconds(65))->valid);
 }
 
 }  // namespace

@@ -12,12 +12,14 @@
 #include "renderer/base/random.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/gaze/simulated_eye.h"
+#include "tests/renderer/gaze/newest_gaze.h"
 
 namespace foveola {
 namespace {
 
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
+using test::NewestGaze;
 
 Vec3 at_deg(double azimuth_deg) { return direction_from({.azimuth_rad = radians(azimuth_deg)}); }
 double azimuth_deg(const Vec3& direction) {
@@ -35,38 +37,63 @@ std::unique_ptr<EyeTracker> recorded(std::vector<GazeSample> samples) {
 
 TEST(HoldFilter, PassesValidSamplesOn) {
   HoldFilter held(recorded({seen(10, 1.0), seen(20, 2.0)}));
-  EXPECT_FALSE(held.newest(milliseconds(9)));
-  EXPECT_EQ(held.newest(milliseconds(15))->time, milliseconds(10));
-  EXPECT_EQ(held.newest(milliseconds(20))->time, milliseconds(20));
+  NewestGaze newest(held);
+  EXPECT_FALSE(newest(milliseconds(9)));
+  EXPECT_EQ(newest(milliseconds(15))->time, milliseconds(10));
+  EXPECT_EQ(newest(milliseconds(20))->time, milliseconds(20));
 }
 
 TEST(HoldFilter, HoldsTheLastValidOneWithItsOwnTime) {
   HoldFilter held(recorded({seen(10, 1.0), blink(20), blink(30), seen(200, 5.0)}));
-  held.newest(milliseconds(10));
-  const auto sample = held.newest(milliseconds(100));
+  NewestGaze newest(held);
+  newest(milliseconds(10));
+  const auto sample = newest(milliseconds(100));
   ASSERT_TRUE(sample);
   EXPECT_TRUE(sample->valid);
   EXPECT_EQ(sample->direction, at_deg(1.0));
   EXPECT_EQ(sample->time, milliseconds(10));
-  EXPECT_EQ(held.newest(milliseconds(200))->direction, at_deg(5.0));
+  EXPECT_EQ(newest(milliseconds(200))->direction, at_deg(5.0));
 }
 
 TEST(HoldFilter, LetsGoAfterSixHundredMilliseconds) {
   HoldFilter held(recorded({seen(10, 1.0), blink(20)}));
-  held.newest(milliseconds(10));
-  EXPECT_TRUE(held.newest(milliseconds(610))->valid);
-  EXPECT_FALSE(held.newest(milliseconds(610) + Nanoseconds(1))->valid);
+  NewestGaze newest(held);
+  newest(milliseconds(10));
+  EXPECT_TRUE(newest(milliseconds(610))->valid);
+  EXPECT_FALSE(newest(milliseconds(610) + Nanoseconds(1))->valid);
 }
 
 TEST(HoldFilter, LetsGoOfATrackerThatHasStopped) {
   HoldFilter held(recorded({seen(10, 1.0)}), milliseconds(100));
-  EXPECT_TRUE(held.newest(milliseconds(110))->valid);
-  EXPECT_FALSE(held.newest(milliseconds(111))->valid);
+  NewestGaze newest(held);
+  EXPECT_TRUE(newest(milliseconds(110))->valid);
+  EXPECT_FALSE(newest(milliseconds(111))->valid);
+}
+
+TEST(HoldFilter, KeepsInvalidSamplesBackWhileItHoldsAndTellsOfTheEnd) {
+  HoldFilter held(recorded({seen(10, 1.0), blink(20), blink(30), blink(640)}));
+  const auto polled = [&](int now_ms) {
+    std::vector<GazeSample> arrived;
+    held.poll(milliseconds(now_ms), arrived);
+    return arrived;
+  };
+  const auto first = polled(100);
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].time, milliseconds(10));
+  const auto end = polled(615);
+  ASSERT_EQ(end.size(), 1U);
+  EXPECT_FALSE(end[0].valid);
+  EXPECT_EQ(end[0].time, milliseconds(615));
+  const auto after = polled(640);
+  ASSERT_EQ(after.size(), 1U);
+  EXPECT_EQ(after[0].time, milliseconds(640));
+  EXPECT_TRUE(polled(700).empty());
 }
 
 TEST(HoldFilter, WithoutAnyValidSampleThereIsNone) {
   HoldFilter held(recorded({blink(10)}));
-  EXPECT_FALSE(held.newest(milliseconds(10))->valid);
+  NewestGaze newest(held);
+  EXPECT_FALSE(newest(milliseconds(10))->valid);
 }
 
 /// What becomes of these azimuths.
@@ -168,19 +195,29 @@ TEST(OneEuro, QuietensAnEyeAtRestAndFollowsASaccade) {
   EXPECT_NEAR(left_deg, 0.4, 0.1);
 }
 
+TEST(OneEuroFilter, SmoothsAllThatArriveTogether) {
+  OneEuroFilter smooth(recorded({seen(0, 0.0), seen(8, 1.0), seen(16, 2.0)}), {});
+  OneEuro filter({});
+  std::vector<GazeSample> arrived;
+  smooth.poll(milliseconds(16), arrived);
+  ASSERT_EQ(arrived.size(), 3U);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(arrived[i].direction, filter.smoothed(milliseconds(8 * i), at_deg(i)));
+  }
+}
+
 TEST(OneEuroFilter, SmoothsWhatPassesAndLeavesBlinksAlone) {
   OneEuroFilter smooth(recorded({seen(0, 0.0), seen(8, 1.0), blink(16), seen(24, 1.0)}), {});
+  NewestGaze newest(smooth);
   OneEuro filter({});
-  EXPECT_FALSE(smooth.newest(-milliseconds(1)));
-  EXPECT_EQ(smooth.newest(milliseconds(0))->direction,
-            filter.smoothed(milliseconds(0), at_deg(0.0)));
+  EXPECT_FALSE(newest(-milliseconds(1)));
+  EXPECT_EQ(newest(milliseconds(0))->direction, filter.smoothed(milliseconds(0), at_deg(0.0)));
   const Vec3 second = filter.smoothed(milliseconds(8), at_deg(1.0));
-  EXPECT_EQ(smooth.newest(milliseconds(8))->direction, second);
-  EXPECT_EQ(smooth.newest(milliseconds(12))->direction, second);
-  EXPECT_EQ(smooth.newest(milliseconds(12))->time, milliseconds(8));
-  EXPECT_FALSE(smooth.newest(milliseconds(16))->valid);
-  EXPECT_EQ(smooth.newest(milliseconds(24))->direction,
-            filter.smoothed(milliseconds(24), at_deg(1.0)));
+  EXPECT_EQ(newest(milliseconds(8))->direction, second);
+  EXPECT_EQ(newest(milliseconds(12))->direction, second);
+  EXPECT_EQ(newest(milliseconds(12))->time, milliseconds(8));
+  EXPECT_FALSE(newest(milliseconds(16))->valid);
+  EXPECT_EQ(newest(milliseconds(24))->direction, filter.smoothed(milliseconds(24), at_deg(1.0)));
 }
 
 TEST(Filtered, ByDefaultIsTheTrackerItself) {
@@ -192,10 +229,11 @@ TEST(Filtered, ByDefaultIsTheTrackerItself) {
 TEST(Filtered, HoldsWhatIsSmoothed) {
   const auto tracker = filtered(recorded({seen(0, 0.0), seen(8, 1.0), blink(16)}),
                                 {.hold = milliseconds(300), .one_euro = OneEuroSettings{}});
-  tracker->newest(milliseconds(0));
-  const auto second = tracker->newest(milliseconds(8));
+  NewestGaze newest(*tracker);
+  newest(milliseconds(0));
+  const auto second = newest(milliseconds(8));
   EXPECT_LT(azimuth_deg(second->direction), 0.9);
-  const auto third = tracker->newest(milliseconds(16));
+  const auto third = newest(milliseconds(16));
   EXPECT_TRUE(third->valid);
   EXPECT_EQ(third->direction, second->direction);
 }

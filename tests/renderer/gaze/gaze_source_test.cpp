@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/renderer/gaze/newest_gaze.h"
+#include "tests/temporary_folder.h"
 #include "tracker_server.h"
 
 namespace foveola {
 namespace {
 
+using test::NewestGaze;
 using ::testing::HasSubstr;
 
 const Screen screen{
@@ -21,12 +24,30 @@ TEST(GazeSource, ASimulatedTrackerWatchesASimulatedEye) {
   clock.advance(std::chrono::hours(1));
   TrackerProfile profile = read_tracker_profile("fove0");
   const auto tracker = open_eye_tracker(profile, screen, clock);
+  NewestGaze newest(*tracker);
   EXPECT_EQ(tracker->trouble(), "");
   clock.advance(std::chrono::seconds(1));
-  const auto sample = tracker->newest(clock.now());
+  const auto sample = newest(clock.now());
   ASSERT_TRUE(sample);
   EXPECT_LE(clock.now() - sample->time, std::chrono::milliseconds(23)) << "a period and 14 ms";
   EXPECT_NEAR(glm::length(sample->direction), 1.0F, 1e-5F);
+}
+
+TEST(GazeSource, ARecordingBeginsWhenItIsOpened) {
+  const test::TemporaryFolder folder;
+  TrackerProfile profile = read_tracker_profile("fove0");
+  profile.source = TrackerSource::recorded;
+  profile.recording = folder.write("gaze.csv", "time_ns,x,y,z,valid\n5000000,1,0,0,1\n");
+  VirtualClock clock;
+  clock.advance(std::chrono::hours(1));
+  const auto tracker = open_eye_tracker(profile, screen, clock);
+  NewestGaze newest(*tracker);
+  // Of the profile's delays, 10 ms.
+  EXPECT_FALSE(newest(clock.now() + std::chrono::microseconds(14'999)));
+  const auto sample = newest(clock.now() + std::chrono::milliseconds(15));
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->time, clock.now() + std::chrono::milliseconds(5));
+  EXPECT_EQ(sample->direction, Vec3(1.0F, 0.0F, 0.0F));
 }
 
 TEST(GazeSource, SaysThatNobodySpeaksOpenGaze) {
@@ -34,7 +55,8 @@ TEST(GazeSource, SaysThatNobodySpeaksOpenGaze) {
   profile.open_gaze.port = test::TrackerServer().port();  // of a server that is gone
   const SteadyClock clock;
   const auto tracker = open_eye_tracker(profile, screen, clock);
-  EXPECT_FALSE(tracker->newest(clock.now()));
+  NewestGaze newest(*tracker);
+  EXPECT_FALSE(newest(clock.now()));
   EXPECT_THAT(tracker->trouble(), HasSubstr("127.0.0.1:"));
 }
 

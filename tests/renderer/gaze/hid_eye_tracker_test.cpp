@@ -16,6 +16,7 @@
 
 #include "renderer/base/error.h"
 #include "tests/renderer/gaze/hid_reference.h"
+#include "tests/renderer/gaze/newest_gaze.h"
 
 namespace foveola {
 namespace {
@@ -23,6 +24,7 @@ namespace {
 using std::chrono::milliseconds;
 using test::Bytes;
 using test::from_hex;
+using test::NewestGaze;
 using test::operator+;
 using test::tracking_report;
 using ::testing::ElementsAre;
@@ -141,8 +143,9 @@ TEST(HidEyeTracker, HasNoSampleBeforeTheFirstReport) {
   const SteadyClock clock;
   CallLog log;
   HidEyeTracker tracker(opener_of({Reads{}}, log), clock, quick_settings());
+  NewestGaze newest(tracker);
   const HidTrackerState state = wait_for(tracker, is_connected);
-  EXPECT_FALSE(tracker.newest(clock.now()));
+  EXPECT_FALSE(newest(clock.now()));
   EXPECT_EQ(state.device.product, "Scripted");
   EXPECT_EQ(state.trouble, "");
 }
@@ -160,7 +163,7 @@ TEST(HidEyeTracker, ReadsTheConfigurationBeforeItRequestsGaze) {
 }
 
 // Each report is where the one before was not, so that a lost or swapped one shows.
-TEST(HidEyeTracker, TheNewestSampleIsOfTheLastReport) {
+TEST(HidEyeTracker, DeliversTheSampleOfEachReportInOrder) {
   const SteadyClock clock;
   CallLog log;
   Reads reads;
@@ -173,13 +176,17 @@ TEST(HidEyeTracker, TheNewestSampleIsOfTheLastReport) {
       wait_for(tracker, [](const HidTrackerState& s) { return s.counters.other_reports == 1; });
   EXPECT_EQ(state.counters.reports, 240U);
   const Nanoseconds now = clock.now();
-  const auto sample = tracker.newest(now);
-  ASSERT_TRUE(sample);
-  EXPECT_TRUE(sample->valid);
-  EXPECT_LE(sample->time, now);
-  // At 239 of the 240 parts of the screen, of which 90 degrees are seen.
-  const Vec3 expected = glm::normalize(Vec3(2.0F * 239.0F / 240.0F - 1.0F, 0.0F, -1.0F));
-  EXPECT_LT(glm::distance(sample->direction, expected), 1e-6F);
+  std::vector<GazeSample> arrived;
+  tracker.poll(now, arrived);
+  ASSERT_EQ(arrived.size(), 240U);
+  for (int i = 0; i < 240; ++i) {
+    EXPECT_TRUE(arrived[i].valid);
+    EXPECT_LE(arrived[i].time, now);
+    // At so many of the 240 parts of the screen, of which 90 degrees are seen.
+    const Vec3 expected =
+        glm::normalize(Vec3(2.0F * static_cast<float>(i) / 240.0F - 1.0F, 0.0F, -1.0F));
+    EXPECT_LT(glm::distance(arrived[i].direction, expected), 1e-6F);
+  }
 }
 
 TEST(HidEyeTracker, SurvivesMergedShortAndForeignReads) {
@@ -190,14 +197,14 @@ TEST(HidEyeTracker, SurvivesMergedShortAndForeignReads) {
                        // As much of two reports as a read of one can hold.
                        test::status_report(4, 60) + report, report};
   HidEyeTracker tracker(opener_of({reads}, log), clock, quick_settings());
+  NewestGaze newest(tracker);
   const HidTrackerState state = wait_for(tracker, has_reports(2));
   EXPECT_EQ(state.counters.reports, 2U);
   EXPECT_EQ(state.counters.short_reads, 2U);
   EXPECT_EQ(state.counters.wrong_ids, 1U);
   EXPECT_EQ(state.counters.other_reports, 1U);
   EXPECT_EQ(state.status.configuration, HidConfigurationStatus::user_calibration_needed);
-  EXPECT_LT(glm::distance(tracker.newest(clock.now())->direction,
-                          glm::normalize(Vec3(0.3F, 0.15F, -0.3F))),
+  EXPECT_LT(glm::distance(newest(clock.now())->direction, glm::normalize(Vec3(0.3F, 0.15F, -0.3F))),
             1e-6F);
 }
 
@@ -214,24 +221,25 @@ TEST(HidEyeTracker, ComesBackWhenItIsPluggedInAgain) {
     return is_plugged_in.exchange(false) ? open_next() : std::nullopt;
   };
   HidEyeTracker tracker(open, clock, quick_settings());
+  NewestGaze newest(tracker);
   HidTrackerState state = wait_for(tracker, [](const HidTrackerState& s) {
     return s.connections == 1 && s.trouble == "no eye tracker is attached";
   });
   EXPECT_FALSE(state.is_connected);
   EXPECT_EQ(state.counters.reports, 2U);
   // The last sample before stays.
-  EXPECT_LT(glm::distance(tracker.newest(clock.now())->direction,
-                          glm::normalize(Vec3(-0.3F, 0.15F, -0.3F))),
-            1e-6F);
+  EXPECT_LT(
+      glm::distance(newest(clock.now())->direction, glm::normalize(Vec3(-0.3F, 0.15F, -0.3F))),
+      1e-6F);
 
   is_plugged_in = true;
   state = wait_for(tracker, has_reports(3));
   EXPECT_EQ(state.connections, 2U);
   EXPECT_EQ(state.counters.gaps, 0U);
   EXPECT_EQ(state.counters.clock_restarts, 0U);
-  EXPECT_LT(glm::distance(tracker.newest(clock.now())->direction,
-                          glm::normalize(Vec3(0.3F, -0.15F, -0.3F))),
-            1e-6F);
+  EXPECT_LT(
+      glm::distance(newest(clock.now())->direction, glm::normalize(Vec3(0.3F, -0.15F, -0.3F))),
+      1e-6F);
 }
 
 TEST(HidEyeTracker, SaysWhatIsWrongAndGoesOnTrying) {
@@ -280,10 +288,11 @@ TEST(HidEyeTracker, ReadsADeviceThatAnswersNothing) {
         std::make_unique<StubbornDevice>(Reads{tracking_report(5, 500'000, 500'000)}, log)));
   };
   HidEyeTracker tracker(open, clock, quick_settings());
+  NewestGaze newest(tracker);
   const HidTrackerState state = wait_for(tracker, has_reports(1));
   EXPECT_THAT(state.trouble, HasSubstr("refuses to be asked for gaze"));
   EXPECT_FALSE(state.configuration);
-  EXPECT_LT(glm::distance(tracker.newest(clock.now())->direction, Vec3(0, 0, -1)), 1e-6F);
+  EXPECT_LT(glm::distance(newest(clock.now())->direction, Vec3(0, 0, -1)), 1e-6F);
 }
 
 // If it did not, the test would last for an hour.
@@ -317,10 +326,11 @@ TEST(HidEyeTracker, IsPolledAndEndsWhileReportsPourIn) {
     return std::optional(connection_to(std::make_unique<EndlessDevice>(Reads{}, log)));
   };
   HidEyeTracker tracker(open, clock, quick_settings());
+  NewestGaze newest(tracker);
   wait_for(tracker, has_reports(1));
   Nanoseconds last(0);
   for (int i = 0; i < 1000; ++i) {
-    const auto sample = tracker.newest(clock.now());
+    const auto sample = newest(clock.now());
     ASSERT_TRUE(sample && sample->valid);
     ASSERT_GE(sample->time, last);
     last = sample->time;

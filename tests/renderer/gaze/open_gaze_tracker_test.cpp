@@ -3,8 +3,10 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,52 +38,59 @@ bool is_near(const Vec3& direction, const Vec3& expected) {
   return glm::distance(direction, glm::normalize(expected)) < 1e-6F;
 }
 
+/// The last of them.
+std::optional<GazeSample> newest(const std::vector<GazeSample>& samples) {
+  return samples.empty() ? std::nullopt : std::optional(samples.back());
+}
+
 OpenGazeDecoder decoder_with(const OpenGazeSettings& settings) { return {settings, {}}; }
 
 TEST(OpenGazeDecoder, FractionsBecomeDirections) {
   OpenGazeDecoder decoder = decoder_with({.screen = square});
-  const auto right = decoder.decode(record(1.0, 0.5), seconds(1));
+  const auto right = newest(decoder.decode(record(1.0, 0.5), seconds(1)));
   ASSERT_TRUE(right);
   EXPECT_TRUE(right->valid);
   EXPECT_TRUE(is_near(right->direction, {1.0F, 0.0F, -1.0F}));
-  const auto corner = decoder.decode(record(0.0, 1.0), seconds(1));
+  const auto corner = newest(decoder.decode(record(0.0, 1.0), seconds(1)));
   EXPECT_TRUE(is_near(corner->direction, {-1.0F, -1.0F, -1.0F}));
 }
 
 TEST(OpenGazeDecoder, TwoEyesLookAtTheirMiddle) {
   OpenGazeDecoder decoder = decoder_with({.screen = square});
-  const auto sample = decoder.decode(
+  const auto sample = newest(decoder.decode(
       "<REC LPOGX=\"0.7\" LPOGY=\"0.5\" LPOGV=\"1\" RPOGX=\"0.8\" RPOGY=\"0.5\" RPOGV=\"1\" />\n",
-      seconds(1));
+      seconds(1)));
   EXPECT_TRUE(is_near(sample->direction, {0.5F, 0.0F, -1.0F}));
 }
 
 TEST(OpenGazeDecoder, NoEyeIsAnInvalidSample) {
   OpenGazeDecoder decoder = decoder_with({.screen = square});
   const auto sample =
-      decoder.decode("<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"0\" />\n", seconds(1));
+      newest(decoder.decode("<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"0\" />\n", seconds(1)));
   ASSERT_TRUE(sample);
   EXPECT_FALSE(sample->valid);
 }
 
-TEST(OpenGazeDecoder, OfSeveralRecordsTheNewest) {
+TEST(OpenGazeDecoder, OfSeveralRecordsAllInOrder) {
   OpenGazeDecoder decoder = decoder_with({.screen = square});
-  const auto sample = decoder.decode(record(0.0, 0.5, 1) + record(1.0, 0.5, 2), seconds(1));
-  EXPECT_TRUE(is_near(sample->direction, {1.0F, 0.0F, -1.0F}));
+  const auto samples = decoder.decode(record(0.0, 0.5, 1) + record(1.0, 0.5, 2), seconds(1));
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_TRUE(is_near(samples[0].direction, {-1.0F, 0.0F, -1.0F}));
+  EXPECT_TRUE(is_near(samples[1].direction, {1.0F, 0.0F, -1.0F}));
   EXPECT_EQ(decoder.counters().records, 2U);
-  EXPECT_FALSE(decoder.decode("<ACK ID=\"X\" />\n", seconds(2)));
+  EXPECT_FALSE(newest(decoder.decode("<ACK ID=\"X\" />\n", seconds(2))));
 }
 
 TEST(OpenGazeDecoder, WithoutATimeASampleIsFromItsArrivalLessTheLatency) {
   OpenGazeDecoder decoder = decoder_with({.screen = square, .latency = milliseconds(20)});
-  EXPECT_EQ(decoder.decode(record(0.5, 0.5), seconds(7))->time, milliseconds(6980));
+  EXPECT_EQ(newest(decoder.decode(record(0.5, 0.5), seconds(7)))->time, milliseconds(6980));
 }
 
 // The second record has waited for 8 ms on its way, and the third for 3.
 TEST(OpenGazeDecoder, TheTrackersTimeTakesTheWaitingOut) {
   OpenGazeDecoder decoder = decoder_with({.screen = square, .latency = milliseconds(20)});
   const auto time = [&](double time_s, int arrival_ms) {
-    return decoder.decode(timed_record(time_s), milliseconds(arrival_ms))->time;
+    return newest(decoder.decode(timed_record(time_s), milliseconds(arrival_ms)))->time;
   };
   EXPECT_EQ(time(100.0, 5000), milliseconds(4980));
   EXPECT_EQ(time(100.016, 5024), milliseconds(4996));
@@ -92,7 +101,7 @@ TEST(OpenGazeDecoder, CountsWhatComes) {
   OpenGazeDecoder decoder({.screen = square},
                           {.records = 10, .garbage = 20, .gaps = 30, .reconnects = 40});
   for (const int count : {1, 2, 5, 6, 9, 3}) {  // it jumps twice, and is set back once
-    decoder.decode(record(0.5, 0.5, count), seconds(1));
+    newest(decoder.decode(record(0.5, 0.5, count), seconds(1)));
   }
   decoder.decode("nonsense\r\n<REC\r\n", seconds(2));
   const OpenGazeCounters counters = decoder.counters();
@@ -125,24 +134,35 @@ void accept_and_answer_requests(TrackerServer& server) {
   server.receive_until("<SET ID=\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n");
 }
 
+/// Whether the tracker delivers this gaze next.
 bool comes_to_look_along(OpenGazeTracker& tracker, const Vec3& direction) {
+  std::vector<GazeSample> arrived;
   return becomes_true([&] {
-    const auto sample = tracker.newest(Nanoseconds(0));
-    return sample && sample->valid && is_near(sample->direction, direction);
-  });
+           tracker.poll(Nanoseconds(0), arrived);
+           return !arrived.empty();
+         }) &&
+         arrived.front().valid && is_near(arrived.front().direction, direction);
 }
 
 TEST(OpenGazeTracker, AsksForDataAndDeliversIt) {
   TrackerServer server;
   OpenGazeTracker tracker(settings_for(server.port()));
-  EXPECT_FALSE(tracker.newest(Nanoseconds(0)));
+  std::vector<GazeSample> arrived;
+  tracker.poll(Nanoseconds(0), arrived);
+  EXPECT_TRUE(arrived.empty());
   server.accept();
   EXPECT_EQ(server.receive_until("\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n"), open_gaze_requests());
   const Nanoseconds before = SteadyClock().now();
-  server.send(record(1.0, 0.5));
-  EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
-  EXPECT_GE(tracker.newest(Nanoseconds(0))->time, before);
-  EXPECT_LE(tracker.newest(Nanoseconds(0))->time, SteadyClock().now());
+  server.send(record(1.0, 0.5) + record(0.0, 0.5, 2));
+  EXPECT_TRUE(becomes_true([&] {
+    tracker.poll(Nanoseconds(0), arrived);
+    return arrived.size() >= 2;
+  }));
+  ASSERT_EQ(arrived.size(), 2U);
+  EXPECT_TRUE(is_near(arrived[0].direction, {1.0F, 0.0F, -1.0F}));
+  EXPECT_TRUE(is_near(arrived[1].direction, {-1.0F, 0.0F, -1.0F}));
+  EXPECT_GE(arrived[0].time, before);
+  EXPECT_LE(arrived[1].time, SteadyClock().now());
   EXPECT_TRUE(tracker.counters().is_connected);
   EXPECT_EQ(tracker.counters().reconnects, 0U);
 }
@@ -166,7 +186,6 @@ TEST(OpenGazeTracker, ComesBackAfterTheServerHungUp) {
   server.send(record(0.0, 0.5) + "<REC CNT=\"2\" BPO");
   EXPECT_TRUE(comes_to_look_along(tracker, {-1.0F, 0.0F, -1.0F}));
   accept_and_answer_requests(server);
-  EXPECT_TRUE(comes_to_look_along(tracker, {-1.0F, 0.0F, -1.0F}));  // it is still the newest
   server.send(record(1.0, 0.5, 9));
   EXPECT_TRUE(comes_to_look_along(tracker, {1.0F, 0.0F, -1.0F}));
   const OpenGazeCounters counters = tracker.counters();

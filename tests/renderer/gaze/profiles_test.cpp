@@ -125,7 +125,7 @@ height_px = 1000
 refresh_rate_hz = 90
 horizontal_fov_deg = 110
 vertical_fov_deg = 95.5
-lens = { k1 = 0.22, k2 = 0.24 }
+lens = { axis = [0.56, 0.5], k1 = 0.22, k2 = 0.24 }
 scan_out = { duration_ms = 3, provenance = "measured" }
 )";
 
@@ -173,9 +173,7 @@ TEST(Profiles, AreReadFromAPath) {
   EXPECT_EQ(mine.name, "mine");
   EXPECT_EQ(mine.title, "Mine");
   EXPECT_EQ(mine.vertical_fov_deg, 95.5);
-  ASSERT_TRUE(mine.lens);
-  EXPECT_EQ(mine.lens->k1, 0.22);
-  EXPECT_EQ(mine.lens->k2, 0.24);
+  EXPECT_EQ(mine.lens, (RadialLens{.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F}));
   EXPECT_EQ(mine.scan_out.provenance, Provenance::measured);
   EXPECT_EQ(mine.toml, headset);
   EXPECT_NEAR(display_from(monitor).horizontal_fov_deg, 90.0, 1e-12);
@@ -184,6 +182,21 @@ TEST(Profiles, AreReadFromAPath) {
   EXPECT_EQ(other.open_gaze.host, "tracker.example");
   EXPECT_EQ(other.open_gaze.port, 4343);
   EXPECT_EQ(other.transfer.provenance, Provenance::measured);
+}
+
+TEST(Profiles, ARecordingIsFoundFromTheProfilesFolder) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("mine.toml", R"(title = "A replay"
+source = "recorded"
+recording = "recordings/gaze.csv"
+rate_hz = 120
+exposure = { duration_ms = 8, provenance = "assumed" }
+transfer = { duration_ms = 2, provenance = "assumed" }
+processing = { duration_ms = 4, provenance = "assumed" }
+)");
+  const TrackerProfile profile = read_tracker_profile(file.string());
+  EXPECT_EQ(profile.source, TrackerSource::recorded);
+  EXPECT_EQ(profile.recording, folder / "recordings/gaze.csv");
 }
 
 struct Fault {
@@ -206,6 +219,7 @@ TEST(Profiles, WhatIsWrongWithADisplayIsSaidWithItsPlace) {
         {"vertical_fov_deg = 95.5\n", "", "vertical_fov_deg is missing"},
         {"k2 = 0.24", "k3 = 0.24", "lens.k2 is missing"},
         {"k2 = 0.24", "k2 = 0.24, k3 = 1", "unknown key 'lens.k3'"},
+        {"[0.56, 0.5]", "[0.56, 1.5]", "mine.toml:8:24: lens.axis is out of range"},
         {"duration_ms = 3, ", "", "scan_out.duration_ms is missing"},
         {"\"measured\"", "\"guessed\"", "there is no provenance 'guessed'"},
         {"scan_out = {", "scan_in = {", "scan_out is missing"},
@@ -233,6 +247,7 @@ TEST(Profiles, WhatIsWrongWithATrackerIsSaidWithItsPlace) {
   for (const Fault& f :
        {Fault{"\"open-gaze\"", "\"open gaze\"", "mine.toml:2:10: there is no source 'open gaze'"},
         {"rate_hz = 150", "rate_hz = 0", "mine.toml:3:11: rate_hz is out of range"},
+        {"\"open-gaze\"", "\"recorded\"", "recording is missing or empty"},
         {"transfer", "transport", "transfer is missing"},
         {"duration_ms = 2", "duration_ms = -2", "transfer.duration_ms is out of range"},
         {"duration_ms = 2", "duration_ms = 2000", "transfer.duration_ms is out of range"},

@@ -134,20 +134,46 @@ std::vector<GazeSample> three_samples() {
           {.time = milliseconds(35), .direction = right, .valid = true}};
 }
 
-TEST(RecordedEyeTracker, DeliversEachSampleAtItsTimeAndTheLatency) {
+std::vector<GazeSample> polled(EyeTracker& tracker, Nanoseconds now) {
+  std::vector<GazeSample> arrived;
+  tracker.poll(now, arrived);
+  return arrived;
+}
+
+TEST(RecordedEyeTracker, DeliversEachSampleOnceAtItsTimeAndTheLatency) {
   RecordedEyeTracker tracker(three_samples(), milliseconds(1000), milliseconds(5));
-  EXPECT_FALSE(tracker.newest(milliseconds(1015) - Nanoseconds(1)));
-  EXPECT_EQ(tracker.newest(milliseconds(1015))->time, milliseconds(1010));
-  EXPECT_TRUE(tracker.newest(milliseconds(1024))->valid);
-  EXPECT_EQ(tracker.newest(milliseconds(1025))->time, milliseconds(1020));
-  EXPECT_FALSE(tracker.newest(milliseconds(1025))->valid);
-  const auto last = tracker.newest(milliseconds(5000));
-  EXPECT_EQ(last->time, milliseconds(1035));
-  EXPECT_EQ(last->direction, Vec3(1.0F, 0.0F, 0.0F));
+  EXPECT_TRUE(polled(tracker, milliseconds(1015) - Nanoseconds(1)).empty());
+  const auto first = polled(tracker, milliseconds(1015));
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].time, milliseconds(1010));
+  EXPECT_TRUE(first[0].valid);
+  EXPECT_TRUE(polled(tracker, milliseconds(1024)).empty());
+  const auto rest = polled(tracker, milliseconds(5000));
+  ASSERT_EQ(rest.size(), 2U);
+  EXPECT_EQ(rest[0].time, milliseconds(1020));
+  EXPECT_FALSE(rest[0].valid);
+  EXPECT_EQ(rest[1].time, milliseconds(1035));
+  EXPECT_EQ(rest[1].direction, Vec3(1.0F, 0.0F, 0.0F));
+  EXPECT_TRUE(polled(tracker, milliseconds(9000)).empty());
 }
 
 TEST(RecordedEyeTracker, WithoutSamplesDeliversNone) {
-  EXPECT_FALSE(RecordedEyeTracker({}, Nanoseconds(0), Nanoseconds(0)).newest(milliseconds(1)));
+  RecordedEyeTracker tracker({}, Nanoseconds(0), Nanoseconds(0));
+  EXPECT_TRUE(polled(tracker, milliseconds(1)).empty());
+}
+
+TEST(Replayable, CountsFromTheFirstSampleAndLeavesOutWhatStepsBack) {
+  std::vector<GazeSample> arrived = three_samples();
+  arrived.insert(arrived.begin() + 2, {.time = milliseconds(15), .valid = true});
+  arrived.insert(arrived.begin() + 3, {.time = milliseconds(20), .valid = true});
+  const auto samples = replayable(arrived);
+  ASSERT_EQ(samples.size(), 3U);
+  EXPECT_EQ(samples[0].time, milliseconds(0));
+  EXPECT_TRUE(samples[0].valid);
+  EXPECT_EQ(samples[1].time, milliseconds(10));
+  EXPECT_FALSE(samples[1].valid);
+  EXPECT_EQ(samples[2].time, milliseconds(25));
+  EXPECT_TRUE(replayable({}).empty());
 }
 
 TEST(RecordedEyeTracker, NeedsTimesInOrder) {

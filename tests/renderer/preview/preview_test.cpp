@@ -24,16 +24,6 @@ constexpr Nanoseconds frame_time = std::chrono::milliseconds(20);
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
-/// Says what a test tells it to say.
-class ToldEyeTracker final : public EyeTracker {
- public:
-  void say(const std::optional<GazeSample>& sample) { newest_ = sample; }
-  std::optional<GazeSample> newest(Nanoseconds) override { return newest_; }
-
- private:
-  std::optional<GazeSample> newest_;
-};
-
 PreviewSettings small_settings() {
   PreviewSettings settings;
   settings.film_width = 256;
@@ -51,7 +41,6 @@ class PreviewTest : public testing::Test {
   PathTracer tracer_{scene_, workers_};
   FixedEyeTracker ahead_{Vec3(0.0F, 0.0F, -1.0F)};
   ScriptedHeadTracker still_{{{.time = Nanoseconds(0), .heading = {}}}};
-  ToldEyeTracker told_;
 };
 
 /// The share of the film's samples in pixels whose centres `is_inside`.
@@ -205,36 +194,6 @@ TEST_F(PreviewTest, TheGazeTurnsWithTheHead) {
   const FrameReport second = preview.render_frame(frame_time, 1);
   EXPECT_LT(angle_deg(second.gaze, direction_from({.azimuth_rad = radians(110.0)})), 1e-3);
   EXPECT_NEAR(second.head.azimuth_rad, radians(90.0), 1e-9);
-}
-
-TEST_F(PreviewTest, LooksStraightAheadBeforeTheFirstValidGaze) {
-  const AzimuthElevation heading = {.azimuth_rad = 0.4, .elevation_rad = 0.2};
-  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = heading}});
-  Preview preview(tracer_, small_settings(), told_, head, workers_);
-  preview.restart("fv", 1);
-  const auto expect_ahead = [&](const FrameReport& report) {
-    EXPECT_LT(angle_deg(report.gaze, direction_from(heading)), 1e-3);
-    EXPECT_FALSE(report.gaze_valid);
-    EXPECT_EQ(report.gaze_age, Nanoseconds(0));
-  };
-  expect_ahead(preview.render_frame(frame_time, 1));
-  told_.say(GazeSample{.time = frame_time, .direction = Vec3(1.0F, 0.0F, 0.0F), .valid = false});
-  expect_ahead(preview.render_frame(2 * frame_time, 1));
-}
-
-TEST_F(PreviewTest, HoldsTheLastValidGazeThroughABlink) {
-  const Vec3 looked_at = direction_from({.azimuth_rad = 0.3});
-  Preview preview(tracer_, small_settings(), told_, still_, workers_);
-  preview.restart("fv", 1);
-  told_.say(GazeSample{.time = frame_time, .direction = looked_at, .valid = true});
-  const FrameReport open = preview.render_frame(2 * frame_time, 1);
-  EXPECT_TRUE(open.gaze_valid);
-  EXPECT_EQ(open.gaze_age, frame_time);
-  told_.say(GazeSample{.time = 3 * frame_time, .direction = -looked_at, .valid = false});
-  const FrameReport blink = preview.render_frame(4 * frame_time, 1);
-  EXPECT_FALSE(blink.gaze_valid);
-  EXPECT_LT(angle_deg(blink.gaze, looked_at), 1e-3);
-  EXPECT_EQ(blink.gaze_age, 3 * frame_time);
 }
 
 // Where a sample goes then depends on those before it, which the search has to trace again.

@@ -1,0 +1,46 @@
+// What a calibration corrects: an affine map of the angles of gaze.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/gaze_quality.h"
+
+namespace foveola {
+
+/// Of azimuth and elevation in the head's axes, in degrees. Each component of a row is a weight: of
+/// 1, of the seen azimuth, and of the seen elevation; the sum is what is corrected.
+struct GazeCorrection {
+  DVec3 azimuth{0.0, 1.0, 0.0};
+  DVec3 elevation{0.0, 0.0, 1.0};
+
+  bool operator==(const GazeCorrection&) const = default;
+};
+
+/// direction: of unit length, as is what is returned.
+Vec3 corrected(const Vec3& direction, const GazeCorrection& correction);
+
+/// Takes the mean gaze on each target that was seen to the target, as closely as can be in the
+/// least squares of angles. Empty if the gazes lie so nearly on a line or a point that they do not
+/// tell: if along some direction they deviate from their mean by less than a degree.
+std::optional<GazeCorrection> fit_correction(std::span<const TargetQuality> targets);
+
+/// Corrects the valid samples that pass through it.
+class CorrectedEyeTracker final : public EyeTracker {
+ public:
+  CorrectedEyeTracker(std::unique_ptr<EyeTracker> source, const GazeCorrection& correction);
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
+  std::string trouble() const override { return source_->trouble(); }
+
+ private:
+  std::unique_ptr<EyeTracker> source_;
+  GazeCorrection correction_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,52 @@
+#include "renderer/gaze/gaze_marker.h"
+
+#include "renderer/gaze/gaze_filter.h"
+
+namespace foveola {
+namespace {
+
+GazeMark mark_of(const EyeMovement& movement) {
+  switch (movement.kind) {
+    case EyeMovementKind::fixation:
+      return GazeMark::fixation;
+    case EyeMovementKind::saccade:
+      return GazeMark::saccade;
+    case EyeMovementKind::no_data:
+      break;
+  }
+  return movement.end - movement.start <= longest_hold ? GazeMark::blink : GazeMark::none;
+}
+
+/// What ends a time without data is a valid sample, and belongs to what comes then.
+bool leads_to(const EyeMovement& movement, const GazeSample& sample) {
+  const bool ends_no_data = movement.kind == EyeMovementKind::no_data && sample.valid;
+  return ends_no_data ? sample.time < movement.end : sample.time <= movement.end;
+}
+
+}  // namespace
+
+void GazeMarker::push(const GazeSample& sample, std::vector<GazeSample>& marked) {
+  waiting_.push_back(sample);
+  for (const EyeMovement& movement : detector_.push(sample)) {
+    take(movement, marked);
+  }
+}
+
+void GazeMarker::finish(std::vector<GazeSample>& marked) {
+  if (const std::optional<EyeMovement> last = detector_.finish()) {
+    take(*last, marked);
+  }
+  marked.insert(marked.end(), waiting_.begin(), waiting_.end());
+  waiting_.clear();
+}
+
+void GazeMarker::take(const EyeMovement& movement, std::vector<GazeSample>& marked) {
+  auto sample = waiting_.begin();
+  for (; sample != waiting_.end() && leads_to(movement, *sample); ++sample) {
+    sample->mark = mark_of(movement);
+    marked.push_back(*sample);
+  }
+  waiting_.erase(waiting_.begin(), sample);
+}
+
+}  // namespace foveola

@@ -1,0 +1,187 @@
+#include "renderer/gaze/gaze_quality.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "renderer/base/angles.h"
+#include "renderer/gaze/eye_movements.h"
+
+namespace foveola {
+namespace {
+
+/// A fixation's worth at the slowest trackers, 30 Hz (assumed).
+constexpr std::size_t fewest_samples = 10;
+
+double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
+
+/// Empty without values.
+std::optional<double> median(std::vector<double> values) {
+  if (values.empty()) {
+    return std::nullopt;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Between samples that arrived one after the other, valid or not.
+std::optional<double> usual_interval_s(std::span<const WatchedTarget> watched) {
+  std::vector<double> intervals_s;
+  for (const WatchedTarget& target : watched) {
+    for (std::size_t i = 1; i < target.samples.size(); ++i) {
+      intervals_s.push_back(seconds(target.samples[i].time - target.samples[i - 1].time));
+    }
+  }
+  return median(std::move(intervals_s));
+}
+
+double data_loss(const WatchedTarget& target, std::optional<double> interval_s) {
+  if (!interval_s || *interval_s <= 0.0 || target.end <= target.start) {
+    return 1.0;
+  }
+  const double expected = seconds(target.end - target.start) / *interval_s;
+  const auto valid = static_cast<double>(std::count_if(
+      target.samples.begin(), target.samples.end(), [](const GazeSample& s) { return s.valid; }));
+  return std::clamp(1.0 - valid / expected, 0.0, 1.0);
+}
+
+/// Rayleigh-distributed velocities, which noise makes, exceed six times their median once in 10^10.
+EyeMovementSettings settings_for(const std::vector<GazeSample>& samples) {
+  constexpr double medians = 6.0;
+  EyeMovementSettings settings;
+  std::vector<double> velocities_deg_per_s;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const GazeSample& before = samples[i - 1];
+    const GazeSample& sample = samples[i];
+    if (before.valid && sample.valid && sample.time > before.time) {
+      velocities_deg_per_s.push_back(angle_deg(before.direction, sample.direction) /
+                                     seconds(sample.time - before.time));
+    }
+  }
+  settings.threshold_deg_per_s =
+      std::max(settings.threshold_deg_per_s,
+               medians * median(std::move(velocities_deg_per_s)).value_or(0.0));
+  return settings;
+}
+
+/// The eye at rest.
+struct Fixated {
+  std::vector<Vec3> directions;
+  std::vector<double> steps_deg;  ///< between those that follow each other without a saccade
+};
+
+Fixated fixated(const std::vector<GazeSample>& samples) {
+  Fixated fixated;
+  EyeMovementDetector detector(settings_for(samples));
+  const GazeSample* last = nullptr;
+  for (const GazeSample& sample : samples) {
+    detector.push(sample);
+    if (!sample.valid) {
+      continue;
+    }
+    if (detector.now() != EyeMovementKind::fixation) {
+      last = nullptr;
+      continue;
+    }
+    if (last != nullptr) {
+      fixated.steps_deg.push_back(angle_deg(last->direction, sample.direction));
+    }
+    fixated.directions.push_back(sample.direction);
+    last = &sample;
+  }
+  return fixated;
+}
+
+Vec3 mean_direction(const std::vector<Vec3>& directions) {
+  DVec3 sum(0.0);
+  for (const Vec3& direction : directions) {
+    sum += DVec3(direction);
+  }
+  return Vec3(glm::normalize(sum));
+}
+
+double mean_angle_deg(const std::vector<Vec3>& directions, const Vec3& from) {
+  double sum_deg = 0.0;
+  for (const Vec3& direction : directions) {
+    sum_deg += angle_deg(direction, from);
+  }
+  return sum_deg / static_cast<double>(directions.size());
+}
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value * value;
+  }
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double deviation_deg(const std::vector<Vec3>& directions, const Vec3& mean) {
+  std::vector<double> angles_deg;
+  for (const Vec3& direction : directions) {
+    angles_deg.push_back(angle_deg(direction, mean));
+  }
+  return root_mean_square(angles_deg);
+}
+
+std::optional<SeenTarget> seen_target(const WatchedTarget& target) {
+  const Fixated gaze = fixated(target.samples);
+  if (gaze.directions.size() < fewest_samples || gaze.steps_deg.empty()) {
+    return std::nullopt;
+  }
+  const Vec3 mean = mean_direction(gaze.directions);
+  return SeenTarget{.mean_gaze = mean,
+                    .samples = gaze.directions.size(),
+                    .figures = {.accuracy_deg = mean_angle_deg(gaze.directions, target.direction),
+                                .precision_rms_deg = root_mean_square(gaze.steps_deg),
+                                .precision_sd_deg = deviation_deg(gaze.directions, mean)}};
+}
+
+std::optional<GazeFigures> figures_of(const std::vector<TargetQuality>& targets) {
+  double accuracies_deg = 0.0;
+  std::vector<double> steps_deg;
+  std::vector<double> deviations_deg;
+  for (const TargetQuality& target : targets) {
+    if (target.seen) {
+      accuracies_deg += target.seen->figures.accuracy_deg;
+      steps_deg.push_back(target.seen->figures.precision_rms_deg);
+      deviations_deg.push_back(target.seen->figures.precision_sd_deg);
+    }
+  }
+  if (steps_deg.empty()) {
+    return std::nullopt;
+  }
+  return GazeFigures{.accuracy_deg = accuracies_deg / static_cast<double>(steps_deg.size()),
+                     .precision_rms_deg = root_mean_square(steps_deg),
+                     .precision_sd_deg = root_mean_square(deviations_deg)};
+}
+
+}  // namespace
+
+GazeQuality gaze_quality(std::span<const WatchedTarget> watched) {
+  assert(!watched.empty());
+  const std::optional<double> interval_s = usual_interval_s(watched);
+  GazeQuality quality;
+  double losses = 0.0;
+  for (const WatchedTarget& target : watched) {
+    quality.targets.push_back({.direction = target.direction,
+                               .data_loss = data_loss(target, interval_s),
+                               .seen = seen_target(target)});
+    losses += quality.targets.back().data_loss;
+  }
+  quality.data_loss = losses / static_cast<double>(watched.size());
+  quality.figures = figures_of(quality.targets);
+  return quality;
+}
+
+bool passes(const GazeQuality& quality, const GazeGate& gate) {
+  const bool all_seen =
+      std::all_of(quality.targets.begin(), quality.targets.end(),
+                  [](const TargetQuality& target) { return target.seen.has_value(); });
+  return all_seen && quality.figures && quality.figures->accuracy_deg <= gate.max_accuracy_deg &&
+         quality.figures->precision_rms_deg <= gate.max_precision_deg &&
+         quality.data_loss <= gate.max_data_loss;
+}
+
+}  // namespace foveola

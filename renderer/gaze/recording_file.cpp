@@ -1,0 +1,76 @@
+#include "renderer/gaze/recording_file.h"
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+
+namespace foveola {
+namespace {
+
+std::size_t count_fields(std::string_view header) {
+  return static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+}
+
+}  // namespace
+
+RecordedLine::RecordedLine(CsvRow fields, std::string where, const RecordingFormat& format)
+    : where_(std::move(where)), header_(format.header), fields_(std::move(fields)) {
+  if (const std::size_t expected = count_fields(header_); fields_.size() != expected) {
+    fail(fmt::format("has {} fields instead of {}", fields_.size(), expected),
+         fmt::format("write {}", header_));
+  }
+  time_ = Nanoseconds(value(0, std::int64_t{0}, std::int64_t{longest_recording.count()}));
+}
+
+template <typename Value>
+Value RecordedLine::value(std::size_t number, Value minimum, Value maximum) const {
+  const std::string_view text = field(number);
+  Value parsed{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, parsed);
+  if (failure != std::errc() || stop != end || !(parsed >= minimum && parsed <= maximum)) {
+    fail(fmt::format("\"{}\" is no number from {} to {}", text, minimum, maximum),
+         fmt::format("the fields are {}", header_));
+  }
+  return parsed;
+}
+
+template float RecordedLine::value(std::size_t, float, float) const;
+template double RecordedLine::value(std::size_t, double, double) const;
+template std::int64_t RecordedLine::value(std::size_t, std::int64_t, std::int64_t) const;
+
+void RecordedLine::fail(const std::string& what, const std::string& remedy) const {
+  throw Error(where_, what, remedy);
+}
+
+void read_recording(const std::filesystem::path& file, const RecordingFormat& format,
+                    const std::function<void(const RecordedLine&)>& take) {
+  std::vector<CsvRow> rows = parse_csv(read_file(file), file.string());
+  if (rows.empty() || fmt::format("{}", fmt::join(rows.front(), ",")) != format.header) {
+    throw Error(file.string() + ":1", fmt::format("is not the first line of a {}", format.name),
+                fmt::format("write {}", format.header));
+  }
+  std::optional<Nanoseconds> last_time;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const RecordedLine line(std::move(rows[i]), fmt::format("{}:{}", file.string(), i + 1), format);
+    if (last_time && line.time() <= *last_time) {
+      line.fail("is not later than the line before", "put the lines in the order of time");
+    }
+    take(line);
+    last_time = line.time();
+  }
+  if (!last_time) {
+    throw Error(file.string(), "has no samples", "record some");
+  }
+}
+
+}  // namespace foveola

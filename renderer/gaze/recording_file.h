@@ -1,0 +1,70 @@
+// What the files of recordings have in common: comma-separated values, the first line names the
+// fields, and each further line is a moment whose first field is its time.
+//
+// Times are whole nanoseconds from 0 on, each later than the one before.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/csv.h"
+
+namespace foveola {
+
+/// How long a recording may be: 10^9 seconds.
+inline constexpr Nanoseconds longest_recording{1'000'000'000'000'000'000};
+
+struct RecordingFormat {
+  std::string_view name;    ///< "gaze recording", for errors
+  std::string_view header;  ///< the fields' names: "time_ns,x,y"
+};
+
+/// A line after the first.
+class RecordedLine {
+ public:
+  /// where: "FILE:LINE". Throws Error if there are other than the format's fields, or the first is
+  /// no time.
+  RecordedLine(CsvRow fields, std::string where, const RecordingFormat& format);
+
+  Nanoseconds time() const { return time_; }
+  /// The field's text; the time is number 0.
+  std::string_view field(std::size_t number) const { return fields_[number]; }
+  /// The field as a number. Throws Error if it is none from `minimum` to `maximum`. Value: float,
+  /// double or std::int64_t.
+  template <typename Value>
+  Value value(std::size_t number, Value minimum, Value maximum) const;
+
+  [[noreturn]] void fail(const std::string& what, const std::string& remedy) const;
+
+ private:
+  std::string where_;
+  std::string_view header_;
+  CsvRow fields_;
+  Nanoseconds time_{0};
+};
+
+/// Calls `take` with one line after the other, at least one. Lines may end with \r\n. Throws Error
+/// with FILE:LINE if the file is not as above.
+void read_recording(const std::filesystem::path& file, const RecordingFormat& format,
+                    const std::function<void(const RecordedLine&)>& take);
+
+/// Whether each moment is later than the one before. Moment: has a `time`.
+template <typename Moment>
+bool times_ascend(std::span<const Moment> moments) {
+  const auto is_not_earlier = [](const Moment& a, const Moment& b) { return a.time >= b.time; };
+  return std::adjacent_find(moments.begin(), moments.end(), is_not_earlier) == moments.end();
+}
+
+/// Whether a file of these moments could be read, as far as their times go.
+template <typename Moment>
+bool has_recordable_times(std::span<const Moment> moments) {
+  return !moments.empty() && times_ascend(moments) && moments.front().time >= Nanoseconds::zero() &&
+         moments.back().time <= longest_recording;
+}
+
+}  // namespace foveola
