@@ -1,5 +1,6 @@
 #include "study/commands/commands.h"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -9,11 +10,13 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/participant_code.h"
 #include "study/commands/simulate_study.h"
 #include "study/commands/tables.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
+#include "study/record/recorded_gaze.h"
 #include "study/record/study_records.h"
 
 namespace foveola::study {
@@ -23,6 +26,9 @@ namespace {
 struct StudyArguments {
   std::string protocol;
   std::string database;
+  std::string participant;
+  int trial = 0;
+  std::string output;
   int participants = 0;
   std::uint64_t seed = 0;
   int threads = 0;
@@ -61,6 +67,14 @@ void add_json(CLI::App* command, const Arguments& arguments) {
   command->add_flag("--json", arguments->json, "Print the result as JSON");
 }
 
+nlohmann::json json_profiles(const Protocol& protocol) {
+  nlohmann::json names = nlohmann::json::object();
+  for (const NamedProfile& profile : named_profiles(protocol)) {
+    names[profile.device] = profile.name;
+  }
+  return names;
+}
+
 void run_check(const StudyArguments& arguments, const SceneFinder& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
@@ -81,6 +95,7 @@ void run_check(const StudyArguments& arguments, const SceneFinder& find_scene) {
         {"scenes", names},
         {"methods", protocol.methods},
         {"method_files", files},
+        {"profiles", json_profiles(protocol)},
         {"trials_per_participant", scenes.size() * protocol.methods.size()},
         {"background_questions", protocol.background.size()}};
     fmt::print("{}\n", json.dump(2));
@@ -118,6 +133,7 @@ nlohmann::json json_report(const StudyArguments& arguments, const SimulateReport
   return {{"database", arguments.database},
           {"seed", arguments.seed},
           {"sessions_completed", report.sessions_completed},
+          {"sessions_refused", report.sessions_refused},
           {"trials", report.trials},
           {"wall_seconds", report.wall_s},
           {"simulated_seconds", report.simulated_s},
@@ -140,6 +156,10 @@ void run_simulate(const StudyArguments& arguments, const SceneFinder& find_scene
   fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of virtual time)\n",
              arguments.database, report.sessions_completed, arguments.participants, report.trials,
              human_duration(report.wall_s), human_duration(report.simulated_s));
+  if (report.sessions_refused > 0) {
+    fmt::print("{} refused: the tracker did not see the gaze well enough for the protocol\n",
+               report.sessions_refused);
+  }
 }
 
 nlohmann::json json_status(const StudyRecords& records, const StudyStatus& status) {
@@ -166,6 +186,13 @@ void run_status(const StudyArguments& arguments) {
   } else {
     fmt::print("{}", status_table(records, status));
   }
+}
+
+void run_gaze(const StudyArguments& arguments) {
+  const std::vector<GazeSample> samples = replayable(read_gaze(
+      arguments.database, arguments.participant, static_cast<std::size_t>(arguments.trial)));
+  write_gaze_file(arguments.output, samples);
+  fmt::print("{}: {} samples\n", arguments.output, samples.size());
 }
 
 void add_check(CLI::App& study, const SceneFinder& find_scene) {
@@ -213,6 +240,20 @@ void add_status(CLI::App& study) {
   command->callback([arguments] { run_status(*arguments); });
 }
 
+void add_gaze(CLI::App& study) {
+  const auto arguments = std::make_shared<StudyArguments>();
+  CLI::App* command = add_command(study, "gaze", "Where a participant looked, to be replayed",
+                                  "gaze study.sqlite --participant P001 --trial 0 -o gaze.csv");
+  command->add_option("DB", arguments->database, "The study's file")->required();
+  command->add_option("--participant", arguments->participant, "The code")->required();
+  command->add_option("--trial", arguments->trial, "0 is the first; its last attempt is taken")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->required();
+  command->add_option("-o,--output", arguments->output, "A recording: comma-separated values")
+      ->required();
+  command->callback([arguments] { run_gaze(*arguments); });
+}
+
 }  // namespace
 
 void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
@@ -222,6 +263,7 @@ void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_
   add_plan(*study);
   add_simulate(*study, find_scene, stop);
   add_status(*study);
+  add_gaze(*study);
 }
 
 }  // namespace foveola::study

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "study/commands/gaze_validation.h"
+
 namespace foveola::study {
 namespace {
 
@@ -50,7 +52,9 @@ SessionOutcome SessionRunner::run() {
 Event SessionRunner::next_event() {
   switch (state_.phase) {
     case Phase::created:
-      return SessionStarted{};
+      return start();
+    case Phase::validation:
+      return validate();
     case Phase::background:
       return answer_background();
     case Phase::choosing_object:
@@ -65,6 +69,7 @@ Event SessionRunner::next_event() {
     case Phase::completed:
     case Phase::interrupted:
     case Phase::withdrawn:
+    case Phase::refused:
       break;
   }
   throw std::logic_error(std::string("nothing follows the phase ") + name_of(state_.phase));
@@ -95,17 +100,33 @@ void SessionRunner::carry_out(const Effect& effect) {
 
 void SessionRunner::start_rendering() {
   preview_.emplace(stage(), setting_.protocol, trial().method,
-                   setting_.seeds(trial(), state_.attempt), participant_, clock_, setting_.workers);
-  frames_.emplace(setting_.store, session_, state_.trial, state_.attempt);
+                   setting_.seeds(trial(), state_.attempt), participant_, correction_, clock_,
+                   setting_.workers);
+  log_.emplace(setting_.store, session_, state_.trial, state_.attempt);
   frames_shown_ = 0;
 }
 
 void SessionRunner::stop_rendering() {
-  frames_->flush();
+  log_->finish();
   outcome_.samples += preview_->samples();
   outcome_.non_finite += preview_->non_finite();
-  frames_.reset();
+  log_.reset();
   preview_.reset();
+}
+
+Event SessionRunner::start() const {
+  const std::optional<ValidationSettings>& validation = setting_.protocol.tracker.validation;
+  return SessionStarted{.validations = validation ? validation->attempts : 0};
+}
+
+Event SessionRunner::validate() {
+  const std::optional<GazeValidated> validated = validate_gaze(
+      setting_.protocol, participant_, setting_.validation_seed, clock_, setting_.stop);
+  if (!validated) {
+    return Interrupted{};
+  }
+  correction_ = correction_after(*validated);
+  return *validated;
 }
 
 Event SessionRunner::answer_background() {
@@ -161,7 +182,8 @@ Event SessionRunner::rate() {
 }
 
 std::optional<Nanoseconds> SessionRunner::show_frame() {
-  frames_->add(preview_->next_frame());
+  const FrameReport report = preview_->next_frame();
+  log_->add(report, preview_->arrived_gaze());
   const bool glance = frames_shown_++ % frames_per_glance(setting_.protocol.machine) == 0;
   if (!glance) {
     return std::nullopt;

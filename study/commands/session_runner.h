@@ -8,7 +8,7 @@
 #include <stop_token>
 
 #include "renderer/base/clock.h"
-#include "study/commands/frame_log.h"
+#include "study/commands/attempt_log.h"
 #include "study/commands/scene_stage.h"
 #include "study/commands/virtual_preview.h"
 #include "study/design/plan.h"
@@ -25,21 +25,22 @@ struct SessionSetting {
   const Workers& workers;
   /// The seeds for an attempt at a trial.
   std::function<AttemptSeeds(const PlannedTrial&, int attempt)> seeds;
+  std::uint32_t validation_seed = 0;  ///< of the tracker while the gaze is validated
   /// Called when a trial begins, with its index.
   std::function<void(std::size_t trial)> on_trial;
   std::stop_token stop;
 };
 
 struct SessionOutcome {
-  Phase phase = Phase::created;  ///< completed or interrupted
+  Phase phase = Phase::created;  ///< completed, refused or interrupted
   std::size_t trials = 0;        ///< completed ones
   Nanoseconds duration{0};       ///< session clock
   std::uint64_t samples = 0;
   std::uint64_t non_finite = 0;
 };
 
-/// Runs one session in virtual time, from its start until it is completed, or interrupted because a
-/// stop was requested.
+/// Runs one session in virtual time, from its start until it is completed, refused by the
+/// protocol's gate, or interrupted because a stop was requested.
 class SessionRunner {
  public:
   /// session: the row that StudyStore::begin_session returned for `plan`.
@@ -51,6 +52,8 @@ class SessionRunner {
  private:
   // What the session waits for, as an event; a stop request comes first.
   Event next_event();
+  Event start() const;
+  Event validate();
   Event answer_background();
   Event choose_object();
   Event present_first_frame();
@@ -75,8 +78,9 @@ class SessionRunner {
   Participant& participant_;
   VirtualClock clock_;
   SessionState state_;
+  std::optional<GazeCorrection> correction_;
   std::optional<VirtualPreview> preview_;
-  std::optional<FrameLog> frames_;
+  std::optional<AttemptLog> log_;
   std::uint64_t frames_shown_ = 0;
   SessionOutcome outcome_;
 };

@@ -136,6 +136,7 @@ class StudySimulation {
         .workers = workers_,
         .seeds = [&](const PlannedTrial& trial,
                      int attempt) { return seeds_of(index, trial, attempt); },
+        .validation_seed = derive_seed(settings_.seed, SeedPurpose::tracker, {index}),
         .on_trial = [&](std::size_t trial) { show(done, trial, plan); },
         .stop = stop};
     add(SessionRunner(setting, plan, session, participant).run());
@@ -174,6 +175,7 @@ class StudySimulation {
 
   void add(const SessionOutcome& outcome) {
     report_.sessions_completed += outcome.phase == Phase::completed ? 1 : 0;
+    report_.sessions_refused += outcome.phase == Phase::refused ? 1 : 0;
     report_.trials += static_cast<int>(outcome.trials);
     report_.simulated_s += seconds(outcome.duration);
     report_.samples += outcome.samples;

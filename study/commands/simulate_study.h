@@ -19,6 +19,7 @@ struct SimulateSettings {
 
 struct SimulateReport {
   int sessions_completed = 0;
+  int sessions_refused = 0;  ///< by the protocol's gate
   int trials = 0;
   double wall_s = 0.0;
   double simulated_s = 0.0;  ///< virtual time that the participants spent

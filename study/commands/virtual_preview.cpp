@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "renderer/view/equirect.h"
+#include "study/commands/watched_participant.h"
 
 namespace foveola::study {
 namespace {
@@ -28,33 +29,19 @@ PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage)
   return settings;
 }
 
-SimulatedTrackerSettings tracker_from(const TrackerProfile& profile, std::uint32_t seed) {
-  return {.rate_hz = profile.rate_hz,
-          .latency_s = profile.latency_s,
-          .precision_deg = profile.precision_deg,
-          .seed = seed};
-}
-
-Vec3 gaze_in_head(Participant& participant, Nanoseconds time) {
-  const Quat world_from_head = head_orientation(participant.head(time));
-  return glm::normalize(glm::conjugate(world_from_head) * participant.gaze(time));
-}
-
 }  // namespace
 
 VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
                                const std::string& method, const AttemptSeeds& seeds,
-                               Participant& participant, VirtualClock& clock,
+                               Participant& participant,
+                               const std::optional<GazeCorrection>& correction, VirtualClock& clock,
                                const Workers& workers)
     : machine_(protocol.machine),
       clock_(clock),
       start_(clock.now()),
-      eye_(tracker_from(protocol.tracker, seeds.tracker),
-           [&participant](Nanoseconds time) {
-             return std::optional<Vec3>(gaze_in_head(participant, time));
-           }),
+      eye_(watch(participant, protocol.tracker, seeds.tracker, correction)),
       head_([&participant](Nanoseconds time) { return participant.head(time); }),
-      preview_(stage.tracer(), settings_from(protocol, stage), eye_, head_, workers) {
+      preview_(stage.tracer(), settings_from(protocol, stage), *eye_, head_, workers) {
   preview_.restart(make_sampler(protocol, method), seeds.rendering);
 }
 

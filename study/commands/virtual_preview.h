@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/gaze_correction.h"
 #include "renderer/preview/preview.h"
 #include "study/commands/scene_stage.h"
 #include "study/participant/participant.h"
@@ -18,12 +22,14 @@ struct AttemptSeeds {
   std::uint32_t rendering = 0;
 };
 
-/// One attempt's rendering, watched by `participant` through a simulated eye and head tracker. It
-/// refers to everything it is made of and advances `clock` by a frame's time a frame.
+/// One attempt's rendering, watched by `participant` through the protocol's eye tracker, corrected
+/// if its calibration says so, and a simulated head tracker. It refers to everything it is made of
+/// and advances `clock` by a frame's time a frame.
 class VirtualPreview {
  public:
   VirtualPreview(const SceneStage& stage, const Protocol& protocol, const std::string& method,
-                 const AttemptSeeds& seeds, Participant& participant, VirtualClock& clock,
+                 const AttemptSeeds& seeds, Participant& participant,
+                 const std::optional<GazeCorrection>& correction, VirtualClock& clock,
                  const Workers& workers);
 
   /// Renders the next frame; when it returns, the clock shows when that frame is presented.
@@ -32,6 +38,7 @@ class VirtualPreview {
   /// What is on the display now, and the view that it was rendered for.
   RgbImage present() const { return preview_.present(); }
   const Viewport& viewport() const { return preview_.viewport(); }
+  const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   std::uint64_t samples() const { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const { return preview_.dropped().size(); }
 
@@ -40,7 +47,7 @@ class VirtualPreview {
   VirtualClock& clock_;
   Nanoseconds start_;
   std::uint64_t frames_ = 0;
-  SimulatedEyeTracker eye_;
+  std::unique_ptr<EyeTracker> eye_;
   SimulatedHeadTracker head_;
   Preview preview_;
 };

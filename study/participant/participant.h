@@ -48,10 +48,15 @@ class Participant {
   virtual std::size_t choose_object(const std::string& scene,
                                     const std::vector<OfferedObject>& offered, Nanoseconds now) = 0;
 
+  /// Moves the eye to a target that appears, and keeps it there; the head stays as it is. target:
+  /// of unit length, world.
+  virtual void look_at(const Vec3& target, Nanoseconds now) = 0;
+
   virtual void begin(Task task, Nanoseconds now) = 0;
 
   /// Where the head points and, in world axes, the eye. Times may go back by a tracker's latency,
-  /// but not before the participant's last begin() or choice: there the pose is that of the start.
+  /// but not before the participant's last begin(), choice or target: there the pose is that of the
+  /// start.
   virtual AzimuthElevation head(Nanoseconds time) = 0;
   virtual Vec3 gaze(Nanoseconds time) = 0;
 

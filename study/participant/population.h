@@ -8,6 +8,8 @@ struct GazeHabits {
   /// Fixations while viewing scenes (Henderson 2003).
   double shortest_fixation_s = 0.20;
   double longest_fixation_s = 0.35;
+  /// From a target's appearance until the eye moves to it (180 to 200 ms are usual).
+  double saccade_latency_s = 0.2;
   /// A saccade of A degrees takes 2.2 A + 21 ms (Carpenter 1988).
   double saccade_s = 0.021;
   double saccade_s_per_deg = 0.0022;

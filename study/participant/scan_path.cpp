@@ -35,6 +35,13 @@ double between(double low, double high, Pcg32& random) {
 ScanPath::ScanPath(const GazeHabits& habits, std::uint64_t seed)
     : habits_(habits), random_(seed), fixations_(1), turns_(1) {}
 
+void ScanPath::fixate(const Vec3& target, Nanoseconds start) {
+  begin(start);
+  exploring_ = false;
+  radius_deg_ = 0.0;
+  add_saccade(target, start + nanoseconds_from_seconds(habits_.saccade_latency_s));
+}
+
 void ScanPath::examine(const Vec3& object, double radius_deg, Nanoseconds start) {
   begin(start);
   exploring_ = false;
@@ -88,17 +95,20 @@ AzimuthElevation ScanPath::head(Nanoseconds time) {
 void ScanPath::continue_to(Nanoseconds time) {
   const bool anything_to_look_at = exploring_ || radius_deg_ > 0.0;
   while (anything_to_look_at && next_saccade_ <= time) {
-    const Vec3 target = next_target();
-    const double amplitude_deg = degrees(angle_between(fixations_.back().direction, target));
-    const Nanoseconds landing =
-        next_saccade_ +
-        nanoseconds_from_seconds(habits_.saccade_s + habits_.saccade_s_per_deg * amplitude_deg);
-    fixations_.push_back(
-        {.saccade_start = next_saccade_, .saccade_end = landing, .direction = target});
+    const Nanoseconds landing = add_saccade(next_target(), next_saccade_);
     next_saccade_ =
         landing + nanoseconds_from_seconds(
                       between(habits_.shortest_fixation_s, habits_.longest_fixation_s, random_));
   }
+}
+
+Nanoseconds ScanPath::add_saccade(const Vec3& target, Nanoseconds start) {
+  const double amplitude_deg = degrees(angle_between(fixations_.back().direction, target));
+  const Nanoseconds landing =
+      start +
+      nanoseconds_from_seconds(habits_.saccade_s + habits_.saccade_s_per_deg * amplitude_deg);
+  fixations_.push_back({.saccade_start = start, .saccade_end = landing, .direction = target});
+  return landing;
 }
 
 Vec3 ScanPath::next_target() { return exploring_ ? target_around() : target_on_object(); }

@@ -17,6 +17,9 @@ class ScanPath {
  public:
   ScanPath(const GazeHabits& habits, std::uint64_t seed);
 
+  /// Soon after `start` the eye goes to `target` (unit length, world) and stays; the head does not
+  /// move.
+  void fixate(const Vec3& target, Nanoseconds start);
   /// From `start` on the head faces `object` (unit length, world) and the eye wanders over it.
   void examine(const Vec3& object, double radius_deg, Nanoseconds start);
   /// From `start` on head and eye look around.
@@ -43,6 +46,8 @@ class ScanPath {
   void turn_head(const AzimuthElevation& heading, Nanoseconds start);
   /// Adds fixations until one lasts beyond `time`.
   void continue_to(Nanoseconds time);
+  /// Returns when it lands.
+  Nanoseconds add_saccade(const Vec3& target, Nanoseconds start);
   Vec3 next_target();
   Vec3 target_on_object();
   Vec3 target_around();

@@ -29,6 +29,7 @@ class SimulatedParticipant final : public Participant {
   /// Stays with one object per scene, so that methods are compared on the same one.
   std::size_t choose_object(const std::string& scene, const std::vector<OfferedObject>& offered,
                             Nanoseconds now) override;
+  void look_at(const Vec3& target, Nanoseconds now) override { path_.fixate(target, now); }
   void begin(Task task, Nanoseconds now) override;
   AzimuthElevation head(Nanoseconds time) override { return path_.head(time); }
   Vec3 gaze(Nanoseconds time) override { return path_.gaze(time); }

@@ -78,11 +78,12 @@ void require_usable(const std::string& method, const fs::path& folder,
   });
 }
 
+fs::path folder_of(const Protocol& protocol) { return fs::absolute(protocol.path).parent_path(); }
+
 void read_methods(TomlReader& reader, Protocol& protocol) {
   for (const TomlReader::Text& method : reader.require_texts("methods")) {
     try {
-      require_usable(method.value, fs::absolute(protocol.path).parent_path(),
-                     protocol.method_files);
+      require_usable(method.value, folder_of(protocol), protocol.method_files);
     } catch (const Error& error) {
       reader.fail(method.source, error.what(), "see foveola render --help");
     }
@@ -98,36 +99,55 @@ MachineModel read_machine(TomlReader reader) {
   return machine;
 }
 
-RadialLens read_lens(TomlReader reader, const DisplaySettings& display) {
-  constexpr double strongest = 100.0;
-  RadialLens lens;
-  double k1 = 0.0;
-  double k2 = 0.0;
-  reader.read("axis", lens.axis, 0.0, 1.0);
-  reader.read("k1", k1, -strongest, strongest);
-  reader.read("k2", k2, -strongest, strongest);
-  lens.k1 = static_cast<float>(k1);
-  lens.k2 = static_cast<float>(k2);
+/// The profile that the table names, by `read`; empty if it names none.
+template <typename Profile>
+std::optional<Profile> read_profile(TomlReader& reader, const fs::path& folder,
+                                    Profile (*read)(const std::string&)) {
+  std::string name;
+  reader.read("profile", name);
+  if (!reader.has("profile")) {
+    return std::nullopt;
+  }
+  try {
+    return read(is_profile_path(name) ? confined_path(folder, name).string() : name);
+  } catch (const std::runtime_error& reason) {
+    reader.fail(reader.source("profile"), fmt::format("profile '{}': {}", name, reason.what()),
+                "name one that comes with Foveola, or a file in the folder of the protocol");
+  }
+}
+
+/// Of the eye that is shown, over the left eye's of the profile.
+RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
+  const RadialLens lens = read_lens(reader, profile);
   std::string eye = "left";
   reader.read("eye", eye);
   if (eye != "left" && eye != "right") {
     reader.fail(reader.source("eye"), fmt::format("there is no eye '{}'", eye),
                 "choose left, whose lens this is, or right, before which it is mirrored");
   }
-  try {
-    Viewport(head_orientation({}), radians(display.horizontal_fov_deg),
-             radians(display.vertical_fov_deg), lens);
-  } catch (const Error& error) {
-    reader.fail(reader.source(), error.what(), "measure the headset's profile anew");
-  }
   reader.reject_unknown_keys();
   return eye == "right" ? mirrored(lens) : lens;
+}
+
+void require_view(const TomlReader& reader, const DisplaySettings& display) {
+  try {
+    Viewport(head_orientation({}), radians(display.horizontal_fov_deg),
+             radians(display.vertical_fov_deg), display.lens);
+  } catch (const Error& error) {
+    reader.fail(reader.has("lens") ? reader.source("lens") : reader.source(), error.what(),
+                "measure the headset's profile anew");
+  }
 }
 
 /// Throws Error through `reader`. The view's size must have been read.
 void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
   constexpr double narrowest_deg = 1.0;
   constexpr double widest_deg = 170.0;
+  if (display.profile && !reader.has("fov_deg")) {
+    display.horizontal_fov_deg = display.profile->horizontal_fov_deg;
+    display.vertical_fov_deg = display.profile->vertical_fov_deg;
+    return;
+  }
   if (reader.is_array("fov_deg")) {
     Vec2 both(0.0F);
     reader.read("fov_deg", both, narrowest_deg, widest_deg);
@@ -144,13 +164,17 @@ void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
   }
 }
 
-DisplaySettings read_display(TomlReader reader) {
+DisplaySettings read_display(TomlReader reader, const fs::path& folder) {
   DisplaySettings display;
+  display.profile = read_profile(reader, folder, read_display_profile);
   reader.read("view_width", display.view_width, 8, largest_view_side);
   reader.read("view_height", display.view_height, 8, largest_view_side);
   read_fields_of_view(reader, display);
   reader.read("fill_unsampled", display.fill_unsampled);
-  display.lens = read_lens(reader.table("lens"), display);
+  display.lens =
+      read_eyes_lens(reader.table("lens"),
+                     display.profile ? display.profile->lens.value_or(RadialLens{}) : RadialLens{});
+  require_view(reader, display);
   reader.reject_unknown_keys();
   return display;
 }
@@ -165,11 +189,36 @@ FilmSettings read_film(TomlReader reader) {
   return film;
 }
 
-TrackerProfile read_tracker(TomlReader reader) {
-  TrackerProfile tracker;
-  reader.read("rate_hz", tracker.rate_hz, 1.0, 10000.0);
-  reader.read("latency_s", tracker.latency_s, 0.0, 1.0);
-  reader.read("precision_deg", tracker.precision_deg, 0.0, 10.0);
+ValidationSettings read_validation(TomlReader reader) {
+  constexpr double largest_deg = 45.0;
+  ValidationSettings validation;
+  reader.read("points", validation.points, 5, 9);
+  if (validation.points != 5 && validation.points != 9) {
+    reader.fail(reader.source("points"), fmt::format("there is no grid of {}", validation.points),
+                "choose 5 or 9 points");
+  }
+  reader.read("max_accuracy_deg", validation.gate.max_accuracy_deg, 0.0, largest_deg);
+  reader.read("max_precision_deg", validation.gate.max_precision_deg, 0.0, largest_deg);
+  reader.read("max_data_loss", validation.gate.max_data_loss, 0.0, 1.0);
+  reader.read("correct", validation.correct);
+  reader.read("attempts", validation.attempts, 1, 100);
+  reader.reject_unknown_keys();
+  return validation;
+}
+
+TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
+  TrackerSettings tracker;
+  tracker.profile = read_profile(reader, folder, read_tracker_profile);
+  if (tracker.profile) {
+    tracker.simulated = tracker.profile->simulated;
+  }
+  reader.read("rate_hz", tracker.simulated.rate_hz, 1.0, 10000.0);
+  reader.read("latency_s", tracker.simulated.latency_s, 0.0, 1.0);
+  reader.read("precision_deg", tracker.simulated.precision_deg, 0.0, 10.0);
+  const TomlReader validation = reader.table("validation");
+  if (reader.has("validation")) {
+    tracker.validation = read_validation(validation);
+  }
   reader.reject_unknown_keys();
   return tracker;
 }
@@ -247,14 +296,25 @@ Protocol load_protocol(const fs::path& path) {
   protocol.scenes = read_scenes(reader);
   read_methods(reader, protocol);
   protocol.machine = read_machine(reader.table("machine"));
-  protocol.display = read_display(reader.table("display"));
+  protocol.display = read_display(reader.table("display"), folder_of(protocol));
   protocol.film = read_film(reader.table("film"));
-  protocol.tracker = read_tracker(reader.table("tracker"));
+  protocol.tracker = read_tracker(reader.table("tracker"), folder_of(protocol));
   protocol.timing = read_timing(reader.table("timing"));
   protocol.reference = read_reference(reader.table("reference"));
   protocol.background = read_background(reader.tables("background"));
   reader.reject_unknown_keys();
   return protocol;
+}
+
+std::vector<NamedProfile> named_profiles(const Protocol& protocol) {
+  std::vector<NamedProfile> profiles;
+  if (const auto& display = protocol.display.profile) {
+    profiles.push_back({.device = "display", .name = display->name, .toml = display->toml});
+  }
+  if (const auto& tracker = protocol.tracker.profile) {
+    profiles.push_back({.device = "tracker", .name = tracker->name, .toml = tracker->toml});
+  }
+  return profiles;
 }
 
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method) {

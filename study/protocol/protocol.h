@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/gaze/gaze_quality.h"
+#include "renderer/gaze/profiles.h"
 #include "renderer/view/view_sampler.h"
 #include "renderer/view/viewport.h"
 #include "renderer/view/weight_image.h"
@@ -42,10 +45,12 @@ struct MachineModel {
   double frame_rate_hz = 70.0;
 };
 
+/// What the protocol says itself stands over what its profile says, here and of the tracker.
 struct DisplaySettings {
+  std::optional<DisplayProfile> profile;
   int view_width = 112;  ///< pixels
   int view_height = 112;
-  /// Fields of view without the lens. Unless the protocol says both, its pixels are square.
+  /// Fields of view without the lens. If the protocol says only one, its pixels are square.
   double horizontal_fov_deg = 100.0;
   double vertical_fov_deg = 100.0;
   RadialLens lens;              ///< of the eye that the protocol shows
@@ -60,10 +65,18 @@ struct FilmSettings {
   double spare_done_contrast = 0.0;
 };
 
-struct TrackerProfile {
-  double rate_hz = 120.0;
-  double latency_s = 0.014;
-  double precision_deg = 0.1;
+/// Before anything else, participants look at targets, and the tracker has to see it well enough.
+struct ValidationSettings {
+  int points = 9;  ///< or 5
+  GazeGate gate;
+  bool correct = false;  ///< calibrates first, and corrects the gaze by what that says
+  int attempts = 3;      ///< after as many that were not good enough, the session ends
+};
+
+struct TrackerSettings {
+  std::optional<TrackerProfile> profile;
+  SimulatedTrackerSettings simulated;  ///< what simulated participants are watched with; seed 0
+  std::optional<ValidationSettings> validation;
 };
 
 struct Timing {
@@ -87,7 +100,7 @@ struct Protocol {
   MachineModel machine;
   DisplaySettings display;
   FilmSettings film;
-  TrackerProfile tracker;
+  TrackerSettings tracker;
   Timing timing;
   ReferenceQuality reference;
   std::vector<Question> background;
@@ -102,9 +115,18 @@ struct Protocol {
 std::filesystem::path find_protocol(const std::string& name_or_path);
 
 /// Only name, title, scenes and methods must be given; the rest has the defaults above. Files of
-/// methods are read now, and only inside the protocol's own folder. Throws Error with
-/// file:line:column for an unknown key, a wrong type, an impossible value or a bad file.
+/// methods are read now, and only inside the protocol's own folder, as are profiles that it names
+/// by a path. Throws Error with file:line:column for an unknown key, a wrong type, an impossible
+/// value or a bad file.
 Protocol load_protocol(const std::filesystem::path& path);
+
+/// The TOML of the profiles that the protocol names, by what they are of: "display", "tracker".
+struct NamedProfile {
+  std::string device;
+  std::string name;
+  std::string toml;
+};
+std::vector<NamedProfile> named_profiles(const Protocol& protocol);
 
 /// The sampler of one of the protocol's methods, from the files as they were loaded: what changes
 /// on the disk while a study runs changes nothing.

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "study/record/schema.h"
 
@@ -170,6 +171,11 @@ void insert_study(SQLite::Database& database, const Protocol& protocol) {
   for (const MethodFile& file : protocol.method_files) {
     SQLite::Statement row(database, "INSERT INTO study_method_file VALUES (?, ?, ?)");
     SQLite::bind(row, file.method, file.file, file.sha256);
+    row.exec();
+  }
+  for (const NamedProfile& profile : named_profiles(protocol)) {
+    SQLite::Statement row(database, "INSERT INTO study_profile VALUES (?, ?, ?, ?)");
+    SQLite::bind(row, profile.device, profile.name, profile.toml, sha256(profile.toml));
     row.exec();
   }
 }

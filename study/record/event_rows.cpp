@@ -9,10 +9,15 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <nlohmann/json.hpp>
 
+#include "study/record/gaze_rows.h"
+
 namespace foveola::study {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json payload_of(const SessionStarted& event) { return {{"validations", event.validations}}; }
+Json payload_of(const GazeValidated& event) { return {{"passed", event.passed}}; }
 
 Json payload_of(const BackgroundAnswered& event) {
   Json answers = Json::array();
@@ -72,6 +77,10 @@ class EventRows {
   }
 
   void operator()(const SessionStarted& /*event*/) const {}
+
+  void operator()(const GazeValidated& event) const {
+    insert_gaze_runs(database_, session_, event.runs);
+  }
 
   void operator()(const BackgroundAnswered& event) const {
     for (const Answer& answer : event.answers) {

@@ -8,7 +8,7 @@ namespace foveola::study {
 /// "Fovl" in ASCII: marks an SQLite file as a study of Foveola.
 constexpr std::int32_t study_application_id = 0x466F766C;
 /// The schema that this program writes and the only one that it reads.
-constexpr std::int32_t study_schema_version = 2;
+constexpr std::int32_t study_schema_version = 3;
 
 /// schema.sql, to the letter.
 const char* study_schema();

@@ -1,4 +1,4 @@
--- The file of a study, schema version 2.
+-- The file of a study, schema version 3.
 --
 -- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
 -- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. What was measured is only ever
@@ -9,9 +9,10 @@
 -- writes only the version that it knows.
 --
 -- Version 2: study_method_file; session_scene.shown_as; frames-2, which tell a held gaze.
+-- Version 3: study_profile; gaze_run, gaze_target and the state refused; gaze_chunk.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
-PRAGMA user_version = 2;
+PRAGMA user_version = 3;
 
 -- What is studied: exactly one row. protocol_text is the researcher's file, to the letter.
 CREATE TABLE study (
@@ -46,6 +47,15 @@ CREATE TABLE study_method_file (
   PRIMARY KEY (method, file_name)
 ) STRICT;
 
+-- The profiles that the protocol names, to the letter; the session's display and tracker.
+CREATE TABLE study_profile (
+  device TEXT PRIMARY KEY CHECK (device IN ('display', 'tracker')),
+  name TEXT NOT NULL,
+  toml TEXT NOT NULL,
+  toml_sha256 TEXT NOT NULL
+    CHECK (length(toml_sha256) = 64 AND toml_sha256 NOT GLOB '*[^0-9a-f]*')
+) STRICT;
+
 -- One participant's visit, with all that is needed to repeat it. participant is a code, never a
 -- name. seed is an unsigned 64-bit number in decimal digits, more than SQLite's integers hold.
 -- state is the phase that the session is in, or ended in; nothing else of the row ever changes.
@@ -63,8 +73,8 @@ CREATE TABLE session (
   cores INTEGER NOT NULL,
   operating_system TEXT NOT NULL,
   state TEXT NOT NULL CHECK (
-    state IN ('created', 'background', 'choosing_object', 'armed', 'outline', 'material', 'rating',
-              'completed', 'interrupted', 'withdrawn'))
+    state IN ('created', 'validation', 'background', 'choosing_object', 'armed', 'outline',
+              'material', 'rating', 'completed', 'interrupted', 'withdrawn', 'refused'))
 ) STRICT;
 
 -- The file of each scene that this session really showed, and how: with file_sha256, the protocol
@@ -101,18 +111,63 @@ CREATE TABLE planned_trial (
 ) STRICT;
 
 -- Everything that happened, in order; sequence 1 is a session's first event. payload is a JSON
--- object with the event's values. The tables below follow from this log and the plan.
+-- object with the event's values. The tables below follow from this log and the plan, but for what
+-- was measured meanwhile: runs, frames and gaze samples.
 CREATE TABLE event (
   session INTEGER NOT NULL REFERENCES session (id),
   sequence INTEGER NOT NULL CHECK (sequence >= 1),
   time_ns INTEGER NOT NULL,
   utc TEXT NOT NULL,
   type TEXT NOT NULL CHECK (
-    type IN ('session_started', 'background_answered', 'object_chosen', 'first_frame_presented',
-             'outline_marked', 'material_marked', 'timed_out', 'artifacts_rated',
-             'retime_requested', 'interrupted', 'withdrawn')),
+    type IN ('session_started', 'gaze_validated', 'background_answered', 'object_chosen',
+             'first_frame_presented', 'outline_marked', 'material_marked', 'timed_out',
+             'artifacts_rated', 'retime_requested', 'interrupted', 'withdrawn')),
   payload TEXT NOT NULL CHECK (json_type(payload) = 'object'),
   PRIMARY KEY (session, sequence)
+) STRICT;
+
+-- One look at all of a validation's targets, in the order of time; sequence is of the event that
+-- tells of it. Runs of one event belong together: if the protocol asks for a correction, the first
+-- calibrates and the second validates. Angles are true ones, in degrees:
+--   accuracy       the mean of the samples' angles to their target, and of the targets
+--   precision_rms  the root mean square of the angles between successive samples
+--   precision_sd   the root mean square of the samples' angles to their mean direction
+-- and null where nothing was seen. data_loss is the part of the samples that came invalid or not at
+-- all. correction, what the gaze went through, is null if it was as the tracker gave it, else
+-- {"azimuth": [a, b, c], "elevation": [d, e, f]}: the azimuth became a + b azimuth + c elevation,
+-- and the elevation d + e azimuth + f elevation, in degrees. passed: the protocol's gate.
+CREATE TABLE gaze_run (
+  session INTEGER NOT NULL,
+  run INTEGER NOT NULL CHECK (run >= 1),
+  sequence INTEGER NOT NULL,
+  accuracy_deg REAL,
+  precision_rms_deg REAL,
+  precision_sd_deg REAL,
+  data_loss REAL NOT NULL CHECK (data_loss BETWEEN 0 AND 1),
+  correction TEXT CHECK (json_type(correction) = 'object'),
+  passed INTEGER NOT NULL CHECK (passed IN (0, 1)),
+  PRIMARY KEY (session, run),
+  FOREIGN KEY (session, sequence) REFERENCES event (session, sequence)
+) STRICT;
+
+-- Each target of a run, in the order in which they were shown; target 0 is the first. Directions
+-- are in the head's axes, azimuths rightwards and elevations upwards from straight ahead. samples is
+-- how many the figures, as above, are of; 0 if there were too few for any.
+CREATE TABLE gaze_target (
+  session INTEGER NOT NULL,
+  run INTEGER NOT NULL,
+  target INTEGER NOT NULL CHECK (target >= 0),
+  azimuth_deg REAL NOT NULL,
+  elevation_deg REAL NOT NULL,
+  data_loss REAL NOT NULL CHECK (data_loss BETWEEN 0 AND 1),
+  samples INTEGER NOT NULL CHECK (samples >= 0),
+  mean_gaze_azimuth_deg REAL,
+  mean_gaze_elevation_deg REAL,
+  accuracy_deg REAL,
+  precision_rms_deg REAL,
+  precision_sd_deg REAL,
+  PRIMARY KEY (session, run, target),
+  FOREIGN KEY (session, run) REFERENCES gaze_run (session, run)
 ) STRICT;
 
 -- Answers of the background questionnaire, by the question's id in the protocol.
@@ -187,6 +242,32 @@ CREATE TABLE frame_chunk (
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;
 
+-- Consecutive gaze samples that arrived during an attempt, all of them, in the order of their
+-- arrival; first_sample counts from the attempt's start. Where a session's gaze is corrected, so are
+-- these.
+--
+-- Encoding 'gaze-1' is sample_count records of 24 bytes without gaps, all little-endian:
+--   offset  0  int64    time when the eye was there, session clock, ns
+--   offset  8  float32  gaze direction x, in the head's axes; straight ahead if it is not valid
+--   offset 12  float32  gaze direction y
+--   offset 16  float32  gaze direction z
+--   offset 20  uint32   flags: bit 0 is set if the sample is valid; bits 1 and 2 are what the eye
+--                       did meanwhile, by a velocity threshold: 0 unknown, 1 a fixation, 2 a
+--                       saccade, 3 a blink; the others are 0
+CREATE TABLE gaze_chunk (
+  session INTEGER NOT NULL,
+  trial INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  first_sample INTEGER NOT NULL CHECK (first_sample >= 0),
+  sample_count INTEGER NOT NULL CHECK (sample_count >= 1),
+  encoding TEXT NOT NULL CHECK (encoding = 'gaze-1'),
+  data BLOB NOT NULL CHECK (length(data) = 24 * sample_count),
+  data_sha256 TEXT NOT NULL
+    CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
+  PRIMARY KEY (session, trial, attempt, first_sample),
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+) STRICT;
+
 -- One row per planned trial with its last attempt's values; attempts is 0 if it was never begun.
 CREATE VIEW trial_result AS
 SELECT
@@ -225,7 +306,7 @@ BEFORE UPDATE OF id, uuid, participant, kind, seed, started_utc, program_version
   build_type, processor, cores, operating_system ON session
 BEGIN SELECT raise(ABORT, 'only a session''s state changes'); END;
 CREATE TRIGGER session_ends_once BEFORE UPDATE ON session
-WHEN OLD.state IN ('completed', 'interrupted', 'withdrawn')
+WHEN OLD.state IN ('completed', 'interrupted', 'withdrawn', 'refused')
 BEGIN SELECT raise(ABORT, 'the session is over'); END;
 CREATE TRIGGER session_stays BEFORE DELETE ON session
 BEGIN SELECT raise(ABORT, 'sessions are never removed'); END;
@@ -258,6 +339,10 @@ CREATE TRIGGER study_method_file_is_fixed BEFORE UPDATE ON study_method_file
 BEGIN SELECT raise(ABORT, 'study_method_file is only added to'); END;
 CREATE TRIGGER study_method_file_stays BEFORE DELETE ON study_method_file
 BEGIN SELECT raise(ABORT, 'study_method_file is only added to'); END;
+CREATE TRIGGER study_profile_is_fixed BEFORE UPDATE ON study_profile
+BEGIN SELECT raise(ABORT, 'study_profile is only added to'); END;
+CREATE TRIGGER study_profile_stays BEFORE DELETE ON study_profile
+BEGIN SELECT raise(ABORT, 'study_profile is only added to'); END;
 CREATE TRIGGER session_scene_is_fixed BEFORE UPDATE ON session_scene
 BEGIN SELECT raise(ABORT, 'session_scene is only added to'); END;
 CREATE TRIGGER session_scene_stays BEFORE DELETE ON session_scene
@@ -270,6 +355,14 @@ CREATE TRIGGER event_is_fixed BEFORE UPDATE ON event
 BEGIN SELECT raise(ABORT, 'event is only added to'); END;
 CREATE TRIGGER event_stays BEFORE DELETE ON event
 BEGIN SELECT raise(ABORT, 'event is only added to'); END;
+CREATE TRIGGER gaze_run_is_fixed BEFORE UPDATE ON gaze_run
+BEGIN SELECT raise(ABORT, 'gaze_run is only added to'); END;
+CREATE TRIGGER gaze_run_stays BEFORE DELETE ON gaze_run
+BEGIN SELECT raise(ABORT, 'gaze_run is only added to'); END;
+CREATE TRIGGER gaze_target_is_fixed BEFORE UPDATE ON gaze_target
+BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END;
+CREATE TRIGGER gaze_target_stays BEFORE DELETE ON gaze_target
+BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END;
 CREATE TRIGGER background_answer_is_fixed BEFORE UPDATE ON background_answer
 BEGIN SELECT raise(ABORT, 'background_answer is only added to'); END;
 CREATE TRIGGER background_answer_stays BEFORE DELETE ON background_answer
@@ -286,3 +379,7 @@ CREATE TRIGGER frame_chunk_is_fixed BEFORE UPDATE ON frame_chunk
 BEGIN SELECT raise(ABORT, 'frame_chunk is only added to'); END;
 CREATE TRIGGER frame_chunk_stays BEFORE DELETE ON frame_chunk
 BEGIN SELECT raise(ABORT, 'frame_chunk is only added to'); END;
+CREATE TRIGGER gaze_chunk_is_fixed BEFORE UPDATE ON gaze_chunk
+BEGIN SELECT raise(ABORT, 'gaze_chunk is only added to'); END;
+CREATE TRIGGER gaze_chunk_stays BEFORE DELETE ON gaze_chunk
+BEGIN SELECT raise(ABORT, 'gaze_chunk is only added to'); END;

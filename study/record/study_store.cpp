@@ -13,6 +13,7 @@
 #include "study/record/database.h"
 #include "study/record/event_rows.h"
 #include "study/record/frame_encoding.h"
+#include "study/record/gaze_encoding.h"
 
 namespace fs = std::filesystem;
 
@@ -64,6 +65,21 @@ void require_method_files(SQLite::Database& database, const fs::path& path,
   }
 }
 
+/// Likewise, one display and one tracker.
+void require_profiles(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
+  SQLite::Statement known(database, "SELECT toml_sha256 FROM study_profile WHERE device = ?");
+  for (const NamedProfile& profile : named_profiles(protocol)) {
+    known.reset();
+    known.bind(1, profile.device);
+    if (!known.executeStep() || known.getColumn(0).getString() != sha256(profile.toml)) {
+      throw Error(path.string(),
+                  fmt::format("was begun with another {} than {}, as its profile is now",
+                              profile.device, profile.name),
+                  "go on with that profile, or begin a new database");
+    }
+  }
+}
+
 /// The study at `path`, made or checked, to write.
 SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
   require_writable(path);
@@ -73,6 +89,7 @@ SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
   SQLite::Database checked = open_study_to_read(path);
   require_protocol(checked, path, protocol);
   require_method_files(checked, path, protocol);
+  require_profiles(checked, path, protocol);
   return open_study_to_write(path);
 }
 
@@ -112,15 +129,24 @@ void insert_plan(SQLite::Database& database, std::int64_t session, const Plan& p
   }
 }
 
-void insert_frames(SQLite::Database& database, std::int64_t session, std::size_t trial, int attempt,
-                   std::uint64_t first_frame, const std::vector<FrameRow>& frames) {
-  const std::string data = encode_frames(frames);
-  SQLite::Statement row(database, "INSERT INTO frame_chunk VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+/// What is kept of an attempt in large numbers.
+struct Chunk {
+  const char* table;  ///< of one chunk a row
+  const char* encoding;
+  std::uint64_t first;  ///< counted from the attempt's start
+  std::size_t count;
+  std::string data;
+};
+
+void insert_chunk(SQLite::Database& database, std::int64_t session, std::size_t trial, int attempt,
+                  const Chunk& chunk) {
+  SQLite::Statement row(database,
+                        fmt::format("INSERT INTO {} VALUES (?, ?, ?, ?, ?, ?, ?, ?)", chunk.table));
   SQLite::bind(row, session, static_cast<std::int64_t>(trial), attempt,
-               static_cast<std::int64_t>(first_frame), static_cast<std::int64_t>(frames.size()),
-               frame_encoding_name);
-  row.bind(7, data.data(), static_cast<int>(data.size()));
-  row.bind(8, sha256(data));
+               static_cast<std::int64_t>(chunk.first), static_cast<std::int64_t>(chunk.count),
+               chunk.encoding);
+  row.bind(7, chunk.data.data(), static_cast<int>(chunk.data.size()));
+  row.bind(8, sha256(chunk.data));
   row.exec();
 }
 
@@ -184,9 +210,24 @@ void StudyStore::record_event(std::int64_t session, Nanoseconds time, const Even
 
 void StudyStore::record_frames(std::int64_t session, std::size_t trial, int attempt,
                                std::uint64_t first_frame, const std::vector<FrameRow>& frames) {
-  implementation_->commit([&] {
-    insert_frames(implementation_->database, session, trial, attempt, first_frame, frames);
-  });
+  const Chunk chunk{.table = "frame_chunk",
+                    .encoding = frame_encoding_name,
+                    .first = first_frame,
+                    .count = frames.size(),
+                    .data = encode_frames(frames)};
+  implementation_->commit(
+      [&] { insert_chunk(implementation_->database, session, trial, attempt, chunk); });
+}
+
+void StudyStore::record_gaze(std::int64_t session, std::size_t trial, int attempt,
+                             std::uint64_t first_sample, const std::vector<GazeSample>& samples) {
+  const Chunk chunk{.table = "gaze_chunk",
+                    .encoding = gaze_encoding_name,
+                    .first = first_sample,
+                    .count = samples.size(),
+                    .data = encode_gaze(samples)};
+  implementation_->commit(
+      [&] { insert_chunk(implementation_->database, session, trial, attempt, chunk); });
 }
 
 }  // namespace foveola::study

@@ -10,6 +10,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
+#include "renderer/gaze/eye_tracker.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
@@ -53,8 +54,8 @@ struct FrameRow {
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
-  /// the file is no database, damaged, of another schema, or of another protocol or other files of
-  /// its methods (by their hashes); nothing is then made or changed.
+  /// the file is no database, damaged, of another schema, or of another protocol, other files of
+  /// its methods or other profiles (by their hashes); nothing is then made or changed.
   StudyStore(const std::filesystem::path& path, const Protocol& protocol);
   /// Leaves one self-contained file (the write-ahead log is folded in).
   ~StudyStore();
@@ -77,6 +78,10 @@ class StudyStore {
   /// the attempt's start.
   void record_frames(std::int64_t session, std::size_t trial, int attempt,
                      std::uint64_t first_frame, const std::vector<FrameRow>& frames);
+
+  /// Likewise, gaze samples.
+  void record_gaze(std::int64_t session, std::size_t trial, int attempt, std::uint64_t first_sample,
+                   const std::vector<GazeSample>& samples);
 
  private:
   struct Implementation;

@@ -41,11 +41,33 @@ Transition end(SessionState state, Phase phase) {
   return {.state = std::move(state), .effects = std::move(effects)};
 }
 
-Result start(const SessionState& state) {
+Transition ask_background() {
+  return {.state = at(Phase::background, 0), .effects = {AskBackground{}}};
+}
+
+Result start(const SessionState& state, const SessionStarted& event) {
   if (state.phase != Phase::created) {
     return std::nullopt;
   }
-  return Transition{.state = at(Phase::background, 0), .effects = {AskBackground{}}};
+  if (event.validations == 0) {
+    return ask_background();
+  }
+  SessionState validation = at(Phase::validation, 0);
+  validation.validations_left = event.validations;
+  return Transition{.state = std::move(validation), .effects = {ValidateGaze{}}};
+}
+
+Result validate_gaze(SessionState state, const GazeValidated& event) {
+  if (state.phase != Phase::validation) {
+    return std::nullopt;
+  }
+  if (event.passed) {
+    return ask_background();
+  }
+  if (--state.validations_left == 0) {
+    return end(std::move(state), Phase::refused);
+  }
+  return Transition{.state = std::move(state), .effects = {ValidateGaze{}}};
 }
 
 Result answer_background(const Plan& plan, const SessionState& state) {
@@ -117,17 +139,17 @@ Result retime(const SessionState& state) {
 }  // namespace
 
 const char* name_of(Phase phase) {
-  constexpr std::array names = {"created",     "background", "choosing_object", "armed",
-                                "outline",     "material",   "rating",          "completed",
-                                "interrupted", "withdrawn"};
+  constexpr std::array names = {"created",   "validation",  "background", "choosing_object",
+                                "armed",     "outline",     "material",   "rating",
+                                "completed", "interrupted", "withdrawn",  "refused"};
   return names.at(static_cast<std::size_t>(phase));
 }
 
 const char* name_of(const Event& event) {
   constexpr std::array names = {
-      "session_started",  "background_answered", "object_chosen", "first_frame_presented",
-      "outline_marked",   "material_marked",     "timed_out",     "artifacts_rated",
-      "retime_requested", "interrupted",         "withdrawn"};
+      "session_started",       "gaze_validated",   "background_answered", "object_chosen",
+      "first_frame_presented", "outline_marked",   "material_marked",     "timed_out",
+      "artifacts_rated",       "retime_requested", "interrupted",         "withdrawn"};
   static_assert(names.size() == std::variant_size_v<Event>);
   return names.at(event.index());
 }
@@ -138,7 +160,8 @@ std::optional<Transition> step(const Plan& plan, const SessionState& state, cons
   }
   return std::visit(
       Overloaded{
-          [&](const SessionStarted&) { return start(state); },
+          [&](const SessionStarted& e) { return start(state, e); },
+          [&](const GazeValidated& e) { return validate_gaze(state, e); },
           [&](const BackgroundAnswered&) { return answer_background(plan, state); },
           [&](const ObjectChosen& e) { return choose_object(state, e); },
           [&](const FirstFramePresented& e) { return present_first_frame(state, e); },

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/gaze/gaze_correction.h"
+#include "renderer/gaze/gaze_quality.h"
 #include "study/design/plan.h"
 
 namespace foveola::study {
 
 enum class Phase {
   created,
+  validation,       ///< waiting for how well the tracker sees the gaze
   background,       ///< waiting for the questionnaire's answers
   choosing_object,  ///< of the trial's scene
   armed,            ///< rendering was asked for; waiting for its first frame to be presented
@@ -22,6 +25,7 @@ enum class Phase {
   completed,
   interrupted,
   withdrawn,
+  refused,  ///< by the protocol's gate: the tracker did not see the gaze well enough
 };
 
 const char* name_of(Phase phase);
@@ -31,8 +35,21 @@ struct Answer {
   int value = 0;
 };
 
+/// One look at all of a validation's targets.
+struct GazeRun {
+  GazeQuality quality;
+  std::optional<GazeCorrection> correction;  ///< that the gaze went through; none: as it came
+  bool passed = false;                       ///< the protocol's gate
+};
+
 // What can happen. Times are of the session's clock.
-struct SessionStarted {};
+struct SessionStarted {
+  int validations = 0;  ///< how often the gaze may be validated until it passes; 0: it need not be
+};
+struct GazeValidated {
+  std::vector<GazeRun> runs;  ///< in the order of time
+  bool passed = false;
+};
 struct BackgroundAnswered {
   std::vector<Answer> answers;
 };
@@ -60,13 +77,14 @@ struct RetimeRequested {};
 struct Interrupted {};
 struct Withdrawn {};
 
-using Event = std::variant<SessionStarted, BackgroundAnswered, ObjectChosen, FirstFramePresented,
-                           OutlineMarked, MaterialMarked, TimedOut, ArtifactsRated, RetimeRequested,
-                           Interrupted, Withdrawn>;
+using Event = std::variant<SessionStarted, GazeValidated, BackgroundAnswered, ObjectChosen,
+                           FirstFramePresented, OutlineMarked, MaterialMarked, TimedOut,
+                           ArtifactsRated, RetimeRequested, Interrupted, Withdrawn>;
 
 const char* name_of(const Event& event);
 
 // What the controller then does, in this order, after the event is durable.
+struct ValidateGaze {};
 struct AskBackground {};
 struct AskForObject {};
 struct StartRendering {};
@@ -75,19 +93,21 @@ struct AskForRating {};
 struct StopRendering {};
 struct EndSession {};
 
-using Effect = std::variant<AskBackground, AskForObject, StartRendering, AcknowledgeMark,
-                            AskForRating, StopRendering, EndSession>;
+using Effect = std::variant<ValidateGaze, AskBackground, AskForObject, StartRendering,
+                            AcknowledgeMark, AskForRating, StopRendering, EndSession>;
 
 struct SessionState {
   Phase phase = Phase::created;
-  std::size_t trial = 0;  ///< index into the plan
-  int attempt = 1;        ///< of the trial; counts up with each retiming
-  std::string object;     ///< chosen for this trial
+  int validations_left = 0;  ///< of the gaze, the next one included
+  std::size_t trial = 0;     ///< index into the plan
+  int attempt = 1;           ///< of the trial; counts up with each retiming
+  std::string object;        ///< chosen for this trial
   Nanoseconds first_frame{0};
   Nanoseconds outline{0};  ///< time of the outline mark or its time-out
 
   bool is_over() const {
-    return phase == Phase::completed || phase == Phase::interrupted || phase == Phase::withdrawn;
+    return phase == Phase::completed || phase == Phase::interrupted || phase == Phase::withdrawn ||
+           phase == Phase::refused;
   }
   friend bool operator==(const SessionState&, const SessionState&) = default;
 };

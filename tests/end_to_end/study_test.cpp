@@ -1,4 +1,7 @@
 // From a protocol to a report, with the built program, and the results read back.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <sstream>
 
@@ -7,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
+#include "renderer/base/angles.h"
 #include "renderer/base/files.h"
 #include "study/record/study_records.h"
 #include "tests/end_to_end/program.h"
@@ -184,6 +188,19 @@ class StudyOfAHall : public testing::Test {
          {"FOVEOLA_SCENE_PATH", (folder / "real").string()},
          {"XDG_CACHE_HOME", (folder / "cache").string()}});
   }
+  /// Of the first gaze sample of the only trial, in the head's axes.
+  double first_azimuth_deg(const std::string& database) const {
+    const fs::path recording = folder / (database + ".csv");
+    const ProgramResult gaze =
+        run_foveola({"study", "gaze", (folder / database).string(), "--participant", "P001",
+                     "--trial", "0", "-o", recording.string()});
+    EXPECT_EQ(gaze.exit_code, 0) << gaze.errors;
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    EXPECT_EQ(std::sscanf(read_file(recording).c_str(), "%*[^\n] 0,%lf,%lf,%lf,1", &x, &y, &z), 3);
+    return degrees(std::atan2(x, -z));
+  }
   std::string recorded_digest(const std::string& database) const {
     return query(folder / database, "SELECT file_sha256 FROM session_scene");
   }
@@ -228,6 +245,95 @@ TEST_F(StudyOfAHall, AnotherCameraIsNotMixedIn) {
   EXPECT_THAT(mixed.errors, HasSubstr("its sessions saw hall in another way (camera/azimuth_rad: "
                                       "0.0, now 3.14159265"));
   EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
+}
+
+/// A camera that sees the eye 2 degrees off.
+const char* const biased_tracker = R"(
+title = "A biased tracker"
+source = "simulated"
+rate_hz = 120
+exposure = { duration_ms = 8, provenance = "assumed" }
+transfer = { duration_ms = 2, provenance = "assumed" }
+processing = { duration_ms = 4, provenance = "assumed" }
+[simulated]
+precision_deg = 0.1
+bias_right_deg = 2.0
+)";
+
+std::string biased_hall(const std::string& validation) {
+  return hall_protocol + ("[tracker]\nprofile = \"biased\"\n[tracker.validation]\n" + validation);
+}
+
+TEST_F(StudyOfAHall, WhoIsNotSeenWellEnoughIsRefused) {
+  folder.write("share/data/trackers/biased.toml", biased_tracker);
+  folder.write("share/protocols/hall.toml", biased_hall("points = 5\nattempts = 2\n"));
+  const ProgramResult simulated = simulate("study.sqlite");
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  EXPECT_THAT(simulated.output, HasSubstr("0 of 1 simulated sessions completed"));
+  EXPECT_THAT(simulated.output, HasSubstr("1 refused"));
+  const auto value = [&](const std::string& sql) { return query(folder / "study.sqlite", sql); };
+  EXPECT_EQ(value("SELECT state FROM session"), "refused");
+  EXPECT_EQ(value("SELECT count(*) || ' ' || sum(passed) FROM gaze_run"), "2 0");
+  EXPECT_EQ(value("SELECT count(*) FROM gaze_run WHERE accuracy_deg BETWEEN 1.8 AND 2.1"), "2");
+  EXPECT_EQ(value("SELECT count(*) FROM gaze_target"), "10");
+  EXPECT_EQ(value("SELECT count(*) FROM attempt"), "0");
+  EXPECT_EQ(value("SELECT toml FROM study_profile"), biased_tracker);
+}
+
+TEST_F(StudyOfAHall, ACorrectionLetsThemTakePart) {
+  folder.write("share/data/trackers/biased.toml", biased_tracker);
+  folder.write("share/protocols/hall.toml", biased_hall("correct = true\n"));
+  const ProgramResult simulated = simulate("study.sqlite");
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  const auto value = [&](const std::string& sql) { return query(folder / "study.sqlite", sql); };
+  EXPECT_EQ(value("SELECT state FROM session"), "completed");
+  EXPECT_EQ(value("SELECT group_concat(passed) FROM gaze_run"), "0,1");
+  EXPECT_EQ(value("SELECT accuracy_deg < 0.2 FROM gaze_run WHERE run = 2"), "1");
+  folder.write("share/data/trackers/biased.toml", std::string(biased_tracker) + "# changed\n");
+  const ProgramResult mixed = simulate("study.sqlite");
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.errors, HasSubstr("was begun with another tracker than biased"));
+  EXPECT_EQ(value("SELECT count(*) FROM session"), "1");
+}
+
+// The same person looks at the same place; what is left of the difference is noise of 0.1 degrees.
+TEST_F(StudyOfAHall, ACorrectionIsAppliedToTheGazeOfTheTrials) {
+  folder.write("share/data/trackers/biased.toml", biased_tracker);
+  folder.write("share/protocols/hall.toml", biased_hall("max_accuracy_deg = 5\n"));
+  ASSERT_EQ(simulate("biased.sqlite").exit_code, 0);
+  folder.write("share/protocols/hall.toml", biased_hall("correct = true\n"));
+  ASSERT_EQ(simulate("corrected.sqlite").exit_code, 0);
+  EXPECT_NEAR(first_azimuth_deg("biased.sqlite") - first_azimuth_deg("corrected.sqlite"), 2.0, 0.5);
+}
+
+// At 120 Hz, of which the attempt's frames say how long it was.
+TEST_F(StudyOfAHall, EveryGazeSampleIsKeptAndCanBeReplayed) {
+  ASSERT_EQ(simulate("study.sqlite").exit_code, 0);
+  const auto value = [&](const std::string& sql) { return query(folder / "study.sqlite", sql); };
+  const double frames = std::stod(value("SELECT sum(frame_count) FROM frame_chunk"));
+  const double samples = std::stod(value("SELECT sum(sample_count) FROM gaze_chunk"));
+  EXPECT_NEAR(samples, frames / 70.0 * 120.0, 2.0);
+  const ProgramResult gaze =
+      run_foveola({"study", "gaze", (folder / "study.sqlite").string(), "--participant", "P001",
+                   "--trial", "0", "-o", (folder / "gaze.csv").string()});
+  ASSERT_EQ(gaze.exit_code, 0) << gaze.errors;
+  const std::string recording = read_file(folder / "gaze.csv");
+  EXPECT_EQ(std::count(recording.begin(), recording.end(), '\n'), samples + 1) << "and a title";
+  EXPECT_THAT(recording, testing::StartsWith("time_ns,x,y,z,valid\n0,"));
+
+  std::string replay = biased_tracker;
+  replay = replay.substr(0, replay.find("[simulated]"));
+  replay.replace(replay.find("\"simulated\""), 11, "\"recorded\"\nrecording = \"gaze.csv\"");
+  const auto profile = folder.write("replay.toml", replay);
+  const ProgramResult watched =
+      run_foveola({"tracker", "watch", profile.string(), "--seconds", "1", "--json"});
+  ASSERT_EQ(watched.exit_code, 0) << watched.errors;
+  EXPECT_NEAR(nlohmann::json::parse(watched.output).at("rate_hz").get<double>(), 120.0, 0.1);
+
+  EXPECT_EQ(run_foveola({"study", "gaze", (folder / "study.sqlite").string(), "--participant",
+                         "P009", "--trial", "0", "-o", (folder / "none.csv").string()})
+                .exit_code,
+            1);
 }
 
 /// 2 x 1 pixels as a plain PPM: the left one white or grey, the right one black.

@@ -27,6 +27,26 @@ TEST(ScanPath, KeepsTheEyeOnTheExaminedObjectAndTheHeadFacingIt) {
   }
 }
 
+TEST(ScanPath, GoesToATargetAndStaysWhileTheHeadDoesNotMove) {
+  const GazeHabits habits;
+  ScanPath path(habits, 6);
+  path.examine(object, object_radius_deg, Nanoseconds(0));
+  const Nanoseconds start = seconds(5);
+  const AzimuthElevation head = path.head(start);
+  const Vec3 before = path.gaze(start);
+  const Vec3 target = direction_from({.azimuth_rad = 0.9, .elevation_rad = 0.1});
+  path.fixate(target, start);
+  for (Nanoseconds time = start; time < seconds(15); time += milliseconds(5)) {
+    const double since_s = std::chrono::duration<double>(time - start).count();
+    if (since_s < habits.saccade_latency_s) {
+      EXPECT_LT(degrees(angle_between(path.gaze(time), before)), 1e-3);
+    } else if (since_s > habits.saccade_latency_s + 0.1) {
+      EXPECT_LT(degrees(angle_between(path.gaze(time), target)), 1e-3);
+    }
+    EXPECT_LT(head_offset_deg(path.head(time), direction_from(head)), 1e-3);
+  }
+}
+
 TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
   const GazeHabits habits;
   ScanPath path(habits, 4);

@@ -58,6 +58,9 @@ TEST_F(ProtocolFile, NeedsOnlyANameATitleScenesAndMethods) {
   EXPECT_EQ(protocol.sha256, sha256(std::string_view(minimal)));
   EXPECT_EQ(protocol.machine.frame_rate_hz, MachineModel{}.frame_rate_hz);
   EXPECT_TRUE(protocol.background.empty());
+  EXPECT_FALSE(protocol.display.profile);
+  EXPECT_FALSE(protocol.tracker.profile);
+  EXPECT_FALSE(protocol.tracker.validation);
 }
 
 TEST_F(ProtocolFile, EveryKeyIsRead) {
@@ -83,6 +86,13 @@ k2 = -0.125
 rate_hz = 250
 latency_s = 0.005
 precision_deg = 0.3
+[tracker.validation]
+points = 5
+max_accuracy_deg = 2
+max_precision_deg = 0.75
+max_data_loss = 0.25
+correct = true
+attempts = 4
 [timing]
 mark_timeout_s = 7.5
 rating_s = 2
@@ -110,9 +120,16 @@ text = "Used to it?"
   EXPECT_EQ(protocol.display.vertical_fov_deg, 80.0);
   EXPECT_TRUE(protocol.display.fill_unsampled);
   EXPECT_EQ(protocol.display.lens, (RadialLens{.axis = {0.55F, 0.5F}, .k1 = 0.25F, .k2 = -0.125F}));
-  EXPECT_EQ(protocol.tracker.rate_hz, 250.0);
-  EXPECT_EQ(protocol.tracker.latency_s, 0.005);
-  EXPECT_EQ(protocol.tracker.precision_deg, 0.3);
+  EXPECT_EQ(protocol.tracker.simulated.rate_hz, 250.0);
+  EXPECT_EQ(protocol.tracker.simulated.latency_s, 0.005);
+  EXPECT_EQ(protocol.tracker.simulated.precision_deg, 0.3);
+  ASSERT_TRUE(protocol.tracker.validation);
+  EXPECT_EQ(protocol.tracker.validation->points, 5);
+  EXPECT_EQ(protocol.tracker.validation->gate.max_accuracy_deg, 2.0);
+  EXPECT_EQ(protocol.tracker.validation->gate.max_precision_deg, 0.75);
+  EXPECT_EQ(protocol.tracker.validation->gate.max_data_loss, 0.25);
+  EXPECT_TRUE(protocol.tracker.validation->correct);
+  EXPECT_EQ(protocol.tracker.validation->attempts, 4);
   EXPECT_EQ(protocol.timing.mark_timeout_s, 7.5);
   EXPECT_EQ(protocol.timing.rating_s, 2.0);
   EXPECT_EQ(protocol.reference.samples_per_pixel, 9);
@@ -302,6 +319,13 @@ INSTANTIATE_TEST_SUITE_P(
               "frame_rate_hz"},
         Fault{"flat_view", minimal + "[display]\nfov_deg = 180\n", "6:11", "fov_deg"},
         Fault{"folding_lens", minimal + "[display]\n[display.lens]\nk1 = -3\n", "6:1", "fold"},
+        Fault{"profile_of_no_tracker", minimal + "[tracker]\nprofile = \"fove1\"\n", "6:11",
+              "fove0, hid"},
+        Fault{"seven_points", minimal + "[tracker.validation]\npoints = 7\n", "6:10", "5 or 9"},
+        Fault{"no_attempts", minimal + "[tracker.validation]\nattempts = 0\n", "6:12",
+              "tracker.validation.attempts"},
+        Fault{"unknown_gate", minimal + "[tracker.validation]\nmax_error = 1\n", "6:1",
+              "tracker.validation.max_error"},
         Fault{"table_is_a_number", minimal + "film = 3\n", "5:8", "film"},
         Fault{"question_without_text", minimal + "[[background]]\nid = \"age\"\n", "5:1", "text"},
         Fault{"question_twice",

@@ -103,15 +103,15 @@ std::vector<BadFile> bad_files() {
       {"NewerSchema",
        [](const fs::path& path) {
          write_small_study(path);
-         overwrite(path, 63, "\x03");
+         overwrite(path, 63, "\x04");
        },
-       "has schema 3, and this program knows only 2; use a newer Foveola"},
+       "has schema 4, and this program knows only 3; use a newer Foveola"},
       {"OlderSchema",
        [](const fs::path& path) {
          write_small_study(path);
-         overwrite(path, 63, "\x01");
+         overwrite(path, 63, "\x02");
        },
-       "has schema 1, and this program knows only 2; go on with the Foveola that began it"},
+       "has schema 2, and this program knows only 3; go on with the Foveola that began it"},
       {"Truncated",
        [](const fs::path& path) {
          write_small_study(path);
@@ -195,6 +195,18 @@ TEST(Database, WriterRefusesAnotherFileOfAMethod) {
               AllOf(StartsWith(path.string()),
                     HasSubstr("was begun with another file as a.png (SHA-256 eeee"),
                     HasSubstr("now ffff"), testing::Not(HasSubstr("\n"))));
+  EXPECT_EQ(folder.content(), before);
+}
+
+TEST(Database, WriterRefusesAnotherProfile) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  const auto before = folder.content();
+  EXPECT_THAT(refusal([&] { const StudyStore store(path, protocol_with_another_tracker()); }),
+              AllOf(StartsWith(path.string()),
+                    HasSubstr("was begun with another tracker than camera, as its profile is now"),
+                    testing::Not(HasSubstr("\n"))));
   EXPECT_EQ(folder.content(), before);
 }
 

@@ -53,6 +53,7 @@ TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
             }),
             1);
   EXPECT_GE(syncs_during([&] { store.record_frames(session, 0, 1, 0, {FrameRow{}}); }), 1);
+  EXPECT_GE(syncs_during([&] { store.record_gaze(session, 0, 1, 0, {GazeSample{}}); }), 1);
 }
 
 /// Times one method again and again, with one byte on `acknowledgements` for each recorded event.

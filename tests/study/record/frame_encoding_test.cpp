@@ -2,16 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "bytes_from_hex.h"
+
 namespace foveola::study {
 namespace {
-
-std::string bytes_from_hex(const std::string& hex) {
-  std::string bytes;
-  for (std::size_t i = 0; i < hex.size(); i += 2) {
-    bytes.push_back(static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
-  }
-  return bytes;
-}
 
 // Made with Python: struct.pack('<q5fqII', 1234567890123, 0.5, -0.25, 0.6, 0.0, -0.8, 14000000,
 // 100000, 1) + struct.pack('<q5fqII', -1, 3.140625, 1.5, 0.0, 1.0, 0.0, 2**40, 4294967295, 2)

@@ -18,6 +18,8 @@ Protocol small_protocol() {
                             .file = "a.png",
                             .sha256 = std::string(64, 'e'),
                             .weights = nullptr}};
+  protocol.display.profile = DisplayProfile{.name = "goggles", .toml = "kind = \"headset\"\n"};
+  protocol.tracker.profile = TrackerProfile{.name = "camera", .toml = "rate_hz = 120\n"};
   protocol.path = "small.toml";
   protocol.text = "name = \"small\"\n";
   protocol.sha256 = std::string(64, 'a');
@@ -36,6 +38,37 @@ Protocol protocol_with_another_file() {
   Protocol protocol = small_protocol();
   protocol.method_files[0].sha256 = std::string(64, 'f');
   return protocol;
+}
+
+Protocol protocol_with_another_tracker() {
+  Protocol protocol = small_protocol();
+  protocol.tracker.profile->toml = "rate_hz = 60\n";
+  return protocol;
+}
+
+GazeRun bad_run() {
+  const GazeFigures figures{
+      .accuracy_deg = 4.0, .precision_rms_deg = 0.5, .precision_sd_deg = 0.25};
+  return {.quality = {.targets = {{.direction = {0.0F, 0.0F, -1.0F},
+                                   .data_loss = 0.5,
+                                   .seen = SeenTarget{.mean_gaze = {0.0F, 1.0F, -1.0F},
+                                                      .samples = 70,
+                                                      .figures = figures}},
+                                  {.direction = {1.0F, 0.0F, -1.0F}}},
+                      .data_loss = 0.75,
+                      .figures = figures}};
+}
+
+GazeRun good_run() {
+  const GazeFigures figures{
+      .accuracy_deg = 0.5, .precision_rms_deg = 0.25, .precision_sd_deg = 0.125};
+  return {.quality = {.targets = {{.direction = {0.0F, 0.0F, -1.0F},
+                                   .data_loss = 0.0,
+                                   .seen = SeenTarget{.samples = 120, .figures = figures}}},
+                      .data_loss = 0.0,
+                      .figures = figures},
+          .correction = GazeCorrection{.azimuth = {-1.5, 1.25, 0.0}, .elevation = {0.5, 0.0, 1.0}},
+          .passed = true};
 }
 
 Plan small_plan() {
@@ -74,6 +107,13 @@ void RecordedSession::begin() {
   happen(ms(0), SessionStarted{});
   happen(ms(10), BackgroundAnswered{{{.question = "age", .value = 31},
                                      {.question = "cg_experience", .value = 4}}});
+}
+
+void RecordedSession::begin_validated() {
+  happen(ms(0), SessionStarted{.validations = 2});
+  happen(ms(1), GazeValidated{.runs = {bad_run()}});
+  happen(ms(2), GazeValidated{.runs = {bad_run(), good_run()}, .passed = true});
+  happen(ms(3), BackgroundAnswered{});
 }
 
 void RecordedSession::run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material,

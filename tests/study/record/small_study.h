@@ -24,6 +24,13 @@ Protocol small_protocol();
 Protocol other_protocol();
 /// The same to the letter, with another file behind the mask.
 Protocol protocol_with_another_file();
+/// The same to the letter, with another profile behind the tracker's name.
+Protocol protocol_with_another_tracker();
+
+/// Two targets, one of which was not seen.
+GazeRun bad_run();
+/// One target, which was seen through a correction.
+GazeRun good_run();
 
 /// hall fv, hall od, box od, box fv.
 Plan small_plan();
@@ -38,6 +45,8 @@ class RecordedSession {
   /// Fails the test if the session does not allow the event.
   void happen(Nanoseconds time, const Event& event);
   void begin();  ///< until the first trial's object is to be chosen
+  /// The same, after a validation of gaze that passed at the second attempt.
+  void begin_validated();
   /// One whole trial: the first frame at `first_frame`, the marks so long after it.
   void run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material, int rating);
 

@@ -60,6 +60,51 @@ TEST_F(Store, KeepsTheProtocolToTheLetter) {
               ElementsAre("mask:file=a.png a.png " + std::string(64, 'e')));
 }
 
+TEST_F(Store, KeepsTheProfilesToTheLetter) {
+  { const StudyStore store(path_, small_protocol()); }
+  EXPECT_THAT(
+      column("SELECT device || ' ' || name || ': ' || toml FROM study_profile"
+             " ORDER BY device"),
+      ElementsAre("display goggles: kind = \"headset\"\n", "tracker camera: rate_hz = 120\n"));
+  EXPECT_EQ(stored("SELECT toml_sha256 FROM study_profile WHERE device = 'tracker'"),
+            sha256(std::string_view("rate_hz = 120\n")));
+}
+
+TEST_F(Store, WritesEveryRunOfAValidation) {
+  StudyStore store(path_, small_protocol());
+  RecordedSession session(store, facts_of("P01"), small_plan());
+  session.begin_validated();
+  EXPECT_THAT(column("SELECT type || ' ' || payload FROM event ORDER BY sequence LIMIT 3"),
+              ElementsAre("session_started {\"validations\":2}",
+                          "gaze_validated {\"passed\":false}", "gaze_validated {\"passed\":true}"));
+  EXPECT_THAT(column("SELECT run || ' of ' || sequence || ': ' || accuracy_deg || ' ' ||"
+                     " precision_rms_deg || ' ' || precision_sd_deg || ' ' || data_loss || ' ' ||"
+                     " coalesce(correction, 'as it came') || ' ' || passed FROM gaze_run"
+                     " ORDER BY run"),
+              ElementsAre("1 of 2: 4.0 0.5 0.25 0.75 as it came 0",
+                          "2 of 3: 4.0 0.5 0.25 0.75 as it came 0",
+                          "3 of 3: 0.5 0.25 0.125 0.0 "
+                          R"({"azimuth":[-1.5,1.25,0.0],"elevation":[0.5,0.0,1.0]} 1)"));
+  EXPECT_THAT(
+      column(
+          "SELECT run || '.' || target || ': ' || round(azimuth_deg, 3) || ' ' || elevation_deg ||"
+          " ' ' || data_loss || ' ' || samples || ' ' || coalesce("
+          "  mean_gaze_azimuth_deg || ' ' || mean_gaze_elevation_deg || ' ' ||"
+          "  accuracy_deg || ' ' || precision_rms_deg || ' ' || precision_sd_deg, 'unseen')"
+          " FROM gaze_target WHERE run <> 2 ORDER BY run, target"),
+      ElementsAre("1.0: 0.0 0.0 0.5 70 0.0 45.0 4.0 0.5 0.25", "1.1: 45.0 0.0 1.0 0 unseen",
+                  "3.0: 0.0 0.0 0.0 120 0.0 0.0 0.5 0.25 0.125"));
+}
+
+TEST_F(Store, ASessionThatIsRefusedIsOver) {
+  StudyStore store(path_, small_protocol());
+  RecordedSession session(store, facts_of("P01"), small_plan());
+  session.happen(ms(0), SessionStarted{.validations = 1});
+  session.happen(ms(1), GazeValidated{.runs = {bad_run()}});
+  EXPECT_EQ(stored("SELECT state FROM session"), "refused");
+  EXPECT_EQ(stored("SELECT count(*) FROM attempt"), "0");
+}
+
 TEST_F(Store, WritesThePlanAndTheFactsBeforeAnythingHappens) {
   StudyStore store(path_, small_protocol());
   store.begin_session(facts_of("P01"), small_plan());
@@ -113,7 +158,7 @@ TEST_F(Store, LogsEveryEventWithItsValues) {
                           "7 3101000000 artifacts_rated"));
   EXPECT_THAT(
       column("SELECT payload FROM event ORDER BY session, sequence"),
-      ElementsAre("{}",
+      ElementsAre(R"({"validations":0})",
                   R"({"answers":[{"question":"age","value":31},)"
                   R"({"question":"cg_experience","value":4}]})",
                   R"({"object":"vase"})", R"({"time_ns":100000000})", R"({"time_ns":2100000000})",
@@ -180,6 +225,23 @@ TEST_F(Store, KeepsFramesWithTheirHash) {
     EXPECT_EQ(data.substr(frame * 44 + 36, 4), std::string("\x07\0\0\0", 4));
   }
   EXPECT_EQ(rows.getColumn(1).getString(), sha256(data));
+}
+
+TEST_F(Store, KeepsGazeWithItsHash) {
+  StudyStore store(path_, small_protocol());
+  RecordedSession session(store, facts_of("P01"), small_plan());
+  session.begin();
+  session.happen(ms(20), ObjectChosen{"vase"});
+  store.record_gaze(session.id(), 0, 1, 0,
+                    std::vector<GazeSample>(2, {.time = Nanoseconds(0x0102)}));
+  store.record_gaze(session.id(), 0, 1, 2, {{.time = Nanoseconds(0x0304)}});
+  EXPECT_THAT(column("SELECT first_sample || '+' || sample_count || ' ' || encoding || ' ' ||"
+                     " length(data) FROM gaze_chunk ORDER BY first_sample"),
+              ElementsAre("0+2 gaze-1 48", "2+1 gaze-1 24"));
+  SQLite::Database database(path_, SQLite::OPEN_READONLY);
+  SQLite::Statement rows(database, "SELECT data, data_sha256 FROM gaze_chunk");
+  ASSERT_TRUE(rows.executeStep());
+  EXPECT_EQ(rows.getColumn(1).getString(), sha256(rows.getColumn(0).getString()));
 }
 
 TEST_F(Store, AppendsToAStudyThatExists) {

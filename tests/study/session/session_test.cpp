@@ -20,6 +20,7 @@ Plan two_trials() {
 /// One legal event of each kind, late enough for any state here.
 std::vector<Event> every_event() {
   return {SessionStarted{},
+          GazeValidated{.passed = true},
           BackgroundAnswered{},
           ObjectChosen{"vase"},
           FirstFramePresented{at(1000)},
@@ -54,6 +55,7 @@ const std::vector<Event> to_rating = {SessionStarted{},        BackgroundAnswere
 TEST(Session, EveryEventInEveryPhase) {
   const std::map<Phase, std::map<std::string, Phase>> accepted = {
       {Phase::created, {{"session_started", Phase::background}}},
+      {Phase::validation, {{"gaze_validated", Phase::background}}},
       {Phase::background, {{"background_answered", Phase::choosing_object}}},
       {Phase::choosing_object, {{"object_chosen", Phase::armed}}},
       {Phase::armed, {{"first_frame_presented", Phase::outline}}},
@@ -66,7 +68,8 @@ TEST(Session, EveryEventInEveryPhase) {
        {{"artifacts_rated", Phase::choosing_object}, {"retime_requested", Phase::armed}}},
       {Phase::completed, {}},
       {Phase::interrupted, {}},
-      {Phase::withdrawn, {}}};
+      {Phase::withdrawn, {}},
+      {Phase::refused, {}}};
   const Plan plan = two_trials();
   for (const auto& [phase, follows] : accepted) {
     SessionState state;
@@ -113,6 +116,37 @@ TEST(Session, HasNoDeadEnds) {
     state = step(plan, state, event)->state;
   }
   EXPECT_TRUE(can_complete(step(plan, state, RetimeRequested{})->state, 20));
+  EXPECT_TRUE(can_complete(after(plan, {SessionStarted{.validations = 1}}), 20));
+}
+
+TEST(Session, ValidatesTheGazeFirstIfItMust) {
+  const Plan plan = two_trials();
+  const auto started = step(plan, {}, SessionStarted{.validations = 2});
+  ASSERT_TRUE(started);
+  EXPECT_EQ(started->state.phase, Phase::validation);
+  ASSERT_EQ(started->effects.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<ValidateGaze>(started->effects[0]));
+  EXPECT_FALSE(step(plan, started->state, BackgroundAnswered{})) << "not before it passed";
+  const auto passed = step(plan, started->state, GazeValidated{.passed = true});
+  EXPECT_EQ(passed->state, after(plan, {SessionStarted{}})) << "as if there had been none";
+  EXPECT_TRUE(std::holds_alternative<AskBackground>(passed->effects.at(0)));
+}
+
+TEST(Session, AGazeThatDoesNotPassIsValidatedAgainAndThenRefused) {
+  const Plan plan = two_trials();
+  const SessionState started = after(plan, {SessionStarted{.validations = 2}});
+  const auto again = step(plan, started, GazeValidated{});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->state.phase, Phase::validation);
+  EXPECT_TRUE(std::holds_alternative<ValidateGaze>(again->effects.at(0)));
+  EXPECT_EQ(step(plan, again->state, GazeValidated{.passed = true})->state.phase,
+            Phase::background);
+  const auto refused = step(plan, again->state, GazeValidated{});
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->state.phase, Phase::refused);
+  EXPECT_TRUE(refused->state.is_over());
+  ASSERT_EQ(refused->effects.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<EndSession>(refused->effects[0]));
 }
 
 TEST(Session, GoesThroughEveryTrialAndEnds) {

@@ -1,0 +1,26 @@
+// The validation of a simulated participant's gaze, in virtual time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/gaze_correction.h"
+#include "study/participant/participant.h"
+#include "study/protocol/protocol.h"
+#include "study/session/session.h"
+
+namespace foveola::study {
+
+/// Shows the protocol's targets, which the participant looks at, and watches through its tracker:
+/// once, or, if a correction is asked for, once to fit it and once through it. protocol: with
+/// validation. Advances `clock` frame by frame. Empty if a stop was requested.
+std::optional<GazeValidated> validate_gaze(const Protocol& protocol, Participant& participant,
+                                           std::uint32_t tracker_seed, VirtualClock& clock,
+                                           const std::stop_token& stop);
+
+/// What the gaze goes through from now on: what the last run went through, if it passed.
+std::optional<GazeCorrection> correction_after(const GazeValidated& validation);
+
+}  // namespace foveola::study

@@ -1,0 +1,50 @@
+#include "study/record/gaze_encoding.h"
+
+#include "study/record/little_endian.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr std::size_t sample_bytes = 24;
+constexpr std::uint32_t valid_bit = 1;
+constexpr std::uint32_t mark_shift = 1;
+constexpr std::uint32_t mark_mask = 3;
+
+void append_sample(std::string& bytes, const GazeSample& sample) {
+  append(bytes, sample.time);
+  append(bytes, sample.direction);
+  append(bytes,
+         (sample.valid ? valid_bit : 0U) | (static_cast<std::uint32_t>(sample.mark) << mark_shift));
+}
+
+GazeSample take_sample(std::string_view& bytes) {
+  GazeSample sample{.time = take_nanoseconds(bytes)};
+  for (int axis = 0; axis < 3; ++axis) {
+    sample.direction[axis] = take_float(bytes);
+  }
+  const auto flags = take<std::uint32_t>(bytes);
+  sample.valid = (flags & valid_bit) != 0;
+  sample.mark = static_cast<GazeMark>((flags >> mark_shift) & mark_mask);
+  return sample;
+}
+
+}  // namespace
+
+std::string encode_gaze(const std::vector<GazeSample>& samples) {
+  std::string bytes;
+  bytes.reserve(samples.size() * sample_bytes);
+  for (const GazeSample& sample : samples) {
+    append_sample(bytes, sample);
+  }
+  return bytes;
+}
+
+std::vector<GazeSample> decode_gaze(std::string_view bytes) {
+  std::vector<GazeSample> samples;
+  while (bytes.size() >= sample_bytes) {
+    samples.push_back(take_sample(bytes));
+  }
+  return samples;
+}
+
+}  // namespace foveola::study

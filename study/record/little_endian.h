@@ -1,0 +1,53 @@
+// Numbers as the record's chunks keep them: little-endian, without gaps, on every machine.
+#pragma once
+
+#include <bit>
+#include <cassert>
+#include <climits>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+
+namespace foveola::study {
+
+inline void append(std::string& bytes, std::unsigned_integral auto value) {
+  for (std::size_t i = 0; i < sizeof value; ++i) {
+    bytes.push_back(static_cast<char>((value >> (i * CHAR_BIT)) & 0xFFU));
+  }
+}
+inline void append(std::string& bytes, float value) {
+  append(bytes, std::bit_cast<std::uint32_t>(value));
+}
+inline void append(std::string& bytes, Nanoseconds value) {
+  append(bytes, static_cast<std::uint64_t>(value.count()));
+}
+inline void append(std::string& bytes, const Vec3& value) {
+  append(bytes, value.x);
+  append(bytes, value.y);
+  append(bytes, value.z);
+}
+
+/// Takes a number off the front of `bytes`, which has one.
+template <std::unsigned_integral Number>
+Number take(std::string_view& bytes) {
+  assert(bytes.size() >= sizeof(Number));
+  Number value = 0;
+  for (std::size_t i = 0; i < sizeof value; ++i) {
+    value |= static_cast<Number>(static_cast<unsigned char>(bytes[i])) << (i * CHAR_BIT);
+  }
+  bytes.remove_prefix(sizeof value);
+  return value;
+}
+inline float take_float(std::string_view& bytes) {
+  return std::bit_cast<float>(take<std::uint32_t>(bytes));
+}
+inline Nanoseconds take_nanoseconds(std::string_view& bytes) {
+  return Nanoseconds(static_cast<std::int64_t>(take<std::uint64_t>(bytes)));
+}
+
+}  // namespace foveola::study

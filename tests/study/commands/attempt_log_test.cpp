@@ -1,0 +1,73 @@
+#include "study/commands/attempt_log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/record/recorded_gaze.h"
+#include "tests/study/record/small_study.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+class AttemptLogTest : public testing::Test {
+ protected:
+  AttemptLogTest() {
+    session_.begin();
+    session_.happen(ms(20), ObjectChosen{"vase"});
+  }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+  StudyStore store_{path_, small_protocol()};
+  RecordedSession session_{store_, facts_of("P01"), small_plan()};
+};
+
+// 70 frames and 120 samples a second for two minutes, one saccade in them.
+TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
+  AttemptLog log(store_, session_.id(), 0, 1);
+  constexpr int frame_count = 120 * 70;
+  constexpr int samples_before_saccade = 6000;
+  int samples = 0;
+  for (int frame = 0; frame < frame_count; ++frame) {
+    std::vector<GazeSample> arrived;
+    for (; samples * 70 < (frame + 1) * 120; ++samples) {
+      const bool is_after = samples > samples_before_saccade;
+      arrived.push_back({.time = samples * Nanoseconds(8'333'333),
+                         .direction = is_after ? Vec3(0.0F, 0.6F, -0.8F) : Vec3(0.0F, 0.0F, -1.0F),
+                         .valid = true});
+    }
+    log.add({.time = frame * Nanoseconds(14'285'714)}, arrived);
+  }
+  log.finish();
+  const std::vector<GazeSample> kept = read_gaze(path_, "P01", 0);
+  ASSERT_EQ(kept.size(), static_cast<std::size_t>(samples));
+  for (int i = 0; i < samples; ++i) {
+    ASSERT_EQ(kept[i].time, i * Nanoseconds(8'333'333));
+    ASSERT_EQ(kept[i].mark,
+              i == samples_before_saccade + 1 ? GazeMark::saccade : GazeMark::fixation)
+        << i;
+  }
+  EXPECT_EQ(query(path_, "SELECT sum(frame_count) FROM frame_chunk"), std::to_string(frame_count));
+  EXPECT_EQ(query(path_,
+                  "SELECT count(*) FROM frame_chunk AS a, frame_chunk AS b"
+                  " WHERE b.first_frame = a.first_frame + a.frame_count"),
+            "2");
+  EXPECT_EQ(query(path_,
+                  "SELECT sum(sample_count) = (SELECT max(first_sample + sample_count)"
+                  " FROM gaze_chunk) FROM gaze_chunk"),
+            "1");
+}
+
+TEST_F(AttemptLogTest, WithoutFramesNothingIsKept) {
+  AttemptLog log(store_, session_.id(), 0, 1);
+  log.finish();
+  EXPECT_EQ(query(path_,
+                  "SELECT (SELECT count(*) FROM frame_chunk) +"
+                  " (SELECT count(*) FROM gaze_chunk)"),
+            "0");
+}
+
+}  // namespace
+}  // namespace foveola::study

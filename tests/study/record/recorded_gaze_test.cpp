@@ -1,0 +1,83 @@
+#include "study/record/recorded_gaze.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "small_study.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::vector<int> times_ms(const std::vector<GazeSample>& samples) {
+  std::vector<int> times;
+  for (const GazeSample& sample : samples) {
+    times.push_back(static_cast<int>(sample.time / ms(1)));
+  }
+  return times;
+}
+
+class RecordedGaze : public testing::Test {
+ protected:
+  /// P01 timed the first trial twice, P02 once; neither the second trial.
+  RecordedGaze() {
+    StudyStore store(path_, small_protocol());
+    RecordedSession first(store, facts_of("P01"), small_plan());
+    first.begin();
+    first.happen(ms(20), ObjectChosen{"vase"});
+    store.record_gaze(first.id(), 0, 1, 0, {{.time = ms(1)}, {.time = ms(2)}});
+    first.happen(ms(30), FirstFramePresented{ms(30)});
+    first.happen(ms(40), OutlineMarked{ms(40)});
+    first.happen(ms(50), RetimeRequested{});
+    store.record_gaze(first.id(), 0, 2, 0, {{.time = ms(60)}, {.time = ms(61)}});
+    store.record_gaze(first.id(), 0, 2, 2, {{.time = ms(62), .mark = GazeMark::saccade}});
+    RecordedSession second(store, facts_of("P02"), small_plan());
+    second.begin();
+    second.happen(ms(20), ObjectChosen{"vase"});
+    store.record_gaze(second.id(), 0, 1, 0, {{.time = ms(7), .valid = true}});
+  }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+};
+
+TEST_F(RecordedGaze, IsThatOfTheLastAttemptInOrder) {
+  const std::vector<GazeSample> samples = read_gaze(path_, "P01", 0);
+  EXPECT_THAT(times_ms(samples), testing::ElementsAre(60, 61, 62));
+  EXPECT_EQ(samples.at(2).mark, GazeMark::saccade);
+}
+
+TEST_F(RecordedGaze, IsTheParticipantsOwn) {
+  const std::vector<GazeSample> samples = read_gaze(path_, "P02", 0);
+  EXPECT_THAT(times_ms(samples), testing::ElementsAre(7));
+  EXPECT_TRUE(samples.at(0).valid);
+}
+
+TEST_F(RecordedGaze, ThatIsNotThereIsRefused) {
+  EXPECT_THAT(refusal([&] { read_gaze(path_, "P01", 1); }),
+              AllOf(HasSubstr(path_.string()), HasSubstr("no gaze of participant P01 in trial 1")));
+  EXPECT_THAT(refusal([&] { read_gaze(path_, "P09", 0); }), HasSubstr("participant P09"));
+  EXPECT_THAT(refusal([&] { read_gaze(folder_ / "none", "P01", 0); }), HasSubstr("no such file"));
+}
+
+// The guards are taken away and put back, as by somebody who means to hide it.
+TEST_F(RecordedGaze, ThatWasChangedIsRefused) {
+  {
+    SQLite::Database database(path_, SQLite::OPEN_READWRITE);
+    const std::string guard =
+        database.execAndGet("SELECT sql FROM sqlite_schema WHERE name = 'gaze_chunk_is_fixed'");
+    database.exec("DROP TRIGGER gaze_chunk_is_fixed");
+    database.exec("UPDATE gaze_chunk SET data = zeroblob(24) WHERE sample_count = 1");
+    database.exec(guard);
+  }
+  EXPECT_THAT(refusal([&] { read_gaze(path_, "P02", 0); }),
+              HasSubstr("its gaze samples are not those that were written"));
+}
+
+}  // namespace
+}  // namespace foveola::study
