@@ -12,6 +12,11 @@ namespace foveola {
 constexpr double radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180.0); }
 constexpr double degrees(double angle_rad) { return angle_rad * (180.0 / std::numbers::pi); }
 
+/// The angle in [-pi, pi] that points the same way.
+inline double wrapped_angle(double angle_rad) {
+  return std::remainder(angle_rad, 2.0 * std::numbers::pi);
+}
+
 /// A world direction as two angles: azimuth from -Z towards +X in [-pi, pi], elevation from the
 /// horizon towards +Y in [-pi/2, pi/2].
 struct AzimuthElevation {

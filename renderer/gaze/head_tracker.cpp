@@ -2,17 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "renderer/base/error.h"
 
 namespace foveola {
-namespace {
-
-/// An angle in [-pi, pi] that points the same way.
-double wrapped(double angle_rad) { return std::remainder(angle_rad, 2.0 * std::numbers::pi); }
-
-}  // namespace
 
 ScriptedHeadTracker::ScriptedHeadTracker(std::vector<HeadPose> poses) : poses_(std::move(poses)) {
   const auto earlier = [](const HeadPose& a, const HeadPose& b) { return a.time < b.time; };
@@ -33,9 +26,9 @@ HeadPose ScriptedHeadTracker::pose(Nanoseconds now) {
   }
   const HeadPose& from = *std::prev(next);
   const double done = seconds(now - from.time) / seconds(next->time - from.time);
-  const double turn_rad = wrapped(next->heading.azimuth_rad - from.heading.azimuth_rad);
+  const double turn_rad = wrapped_angle(next->heading.azimuth_rad - from.heading.azimuth_rad);
   return {.time = now,
-          .heading = {.azimuth_rad = wrapped(from.heading.azimuth_rad + done * turn_rad),
+          .heading = {.azimuth_rad = wrapped_angle(from.heading.azimuth_rad + done * turn_rad),
                       .elevation_rad = std::lerp(from.heading.elevation_rad,
                                                  next->heading.elevation_rad, done)}};
 }

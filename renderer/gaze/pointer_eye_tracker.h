@@ -1,0 +1,29 @@
+// The pointer as an eye: gaze is where a user points.
+#pragma once
+
+#include <mutex>
+#include <optional>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+#include "renderer/gaze/eye_tracker.h"
+
+namespace foveola {
+
+/// One thread may move the pointer while another asks for gaze. A pointer that rests sends no
+/// events and is known to be where the last one put it, so a sample is as of when it is asked for,
+/// and never older. How long a hand's movement takes to become an event is not in it.
+class PointerEyeTracker final : public EyeTracker {
+ public:
+  /// The pointer is there from `time` on. direction: unit length, in the head's axes; empty when
+  /// the pointer has left the window, which makes samples invalid until it is back.
+  void point_at(Nanoseconds time, const std::optional<Vec3>& direction);
+
+  std::optional<GazeSample> newest(Nanoseconds now) override;
+
+ private:
+  std::mutex mutex_;  ///< of the rest
+  std::optional<GazeSample> last_event_;
+};
+
+}  // namespace foveola

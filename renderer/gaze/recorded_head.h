@@ -1,0 +1,34 @@
+// Head poses from a file: recordings as comma-separated values, written, read and replayed.
+//
+// The first line is "time_ns,azimuth_rad,elevation_rad". Each further line is a pose: its time in
+// whole nanoseconds from 0 on, later than the one before, and where the head points in the world,
+// the elevation in [-pi/2, pi/2]. The azimuth may go round several times:
+//
+//   time_ns,azimuth_rad,elevation_rad
+//   0,1.361356816555577,0
+//   14285714,1.3788101090755202,-0.017453292519943295
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/head_tracker.h"
+
+namespace foveola {
+
+/// At least one pose. Throws Error with file:line for anything else than the above; lines may end
+/// with \r\n.
+std::vector<HeadPose> read_head_file(const std::filesystem::path& file);
+
+/// Poses come back bit for bit. poses: at least one, times from 0 ascending, azimuths of at most
+/// 1000 either way, elevations as above. Throws Error if they are not so, or the file cannot be
+/// written.
+void write_head_file(const std::filesystem::path& file, std::span<const HeadPose> poses);
+
+/// Replays poses: one of time t is taken at start + t. poses: at least one, times ascending. Throws
+/// Error otherwise.
+ScriptedHeadTracker replayed_head(std::vector<HeadPose> poses, Nanoseconds start);
+
+}  // namespace foveola

@@ -1,0 +1,72 @@
+#include "renderer/gaze/pointer_eye_tracker.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+
+const Vec3 right(1.0F, 0.0F, 0.0F);
+const Vec3 up(0.0F, 1.0F, 0.0F);
+
+TEST(PointerEyeTracker, KnowsNothingBeforeTheFirstEvent) {
+  EXPECT_FALSE(PointerEyeTracker().newest(milliseconds(5)));
+}
+
+TEST(PointerEyeTracker, LooksWhereItWasMovedToLast) {
+  PointerEyeTracker pointer;
+  pointer.point_at(milliseconds(1), right);
+  pointer.point_at(milliseconds(2), up);
+  const auto sample = pointer.newest(milliseconds(5));
+  ASSERT_TRUE(sample);
+  EXPECT_TRUE(sample->valid);
+  EXPECT_EQ(sample->direction, up);
+}
+
+TEST(PointerEyeTracker, IsKnownToRestWhereItIs) {
+  PointerEyeTracker pointer;
+  pointer.point_at(milliseconds(1), right);
+  EXPECT_EQ(pointer.newest(milliseconds(5))->time, milliseconds(5));
+  EXPECT_EQ(pointer.newest(milliseconds(7005))->time, milliseconds(7005));
+  EXPECT_EQ(pointer.newest(milliseconds(7005))->direction, right);
+}
+
+TEST(PointerEyeTracker, IsNotThereBeforeItsEvent) {
+  PointerEyeTracker pointer;
+  pointer.point_at(milliseconds(6), right);
+  EXPECT_EQ(pointer.newest(milliseconds(5))->time, milliseconds(6));
+}
+
+TEST(PointerEyeTracker, OutsideTheWindowItSeesNothing) {
+  PointerEyeTracker pointer;
+  pointer.point_at(milliseconds(1), right);
+  pointer.point_at(milliseconds(2), std::nullopt);
+  ASSERT_TRUE(pointer.newest(milliseconds(5)));
+  EXPECT_FALSE(pointer.newest(milliseconds(5))->valid);
+  pointer.point_at(milliseconds(6), up);
+  EXPECT_TRUE(pointer.newest(milliseconds(7))->valid);
+}
+
+// For the thread sanitizer, and that no sample is half of one event and half of another.
+TEST(PointerEyeTracker, MovesWhileFramesLook) {
+  PointerEyeTracker pointer;
+  pointer.point_at(Nanoseconds(0), right);
+  std::thread moving([&] {
+    for (int i = 1; i < 2000; ++i) {
+      pointer.point_at(Nanoseconds(i), i % 2 == 0 ? right : up);
+    }
+  });
+  for (int i = 0; i < 2000; ++i) {
+    const auto sample = pointer.newest(Nanoseconds(i));
+    ASSERT_TRUE(sample && sample->valid);
+    ASSERT_TRUE(sample->direction == right || sample->direction == up);
+  }
+  moving.join();
+  EXPECT_EQ(pointer.newest(milliseconds(1))->direction, up);
+}
+
+}  // namespace
+}  // namespace foveola

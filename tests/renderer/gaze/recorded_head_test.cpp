@@ -1,0 +1,131 @@
+#include "renderer/gaze/recorded_head.h"
+
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/random.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string header = "time_ns,azimuth_rad,elevation_rad\n";
+
+std::vector<HeadPose> read(const std::string& content) {
+  const TemporaryFolder folder;
+  return read_head_file(folder.write("head.csv", content));
+}
+
+std::string error_of(const std::string& content) {
+  try {
+    read(content);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(HeadFile, IsReadAsItIsDescribed) {
+  const auto poses = read(header + "0,1.5,0\n14285714,-7e0,-0.25\r\n28571428,0,1.5707963267948966");
+  ASSERT_EQ(poses.size(), 3U);
+  EXPECT_EQ(poses[0].time, Nanoseconds(0));
+  EXPECT_EQ(poses[0].heading.azimuth_rad, 1.5);
+  EXPECT_EQ(poses[1].time, Nanoseconds(14285714));
+  EXPECT_EQ(poses[1].heading.azimuth_rad, -7.0);
+  EXPECT_EQ(poses[1].heading.elevation_rad, -0.25);
+  EXPECT_EQ(poses[2].heading.elevation_rad, 0.5 * std::numbers::pi);
+}
+
+TEST(HeadFile, IsWrittenAsItIsDescribed) {
+  const TemporaryFolder folder;
+  const std::vector<HeadPose> poses{
+      {.time = Nanoseconds(5), .heading = {.azimuth_rad = 1.5, .elevation_rad = -0.25}},
+      {.time = Nanoseconds(7), .heading = {}}};
+  write_head_file(folder / "head.csv", poses);
+  EXPECT_EQ(read_file(folder / "head.csv"), header + "5,1.5,-0.25\n7,0,0\n");
+}
+
+TEST(HeadFile, BringsPosesBackBitForBit) {
+  const TemporaryFolder folder;
+  Pcg32 random(3);
+  std::vector<HeadPose> poses;
+  for (int i = 0; i < 5000; ++i) {
+    HeadPose pose{.time = i * Nanoseconds(14'285'714), .heading = {}};
+    pose.heading.azimuth_rad = std::numbers::pi * (2.0 * random.uniform() - 1.0);
+    pose.heading.elevation_rad = 0.5 * std::numbers::pi * (2.0 * random.uniform() - 1.0);
+    poses.push_back(pose);
+  }
+  write_head_file(folder / "head.csv", poses);
+  const auto back = read_head_file(folder / "head.csv");
+  ASSERT_EQ(back.size(), poses.size());
+  ScriptedHeadTracker replayed = replayed_head(back, std::chrono::hours(5));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    ASSERT_EQ(back[i].time, poses[i].time);
+    ASSERT_EQ(back[i].heading.azimuth_rad, poses[i].heading.azimuth_rad);
+    ASSERT_EQ(back[i].heading.elevation_rad, poses[i].heading.elevation_rad);
+    const HeadPose again = replayed.pose(std::chrono::hours(5) + poses[i].time);
+    ASSERT_EQ(again.heading.azimuth_rad, poses[i].heading.azimuth_rad);
+    ASSERT_EQ(again.heading.elevation_rad, poses[i].heading.elevation_rad);
+  }
+}
+
+TEST(HeadFile, ErrorsSayWhere) {
+  EXPECT_THAT(error_of(""), HasSubstr("head.csv:1: is not the first line of a head recording"));
+  EXPECT_THAT(error_of("time_ns,x,y,z,valid\n"), HasSubstr("head.csv:1: "));
+  EXPECT_THAT(error_of(header), HasSubstr("head.csv: has no samples"));
+  struct Case {
+    const char* line;
+    const char* what;
+  };
+  for (const Case& c : {Case{"1,0", "has 2 fields instead of 3"},
+                        {"1,0,0,0", "has 4 fields instead of 3"},
+                        {"-1,0,0", "\"-1\" is no number from 0 to"},
+                        {"1.5,0,0", "\"1.5\" is no number"},
+                        {"1,,0", "\"\" is no number"},
+                        {"1,nan,0", "\"nan\" is no number from -1000 to 1000"},
+                        {"1,1001,0", "\"1001\" is no number from -1000 to 1000"},
+                        {"1,0,1.571", "\"1.571\" is no number from -1.57"},
+                        {"1,0,0 ", "\"0 \" is no number"},
+                        {"0,0,0", "is not later than the line before"}}) {
+    EXPECT_THAT(error_of(header + "0,0,0\n" + c.line + "\n"),
+                AllOf(HasSubstr("head.csv:3: "), HasSubstr(c.what)))
+        << c.line;
+  }
+  EXPECT_THROW(read_head_file("/nowhere/head.csv"), Error);
+}
+
+TEST(HeadFile, WhatCouldNotBeReadIsNotWritten) {
+  const TemporaryFolder folder;
+  using Poses = std::vector<HeadPose>;
+  for (const Poses& bad :
+       {Poses{}, Poses{{.time = Nanoseconds(-1), .heading = {}}},
+        Poses{{.time = Nanoseconds(1), .heading = {}}, {.time = Nanoseconds(1), .heading = {}}},
+        Poses{{.time = Nanoseconds(0), .heading = {.azimuth_rad = 1001.0}}},
+        Poses{{.time = Nanoseconds(0), .heading = {.elevation_rad = -1.571}}}}) {
+    EXPECT_THROW(write_head_file(folder / "head.csv", bad), Error);
+  }
+  EXPECT_TRUE(folder.entries().empty());
+}
+
+TEST(ReplayedHead, BeginsWhenItIsAskedTo) {
+  const std::vector<HeadPose> poses{{.time = milliseconds(100), .heading = {.azimuth_rad = 0.5}},
+                                    {.time = milliseconds(200), .heading = {.azimuth_rad = 1.0}}};
+  ScriptedHeadTracker head = replayed_head(poses, milliseconds(3000));
+  EXPECT_EQ(head.pose(milliseconds(3000)).heading.azimuth_rad, 0.5);
+  EXPECT_NEAR(head.pose(milliseconds(3150)).heading.azimuth_rad, 0.75, 1e-12);
+  EXPECT_EQ(head.pose(milliseconds(3200)).heading.azimuth_rad, 1.0);
+  EXPECT_THROW(replayed_head({}, milliseconds(0)), Error);
+}
+
+}  // namespace
+}  // namespace foveola
