@@ -1,4 +1,5 @@
-// `foveola bench preview`: whether frames are in time on this machine, and where their time goes.
+// `foveola bench preview`: whether frames are in time on this machine, where their time goes, and
+// how long it takes from the eye's movement to light.
 #pragma once
 
 #include <stop_token>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,7 +17,8 @@ struct LatencyInputs {
   KnownDuration exposure;  ///< of one of the tracker's images
   KnownDuration transfer;
   KnownDuration processing;
-  KnownDuration frame_interval;  ///< from one look at the newest gaze to the next
+  KnownDuration frame_interval;          ///< from one look at the newest gaze to the next
+  std::optional<KnownDuration> waiting;  ///< of the gaze for a certain frame, where it is known
   KnownDuration tracing;
   KnownDuration film_and_resample;
   KnownDuration present;   ///< with the wait for the display's next refresh
@@ -30,19 +32,40 @@ struct LatencyStage {
   Provenance provenance = Provenance::assumed;
 };
 
+using LatencyStages = std::array<LatencyStage, 8>;
+
 /// In the order of time. An image shows the eye as in the middle of its exposure, so:
 ///
 /// - exposure: at best the eye has moved just before the middle, and half of it is left; at worst
 ///   just after, and the next image, 1 / tracker_rate_hz later, is the first to show it;
 /// - waiting for the frame: at best the gaze arrives as a frame looks at it; at worst just after,
-///   and waits for a whole frame interval;
+///   and waits for a whole frame interval; in a certain frame, as long as it waited;
 /// - all others take what they take.
 ///
 /// FOVE 0 with frames of 14 ms: at best 4 + 2 + 4 + 0 + 14 + 14 = 38 ms, as published, and at worst
 /// 12.3 + 2 + 4 + 14 + 14 + 14 = 60.3 ms.
-std::array<LatencyStage, 8> latency_stages(const LatencyInputs& inputs);
+LatencyStages latency_stages(const LatencyInputs& inputs);
 
 /// The sums over `stages`, measured only if all of them are.
 LatencyStage total_latency(std::span<const LatencyStage> stages);
+
+/// What a stage took in many frames.
+struct LatencySpread {
+  std::string_view name;
+  double best_s = 0.0;  ///< of all frames
+  double median_s = 0.0;
+  double percentile_95_s = 0.0;
+  double worst_s = 0.0;
+  Provenance provenance = Provenance::assumed;  ///< measured if it is so in every frame
+};
+
+struct LatencyReport {
+  std::array<LatencySpread, 8> stages;
+  LatencySpread total;  ///< of the frames' totals: not the sum of what stages took in other frames
+};
+
+/// frames: at least one. What lies between a frame's best and worst case is equally likely, for the
+/// eye moves at any moment: median and percentile are over frames and moments.
+LatencyReport latency_report(std::span<const LatencyStages> frames);
 
 }  // namespace foveola

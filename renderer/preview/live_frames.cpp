@@ -1,38 +1,29 @@
 #include "renderer/preview/live_frames.h"
 
-#include <cassert>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace foveola {
 
-LiveFrames::LiveFrames(Preview& preview, const Clock& clock, double refresh_rate_hz,
-                       WaitUntil wait_until, Present present)
+LiveFrames::LiveFrames(Preview& preview, const Clock& clock, const RefreshEstimator& refresh,
+                       WaitUntil wait_until, FrameOutput output)
     : preview_(&preview),
       clock_(&clock),
+      refresh_(refresh),
       wait_until_(std::move(wait_until)),
-      present_(std::move(present)),
-      refresh_interval_(nanoseconds_from_seconds(1.0 / refresh_rate_hz)),
-      next_refresh_(clock.now()) {
-  assert(refresh_rate_hz > 0.0);
-}
+      output_(std::move(output)),
+      next_refresh_(clock.now()) {}
 
 LiveFrame LiveFrames::next() {
   wait_until_(next_refresh_);
-  LiveFrame frame{.start = clock_->now(), .deadline = next_refresh_ + refresh_interval_};
+  LiveFrame frame{.start = clock_->now(), .deadline = next_refresh_ + refresh_.interval()};
   frame.report = preview_->begin_frame(frame.start);
   frame.polling = clock_->now() - frame.start;
   trace(frame);
-  const Nanoseconds traced = clock_->now();
-  present_(*preview_);
-  const Nanoseconds end = clock_->now();
-  frame.presenting = end - traced;
-  budget_.rest_took(frame.presenting);
-  next_refresh_ = frame.deadline;
-  while (next_refresh_ < end) {
-    next_refresh_ += refresh_interval_;
-    ++frame.missed_refreshes;
-  }
+  show(frame);
   budget_.frame_ended(frame.is_late());
+  next_refresh_ = frame.shown;
   return frame;
 }
 
@@ -50,6 +41,43 @@ void LiveFrames::trace_batch(std::uint64_t samples, LiveFrame& frame) {
   const Nanoseconds took = clock_->now() - start;
   budget_.batch_took(samples, took);
   frame.tracing += took;
+}
+
+void LiveFrames::show(LiveFrame& frame) {
+  const Nanoseconds traced = clock_->now();
+  output_.resample(*preview_);
+  const Nanoseconds resampled = clock_->now();
+  const std::optional<Nanoseconds> swapped = output_.present();
+  const Nanoseconds end = clock_->now();
+  frame.resampling = resampled - traced;
+  frame.presenting = end - resampled;
+  if (swapped) {
+    refresh_.swap_completed(*swapped);
+  }
+  const bool waited = swapped && !refresh_.is_unsynchronised();
+  frame.is_refresh_measured = waited && refresh_.is_measured();
+  if (waited) {
+    budget_.rest_took(frame.resampling);
+    // No frame is shown before it should be: the output may not have waited, after all.
+    note_shown_at(refresh_.nearest_refresh(std::max(*swapped, frame.deadline)), frame);
+  } else {
+    budget_.rest_took(frame.resampling + frame.presenting);
+    note_shown_at(assumed_refresh(frame, end), frame);
+  }
+}
+
+void LiveFrames::note_shown_at(Nanoseconds refresh, LiveFrame& frame) const {
+  const double missed = seconds(refresh - frame.deadline) * refresh_.rate_hz();
+  frame.shown = refresh;
+  frame.missed_refreshes = static_cast<std::uint64_t>(std::max(0.0, std::round(missed)));
+}
+
+Nanoseconds LiveFrames::assumed_refresh(const LiveFrame& frame, Nanoseconds end) const {
+  Nanoseconds refresh = frame.deadline;
+  while (refresh < end) {
+    refresh += refresh_.interval();
+  }
+  return refresh;
 }
 
 }  // namespace foveola

@@ -3,50 +3,72 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "renderer/base/clock.h"
 #include "renderer/preview/frame_budget.h"
 #include "renderer/preview/preview.h"
+#include "renderer/preview/refresh_estimator.h"
 
 namespace foveola {
 
 /// When a frame's work was done, and how long each part took.
 struct LiveFrame {
   FrameReport report;
-  Nanoseconds start{0};     ///< the refresh before, or when that was found to be over
-  Nanoseconds deadline{0};  ///< the refresh that it should be ready for
-  Nanoseconds polling{0};   ///< head and gaze, and aiming the sampler
-  Nanoseconds tracing{0};   ///< from directions to film
-  Nanoseconds presenting{0};
+  Nanoseconds start{0};       ///< the refresh before, or when that was found to be over
+  Nanoseconds deadline{0};    ///< the refresh that it should be ready for
+  Nanoseconds polling{0};     ///< head and gaze, and aiming the sampler
+  Nanoseconds tracing{0};     ///< from directions to film, with what the film does
+  Nanoseconds resampling{0};  ///< from film to the display's image
+  Nanoseconds presenting{0};  ///< handing it over, with the wait for a refresh if there was one
+  Nanoseconds shown{0};       ///< the refresh that shows it
   std::uint64_t missed_refreshes = 0;  ///< that showed the frame before once more
+  bool is_refresh_measured = false;    ///< else refreshes are assumed to come at the nominal rate
 
   bool is_late() const { return missed_refreshes > 0; }
 };
 
+/// How frames get to the display.
+struct FrameOutput {
+  /// Makes the display's image of what the preview knows; returns when it is done with the film.
+  std::function<void(const Preview& preview)> resample;
+  /// Hands the image over. If it waits until the display has taken it, at a refresh: returns when
+  /// that was, and does little else. Empty otherwise.
+  std::function<std::optional<Nanoseconds>()> present;
+};
+
 /// Renders a frame a refresh. Late frames are told, and the next one begins at the next refresh.
+/// Where refreshes are follows from when the output was done with frames, as far as it waits for
+/// them; otherwise they are taken to come at the nominal rate from now on.
 class LiveFrames {
  public:
   /// Returns at `time`, or at once if that is over.
   using WaitUntil = std::function<void(Nanoseconds time)>;
-  /// Shows what the preview knows; returns when it is done with the film.
-  using Present = std::function<void(const Preview& preview)>;
 
-  /// refresh_rate_hz: > 0. The first refresh is now. Preview and clock must outlive it.
-  LiveFrames(Preview& preview, const Clock& clock, double refresh_rate_hz, WaitUntil wait_until,
-             Present present);
+  /// refresh: of the display; what it has been told before counts. Preview and clock must outlive
+  /// the frames.
+  LiveFrames(Preview& preview, const Clock& clock, const RefreshEstimator& refresh,
+             WaitUntil wait_until, FrameOutput output);
 
   /// Waits for the next refresh, and renders and presents a frame.
   LiveFrame next();
 
+  /// What is known of the display's refreshes.
+  const RefreshEstimator& refresh() const { return refresh_; }
+
  private:
   void trace(LiveFrame& frame);
   void trace_batch(std::uint64_t samples, LiveFrame& frame);
+  void show(LiveFrame& frame);
+  void note_shown_at(Nanoseconds refresh, LiveFrame& frame) const;
+  /// The refresh that shows a frame which was ready at `end`, if none is known but by the clock.
+  Nanoseconds assumed_refresh(const LiveFrame& frame, Nanoseconds end) const;
 
   Preview* preview_;
   const Clock* clock_;
+  RefreshEstimator refresh_;
   WaitUntil wait_until_;
-  Present present_;
-  Nanoseconds refresh_interval_;
+  FrameOutput output_;
   Nanoseconds next_refresh_;
   FrameBudget budget_;
 };

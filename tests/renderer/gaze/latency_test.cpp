@@ -1,5 +1,8 @@
 #include "renderer/gaze/latency.h"
 
+#include <array>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace foveola {
@@ -55,6 +58,71 @@ TEST(Latency, ATotalIsMeasuredOnlyIfAllOfItIs) {
   const LatencyStage assumed{.best_s = 1.0, .worst_s = 2.0};
   EXPECT_EQ(total_latency(std::array{measured, measured}).provenance, Provenance::measured);
   EXPECT_EQ(total_latency(std::array{measured, assumed}).provenance, Provenance::assumed);
+}
+
+// Of a certain frame it is known how long the gaze had been there.
+TEST(Latency, WaitingIsWhatItWasWhereThatIsKnown) {
+  LatencyInputs inputs = published();
+  inputs.waiting = KnownDuration{.duration_s = 0.003, .provenance = Provenance::measured};
+  const LatencyStage waiting = latency_stages(inputs)[3];
+  EXPECT_EQ(waiting.best_s, 0.003);
+  EXPECT_EQ(waiting.worst_s, 0.003);
+  EXPECT_EQ(waiting.provenance, Provenance::measured);
+}
+
+TEST(LatencyReport, OfThePublishedFrameIsThePublishedBudget) {
+  const std::vector<LatencyStages> frames{latency_stages(published())};
+  const LatencyReport report = latency_report(frames);
+  EXPECT_NEAR(report.total.best_s, 0.038, 1e-15);
+  EXPECT_NEAR(report.total.worst_s, 0.038 + 1.0 / 120.0 + 0.014, 1e-15);
+  EXPECT_EQ(report.stages.front().name, "exposure");
+  EXPECT_EQ(report.total.name, "total");
+}
+
+// An eye moves at any moment of the tracker's period of 8.333 ms.
+TEST(LatencyReport, MomentsBetweenBestAndWorstAreEquallyLikely) {
+  const std::vector<LatencyStages> frames(100, latency_stages(published()));
+  const LatencySpread exposure = latency_report(frames).stages[0];
+  const double period_s = 1.0 / 120.0;
+  EXPECT_NEAR(exposure.best_s, 0.004, 1e-15);
+  EXPECT_NEAR(exposure.median_s, 0.004 + 0.5 * period_s, 0.05 * period_s);
+  EXPECT_NEAR(exposure.percentile_95_s, 0.004 + 0.95 * period_s, 0.05 * period_s);
+  EXPECT_NEAR(exposure.worst_s, 0.004 + period_s, 1e-15);
+}
+
+/// 200 frames whose tracing takes 1, 2, ... 200 ms.
+std::vector<LatencyStages> slower_and_slower(LatencyInputs inputs) {
+  std::vector<LatencyStages> frames;
+  for (int i = 1; i <= 200; ++i) {
+    inputs.tracing.duration_s = 1e-3 * i;
+    inputs.waiting = KnownDuration{.provenance = Provenance::measured};
+    frames.push_back(latency_stages(inputs));
+  }
+  return frames;
+}
+
+TEST(LatencyReport, SpreadsOverFrames) {
+  const LatencyReport report = latency_report(slower_and_slower(published()));
+  const LatencySpread tracing = report.stages[4];
+  EXPECT_EQ(tracing.name, "tracing");
+  EXPECT_NEAR(tracing.best_s, 0.001, 1e-15);
+  EXPECT_NEAR(tracing.median_s, 0.100, 1e-15);
+  EXPECT_NEAR(tracing.percentile_95_s, 0.190, 1e-15);
+  EXPECT_NEAR(tracing.worst_s, 0.200, 1e-15);
+  // Beside tracing: 4 + 2 + 4 + 3 + 1 + 14 ms, and up to a period more, half of it in the middle.
+  EXPECT_NEAR(report.total.best_s, 0.028 + 0.001, 1e-12);
+  EXPECT_NEAR(report.total.median_s, 0.028 + 0.1005 + 0.5 / 120.0, 5e-4);
+  EXPECT_NEAR(report.total.worst_s, 0.028 + 0.200 + 1.0 / 120.0, 1e-12);
+}
+
+TEST(LatencyReport, AStageIsMeasuredOnlyIfItIsInEveryFrame) {
+  LatencyInputs inputs = published();
+  inputs.tracing.provenance = Provenance::measured;
+  std::vector<LatencyStages> frames = slower_and_slower(inputs);
+  EXPECT_EQ(latency_report(frames).stages[4].provenance, Provenance::measured);
+  EXPECT_EQ(latency_report(frames).total.provenance, Provenance::assumed);
+  frames[7][4].provenance = Provenance::assumed;
+  EXPECT_EQ(latency_report(frames).stages[4].provenance, Provenance::assumed);
 }
 
 }  // namespace

@@ -1,14 +1,24 @@
 #include "renderer/preview/live_frames.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
 #include <gtest/gtest.h>
 
+#include "renderer/base/random.h"
 #include "tests/renderer/preview/box_room.h"
 
 namespace foveola {
 namespace {
 
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
 constexpr double refresh_rate_hz = 100.0;
-constexpr Nanoseconds refresh_interval = std::chrono::milliseconds(10);
+constexpr Nanoseconds refresh_interval = milliseconds(10);
 
 /// A machine on which a sample takes so long and a presentation so long, and nothing else anything.
 class ModelClock final : public Clock {
@@ -31,7 +41,7 @@ class ModelClock final : public Clock {
 
  private:
   const Preview* preview_;
-  Nanoseconds sample_time_ = std::chrono::microseconds(1);
+  Nanoseconds sample_time_ = microseconds(1);
   mutable Nanoseconds now_{0};
   mutable std::uint64_t seen_samples_ = 0;
 };
@@ -48,9 +58,28 @@ class LiveFramesTest : public testing::Test {
     return settings;
   }
 
+  /// present: what it does with the image; every frame is resampled in 0.7 ms.
+  LiveFrames frames(std::function<std::optional<Nanoseconds>()> present) {
+    return {preview_,
+            clock_,
+            RefreshEstimator(refresh_rate_hz),
+            [&](Nanoseconds time) { clock_.advance_to(time); },
+            {.resample = [&](const Preview&) { clock_.advance(microseconds(700)); },
+             .present = std::move(present)}};
+  }
+
+  /// Presents in 0.3 ms, and knows of no refresh.
   LiveFrames frames() {
-    return {preview_, clock_, refresh_rate_hz, [&](Nanoseconds time) { clock_.advance_to(time); },
-            [&](const Preview&) { clock_.advance(std::chrono::milliseconds(1)); }};
+    return frames([&] {
+      clock_.advance(microseconds(300));
+      return std::nullopt;
+    });
+  }
+
+  static void skip(LiveFrames& live, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      live.next();
+    }
   }
 
   Scene scene_ = box_room(0.2F);
@@ -72,8 +101,11 @@ TEST_F(LiveFramesTest, BeginAtRefreshesAndUseTheirTime) {
     EXPECT_EQ(frame.report.time, frame.start);
     EXPECT_FALSE(frame.is_late());
   }
-  EXPECT_EQ(frame.presenting, std::chrono::milliseconds(1));
-  EXPECT_EQ(frame.tracing, std::chrono::microseconds(frame.report.samples));
+  EXPECT_EQ(frame.resampling, microseconds(700));
+  EXPECT_EQ(frame.presenting, microseconds(300));
+  EXPECT_EQ(frame.shown, frame.deadline);
+  EXPECT_FALSE(frame.is_refresh_measured);
+  EXPECT_EQ(frame.tracing, microseconds(frame.report.samples));
   EXPECT_GT(frame.report.samples, 8500U) << "of 9000, now that it is known what they take";
 }
 
@@ -82,16 +114,95 @@ TEST_F(LiveFramesTest, LateOnesAreToldAndTheNextIsOnTime) {
   for (int i = 0; i < 60; ++i) {
     live.next();
   }
-  clock_.set_sample_time(std::chrono::microseconds(4));
+  clock_.set_sample_time(microseconds(4));
   const LiveFrame late = live.next();
   EXPECT_TRUE(late.is_late());
-  const Nanoseconds over = late.tracing + late.presenting - refresh_interval;
+  const Nanoseconds over = late.tracing + milliseconds(1) - refresh_interval;
   EXPECT_EQ(
       late.missed_refreshes,
       static_cast<std::uint64_t>((over + refresh_interval - Nanoseconds(1)) / refresh_interval));
+  EXPECT_EQ(late.shown, late.deadline + refresh_interval * late.missed_refreshes);
   const LiveFrame next = live.next();
   EXPECT_EQ(next.start, late.deadline + refresh_interval * late.missed_refreshes);
   EXPECT_FALSE(next.is_late());
+}
+
+// It refreshes a little more slowly than its profile says, and not when frames begin. A swap waits
+// for that, and is heard of up to a millisecond later.
+class WaitingDisplay {
+ public:
+  explicit WaitingDisplay(ModelClock& clock) : clock_(&clock) {}
+
+  static constexpr Nanoseconds interval{10'020'000};
+  static constexpr Nanoseconds first_refresh{3'700'000};
+
+  Nanoseconds swap() {
+    const Nanoseconds since_first = clock_->now() - first_refresh;
+    const auto refreshes =
+        static_cast<std::int64_t>(std::ceil(seconds(since_first) / seconds(interval)));
+    clock_->advance_to(first_refresh + refreshes * interval +
+                       nanoseconds_from_seconds(1e-3 * random_.uniform()));
+    return clock_->now();
+  }
+
+  /// How far `time` is behind the refresh nearest to it.
+  static double behind_refresh_ms(Nanoseconds time) {
+    return 1e3 * std::remainder(seconds(time - first_refresh), seconds(interval));
+  }
+
+ private:
+  ModelClock* clock_;
+  Pcg32 random_{4};
+};
+
+TEST_F(LiveFramesTest, FollowADisplayThatSwapsWaitFor) {
+  clock_.set_sample_time(Nanoseconds(1500));
+  WaitingDisplay display(clock_);
+  LiveFrames live = frames([&] { return display.swap(); });
+  skip(live, 150);
+  constexpr int frames_watched = 150;
+  int late = 0;
+  std::uint64_t samples = 0;
+  for (int i = 0; i < frames_watched; ++i) {
+    const LiveFrame frame = live.next();
+    ASSERT_TRUE(frame.is_refresh_measured);
+    // Swaps are heard of half a millisecond late on average.
+    ASSERT_NEAR(WaitingDisplay::behind_refresh_ms(frame.deadline), 0.5, 0.2);
+    ASSERT_NEAR(WaitingDisplay::behind_refresh_ms(frame.shown), 0.5, 0.2);
+    samples += frame.report.samples;
+    late += frame.is_late() ? 1 : 0;
+  }
+  EXPECT_LE(late, 3);
+  // A frame has 10 ms, less 0.7 for resampling, and begins up to 0.5 late.
+  constexpr std::uint64_t possible = 5900;
+  EXPECT_GE(samples, frames_watched * possible * 8 / 10) << "the wait for a swap is no work";
+  EXPECT_NEAR(live.refresh().rate_hz(), 1.0 / seconds(WaitingDisplay::interval), 0.05);
+}
+
+TEST_F(LiveFramesTest, ARefreshThatIsMissedIsSeenInTheSwap) {
+  clock_.set_sample_time(Nanoseconds(1500));
+  WaitingDisplay display(clock_);
+  LiveFrames live = frames([&] { return display.swap(); });
+  skip(live, 150);
+  clock_.set_sample_time(microseconds(6));
+  const LiveFrame late = live.next();
+  const Nanoseconds over = late.start + late.tracing + late.resampling - late.deadline;
+  EXPECT_EQ(late.missed_refreshes, static_cast<std::uint64_t>(over / WaitingDisplay::interval + 1));
+  EXPECT_NEAR(WaitingDisplay::behind_refresh_ms(late.shown), 0.5, 0.2);
+}
+
+// What does not wait is done when the frame is: earlier than the refresh that the frame aims at.
+TEST_F(LiveFramesTest, KeepTheNominalRateWhereSwapsDoNotWait) {
+  clock_.set_sample_time(microseconds(8));
+  LiveFrames live = frames([&] {
+    clock_.advance(microseconds(300));
+    return clock_.now();
+  });
+  skip(live, 1000);
+  EXPECT_TRUE(live.refresh().is_unsynchronised());
+  const LiveFrame frame = live.next();
+  EXPECT_FALSE(frame.is_refresh_measured);
+  EXPECT_EQ(live.next().start - frame.start, refresh_interval);
 }
 
 TEST_F(LiveFramesTest, ARestartIsSeenInTheNextFrame) {

@@ -1,0 +1,26 @@
+#include "renderer/base/quantile.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace foveola {
+namespace {
+
+constexpr std::array<double, 5> odd{1.0, 2.0, 4.0, 8.0, 16.0};
+constexpr std::array<double, 4> even{1.0, 2.0, 4.0, 8.0};
+
+// As R's quantile(x, p, type = 1) has them.
+TEST(Quantile, IsTheLeastThatEnoughValuesDoNotExceed) {
+  EXPECT_EQ(quantile(odd, 0.0), 1.0);
+  EXPECT_EQ(quantile(odd, 0.2), 1.0);
+  EXPECT_EQ(quantile(odd, 0.21), 2.0);
+  EXPECT_EQ(quantile(odd, 0.5), 4.0);
+  EXPECT_EQ(quantile(odd, 0.95), 16.0);
+  EXPECT_EQ(quantile(odd, 1.0), 16.0);
+  EXPECT_EQ(quantile(even, 0.5), 2.0);
+  EXPECT_EQ(quantile(even, 0.51), 4.0);
+}
+
+}  // namespace
+}  // namespace foveola
