@@ -30,4 +30,15 @@ inline Coverage mean_of(const Coverage& a, const Coverage& b, const Coverage& c,
           0.25F * ((a.weight + b.weight) + (c.weight + d.weight))};
 }
 
+/// Of the square at (x, y) one level up from width x height cells, which cell(x, y) returns: what
+/// reaches beyond them is empty.
+template <typename Cell>
+Coverage mean_of_square(int x, int y, int width, int height, const Cell& cell) {
+  const auto known = [&](int column, int row) -> Coverage {
+    return column < width && row < height ? cell(column, row) : Coverage{};
+  };
+  return mean_of(known(2 * x, 2 * y), known(2 * x + 1, 2 * y), known(2 * x, 2 * y + 1),
+                 known(2 * x + 1, 2 * y + 1));
+}
+
 }  // namespace foveola

@@ -4,11 +4,11 @@
 
 namespace foveola {
 
-CoverageLevels::CoverageLevels(int width, int height, int most_levels) {
+CoverageLevels::CoverageLevels(int width, int height) {
   for (;;) {
     const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     levels_.push_back({width, height, std::vector<Coverage>(cells), std::vector<bool>(cells)});
-    if ((width == 1 && height == 1) || count() >= most_levels) {
+    if (width == 1 && height == 1) {
       return;
     }
     width = (width + 1) / 2;
@@ -18,12 +18,9 @@ CoverageLevels::CoverageLevels(int width, int height, int most_levels) {
 
 Coverage CoverageLevels::mean_below(std::size_t level, int x, int y) const {
   const Level& below = levels_[level - 1];
-  const auto cell = [&](int column, int row) {
-    const bool inside = column < below.width && row < below.height;
-    return inside ? below.cells[static_cast<std::size_t>(row * below.width + column)] : Coverage{};
-  };
-  return mean_of(cell(2 * x, 2 * y), cell(2 * x + 1, 2 * y), cell(2 * x, 2 * y + 1),
-                 cell(2 * x + 1, 2 * y + 1));
+  return mean_of_square(x, y, below.width, below.height, [&](int column, int row) {
+    return below.cells[static_cast<std::size_t>(row * below.width + column)];
+  });
 }
 
 void CoverageLevels::refresh(std::vector<std::uint32_t> changed) {
@@ -46,17 +43,6 @@ void CoverageLevels::refresh(std::vector<std::uint32_t> changed) {
       at.changed[parent] = false;
     }
     changed.swap(parents);
-  }
-}
-
-void CoverageLevels::refresh_all() {
-  for (std::size_t level = 1; level < levels_.size(); ++level) {
-    Level& at = levels_[level];
-    for (int y = 0; y < at.height; ++y) {
-      for (int x = 0; x < at.width; ++x) {
-        at.cells[static_cast<std::size_t>(y * at.width + x)] = mean_below(level, x, y);
-      }
-    }
   }
 }
 

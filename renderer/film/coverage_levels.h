@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,10 +12,8 @@ namespace foveola {
 /// Levels of cells, each of which averages four of the level below.
 class CoverageLevels {
  public:
-  /// The finest level, number 0, is width x height cells, both positive. There are `most_levels`
-  /// at most: all levels end in a single cell.
-  CoverageLevels(int width, int height, int most_levels = all);
-  static constexpr int all = std::numeric_limits<int>::max();
+  /// The finest level, number 0, is width x height cells, both positive; the last is a single cell.
+  CoverageLevels(int width, int height);
 
   int count() const { return static_cast<int>(levels_.size()); }
   int width(int level) const { return levels_[static_cast<std::size_t>(level)].width; }
@@ -30,7 +27,6 @@ class CoverageLevels {
 
   /// Averages anew what lies above these cells of the finest level.
   void refresh(std::vector<std::uint32_t> changed);
-  void refresh_all();
   /// Empties these cells of the finest level, and what lies above them.
   void clear(std::span<const std::uint32_t> filled);
 

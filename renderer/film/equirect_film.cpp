@@ -35,10 +35,6 @@ int checked(int width, int height) {
   return width;
 }
 
-int pixel_coordinate(float position, int size) {
-  return std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1);
-}
-
 double squared_luminance(const Rgb& radiance) {
   const double value = luminance(DVec3(radiance));
   return value * value;
@@ -63,10 +59,6 @@ EquirectFilm::EquirectFilm(int width, int height, FilmStatistics statistics)
       memory_(std::make_unique<FilmTile::Memory>(with_squares_)),
       tiles_(static_cast<std::size_t>(tiles_along(width)) * tiles_along(height)),
       coarse_(tiles_along(width), tiles_along(height)) {}
-
-IVec2 EquirectFilm::pixel_at(const Vec2& image) const {
-  return {pixel_coordinate(image.x, width_), pixel_coordinate(image.y, height_)};
-}
 
 void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& batch,
                           const Workers& workers) {
@@ -169,6 +161,7 @@ std::vector<DroppedSample> EquirectFilm::add(const NumberedBatch& batch,
                                              std::span<const Rgb> radiance,
                                              const Workers& workers) {
   assert(radiance.size() == batch.jobs.size());
+  ++revision_;
   workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
     add_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), batch, radiance);
   });
@@ -217,11 +210,13 @@ void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const Numbere
       }
     }
   }
-  coarse_.finest(range.tile) = tile.refresh(touched);
+  coarse_.finest(range.tile) = tile.refresh(touched, revision_);
+  tiles_[range.tile].changed_at = revision_;
 }
 
 void EquirectFilm::clear() {
   ++epoch_;
+  cleared_at_ = ++revision_;
   memory_->clear();
   coarse_.clear(living_tiles_);
   living_tiles_.clear();

@@ -1,6 +1,7 @@
 // The 360-degree image in the making: it numbers samples, and averages the radiance they return.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -71,7 +72,9 @@ class EquirectFilm {
   void clear();
 
   /// The pixel that holds an image position.
-  IVec2 pixel_at(const Vec2& image) const;
+  IVec2 pixel_at(const Vec2& image) const {
+    return {coordinate_at(image.x, width_), coordinate_at(image.y, height_)};
+  }
   FilmPixel pixel(int x, int y) const;
   Rgb mean(int x, int y) const { return pixel(x, y).mean; }
   std::uint32_t sample_count(int x, int y) const { return pixel(x, y).samples; }
@@ -89,6 +92,35 @@ class EquirectFilm {
   int height(int level) const { return (height_ + (1 << level) - 1) >> level; }
   Coverage cell(int level, int x, int y) const;
 
+  /// What changed, for whoever keeps a copy: it asks tile by tile for what is newer than its copy.
+  /// The revision grows with every batch added and every clear; a new film's is 0.
+  FilmRevision revision() const { return revision_; }
+  /// The last clear's revision, 0 without one: what is older than that is void.
+  FilmRevision cleared_at() const { return cleared_at_; }
+  /// Tiles lie row by row; those at the right and the bottom may reach beyond the image.
+  int tiles_across() const { return static_cast<int>(tiles_across_); }
+  int tiles_down() const { return static_cast<int>(tiles_.size() / tiles_across_); }
+  /// The tile that holds a pixel.
+  std::uint32_t tile_of(int x, int y) const {
+    return static_cast<std::uint32_t>(y / tile_size) * tiles_across_ +
+           static_cast<std::uint32_t>(x / tile_size);
+  }
+  /// The pixel at a tile's top left corner.
+  IVec2 tile_corner(std::uint32_t tile) const {
+    return tile_size * IVec2(tile % tiles_across_, tile / tiles_across_);
+  }
+  /// When samples were last added to a tile, or the film was cleared.
+  FilmRevision tile_changed_at(std::uint32_t tile) const {
+    const Slot& slot = tiles_[tile];
+    return slot.epoch == epoch_ ? std::max(slot.changed_at, cleared_at_) : cleared_at_;
+  }
+  /// Calls visit(level, IVec2(x, y), coverage) for the cells of a tile, of the levels
+  /// [0, FilmTile::levels), that know something and changed after `since`; all that know something
+  /// for 0. Of the level 0 those beside a pixel that changed may come too, up to three. Cells of
+  /// higher levels have pixels in many tiles: they must be copied whenever the film changed.
+  template <typename Visit>
+  void for_each_changed_cell(std::uint32_t tile, FilmRevision since, const Visit& visit) const;
+
   /// The means and counts of the whole image, and the variances if they are kept.
   FilmImage resolve() const;
 
@@ -97,6 +129,7 @@ class EquirectFilm {
   struct Slot {
     FilmTile* tile = nullptr;
     std::uint32_t epoch = 0;  ///< that the tile is of: those of others are void
+    FilmRevision changed_at = 0;
   };
   /// Buffers of sort_by_tile.
   struct Sorting {
@@ -106,9 +139,8 @@ class EquirectFilm {
     std::vector<std::uint32_t> order;    ///< of the samples, by tile
   };
 
-  std::uint32_t tile_of(int x, int y) const {
-    return static_cast<std::uint32_t>(y / tile_size) * tiles_across_ +
-           static_cast<std::uint32_t>(x / tile_size);
+  static int coordinate_at(float position, int size) {
+    return std::clamp(static_cast<int>(position * static_cast<float>(size)), 0, size - 1);
   }
   static FilmTile::Place place(int x, int y) { return {x % tile_size, y % tile_size}; }
   /// Null where nothing was sampled since the film was cleared.
@@ -148,6 +180,20 @@ class EquirectFilm {
   /// Of the samples since the last clear.
   std::uint32_t epoch_ = 1;
   std::uint64_t total_samples_ = 0;
+  FilmRevision revision_ = 0;
+  FilmRevision cleared_at_ = 0;
 };
+
+template <typename Visit>
+void EquirectFilm::for_each_changed_cell(std::uint32_t tile, FilmRevision since,
+                                         const Visit& visit) const {
+  if (const FilmTile* found = find_tile(tile)) {
+    const IVec2 corner = tile_corner(tile);
+    found->for_each_changed_cell(
+        since, [&](int level, const IVec2& in_tile, const Coverage& coverage) {
+          visit(level, IVec2(corner.x >> level, corner.y >> level) + in_tile, coverage);
+        });
+  }
+}
 
 }  // namespace foveola

@@ -1,17 +1,7 @@
 #include "renderer/film/film_tile.h"
 
-#include <bit>
-
 namespace foveola {
 namespace {
-
-/// Calls visit(i) for the bits that are set.
-template <typename Visit>
-void for_each_bit(std::uint32_t word, const Visit& visit) {
-  for (; word != 0; word &= word - 1) {
-    visit(static_cast<std::size_t>(std::countr_zero(word)));
-  }
-}
 
 /// Of four cells in a row.
 Coverage mean_of_four(const Coverage* cells) {
@@ -35,21 +25,21 @@ const FilmTile::Pixel* FilmTile::find(Place place) const {
 
 template <typename Part>
 Coverage FilmTile::Sixteen<Part>::refresh(std::uint32_t parts_touched) {
-  // The first bit of each four stands for their quarter.
-  const std::uint32_t pairs = parts_touched | parts_touched >> 1U;
-  for_each_bit((pairs | pairs >> 2U) & 0x1111U,
+  for_each_bit(quarters_of(parts_touched),
                [&](std::size_t first) { quarters[first / 4] = mean_of_four(&means[first]); });
   return mean_of_four(quarters.data());
 }
 
-Coverage FilmTile::refresh(const Touched& touched) {
+Coverage FilmTile::refresh(const Touched& touched, FilmRevision revision) {
   for_each_bit(touched.blocks_, [&](std::size_t i) {
     Block& block = *blocks_.parts[i];
     for_each_bit(touched.quads_[i], [&](std::size_t quad) {
       const std::array<Pixel, 4>& pixels = block.parts[quad]->pixels;
       block.means[quad] = mean_of(pixels[0].coverage(), pixels[1].coverage(), pixels[2].coverage(),
                                   pixels[3].coverage());
+      block.changed_at[quad] = revision;
     });
+    blocks_.changed_at[i] = revision;
     blocks_.means[i] = block.refresh(touched.quads_[i]);
   });
   return blocks_.refresh(touched.blocks_);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "renderer/film/coverage.h"
@@ -10,6 +12,17 @@
 namespace foveola {
 
 inline constexpr std::size_t cache_line = 64;  ///< bytes
+
+/// Counts what changes a film: batches added to it, and clears.
+using FilmRevision = std::uint32_t;
+
+/// Calls visit(i) for the bits that are set.
+template <typename Visit>
+void for_each_bit(std::uint32_t word, const Visit& visit) {
+  for (; word != 0; word &= word - 1) {
+    visit(static_cast<std::size_t>(std::countr_zero(word)));
+  }
+}
 
 /// Blocks of 8 x 8 pixels, made of quads of 2 x 2, come to life when first sampled: at a film's
 /// usual sizes its updates take as long as its memory does, so samples that lie far apart must
@@ -77,9 +90,19 @@ class FilmTile {
     std::array<Part*, 16> parts;     ///< null where nothing was sampled
     std::array<Coverage, 16> means;  ///< of the parts
     std::array<Coverage, 4> quarters;
+    std::array<FilmRevision, 16> changed_at;  ///< of the parts; 0 where nothing was added
 
     /// Averages anew what lies above these parts, a bit for each. Returns the mean of all.
     Coverage refresh(std::uint32_t parts_touched);
+    /// A bit for each part.
+    std::uint32_t changed_after(FilmRevision since) const;
+    /// Asks for the memory of these parts and their means.
+    void prefetch_changed(std::uint32_t parts_changed) const;
+    /// Visits the means of these parts as cells of `level`, the first of which lies at `corner`,
+    /// and the quarters that have such parts.
+    template <typename Visit>
+    void visit_means(std::uint32_t parts_changed, int level, const IVec2& corner,
+                     const Visit& visit) const;
   };
   using Block = Sixteen<Quad>;
 
@@ -100,6 +123,7 @@ class FilmTile {
       __builtin_prefetch(&block_->parts[place.quad()]);
       __builtin_prefetch(&block_->means[place.quad()]);
       __builtin_prefetch(&block_->quarters);
+      __builtin_prefetch(&block_->changed_at);
     }
 
    private:
@@ -123,10 +147,15 @@ class FilmTile {
     return static_cast<const QuadWithSquares*>(quad)->squares[place.pixel()];
   }
 
-  /// Averages anew what lies above `touched`. Returns the mean of the tile.
-  Coverage refresh(const Touched& touched);
+  /// Averages anew what lies above `touched`, which changed at `revision`. Returns the mean of the
+  /// tile.
+  Coverage refresh(const Touched& touched, FilmRevision revision);
   /// level in [0, levels), 0 being the pixels; x and y in [0, size >> level).
   Coverage cell(int level, int x, int y) const;
+  /// Calls visit(level, IVec2(x, y), coverage) for the cells whose pixels changed after `since`;
+  /// of the level 0, for the pixels with samples in the quads that changed.
+  template <typename Visit>
+  void for_each_changed_cell(FilmRevision since, const Visit& visit) const;
 
   /// Ask for the memory that touch_block, and averaging over the place's block, will need.
   void prefetch_block(Place place) const { __builtin_prefetch(&blocks_.parts[place.block()]); }
@@ -134,9 +163,23 @@ class FilmTile {
     __builtin_prefetch(&blocks_.parts[place.block()]);
     __builtin_prefetch(&blocks_.means[place.block()]);
     __builtin_prefetch(&blocks_.quarters);
+    __builtin_prefetch(&blocks_.changed_at);
   }
 
  private:
+  /// The first bit of each four of which some are set stands for their quarter.
+  static std::uint32_t quarters_of(std::uint32_t parts) {
+    const std::uint32_t pairs = parts | parts >> 1U;
+    return (pairs | pairs >> 2U) & 0x1111U;
+  }
+  /// Where a part lies among four or sixteen: Place's order.
+  static IVec2 spot(std::size_t part) {
+    const auto i = static_cast<int>(part);
+    return {(i & 1) | (i >> 1 & 2), (i >> 1 & 1) | (i >> 2 & 2)};
+  }
+  template <typename Visit>
+  static void visit_pixels(const Quad& quad, const IVec2& corner, const Visit& visit);
+
   Sixteen<Block> blocks_;
 };
 
@@ -198,6 +241,69 @@ inline void FilmTile::touch_quad(Place place, Taker& memory, Home& home) {
   }
   home.quad_ = quad;
   __builtin_prefetch(&quad->pixels[place.pixel()]);
+}
+
+template <typename Part>
+std::uint32_t FilmTile::Sixteen<Part>::changed_after(FilmRevision since) const {
+  std::uint32_t changed = 0;
+  for (std::uint32_t i = 0; i < changed_at.size(); ++i) {
+    changed |= (changed_at[i] > since ? 1U : 0U) << i;
+  }
+  return changed;
+}
+
+template <typename Part>
+void FilmTile::Sixteen<Part>::prefetch_changed(std::uint32_t parts_changed) const {
+  __builtin_prefetch(&quarters);
+  for_each_bit(parts_changed, [&](std::size_t i) {
+    __builtin_prefetch(&means[i]);
+    const auto* const begin = reinterpret_cast<const std::byte*>(parts[i]);
+    for (std::size_t offset = 0; offset < sizeof(Part); offset += cache_line) {
+      __builtin_prefetch(begin + offset);
+    }
+  });
+}
+
+template <typename Part>
+template <typename Visit>
+void FilmTile::Sixteen<Part>::visit_means(std::uint32_t parts_changed, int level,
+                                          const IVec2& corner, const Visit& visit) const {
+  for_each_bit(quarters_of(parts_changed), [&](std::size_t first) {
+    visit(level + 1, corner / 2 + spot(first / 4), quarters[first / 4]);
+  });
+  for_each_bit(parts_changed, [&](std::size_t i) { visit(level, corner + spot(i), means[i]); });
+}
+
+template <typename Visit>
+void FilmTile::visit_pixels(const Quad& quad, const IVec2& corner, const Visit& visit) {
+  for (std::size_t i = 0; i < quad.pixels.size(); ++i) {
+    if (quad.pixels[i].count > 0) {
+      visit(0, corner + spot(i), quad.pixels[i].coverage());
+    }
+  }
+}
+
+// Step by step for all of the blocks, so that what one step asks for comes while others ask.
+template <typename Visit>
+void FilmTile::for_each_changed_cell(FilmRevision since, const Visit& visit) const {
+  const std::uint32_t blocks_changed = blocks_.changed_after(since);
+  for_each_bit(blocks_changed,
+               [&](std::size_t i) { __builtin_prefetch(&blocks_.parts[i]->changed_at); });
+  blocks_.visit_means(blocks_changed, 3, IVec2(0), visit);
+  std::array<std::uint32_t, 16> quads_changed;  // of each block that changed
+  for_each_bit(blocks_changed, [&](std::size_t i) {
+    const Block& block = *blocks_.parts[i];
+    quads_changed[i] = block.changed_after(since);
+    block.prefetch_changed(quads_changed[i]);
+  });
+  for_each_bit(blocks_changed, [&](std::size_t i) {
+    const Block& block = *blocks_.parts[i];
+    const IVec2 corner = 4 * spot(i);  // in quads
+    block.visit_means(quads_changed[i], 1, corner, visit);
+    for_each_bit(quads_changed[i], [&](std::size_t quad) {
+      visit_pixels(*block.parts[quad], 2 * (corner + spot(quad)), visit);
+    });
+  });
 }
 
 }  // namespace foveola

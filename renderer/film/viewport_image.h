@@ -1,17 +1,13 @@
-// What the display shows of the film.
+// One image of what the display shows; ViewportResampler makes one after another.
 #pragma once
 
 #include "renderer/base/parallel.h"
 #include "renderer/film/equirect_film.h"
+#include "renderer/film/shown_color.h"
+#include "renderer/image/image.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
-
-/// What the display shows where no sample has fallen yet.
-enum class UnsampledPixels {
-  black,  ///< as in the published study
-  filled  ///< from the finest level of the film's pyramid that knows something there
-};
 
 /// Resamples the film to a view of width x height pixels, trilinearly: a pixel of the display is
 /// read from the levels of the film's pyramid whose cells are as high as it is. Film pixels are

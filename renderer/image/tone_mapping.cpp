@@ -5,22 +5,15 @@
 
 namespace foveola {
 
-float srgb_from_linear(float linear) {
-  if (linear >= 1.0F) {
-    return 1.0F;
-  }
-  // The comparison is false for NaN, which so becomes 0.
-  const float x = linear > 0.0F ? linear : 0.0F;
-  return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
-}
-
 float linear_from_srgb(float encoded) {
   const float x = std::clamp(encoded, 0.0F, 1.0F);
   return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
 }
 
+float exposure_scale(double stops) { return static_cast<float>(std::exp2(stops)); }
+
 RgbImage display_image(const RgbImage& linear, double exposure_stops) {
-  const auto scale = static_cast<float>(std::exp2(exposure_stops));
+  const float scale = exposure_scale(exposure_stops);
   RgbImage display(linear.width, linear.height);
   std::transform(linear.pixels.begin(), linear.pixels.end(), display.pixels.begin(),
                  [scale](const Rgb& color) {

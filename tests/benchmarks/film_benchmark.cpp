@@ -7,26 +7,31 @@
 #include "renderer/base/random.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {
 namespace {
 
-constexpr std::size_t batch_size = 10'000;
 constexpr double fov_rad = radians(100.0);
 
 /// Batches of a method's samples into a film, one after the other.
 class FilmFeed {
  public:
-  FilmFeed(const char* method, int width)
-      : film(width, width / 2), sampler_(make_view_sampler(method)) {
+  FilmFeed(const char* method, int width, std::size_t batch_size = 10'000, int threads = 1)
+      : film(width, width / 2),
+        workers(threads),
+        sampler_(make_view_sampler(method)),
+        points_(batch_size),
+        samples_(batch_size),
+        radiance_(batch_size, Rgb(1.0F)) {
     sampler_->aim({.viewport = Viewport(head_orientation({}), fov_rad, fov_rad),
                    .gaze = Vec3(0.0F, 0.0F, -1.0F)});
   }
 
   void draw() {
-    for (std::size_t i = 0; i < batch_size; ++i) {
-      points_[i] = sobol_2d(next_++, 1);
+    for (Vec2& point : points_) {
+      point = sobol_2d(next_++, 1);
     }
     sampler_->sample(points_, samples_);
   }
@@ -36,14 +41,16 @@ class FilmFeed {
     film.add(batch_, radiance_, workers);
   }
 
+  std::int64_t batch_size() const { return static_cast<std::int64_t>(points_.size()); }
+
   EquirectFilm film;
-  Workers workers{1};
+  Workers workers;
 
  private:
   std::unique_ptr<ViewSampler> sampler_;
-  std::vector<Vec2> points_{batch_size};
-  std::vector<ViewSample> samples_{batch_size};
-  std::vector<Rgb> radiance_{batch_size, Rgb(1.0F)};
+  std::vector<Vec2> points_;
+  std::vector<ViewSample> samples_;
+  std::vector<Rgb> radiance_;
   NumberedBatch batch_;
   std::uint64_t next_ = 0;
 };
@@ -57,29 +64,116 @@ void film_batch(benchmark::State& state, const char* method) {
     state.ResumeTiming();
     feed.add();
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch_size));
+  state.SetItemsProcessed(state.iterations() * feed.batch_size());
 }
 BENCHMARK_CAPTURE(film_batch, od, "od")->Arg(1024)->Arg(8192);
 BENCHMARK_CAPTURE(film_batch, fv, "fv")->Arg(1024)->Arg(8192);
 
-void film_shown(benchmark::State& state) {
-  FilmFeed feed("fv", 2048);
-  for (int i = 0; i < 50; ++i) {
-    feed.draw();
-    feed.add();
+constexpr int view_side = 640;
+
+/// A preview's frames: each has 6100 samples around the gaze.
+class PreviewFeed : public FilmFeed {
+ public:
+  /// After four seconds at 70 Hz.
+  explicit PreviewFeed(int threads) : FilmFeed("fv", 4096, 6100, threads) { run(280); }
+
+  void run(int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+      draw();
+      add();
+    }
   }
+};
+
+/// One image, by whoever knows nothing of earlier ones.
+void film_shown(benchmark::State& state) {
+  const PreviewFeed feed(1);
   const Viewport viewport(head_orientation({}), fov_rad, fov_rad);
   const auto unsampled = static_cast<UnsampledPixels>(state.range(0));
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        viewport_image(feed.film, viewport, 640, 640, unsampled, feed.workers));
+        viewport_image(feed.film, viewport, view_side, view_side, unsampled, feed.workers));
   }
-  state.SetItemsProcessed(state.iterations() * 640 * 640);
+  state.SetItemsProcessed(state.iterations() * view_side * view_side);
 }
 BENCHMARK(film_shown)
     ->ArgName("filled")
     ->Arg(static_cast<int>(UnsampledPixels::black))
     ->Arg(static_cast<int>(UnsampledPixels::filled))
+    ->Unit(benchmark::kMillisecond);
+
+/// Frames of a preview, without the samples' drawing and tracing. Arguments: threads; how far the
+/// head turns from frame to frame, in hundredths of a degree; whether adding to the film counts
+/// too.
+void frames_shown(benchmark::State& state, const ViewImage& settings) {
+  PreviewFeed feed(static_cast<int>(state.range(0)));
+  const double turn_rad = radians(0.01 * static_cast<double>(state.range(1)));
+  const bool with_film = state.range(2) != 0;
+  ViewportResampler resampler(feed.film, settings);
+  AzimuthElevation heading;
+  const auto show = [&]() -> const RgbImage& {
+    return resampler.show(Viewport(head_orientation(heading), fov_rad, fov_rad), feed.workers);
+  };
+  show();
+  for (auto _ : state) {
+    state.PauseTiming();
+    feed.draw();
+    if (!with_film) {
+      feed.add();
+    }
+    heading.azimuth_rad += turn_rad;
+    state.ResumeTiming();
+    if (with_film) {
+      feed.add();
+    }
+    benchmark::DoNotOptimize(show());
+  }
+}
+void black_frames_shown(benchmark::State& state) {
+  frames_shown(state, {.width = view_side, .height = view_side, .exposure_stops = 0.0});
+}
+void filled_frames_shown(benchmark::State& state) {
+  frames_shown(state, {.width = view_side,
+                       .height = view_side,
+                       .unsampled = UnsampledPixels::filled,
+                       .exposure_stops = 0.0});
+}
+BENCHMARK(black_frames_shown)
+    ->ArgNames({"threads", "turn", "film"})
+    ->ArgsProduct({{1, 2}, {0, 50}, {0, 1}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(filled_frames_shown)
+    ->ArgNames({"threads", "turn", "film"})
+    ->ArgsProduct({{2}, {0, 50}, {0}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// The first frame after a restart, with its film. Argument: threads.
+void restart_shown(benchmark::State& state) {
+  PreviewFeed feed(static_cast<int>(state.range(0)));
+  ViewportResampler resampler(feed.film,
+                              {.width = view_side, .height = view_side, .exposure_stops = 0.0});
+  const Viewport viewport(head_orientation({}), fov_rad, fov_rad);
+  for (auto _ : state) {
+    state.PauseTiming();
+    feed.run(70);
+    resampler.show(viewport, feed.workers);
+    feed.draw();
+    state.ResumeTiming();
+    feed.film.clear();
+    feed.add();
+    benchmark::DoNotOptimize(resampler.show(viewport, feed.workers));
+  }
+}
+BENCHMARK(restart_shown)
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Iterations(20)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -5,44 +5,14 @@
 #include <limits>
 #include <map>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/random.h"
 #include "renderer/view/equirect.h"
+#include "tests/renderer/film/film_samples.h"
 
 namespace foveola {
 namespace {
-
-std::vector<ViewSample> sobol_samples(std::uint64_t begin, std::uint64_t count) {
-  std::vector<ViewSample> samples;
-  for (std::uint64_t i = begin; i < begin + count; ++i) {
-    const Vec2 image = sobol_2d(i, 3);
-    samples.push_back({.direction = direction_from_equirect(image), .image = image});
-  }
-  return samples;
-}
-
-std::vector<ViewSample> in_pixel(int x, int y, const EquirectFilm& film, std::size_t count) {
-  const Vec2 image((static_cast<float>(x) + 0.5F) / static_cast<float>(film.width()),
-                   (static_cast<float>(y) + 0.5F) / static_cast<float>(film.height()));
-  return {count, {.direction = direction_from_equirect(image), .image = image}};
-}
-
-/// A colour that depends on the job alone, as the tracer's does.
-Rgb color_of(const SampleJob& job) {
-  const float value = unit_float(mix(mix(job.pixel), job.sample_number));
-  return {value, value * value, 1.0F - value};
-}
-
-std::vector<Rgb> colors_of(const NumberedBatch& batch) {
-  std::vector<Rgb> colors;
-  for (const SampleJob& job : batch.jobs) {
-    colors.push_back(color_of(job));
-  }
-  return colors;
-}
 
 TEST(EquirectFilm, NumbersEachPixelsSamplesInOrder) {
   const Workers workers(2);
@@ -165,14 +135,6 @@ TEST(EquirectFilm, ClearForgetsEverything) {
   EXPECT_EQ(film.sample_count(5, 7), 0U);
   film.number(in_pixel(5, 7, film, 1), batch, workers);
   EXPECT_EQ(batch.jobs[0].sample_number, 0U);
-}
-
-/// The film of a colour for each sample, which depends on its job alone.
-void add_samples(const std::vector<ViewSample>& samples, EquirectFilm& film,
-                 const Workers& workers) {
-  NumberedBatch batch;
-  film.number(samples, batch, workers);
-  film.add(batch, colors_of(batch), workers);
 }
 
 /// A cell of the pyramid by its definition.

@@ -1,7 +1,6 @@
 #include "renderer/image/image_file.h"
 
 #include <cmath>
-#include <limits>
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -10,7 +9,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/image/tone_mapping.h"
 
 namespace fs = std::filesystem;
 
@@ -150,28 +148,6 @@ TEST_F(ImageFile, AFolderThatDoesNotExistIsNamedAndNothingIsLeft) {
   EXPECT_THAT([&] { write_image(folder_ / "no" / "a.exr", image_.color, 0.0); },
               ThrowsMessage<Error>(HasSubstr("does not exist")));
   EXPECT_EQ(entries(), 0);
-}
-
-// Values of IEC 61966-2-1.
-TEST(ToneMapping, FollowsTheStandard) {
-  EXPECT_EQ(srgb_from_linear(0.0F), 0.0F);
-  EXPECT_EQ(srgb_from_linear(1.0F), 1.0F);
-  EXPECT_NEAR(srgb_from_linear(0.0031308F), 0.04045F, 1e-5F);
-  EXPECT_NEAR(srgb_from_linear(0.21404114F), 0.5F, 1e-5F);
-  EXPECT_NEAR(linear_from_srgb(0.5F), 0.21404114F, 1e-6F);
-}
-
-TEST(ToneMapping, StaysInRangeWhateverComes) {
-  EXPECT_EQ(srgb_from_linear(-1.0F), 0.0F);
-  EXPECT_EQ(srgb_from_linear(std::numeric_limits<float>::infinity()), 1.0F);
-  EXPECT_EQ(srgb_from_linear(std::nanf("")), 0.0F);
-}
-
-TEST(ToneMapping, ExposureIsInStops) {
-  RgbImage image(1, 1);
-  image.pixels = {Rgb(0.125F)};
-  EXPECT_NEAR(display_image(image, 2.0).pixels[0].r, srgb_from_linear(0.5F), 1e-6F);
-  EXPECT_NEAR(display_image(image, -1.0).pixels[0].r, srgb_from_linear(0.0625F), 1e-6F);
 }
 
 }  // namespace

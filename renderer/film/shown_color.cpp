@@ -1,0 +1,137 @@
+#include "renderer/film/shown_color.h"
+
+#include <array>
+#include <cassert>
+
+#include "renderer/film/cells_around.h"
+
+namespace foveola {
+namespace {
+
+/// Coverage of eight squares, a lane each.
+struct Coverages {
+  Vec3s color;
+  Floats weight;
+
+  friend Coverages operator+(const Coverages& a, const Coverages& b) {
+    return {a.color + b.color, a.weight + b.weight};
+  }
+  friend Coverages operator*(const Floats& factor, const Coverages& coverages) {
+    return {factor * coverages.color, factor * coverages.weight};
+  }
+};
+
+/// Coverage of one square: red, green, blue, weight.
+using Four = float __attribute__((vector_size(sizeof(Coverage))));
+
+Four load(const Coverage& cell) {
+  Four four;
+  __builtin_memcpy(&four, &cell, sizeof(four));
+  return four;
+}
+
+/// Four cells around each of eight points, and what each counts.
+struct Squares {
+  std::array<const Coverage*, lane_count> upper;  ///< the left one; the right one follows
+  std::array<const Coverage*, lane_count> lower;
+  FloatLanes upper_left, upper_right, lower_left, lower_right;
+};
+
+/// Asks for the cells' memory too.
+void find_squares(const SpherePlanes<Coverage>& cells, const Vec2s& image, const Ints& level,
+                  Squares& squares) {
+  const CellsAround at = cells_around(Vec2(cells.width(0), cells.height(0)), image, level);
+  squares.upper_left.store((1.0F - at.right) * (1.0F - at.down));
+  squares.upper_right.store(at.right * (1.0F - at.down));
+  squares.lower_left.store((1.0F - at.right) * at.down);
+  squares.lower_right.store(at.right * at.down);
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    squares.upper[i] = cells.at(level[i], at.x[i], at.y[i]);
+    squares.lower[i] = squares.upper[i] + cells.stride(level[i]);
+    __builtin_prefetch(squares.upper[i]);
+    __builtin_prefetch(squares.lower[i]);
+  }
+}
+
+Coverages bilinear(const Squares& squares) {
+  std::array<Four, lane_count> sums;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    const Coverage* const upper = squares.upper[i];
+    const Coverage* const lower = squares.lower[i];
+    sums[i] = squares.upper_left[i] * load(upper[0]) + squares.upper_right[i] * load(upper[1]) +
+              squares.lower_left[i] * load(lower[0]) + squares.lower_right[i] * load(lower[1]);
+  }
+  const auto channel = [&](std::size_t c) {
+    return Floats{sums[0][c], sums[1][c], sums[2][c], sums[3][c],
+                  sums[4][c], sums[5][c], sums[6][c], sums[7][c]};
+  };
+  return {.color = {channel(0), channel(1), channel(2)}, .weight = channel(3)};
+}
+
+/// Of two levels; of one where no point lies between two.
+struct SquaresOfLevels {
+  Squares finer;
+  Squares coarser;
+  Floats t;  ///< what the coarser level counts
+  bool is_between;
+};
+
+void find_squares(const SpherePlanes<Coverage>& cells, const ViewPoints& points,
+                  SquaresOfLevels& squares) {
+  const Ints level = truncated(points.level);
+  squares.t = points.level - floats_of(level);
+  find_squares(cells, points.image, level, squares.finer);
+  const LaneMask is_between = squares.t > 0.0F;
+  squares.is_between = any_lane(is_between);
+  if (squares.is_between) {
+    // Of a mask, "all bits" is -1. Other lanes may have no coarser level.
+    find_squares(cells, points.image, level - is_between, squares.coarser);
+  }
+}
+
+Coverages trilinear(const SquaresOfLevels& squares) {
+  const Coverages finer = bilinear(squares.finer);
+  if (!squares.is_between) {
+    return finer;
+  }
+  return (1.0F - squares.t) * finer + squares.t * bilinear(squares.coarser);
+}
+
+/// Lets the levels from `level` on, one after the other, make up for what `known` lacks. One known
+/// pixel stands for its whole cell (as in Grossman and Dally 1998, "Point Sample Rendering").
+void fill(const SpherePlanes<Coverage>& cells, const Vec2s& image, Ints level, Coverages& known) {
+  constexpr float enough = 0.999F;
+  for (;;) {
+    const LaneMask lacks = (known.weight < enough) & (level < cells.levels());
+    if (!any_lane(lacks)) {
+      return;
+    }
+    Squares squares;
+    find_squares(cells, image, lacks ? level : Ints{}, squares);
+    const Coverages coarser = bilinear(squares);
+    const Floats pixels_in_cell = power_of_two(2 * level);
+    const Floats share = (1.0F - known.weight) * smaller(pixels_in_cell, 1.0F / coarser.weight);
+    known = known + chosen(lacks & (coarser.weight > 0.0F), share, Floats{}) * coarser;
+    level = level + 1;
+  }
+}
+
+}  // namespace
+
+void shown_colors(const SpherePlanes<Coverage>& cells, std::span<const ViewPoints> points,
+                  UnsampledPixels unsampled, std::span<Vec3s> colors) {
+  assert(points.size() <= most_view_points && colors.size() == points.size());
+  std::array<SquaresOfLevels, most_view_points> squares;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    find_squares(cells, points[i], squares[i]);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Coverages known = trilinear(squares[i]);
+    if (unsampled == UnsampledPixels::filled) {
+      fill(cells, points[i].image, truncated(points[i].level) + 1, known);
+    }
+    colors[i] = chosen(known.weight > 0.0F, 1.0F / known.weight, Floats{}) * known.color;
+  }
+}
+
+}  // namespace foveola

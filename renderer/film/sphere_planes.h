@@ -1,0 +1,87 @@
+// The levels of a pyramid over the sphere, laid out for reading: no neighbour is ever missing.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "renderer/film/lazy_array.h"
+
+namespace foveola {
+
+/// Levels of values over an equirect image. Around each lies a margin of copies: beyond the seam is
+/// the image's other side, and over a pole the same row comes back half an image further.
+template <typename Value>
+class SpherePlanes {
+ public:
+  /// Level 0 has width x height values, each further one half as many along a side, rounded up; all
+  /// zero bits, and without memory, where nothing was set. Throws std::bad_alloc.
+  SpherePlanes(int width, int height, int levels) {
+    for (int level = 0; level < levels; ++level) {
+      planes_.push_back(
+          make_plane((width + (1 << level) - 1) >> level, (height + (1 << level) - 1) >> level));
+    }
+  }
+
+  int levels() const { return static_cast<int>(planes_.size()); }
+  int width(int level) const { return plane(level).width; }
+  int height(int level) const { return plane(level).height; }
+
+  /// x in [-1, width(level)], y in [-1, height(level)]. Values of a row follow one another; the
+  /// next row's are stride(level) further.
+  const Value* at(int level, int x, int y) const {
+    const Plane& of = plane(level);
+    return of.origin + y * of.stride + x;
+  }
+  std::ptrdiff_t stride(int level) const { return plane(level).stride; }
+
+  /// x in [0, width(level)), y in [0, height(level)); different values may be set at the same time.
+  void set(int level, int x, int y, const Value& value) {
+    const Plane& of = plane(level);
+    assert(x >= 0 && x < of.width && y >= 0 && y < of.height);
+    put(of, x, y, value);
+    const int opposite = (x + of.width - of.width / 2) % of.width;
+    if (y == 0) {
+      put(of, opposite, -1, value);
+    }
+    if (y == of.height - 1) {
+      put(of, opposite, of.height, value);
+    }
+  }
+
+ private:
+  struct Plane {
+    int width;
+    int height;
+    std::ptrdiff_t stride;
+    LazyArray<Value> memory;
+    Value* origin;  ///< of (0, 0)
+  };
+
+  static Plane make_plane(int width, int height) {
+    const std::ptrdiff_t stride = width + 2;
+    LazyArray<Value> memory =
+        make_lazy_array<Value>(static_cast<std::size_t>(stride) * (height + 2));
+    Value* const origin = memory.get() + stride + 1;
+    return {width, height, stride, std::move(memory), origin};
+  }
+
+  /// There, and beyond the seam.
+  static void put(const Plane& of, int x, int y, const Value& value) {
+    Value* const row = of.origin + y * of.stride;
+    row[x] = value;
+    if (x == 0) {
+      row[of.width] = value;
+    }
+    if (x == of.width - 1) {
+      row[-1] = value;
+    }
+  }
+
+  const Plane& plane(int level) const { return planes_[static_cast<std::size_t>(level)]; }
+
+  std::vector<Plane> planes_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,171 @@
+#include "renderer/film/viewport_resampler.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "renderer/image/tone_mapping.h"
+
+namespace foveola {
+namespace {
+
+/// Rows of the view, or pixels, that one task works on: whole groups of eight.
+constexpr std::size_t rows_in_task = 16;
+constexpr std::size_t pixels_in_task = 4096;
+static_assert(rows_in_task % lane_count == 0 && pixels_in_task % lane_count == 0);
+
+std::optional<float> linear_exposure(const std::optional<double>& stops) {
+  return stops ? std::optional(exposure_scale(*stops)) : std::nullopt;
+}
+
+EightPixels eight_from(std::size_t first) {
+  EightPixels pixels;
+  std::iota(pixels.begin(), pixels.end(), static_cast<std::uint32_t>(first));
+  return pixels;
+}
+
+}  // namespace
+
+ViewportResampler::ViewportResampler(const EquirectFilm& film, const ViewImage& settings)
+    : film_(&film),
+      unsampled_(settings.unsampled),
+      exposure_(linear_exposure(settings.exposure_stops)),
+      copy_(film),
+      pixels_(settings.width, settings.height),
+      tiles_in_view_(film),
+      image_(settings.width, settings.height) {}
+
+const RgbImage& ViewportResampler::show(const Viewport& viewport, const Workers& workers) {
+  const bool has_moved = viewport_ != viewport;
+  if (!has_moved && film_->revision() == shown_at_) {
+    return image_;
+  }
+  if (has_moved) {
+    aim(viewport, workers);
+  }
+  copy_.refresh(tiles_, workers);
+  if (reads_above_tiles_) {
+    copy_.refresh_above_tiles();
+  }
+  const bool all = has_moved || film_->cleared_at() > shown_at_ || !knows_changes_;
+  if (!all && squares_.empty()) {
+    find_squares(workers);
+  }
+  workers.for_each_block(pixels_.count(), pixels_in_task, [&](std::size_t begin, std::size_t end) {
+    if (all) {
+      paint_all(begin, end);
+    } else {
+      paint_changed(begin, end);
+    }
+  });
+  shown_at_ = film_->revision();
+  return image_;
+}
+
+void ViewportResampler::aim(const Viewport& viewport, const Workers& workers) {
+  const bool same_lens = has_same_lens(viewport);
+  const int last_level = film_->levels() - 1;
+  tiles_in_view_.forget();
+  const auto rows = static_cast<std::size_t>(image_.height);
+  workers.for_each_block(rows, rows_in_task, [&](std::size_t begin_row, std::size_t end_row) {
+    const auto begin = static_cast<int>(begin_row);
+    const auto end = static_cast<int>(end_row);
+    if (!same_lens) {
+      pixels_.choose_levels(viewport, film_->height(), last_level, begin, end);
+    }
+    pixels_.place(viewport, begin, end);
+    const auto width = static_cast<std::size_t>(image_.width);
+    for (std::size_t first = begin_row * width; first < end_row * width; first += lane_count) {
+      tiles_in_view_.mark(pixels_.points_from(first).image);
+    }
+  });
+  tiles_ = tiles_in_view_.around();
+  squares_.clear();
+  viewport_ = viewport;
+  if (!same_lens) {
+    note_levels();
+  }
+}
+
+bool ViewportResampler::has_same_lens(const Viewport& viewport) const {
+  return viewport_ && viewport_->half_size() == viewport.half_size() &&
+         viewport_->lens() == viewport.lens();
+}
+
+void ViewportResampler::note_levels() {
+  const auto highest = static_cast<int>(std::ceil(pixels_.highest_level()));
+  const bool fills = unsampled_ == UnsampledPixels::filled;
+  reads_above_tiles_ = fills || highest >= FilmTile::levels;
+  const int cell = 1 << std::max(highest, 1);  // SquareChanges begin at level 1
+  knows_changes_ =
+      !reads_above_tiles_ && film_->width() % (2 * cell) == 0 && film_->height() % cell == 0;
+}
+
+void ViewportResampler::find_squares(const Workers& workers) {
+  squares_.resize(pixels_.count());
+  workers.for_each_block(pixels_.count(), pixels_in_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin; first < end; first += lane_count) {
+      const std::array<std::uint32_t, lane_count> eight =
+          copy_.changes().squares(pixels_.points_from(first));
+      std::copy_n(eight.begin(), std::min(lane_count, end - first), squares_.begin() + first);
+    }
+  });
+}
+
+void ViewportResampler::paint_all(std::size_t begin, std::size_t end) {
+  std::array<EightPixels, most_view_points> pixels;
+  std::array<ViewPoints, most_view_points> points;
+  while (begin < end) {
+    std::size_t count = 0;
+    for (; count < most_view_points && begin < end; begin += lane_count) {
+      pixels[count] = eight_from(begin);
+      points[count++] = pixels_.points_from(begin);
+    }
+    paint(std::span(pixels).first(count), std::span(points).first(count));
+  }
+}
+
+void ViewportResampler::paint_changed(std::size_t begin, std::size_t end) {
+  std::array<std::uint32_t, pixels_in_task + lane_count> changed;
+  std::size_t count = 0;
+  for (std::size_t pixel = begin; pixel < end; ++pixel) {
+    changed[count] = static_cast<std::uint32_t>(pixel);
+    count += copy_.changes().changed_at(squares_[pixel]) > shown_at_ ? 1 : 0;
+  }
+  // The last group is made whole with pixels that are there.
+  std::fill_n(changed.begin() + count, lane_count, static_cast<std::uint32_t>(begin));
+  std::array<EightPixels, most_view_points> pixels;
+  std::array<ViewPoints, most_view_points> points;
+  for (std::size_t first = 0; first < count;) {
+    std::size_t groups = 0;
+    for (; groups < most_view_points && first < count; first += lane_count) {
+      std::copy_n(changed.begin() + first, lane_count, pixels[groups].begin());
+      points[groups] = pixels_.points(pixels[groups]);
+      ++groups;
+    }
+    paint(std::span(pixels).first(groups), std::span(points).first(groups));
+  }
+}
+
+void ViewportResampler::paint(std::span<const EightPixels> pixels,
+                              std::span<const ViewPoints> points) {
+  std::array<Vec3s, most_view_points> colors;
+  shown_colors(copy_.cells(), points, unsampled_, std::span(colors).first(points.size()));
+  for (std::size_t group = 0; group < pixels.size(); ++group) {
+    Vec3s color = colors[group];
+    if (exposure_) {
+      color = all_lanes(*exposure_) * color;
+      color = {srgb_from_linear(color.x), srgb_from_linear(color.y), srgb_from_linear(color.z)};
+    }
+    Vec3Lanes shown;
+    shown.store(color);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      if (pixels[group][lane] < image_.pixels.size()) {
+        image_.pixels[pixels[group][lane]] = shown.at(lane);
+      }
+    }
+  }
+}
+
+}  // namespace foveola

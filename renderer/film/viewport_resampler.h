@@ -1,0 +1,69 @@
+// What the display shows of a film, frame after frame.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/base/parallel.h"
+#include "renderer/film/film_copy.h"
+#include "renderer/film/shown_color.h"
+#include "renderer/film/tiles_in_view.h"
+#include "renderer/film/view_pixels.h"
+#include "renderer/image/image.h"
+#include "renderer/view/viewport.h"
+
+namespace foveola {
+
+struct ViewImage {
+  int width = 0;  ///< pixels
+  int height = 0;
+  UnsampledPixels unsampled = UnsampledPixels::black;
+  /// Encoded for a display after this exposure, as display_image does it. None: linear radiance.
+  std::optional<double> exposure_stops;
+};
+
+/// Shows exactly what viewport_image shows, to the bit, and does not do again what stays the same
+/// from frame to frame: where the view's pixels lie while the head is still, their levels until the
+/// lens or the fields of view change, and then all but the pixels of the view near new samples.
+/// Tiles out of sight are neither copied nor cleared until they come into sight.
+///
+/// Every pixel is made anew while the head turns, after a clear, where holes are filled, if a pixel
+/// of the view is larger than 16 pixels of the film, and for films whose sides 32 does not divide.
+class ViewportResampler {
+ public:
+  /// Of a film which must outlive this.
+  ViewportResampler(const EquirectFilm& film, const ViewImage& settings);
+
+  /// The film as it is now, seen through `viewport`. The image stays until the next call.
+  const RgbImage& show(const Viewport& viewport, const Workers& workers);
+
+ private:
+  /// Works out what depends on the viewport alone, but for the squares.
+  void aim(const Viewport& viewport, const Workers& workers);
+  bool has_same_lens(const Viewport& viewport) const;
+  void note_levels();
+  void find_squares(const Workers& workers);
+  /// Of the pixels [begin, end), makes all anew, or those whose cells changed. `begin` is a
+  /// multiple of eight.
+  void paint_all(std::size_t begin, std::size_t end);
+  void paint_changed(std::size_t begin, std::size_t end);
+  void paint(std::span<const EightPixels> pixels, std::span<const ViewPoints> points);
+
+  const EquirectFilm* film_;
+  UnsampledPixels unsampled_;
+  std::optional<float> exposure_;  ///< linear
+  FilmCopy copy_;
+  ViewPixels pixels_;
+  TilesInView tiles_in_view_;
+  std::vector<std::uint32_t> tiles_;    ///< that the view is made from
+  bool reads_above_tiles_ = false;      ///< or from levels that have no tiles
+  bool knows_changes_ = false;          ///< whether SquareChanges fits film and view
+  std::vector<std::uint32_t> squares_;  ///< of SquareChanges, for each pixel; empty: not found
+  std::optional<Viewport> viewport_;    ///< shown last
+  FilmRevision shown_at_ = 0;
+  RgbImage image_;
+};
+
+}  // namespace foveola
