@@ -20,6 +20,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
+#include "renderer/commands/preview_command.h"
 #include "renderer/commands/scene_info.h"
 #include "renderer/commands/scene_pick.h"
 #include "renderer/commands/scene_sheet.h"
@@ -152,6 +153,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   add_demo(app, signals.token());
   add_renderer_commands(app, scenes::find_scene, signals.token());
+  add_preview(app, scenes::find_scene, signals.token());
   CLI::App& bench =
       add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/view/view_sampler.h"
 
 namespace foveola {
 namespace {
@@ -130,6 +131,14 @@ AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::s
                      "give azimuth,elevation in degrees, elevation from -90 to 90");
   }
   return {.azimuth_rad = radians(angles_deg[0]), .elevation_rad = radians(angles_deg[1])};
+}
+
+void require_method(const std::string& method) {
+  try {
+    make_view_sampler(method);
+  } catch (const Error& error) {
+    throw UsageError("--method", error.what());
+  }
 }
 
 }  // namespace foveola

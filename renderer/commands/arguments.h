@@ -11,6 +11,9 @@
 
 namespace foveola {
 
+/// Throws UsageError, naming --method, for a text that make_view_sampler refuses.
+void require_method(const std::string& method);
+
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
 IVec2 parse_size(const std::string& option, const std::string& text);
 

@@ -79,14 +79,6 @@ RenderBudget budget_from(const CLI::App& command, const RenderArguments& argumen
   return budget;
 }
 
-void require_method(const std::string& method) {
-  try {
-    make_view_sampler(method);
-  } catch (const Error& error) {
-    throw UsageError("--method", error.what());
-  }
-}
-
 /// The method, with its pointer held where --pointer says.
 std::string method_from(const RenderArguments& arguments) {
   require_method(arguments.method);

@@ -45,7 +45,7 @@ class FixedEyeTracker final : public EyeTracker {
 /// A tracker with a rate, a delay and noise, looking at a simulated eye.
 struct SimulatedTrackerSettings {
   double rate_hz = 120.0;       ///< > 0
-  double latency_s = 0.014;     ///< from the eye to the host: FOVE 0's 8 + 2 + 4 ms
+  double latency_s = 0.010;     ///< from the eye to the host: half of FOVE 0's 8 ms, and 2 + 4 ms
   double precision_deg = 0.1;   ///< standard deviation along each axis
   double bias_right_deg = 0.0;  ///< what it adds to the eye's azimuth
   double bias_up_deg = 0.0;     ///< and to its elevation

@@ -35,11 +35,6 @@ std::unique_ptr<EyeTracker> watch_simulated_eye(const TrackerProfile& profile, c
 
 }  // namespace
 
-Nanoseconds shortest_delay(const TrackerProfile& profile) {
-  return nanoseconds_from_seconds(0.5 * profile.exposure.duration_s + profile.transfer.duration_s +
-                                  profile.processing.duration_s);
-}
-
 std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                              const Clock& clock) {
   switch (profile.source) {

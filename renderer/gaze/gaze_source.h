@@ -10,10 +10,6 @@
 
 namespace foveola {
 
-/// From the middle of an exposure until its sample can be here: what a sample's time is set back
-/// by.
-Nanoseconds shortest_delay(const TrackerProfile& profile);
-
 /// Begins to look for the tracker at once, and does not wait for it. screen: what it watches the
 /// eyes look at. clock: that of samples, steady, must outlive the tracker. A simulated one watches
 /// a simulated eye whose time begins now, as does a recording's. Throws Error if a host is unknown

@@ -11,14 +11,13 @@ void PointerEyeTracker::point_at(Nanoseconds time, const std::optional<Vec3>& di
   last_event_ = event;
 }
 
-std::optional<GazeSample> PointerEyeTracker::newest(Nanoseconds now) {
+void PointerEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
   const std::lock_guard lock(mutex_);
-  std::optional<GazeSample> sample = last_event_;
-  if (sample) {
+  if (last_event_) {
+    arrived.push_back(*last_event_);
     // An event may come between `now` and this call.
-    sample->time = std::max(sample->time, now);
+    arrived.back().time = std::max(last_event_->time, now);
   }
-  return sample;
 }
 
 }  // namespace foveola

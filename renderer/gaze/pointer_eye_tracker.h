@@ -3,6 +3,7 @@
 
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
@@ -19,7 +20,7 @@ class PointerEyeTracker final : public EyeTracker {
   /// the pointer has left the window, which makes samples invalid until it is back.
   void point_at(Nanoseconds time, const std::optional<Vec3>& direction);
 
-  std::optional<GazeSample> newest(Nanoseconds now) override;
+  void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
  private:
   std::mutex mutex_;  ///< of the rest

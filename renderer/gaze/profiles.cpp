@@ -199,8 +199,7 @@ TrackerProfile tracker_from(TomlReader table) {
     read_simulated(table.table("simulated"), tracker.simulated);
   }
   tracker.simulated.rate_hz = tracker.rate_hz;
-  tracker.simulated.latency_s =
-      tracker.exposure.duration_s + tracker.transfer.duration_s + tracker.processing.duration_s;
+  tracker.simulated.latency_s = seconds(shortest_delay(tracker));
   table.reject_unknown_keys();
   return tracker;
 }
@@ -222,6 +221,11 @@ auto read_profile(std::string_view folder, const std::string& name_or_path, cons
 
 bool is_profile_path(const std::string& name_or_path) {
   return name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+}
+
+Nanoseconds shortest_delay(const TrackerProfile& profile) {
+  return nanoseconds_from_seconds(0.5 * profile.exposure.duration_s + profile.transfer.duration_s +
+                                  profile.processing.duration_s);
 }
 
 DisplayProfile read_display_profile(const std::string& name_or_path) {

@@ -61,6 +61,9 @@ struct TrackerProfile {
 /// Whether it is a path; a name otherwise.
 bool is_profile_path(const std::string& name_or_path);
 
+/// From the middle of an exposure, which is what a sample is of, until it can be here.
+Nanoseconds shortest_delay(const TrackerProfile& profile);
+
 DisplayProfile read_display_profile(const std::string& name_or_path);
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
 

@@ -49,8 +49,7 @@ LatencyStages frame_latency(const LiveFrame& frame, const TrackerProfile& tracke
 }
 
 double gaze_age_limit_s(const TrackerProfile& tracker) {
-  return 1.0 / tracker.rate_hz + tracker.exposure.duration_s + tracker.transfer.duration_s +
-         tracker.processing.duration_s;
+  return 1.0 / tracker.rate_hz + seconds(shortest_delay(tracker));
 }
 
 }  // namespace foveola

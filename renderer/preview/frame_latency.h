@@ -23,8 +23,9 @@ bool follows_eye(const FrameReport& report);
 LatencyStages frame_latency(const LiveFrame& frame, const TrackerProfile& tracker,
                             const DisplayProfile& display);
 
-/// No gaze should be older when it is used: an image takes its exposure, transfer and processing to
-/// become known, and is then the newest for a period of the tracker.
+/// No gaze should be older when it is used: from the middle of its exposure an image takes the rest
+/// of that, transfer and processing to become known, and is then the newest for a period of the
+/// tracker.
 double gaze_age_limit_s(const TrackerProfile& tracker);
 
 }  // namespace foveola

@@ -121,6 +121,14 @@ FrameReport Preview::begin_frame(Nanoseconds now) {
           .gaze_age = now - used.time};
 }
 
+void Preview::set_view(const PreviewView& view) {
+  viewport_ = Viewport(viewport_.head(), radians(view.horizontal_fov_deg),
+                       radians(view.vertical_fov_deg), view.lens);
+  settings_.horizontal_fov_deg = view.horizontal_fov_deg;
+  settings_.vertical_fov_deg = view.vertical_fov_deg;
+  settings_.lens = view.lens;
+}
+
 void Preview::poll_gaze(Nanoseconds now) {
   arrived_gaze_.clear();
   eye_->poll(now, arrived_gaze_);

@@ -52,6 +52,13 @@ struct FrameReport {
   std::uint64_t rays = 0;
 };
 
+/// What of PreviewSettings changes with the size of a window.
+struct PreviewView {
+  double horizontal_fov_deg = 100.0;
+  double vertical_fov_deg = 100.0;
+  RadialLens lens;
+};
+
 /// Renders frame after frame with one method until it is restarted with another. It refers to the
 /// tracer, the trackers and the workers, which must outlive it; its owner keeps the clock.
 class Preview {
@@ -85,6 +92,9 @@ class Preview {
   /// lets go of it. Before the first frame that is straight ahead at azimuth 0.
   void hold_gaze(bool held);
 
+  /// From the next frame on. Throws Error for a view that cannot be shown flat.
+  void set_view(const PreviewView& view);
+
   /// Where the user points from now on, unit length, world; without, methods that follow the
   /// pointer follow the gaze. A restart keeps it.
   void point_at(const std::optional<Vec3>& pointer) { pointer_ = pointer; }
@@ -93,6 +103,10 @@ class Preview {
   RgbImage present() const;
   /// The view of the last frame.
   const Viewport& viewport() const { return viewport_; }
+  /// The gaze that it used, world.
+  const Vec3& gaze() const { return last_gaze_; }
+  /// What aims its samples; there is one after a restart.
+  const ViewSampler& sampler() const { return *sampler_; }
   /// All gaze samples that arrived for the last frame, after those of the frame before.
   const std::vector<GazeSample>& arrived_gaze() const { return arrived_gaze_; }
   const EquirectFilm& film() const { return film_; }

@@ -17,7 +17,7 @@ class WatchedTracker::WatchedDevice final : public HidDevice {
 
   std::optional<std::size_t> read(std::span<std::uint8_t> buffer,
                                   std::chrono::milliseconds timeout) override {
-    watched_->keep_newest();
+    watched_->keep_arrived();
     return device_->read(buffer, timeout);
   }
 
@@ -69,14 +69,9 @@ std::optional<HidConnection> WatchedTracker::open(std::uint16_t product_id) {
   return connection;
 }
 
-void WatchedTracker::keep_newest() {
-  const std::optional<GazeSample> newest = tracker_.newest(clock_.now());
+void WatchedTracker::keep_arrived() {
   const std::lock_guard lock(mutex_);
-  const bool is_new = newest && (samples_.empty() || samples_.back().time != newest->time ||
-                                 samples_.back().direction != newest->direction);
-  if (is_new) {
-    samples_.push_back(*newest);
-  }
+  tracker_.poll(clock_.now(), samples_);
 }
 
 }  // namespace foveola::test

@@ -1,4 +1,4 @@
-// The tracker under test with all that it ever said: polled, it only tells what is newest.
+// The tracker under test with all that it ever said.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ class WatchedTracker {
  private:
   class WatchedDevice;
   std::optional<HidConnection> open(std::uint16_t product_id);
-  void keep_newest();
+  void keep_arrived();
 
   SteadyClock clock_;
   mutable std::mutex mutex_;  ///< of the next

@@ -4,23 +4,29 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/renderer/gaze/newest_gaze.h"
+
 namespace foveola {
 namespace {
 
 using std::chrono::milliseconds;
+using test::NewestGaze;
 
 const Vec3 right(1.0F, 0.0F, 0.0F);
 const Vec3 up(0.0F, 1.0F, 0.0F);
 
 TEST(PointerEyeTracker, KnowsNothingBeforeTheFirstEvent) {
-  EXPECT_FALSE(PointerEyeTracker().newest(milliseconds(5)));
+  PointerEyeTracker pointer;
+  NewestGaze newest(pointer);
+  EXPECT_FALSE(newest(milliseconds(5)));
 }
 
 TEST(PointerEyeTracker, LooksWhereItWasMovedToLast) {
   PointerEyeTracker pointer;
+  NewestGaze newest(pointer);
   pointer.point_at(milliseconds(1), right);
   pointer.point_at(milliseconds(2), up);
-  const auto sample = pointer.newest(milliseconds(5));
+  const auto sample = newest(milliseconds(5));
   ASSERT_TRUE(sample);
   EXPECT_TRUE(sample->valid);
   EXPECT_EQ(sample->direction, up);
@@ -28,31 +34,35 @@ TEST(PointerEyeTracker, LooksWhereItWasMovedToLast) {
 
 TEST(PointerEyeTracker, IsKnownToRestWhereItIs) {
   PointerEyeTracker pointer;
+  NewestGaze newest(pointer);
   pointer.point_at(milliseconds(1), right);
-  EXPECT_EQ(pointer.newest(milliseconds(5))->time, milliseconds(5));
-  EXPECT_EQ(pointer.newest(milliseconds(7005))->time, milliseconds(7005));
-  EXPECT_EQ(pointer.newest(milliseconds(7005))->direction, right);
+  EXPECT_EQ(newest(milliseconds(5))->time, milliseconds(5));
+  EXPECT_EQ(newest(milliseconds(7005))->time, milliseconds(7005));
+  EXPECT_EQ(newest(milliseconds(7005))->direction, right);
 }
 
 TEST(PointerEyeTracker, IsNotThereBeforeItsEvent) {
   PointerEyeTracker pointer;
+  NewestGaze newest(pointer);
   pointer.point_at(milliseconds(6), right);
-  EXPECT_EQ(pointer.newest(milliseconds(5))->time, milliseconds(6));
+  EXPECT_EQ(newest(milliseconds(5))->time, milliseconds(6));
 }
 
 TEST(PointerEyeTracker, OutsideTheWindowItSeesNothing) {
   PointerEyeTracker pointer;
+  NewestGaze newest(pointer);
   pointer.point_at(milliseconds(1), right);
   pointer.point_at(milliseconds(2), std::nullopt);
-  ASSERT_TRUE(pointer.newest(milliseconds(5)));
-  EXPECT_FALSE(pointer.newest(milliseconds(5))->valid);
+  ASSERT_TRUE(newest(milliseconds(5)));
+  EXPECT_FALSE(newest(milliseconds(5))->valid);
   pointer.point_at(milliseconds(6), up);
-  EXPECT_TRUE(pointer.newest(milliseconds(7))->valid);
+  EXPECT_TRUE(newest(milliseconds(7))->valid);
 }
 
 // For the thread sanitizer, and that no sample is half of one event and half of another.
 TEST(PointerEyeTracker, MovesWhileFramesLook) {
   PointerEyeTracker pointer;
+  NewestGaze newest(pointer);
   pointer.point_at(Nanoseconds(0), right);
   std::thread moving([&] {
     for (int i = 1; i < 2000; ++i) {
@@ -60,12 +70,12 @@ TEST(PointerEyeTracker, MovesWhileFramesLook) {
     }
   });
   for (int i = 0; i < 2000; ++i) {
-    const auto sample = pointer.newest(Nanoseconds(i));
+    const auto sample = newest(Nanoseconds(i));
     ASSERT_TRUE(sample && sample->valid);
     ASSERT_TRUE(sample->direction == right || sample->direction == up);
   }
   moving.join();
-  EXPECT_EQ(pointer.newest(milliseconds(1))->direction, up);
+  EXPECT_EQ(newest(milliseconds(1))->direction, up);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(TrackerProfile, ThePublishedTracker) {
   EXPECT_NEAR(fove.transfer.duration_s, 0.002, 1e-15);
   EXPECT_NEAR(fove.processing.duration_s, 0.004, 1e-15);
   EXPECT_EQ(fove.simulated.rate_hz, 120.0);
-  EXPECT_NEAR(fove.simulated.latency_s, 0.014, 1e-15);
+  EXPECT_NEAR(fove.simulated.latency_s, 0.010, 1e-15);
   EXPECT_EQ(fove.simulated.bias_right_deg, 0.0);
 }
 

@@ -94,9 +94,9 @@ TEST(FrameLatency, HeldGazeDoesNotFollowTheEye) {
   EXPECT_FALSE(follows_eye({.gaze_valid = true, .gaze_held = true}));
 }
 
-// 8.33 + 8 + 2 + 4 ms.
+// 8.33 + 4 + 2 + 4 ms.
 TEST(FrameLatency, GazeIsAPeriodOldAtMostAndWhatItsTrackerTakes) {
-  EXPECT_NEAR(gaze_age_limit_s(published_tracker()), 0.022333333, 1e-8);
+  EXPECT_NEAR(gaze_age_limit_s(published_tracker()), 0.018333333, 1e-8);
 }
 
 }  // namespace

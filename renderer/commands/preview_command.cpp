@@ -1,0 +1,341 @@
+#include "renderer/commands/preview_command.h"
+
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/clock.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/preview_report.h"
+#include "renderer/commands/stage.h"
+#include "renderer/gaze/gaze_source.h"
+#include "renderer/gaze/recorded_eye_tracker.h"
+#include "renderer/gaze/recorded_head.h"
+#include "renderer/image/image_file.h"
+#include "renderer/window/live_preview.h"
+
+namespace foveola {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* pointer_name = "pointer";
+
+struct PreviewCommand {
+  std::string scene;
+  std::string method = "fv";
+  std::string size = "4096x2048";
+  std::string display = "desktop";
+  std::string tracker = pointer_name;
+  std::string gaze_file;
+  std::string head;
+  std::string head_file;
+  std::string window = "1280x720";
+  int monitor = 0;
+  bool full_screen = false;
+  double exposure_stops = 0.0;
+  bool fill_unsampled = false;
+  std::vector<std::string> shown;
+  std::uint64_t frames = 0;
+  std::string screenshot;
+  int max_depth = 8;
+  std::uint32_t seed = 0;
+  int threads = 0;
+  bool json = false;
+};
+
+/// What the keys go through: the method that was asked for first.
+std::vector<std::string> methods_from(const std::string& first) {
+  std::vector<std::string> methods = {first};
+  for (const char* method : {"od", "vp", "fv", "hybrid"}) {
+    if (method != first) {
+      methods.emplace_back(method);
+    }
+  }
+  return methods;
+}
+
+PreviewChoices choices_from(const PreviewCommand& command) {
+  PreviewChoices choices{.methods = methods_from(command.method),
+                         .look = {.fill_unsampled = command.fill_unsampled}};
+  const std::vector<std::pair<std::string, bool*>> overlays = {
+      {"gaze", &choices.shows_gaze},       {"rings", &choices.shows_rings},
+      {"density", &choices.shows_density}, {"times", &choices.shows_frame_times},
+      {"latency", &choices.shows_latency}, {"help", &choices.shows_help}};
+  for (const std::string& name : command.shown) {
+    for (const auto& [overlay, choice] : overlays) {
+      *choice = *choice || name == overlay;
+    }
+  }
+  return choices;
+}
+
+RenderSettings render_settings(const PreviewCommand& command) {
+  RenderSettings settings;
+  settings.method = command.method;
+  settings.size = parse_size("--size", command.size);
+  settings.max_depth = command.max_depth;
+  settings.seed = command.seed;
+  settings.threads = command.threads;
+  if (!command.head.empty()) {
+    settings.head = parse_azimuth_elevation("--head", command.head);
+  }
+  return settings;
+}
+
+/// What is assumed of a pointing device: a mouse's usual rate, and no delay of its own.
+TrackerProfile pointer_profile() {
+  constexpr double usual_rate_hz = 125.0;
+  return {.name = "pointer", .title = "The pointer", .rate_hz = usual_rate_hz};
+}
+
+TrackerProfile tracker_profile(const PreviewCommand& command) {
+  return command.tracker == pointer_name ? pointer_profile()
+                                         : read_tracker_profile(command.tracker);
+}
+
+/// The sources of gaze that a preview has: one of them is there.
+struct GazeSource {
+  std::unique_ptr<EyeTracker> tracker;
+  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the pointer is the gaze
+};
+
+GazeSource open_gaze_source(const PreviewCommand& command, const DisplayProfile& display,
+                            const Clock& clock) {
+  if (!command.gaze_file.empty()) {
+    return {.tracker = std::make_unique<RecordedEyeTracker>(read_gaze_file(command.gaze_file),
+                                                            clock.now(), Nanoseconds(0))};
+  }
+  if (command.tracker == pointer_name) {
+    auto pointer = std::make_unique<PointerEyeTracker>();
+    PointerEyeTracker* const told = pointer.get();
+    return {.tracker = std::move(pointer), .pointer = told};
+  }
+  return {.tracker =
+              open_eye_tracker(read_tracker_profile(command.tracker), screen_of(display), clock)};
+}
+
+/// Loads the scene and shows it, in a thread of its own beside the window's.
+LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& source,
+                             const DisplayProfile& display, Window& window, WindowEvents& events,
+                             const IVec2& framebuffer, const Clock& clock,
+                             const std::stop_token& stop) {
+  const RenderSettings settings = render_settings(command);
+  const PyramidAtlas atlas(settings.size.x, settings.size.y);
+  Presenter presenter(window, atlas, clock);
+  const Stage stage(source, settings);
+  const GazeSource gaze = open_gaze_source(command, display, clock);
+  SteeredHeadTracker steered_head(stage.camera.heading);
+  std::optional<ScriptedHeadTracker> replayed;
+  if (!command.head_file.empty()) {
+    replayed.emplace(replayed_head(read_head_file(command.head_file), clock.now()));
+  }
+  HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
+  Preview preview(stage.tracer,
+                  preview_settings(settings, stage.camera.position, source.exposure_stops),
+                  *gaze.tracker, head, stage.workers);
+  Steering steering(steered_head, gaze.pointer);
+  LivePreviewSettings live{.display = display,
+                           .tracker = tracker_profile(command),
+                           .choices = choices_from(command),
+                           .seed = settings.seed,
+                           .framebuffer = framebuffer,
+                           .keeps_last_picture = !command.screenshot.empty()};
+  live.choices.look.exposure_stops = source.exposure_stops + command.exposure_stops;
+  if (command.frames > 0) {
+    live.frames = command.frames;
+  }
+  LivePreview shown(live, {.preview = &preview,
+                           .steering = &steering,
+                           .eye = gaze.tracker.get(),
+                           .window = &window,
+                           .events = &events,
+                           .presenter = &presenter,
+                           .clock = &clock});
+  LivePreviewReport report = shown.run(stop);
+  report.threads = stage.workers.threads();
+  return report;
+}
+
+double seconds_to_first_picture(const LivePreviewReport& report) {
+  return report.first_shown ? seconds(*report.first_shown) : 0.0;
+}
+
+PreviewRun run_of(const LivePreviewReport& report, const PreviewCommand& command,
+                  const DisplayProfile& display) {
+  return {.frames = report.frames,
+          .tracker = tracker_profile(command),
+          .display = display,
+          .refresh_rate_hz = report.refresh_rate_hz,
+          .is_resampled = true,
+          .threads = report.threads};
+}
+
+void print_text(const LivePreviewReport& report, const PreviewCommand& command,
+                const DisplayProfile& display) {
+  fmt::print(
+      "{}\nFirst picture {:.2f} s after the scene was loaded; refreshes at {:.2f} Hz, {}\n{}",
+      report.graphics, seconds_to_first_picture(report), report.refresh_rate_hz,
+      report.is_refresh_measured ? "measured" : "as the display's profile says",
+      preview_text(run_of(report, command, display)));
+}
+
+/// Frames that were late, by their number from the first, and by how many refreshes.
+Json late_frames(const LivePreviewReport& report) {
+  Json late = Json::array();
+  const std::uint64_t first = report.frame_count - report.frames.size();
+  for (std::size_t i = 0; i < report.frames.size(); ++i) {
+    if (report.frames[i].is_late()) {
+      late.push_back({{"frame", first + i}, {"refreshes", report.frames[i].missed_refreshes}});
+    }
+  }
+  return late;
+}
+
+Json gaze_checks(const LivePreviewReport& report) {
+  Json checks = Json::array();
+  for (const GazeQuality& check : report.gaze_checks) {
+    Json json = {{"data_loss", check.data_loss}};
+    if (check.figures) {
+      json["accuracy_deg"] = check.figures->accuracy_deg;
+      json["precision_rms_deg"] = check.figures->precision_rms_deg;
+      json["precision_sd_deg"] = check.figures->precision_sd_deg;
+    }
+    checks.push_back(std::move(json));
+  }
+  return checks;
+}
+
+void print_json(const LivePreviewReport& report, const PreviewCommand& command,
+                const DisplayProfile& display) {
+  Json json = {{"version", build_info().version},
+               {"processor", machine_info().processor},
+               {"graphics", report.graphics},
+               {"scene", command.scene},
+               {"size", command.size},
+               {"display", command.display},
+               {"tracker", command.tracker},
+               {"methods", report.methods},
+               {"final_window", {report.framebuffer.x, report.framebuffer.y}},
+               {"seconds_to_first_picture", seconds_to_first_picture(report)},
+               {"refresh_is_measured", report.is_refresh_measured},
+               {"frame_count", report.frame_count},
+               {"late", late_frames(report)},
+               {"gaze_checks", gaze_checks(report)}};
+  json.update(preview_json(run_of(report, command, display)));
+  fmt::print("{}\n", json.dump(2));
+}
+
+void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
+                 const std::stop_token& stop) {
+  if (!command.screenshot.empty()) {
+    require_image_extension(command.screenshot);
+    require_writable(command.screenshot);
+  }
+  require_method(command.method);
+  const DisplayProfile display = read_display_profile(command.display);
+  const SceneSource source = find_scene(command.scene);
+  const SteadyClock clock;
+  WindowEvents events;
+  Window window({.title = "Foveola: " + command.scene,
+                 .size = parse_size("--window", command.window),
+                 .monitor = command.full_screen ? std::optional(command.monitor) : std::nullopt},
+                events, clock);
+  LivePreviewReport report;
+  std::exception_ptr fault;
+  {
+    const IVec2 framebuffer = window.framebuffer_size();
+    const std::jthread beside([&] {
+      try {
+        report = show_scene(command, source, display, window, events, framebuffer, clock, stop);
+      } catch (...) {
+        fault = std::current_exception();
+      }
+      window.finish();
+    });
+    window.pass_on_events(stop);
+  }
+  if (fault) {
+    std::rethrow_exception(fault);
+  }
+  if (report.last_picture) {
+    write_display_picture(command.screenshot, *report.last_picture);
+  }
+  if (report.frame_count > 0) {
+    command.json ? print_json(report, command, display) : print_text(report, command, display);
+  }
+}
+
+}  // namespace
+
+void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<PreviewCommand>();
+  CLI::App* command = app.add_subcommand("preview", "A window that renders where you look");
+  command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
+      ->required();
+  command->add_option("--method", arguments->method, "To begin with; as render's")
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "Of the film, WIDTHxHEIGHT")
+      ->capture_default_str();
+  command
+      ->add_option("--display", arguments->display,
+                   "A display's profile, by name or file: a monitor's window, or a headset's two "
+                   "views side by side")
+      ->capture_default_str();
+  CLI::Option* tracker =
+      command
+          ->add_option("--tracker", arguments->tracker,
+                       "What the gaze is: pointer, or a tracker's profile (see tracker list)")
+          ->capture_default_str();
+  command->add_option("--gaze-file", arguments->gaze_file, "Replay a recorded gaze instead")
+      ->excludes(tracker);
+  CLI::Option* head =
+      command->add_option("--head", arguments->head,
+                          "azimuth,elevation in degrees to begin with (default: the scene's)");
+  command->add_option("--head-file", arguments->head_file, "Replay a recorded head instead")
+      ->excludes(head);
+  command->add_option("--window", arguments->window, "Its size, WIDTHxHEIGHT")
+      ->capture_default_str();
+  CLI::Option* full_screen =
+      command->add_flag("--full-screen", arguments->full_screen, "Fill a monitor");
+  command->add_option("--monitor", arguments->monitor, "Which one, from 0 on")
+      ->needs(full_screen)
+      ->capture_default_str();
+  command->add_option("--exposure", arguments->exposure_stops, "Brighter by so many stops")
+      ->check(CLI::Range(-20.0, 20.0));
+  command->add_flag("--fill-unsampled", arguments->fill_unsampled,
+                    "Fill holes from what is known around them; they are black otherwise");
+  command->add_option("--show", arguments->shown, "Overlays to begin with")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "help"}));
+  CLI::Option* frames =
+      command->add_option("--frames", arguments->frames, "End after so many (default: when closed)")
+          ->check(CLI::Range(1, 1'000'000'000));
+  command->add_option("--screenshot", arguments->screenshot, "Write the last one, as .png or .exr")
+      ->needs(frames);
+  command->add_option("--max-depth", arguments->max_depth, "Surface vertices")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Another seed gives other noise")
+      ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "0: every core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print how it went as JSON");
+  command->footer("Example: foveola preview arcade --method fv (? shows the keys)");
+  command->callback([arguments, find_scene, stop] { run_preview(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola

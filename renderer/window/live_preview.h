@@ -1,0 +1,109 @@
+// The preview in a window: frames at the display's pace, and what keys do to them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/gaze/calibration_routine.h"
+#include "renderer/gaze/gaze_quality.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/preview/live_frames.h"
+#include "renderer/preview/preview.h"
+#include "renderer/window/film_mirror.h"
+#include "renderer/window/presenter.h"
+#include "renderer/window/preview_controls.h"
+#include "renderer/window/steering.h"
+#include "renderer/window/view_geometry.h"
+#include "renderer/window/window.h"
+
+namespace foveola {
+
+struct LivePreviewSettings {
+  DisplayProfile display;
+  TrackerProfile tracker;
+  PreviewChoices choices;  ///< to begin with
+  std::uint32_t seed = 0;
+  IVec2 framebuffer{0};                 ///< the window's size, in pixels
+  std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
+  bool keeps_last_picture = false;      ///< of those frames
+};
+
+/// What happened.
+struct LivePreviewReport {
+  std::vector<LiveFrame> frames;  ///< at least the last most_frames of them
+  std::uint64_t frame_count = 0;
+  std::uint64_t late_frames = 0;
+  std::vector<std::string> methods;  ///< as they were rendered, one for each start
+  IVec2 framebuffer{0};              ///< the window's size in the end, in pixels
+  std::string graphics;              ///< the graphics card and its driver
+  double refresh_rate_hz = 0.0;      ///< the display's: measured, or else its profile's
+  bool is_refresh_measured = false;
+  int threads = 0;                         ///< that traced
+  std::optional<Nanoseconds> first_shown;  ///< the first picture, after the scene was loaded
+  std::vector<GazeQuality> gaze_checks;    ///< of the tracker, in the order they were made
+  std::optional<RgbImage> last_picture;    ///< sRGB in [0, 1]
+  static constexpr std::size_t most_frames = 1 << 16;
+};
+
+/// Writes what a display shows, sRGB in [0, 1], as write_image does with linear radiance.
+void write_display_picture(const std::filesystem::path& file, const RgbImage& picture);
+
+/// Runs in one thread, beside the one that passes on the window's events and the one that draws.
+class LivePreview {
+ public:
+  /// What it works with, all of which must outlive it.
+  struct Parts {
+    Preview* preview;
+    Steering* steering;
+    EyeTracker* eye;
+    Window* window;
+    WindowEvents* events;
+    Presenter* presenter;
+    const Clock* clock;
+  };
+
+  LivePreview(const LivePreviewSettings& settings, const Parts& parts);
+
+  /// Until the user closes the window, the frames are done, or `stop` is requested.
+  LivePreviewReport run(const std::stop_token& stop);
+
+ private:
+  void answer_events();
+  void answer(const WindowEvent& event);
+  void act(PreviewAction action);
+  void restart();
+  void show_in(const WindowResized& size);
+
+  bool is_seen() const;
+  void draw(const Preview& preview);
+  std::optional<Nanoseconds> wait_until_shown();
+  void keep(const LiveFrame& frame);
+  void go_on_checking(const Preview& preview);
+  void write_picture(std::future<RgbImage> picture);
+  int levels_for(const std::vector<Viewport>& viewports) const;
+  ViewOverlays overlays(const Preview& preview) const;
+  std::vector<TextPanel> panels() const;
+
+  LivePreviewSettings settings_;
+  Parts parts_;
+  PreviewChoices choices_;
+  IVec2 framebuffer_;
+  ViewGeometry geometry_;
+  Nanoseconds start_;
+  FilmMirror mirror_;
+  LivePreviewReport report_;
+  std::optional<CalibrationRoutine> gaze_check_;  ///< while it goes on
+  std::string message_;
+  bool is_hidden_ = false;
+  bool is_done_ = false;
+  bool wants_picture_ = false;
+  std::optional<std::future<RgbImage>> last_picture_;
+  std::vector<std::future<void>> pictures_being_written_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,90 @@
+// The thread that draws: it takes frames one by one, and shows each at the display's next refresh.
+#pragma once
+
+#include <condition_variable>
+#include <exception>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/image/image.h"
+#include "renderer/window/text_overlay.h"
+#include "renderer/window/view_renderer.h"
+#include "renderer/window/window.h"
+
+namespace foveola {
+
+/// A view and the part of the window that it fills.
+struct ShownView {
+  Viewport viewport;
+  WindowPart part;
+};
+
+/// All that the drawing thread needs for a frame.
+struct ShownFrame {
+  std::uint64_t number = 0;
+  IVec2 framebuffer{0};          ///< pixels; nothing is drawn if it has none
+  FilmUpdate update;             ///< since the frame before
+  std::vector<ShownView> views;  ///< one, or one for each eye
+  ViewLook look;
+  ViewOverlays overlays;
+  std::vector<TextPanel> panels;
+  /// Gets what was drawn, sRGB in [0, 1], top row first.
+  std::shared_ptr<std::promise<RgbImage>> picture;
+};
+
+/// When a frame went through the graphics card.
+struct PresentedFrame {
+  std::uint64_t number = 0;
+  Nanoseconds taken{0};  ///< by the drawing thread
+  Nanoseconds drawn{0};  ///< all of it, on the card
+  Nanoseconds shown{0};  ///< the buffers were swapped
+};
+
+class Presenter {
+ public:
+  /// Takes the window's context. All must outlive it. Throws Error if the graphics card cannot do
+  /// it.
+  Presenter(Window& window, const PyramidAtlas& atlas, const Clock& clock);
+  ~Presenter();
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
+
+  /// Waits until the frame is drawn; it is shown at the next refresh, after the one before.
+  /// Rethrows what went wrong in the drawing thread.
+  void draw(ShownFrame frame);
+
+  /// Waits until the frame that was drawn last is shown. Rethrows as draw.
+  PresentedFrame wait_until_shown();
+
+  /// The graphics card and its driver, in their own words.
+  const std::string& graphics() const { return graphics_; }
+
+ private:
+  struct Card;
+
+  void run(const std::stop_token& stop, const PyramidAtlas& atlas);
+  void serve(const std::stop_token& stop, Card& card);
+  void fail(std::exception_ptr fault);
+  /// Waits for `flag`, or for what goes wrong instead and rethrows it.
+  void wait_for(const bool& flag, std::unique_lock<std::mutex>& lock);
+
+  Window* window_;
+  const Clock* clock_;
+  std::string graphics_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  // Guarded by the mutex:
+  bool is_ready_ = false;            ///< for a frame: the one before was shown
+  bool is_drawn_ = false;            ///< the frame that was handed over last
+  std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
+  PresentedFrame presented_;         ///< the last one
+  std::exception_ptr fault_;
+  std::jthread thread_;  ///< last: it ends before the rest does
+};
+
+}  // namespace foveola

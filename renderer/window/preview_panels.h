@@ -1,0 +1,27 @@
+// What the live preview says of itself, as text over the picture.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/gaze/gaze_quality.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/preview/live_frames.h"
+
+namespace foveola {
+
+/// Of the last second's frames.
+std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
+                                          const std::string& method);
+
+/// How well the tracker saw the eye look at targets.
+std::string gaze_quality_line(const GazeQuality& quality);
+
+/// From the eye's movement to the light of the last second's frames, stage by stage; assumed stages
+/// are marked.
+std::vector<std::string> latency_lines(std::span<const LiveFrame> frames,
+                                       const TrackerProfile& tracker,
+                                       const DisplayProfile& display);
+
+}  // namespace foveola

@@ -1,0 +1,30 @@
+// What a display shows of the sphere: by its profile and the size of the window on it.
+#pragma once
+
+#include <vector>
+
+#include "renderer/gaze/profiles.h"
+#include "renderer/view/viewport.h"
+#include "renderer/window/view_renderer.h"
+
+namespace foveola {
+
+struct ViewGeometry {
+  double horizontal_fov_deg = 0.0;  ///< of one view
+  double vertical_fov_deg = 0.0;
+  RadialLens lens;                ///< before the first part
+  std::vector<WindowPart> parts;  ///< one, or the left eye's and the right eye's
+};
+
+/// A monitor's window shows what a pane of that size would let through at the viewing distance, so
+/// that angles are true; a headset shows its whole view to each eye, however large the window.
+/// framebuffer: pixels, at least 2x1.
+ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer);
+
+/// The views of a head, one for each part.
+std::vector<Viewport> viewports_of(const ViewGeometry& geometry, const Quat& head);
+
+/// The direction in the head's axes of a place in the window, in pixels from its top left corner.
+Vec3 direction_below(const ViewGeometry& geometry, const DVec2& place, int framebuffer_height);
+
+}  // namespace foveola

@@ -1,0 +1,276 @@
+#include "renderer/window/window.h"
+
+#include <algorithm>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola {
+namespace {
+
+/// How often a gamepad is looked at: GLFW has no events of it.
+constexpr double gamepad_interval_s = 1.0 / 250.0;
+
+std::string glfw_fault() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description != nullptr ? description : "no reason given";
+}
+
+std::vector<GLFWmonitor*> glfw_monitors() {
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  return {monitors, monitors + count};
+}
+
+GLFWmonitor* monitor_of(int number) {
+  const std::vector<GLFWmonitor*> monitors = glfw_monitors();
+  if (number < 0 || number >= static_cast<int>(monitors.size())) {
+    throw Error("window",
+                fmt::format("there is no monitor {}, only {} of them", number, monitors.size()),
+                "count from 0");
+  }
+  return monitors[static_cast<std::size_t>(number)];
+}
+
+}  // namespace
+
+/// GLFW itself, for as long as there is a window.
+struct Window::Library {
+  Library() {
+    if (glfwInit() != GLFW_TRUE) {
+      throw Error("window", "there is no display to open one on: " + glfw_fault(),
+                  "set DISPLAY, or run under xvfb-run");
+    }
+  }
+  ~Library() { glfwTerminate(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+/// GLFW's calls back, each of which finds its window.
+struct Window::Callbacks {
+  static Window& of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+  }
+  static void key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
+    if (action != GLFW_REPEAT) {
+      of(window).push(KeyMoved{.key = key, .is_down = action == GLFW_PRESS});
+    }
+  }
+  static void character(GLFWwindow* window, unsigned int character) {
+    of(window).push(CharacterTyped{.character = character});
+  }
+  static void pointer(GLFWwindow* window, double x, double y) {
+    of(window).push(PointerMoved{.is_inside = true, .position = {x, y}});
+  }
+  static void pointer_entered(GLFWwindow* window, int entered) {
+    if (entered == GLFW_FALSE) {
+      of(window).push(PointerMoved{.is_inside = false});
+    }
+  }
+  static void mouse_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+    of(window).push(MouseButtonMoved{.button = button, .is_down = action == GLFW_PRESS});
+  }
+  static void wheel(GLFWwindow* window, double /*x*/, double y) {
+    of(window).push(WheelTurned{.steps = y});
+  }
+  static void resized(GLFWwindow* window, int width, int height) {
+    WindowResized resized{.framebuffer = {width, height}};
+    glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
+    of(window).push(resized);
+  }
+  static void hidden(GLFWwindow* window, int iconified) {
+    of(window).push(WindowHidden{.is_hidden = iconified == GLFW_TRUE});
+  }
+  static void focus(GLFWwindow* window, int focused) {
+    of(window).push(FocusMoved{.has_focus = focused == GLFW_TRUE});
+  }
+  static void close(GLFWwindow* window) {
+    glfwSetWindowShouldClose(window, GLFW_FALSE);
+    of(window).push(CloseWanted{});
+  }
+};
+
+Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock& clock)
+    : library_(std::make_unique<Library>()),
+      events_(&events),
+      clock_(&clock),
+      restored_size_(settings.size) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  // A participant's picture must not vanish because another monitor was clicked on.
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+  GLFWmonitor* const monitor = settings.monitor ? monitor_of(*settings.monitor) : nullptr;
+  IVec2 size = settings.size;
+  if (monitor != nullptr) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    size = {mode->width, mode->height};
+    glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
+  }
+  window_ = glfwCreateWindow(size.x, size.y, settings.title.c_str(), monitor, nullptr);
+  if (window_ == nullptr) {
+    throw Error("window", "OpenGL 3.3 is not to be had: " + glfw_fault(),
+                "update the graphics driver, or use Mesa's");
+  }
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, Callbacks::key);
+  glfwSetCharCallback(window_, Callbacks::character);
+  glfwSetCursorPosCallback(window_, Callbacks::pointer);
+  glfwSetCursorEnterCallback(window_, Callbacks::pointer_entered);
+  glfwSetMouseButtonCallback(window_, Callbacks::mouse_button);
+  glfwSetScrollCallback(window_, Callbacks::wheel);
+  glfwSetFramebufferSizeCallback(window_, Callbacks::resized);
+  glfwSetWindowIconifyCallback(window_, Callbacks::hidden);
+  glfwSetWindowFocusCallback(window_, Callbacks::focus);
+  glfwSetWindowCloseCallback(window_, Callbacks::close);
+  glfwGetWindowPos(window_, &restored_position_.x, &restored_position_.y);
+  for (GLFWmonitor* const known : glfw_monitors()) {
+    known_monitors_[known] = glfwGetMonitorName(known);
+  }
+}
+
+Window::~Window() { glfwDestroyWindow(window_); }
+
+std::vector<MonitorInfo> Window::monitors() const {
+  std::vector<MonitorInfo> list;
+  for (GLFWmonitor* const monitor : glfw_monitors()) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    IVec2 size_mm(0);
+    glfwGetMonitorPhysicalSize(monitor, &size_mm.x, &size_mm.y);
+    list.push_back({.name = glfwGetMonitorName(monitor),
+                    .size_px = {mode->width, mode->height},
+                    .refresh_rate_hz = static_cast<double>(mode->refreshRate),
+                    .size_m = 1e-3 * DVec2(size_mm)});
+  }
+  return list;
+}
+
+IVec2 Window::framebuffer_size() const {
+  IVec2 size(0);
+  glfwGetFramebufferSize(window_, &size.x, &size.y);
+  return size;
+}
+
+void Window::pass_on_events(const std::stop_token& stop) {
+  const std::stop_callback wake(stop, [] { glfwPostEmptyEvent(); });
+  while (!finished_ && !stop.stop_requested()) {
+    if (glfwJoystickIsGamepad(GLFW_JOYSTICK_1) == GLFW_TRUE) {
+      glfwWaitEventsTimeout(gamepad_interval_s);
+    } else {
+      glfwWaitEvents();
+    }
+    poll_gamepad();
+    tell_of_monitors();
+    follow_toggles();
+  }
+}
+
+void Window::finish() {
+  finished_ = true;
+  glfwPostEmptyEvent();
+}
+
+void Window::toggle_full_screen() {
+  ++toggles_;
+  glfwPostEmptyEvent();
+}
+
+void Window::make_current() {
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+}
+
+void Window::release() { glfwMakeContextCurrent(nullptr); }
+
+void Window::swap() { glfwSwapBuffers(window_); }
+
+void Window::push(decltype(WindowEvent::what) what) {
+  events_->push({.time = clock_->now(), .what = std::move(what)});
+}
+
+void Window::poll_gamepad() {
+  GLFWgamepadstate state{};
+  glfwGetGamepadState(GLFW_JOYSTICK_1, &state);  // leaves zeros if there is none
+  const GamepadSticks sticks{
+      .left = {state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]},
+      .right = {state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]}};
+  if (sticks.left != sticks_.left || sticks.right != sticks_.right) {
+    sticks_ = sticks;
+    push(GamepadMoved{sticks});
+  }
+}
+
+void Window::tell_of_monitors() {
+  // GLFW's own callback does not say whose window it is for. A window on a monitor that is lost
+  // leaves full screen by itself.
+  std::map<GLFWmonitor*, std::string> now;
+  for (GLFWmonitor* const monitor : glfw_monitors()) {
+    now[monitor] = glfwGetMonitorName(monitor);
+  }
+  for (const auto& [monitor, name] : known_monitors_) {
+    if (!now.contains(monitor)) {
+      push(MonitorLost{name});
+    }
+  }
+  for (const auto& [monitor, name] : now) {
+    if (!known_monitors_.contains(monitor)) {
+      push(MonitorFound{name});
+    }
+  }
+  known_monitors_ = std::move(now);
+}
+
+void Window::follow_toggles() {
+  if (toggles_.exchange(0) % 2 == 0) {
+    return;
+  }
+  if (glfwGetWindowMonitor(window_) != nullptr) {
+    leave_full_screen();
+  } else {
+    enter_full_screen(monitor_below());
+  }
+}
+
+void Window::leave_full_screen() {
+  glfwSetWindowMonitor(window_, nullptr, restored_position_.x, restored_position_.y,
+                       restored_size_.x, restored_size_.y, GLFW_DONT_CARE);
+}
+
+void Window::enter_full_screen(GLFWmonitor* monitor) {
+  if (monitor == nullptr) {
+    return;
+  }
+  glfwGetWindowPos(window_, &restored_position_.x, &restored_position_.y);
+  glfwGetWindowSize(window_, &restored_size_.x, &restored_size_.y);
+  const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+GLFWmonitor* Window::monitor_below() const {
+  IVec2 position(0);
+  IVec2 size(0);
+  glfwGetWindowPos(window_, &position.x, &position.y);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  const IVec2 middle = position + size / 2;
+  for (GLFWmonitor* const monitor : glfw_monitors()) {
+    IVec2 corner(0);
+    glfwGetMonitorPos(monitor, &corner.x, &corner.y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    const IVec2 place = middle - corner;
+    if (place.x >= 0 && place.y >= 0 && place.x < mode->width && place.y < mode->height) {
+      return monitor;
+    }
+  }
+  return glfwGetPrimaryMonitor();
+}
+
+}  // namespace foveola

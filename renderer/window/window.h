@@ -1,0 +1,93 @@
+// A window with an OpenGL 3.3 context: GLFW's, whose events arrive with their time.
+//
+// One thread, the program's first, makes it, waits for its events and destroys it, as GLFW asks.
+// Another one may draw: between make_current and release the context is that thread's.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+#include "renderer/window/window_event.h"
+
+struct GLFWwindow;
+struct GLFWmonitor;
+
+namespace foveola {
+
+struct WindowSettings {
+  std::string title = "Foveola";
+  IVec2 size{1280, 720};       ///< window coordinates; not used in full screen
+  std::optional<int> monitor;  ///< full screen on this one, as monitors() numbers them
+};
+
+struct MonitorInfo {
+  std::string name;
+  IVec2 size_px{0};
+  double refresh_rate_hz = 0.0;  ///< as the system says; 0 if it does not
+  DVec2 size_m{0.0};             ///< likewise
+};
+
+class Window {
+ public:
+  /// events and clock must outlive it. There can be one at a time. Throws Error if there is no
+  /// display, no OpenGL 3.3, or no such monitor.
+  Window(const WindowSettings& settings, WindowEvents& events, const Clock& clock);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  // --- The thread that made it ---
+
+  std::vector<MonitorInfo> monitors() const;
+  IVec2 framebuffer_size() const;
+  /// Waits for events and passes them on until finish() was called or `stop` is requested. A wish
+  /// to close is an event like others.
+  void pass_on_events(const std::stop_token& stop);
+
+  // --- Any thread ---
+
+  /// Lets pass_on_events return.
+  void finish();
+  /// Between the window and full screen on the monitor that it is on, as soon as events are passed
+  /// on.
+  void toggle_full_screen();
+
+  // --- The thread that draws ---
+
+  void make_current();
+  void release();
+  /// Shows what was drawn; with a display that has refreshes, at the next one.
+  void swap();
+
+ private:
+  struct Callbacks;
+  struct Library;
+
+  void push(decltype(WindowEvent::what) what);
+  void follow_toggles();
+  void poll_gamepad();
+  void tell_of_monitors();
+  void leave_full_screen();
+  void enter_full_screen(GLFWmonitor* monitor);
+  GLFWmonitor* monitor_below() const;
+
+  std::unique_ptr<Library> library_;
+  WindowEvents* events_;
+  const Clock* clock_;
+  GLFWwindow* window_ = nullptr;
+  IVec2 restored_position_{0};
+  IVec2 restored_size_;
+  GamepadSticks sticks_;  ///< as they were told last
+  std::map<GLFWmonitor*, std::string> known_monitors_;
+  std::atomic<bool> finished_ = false;
+  std::atomic<int> toggles_ = 0;
+};
+
+}  // namespace foveola

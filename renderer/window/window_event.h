@@ -1,0 +1,78 @@
+// What happens to the window, and when: each event is stamped as the window's thread wakes for it.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+#include "renderer/gaze/gamepad_steering.h"
+
+namespace foveola {
+
+/// A key, by GLFW's number of its place on the keyboard; repeats are left out.
+struct KeyMoved {
+  int key = 0;
+  bool is_down = false;
+};
+/// What was typed, as the keyboard's layout has it.
+struct CharacterTyped {
+  char32_t character = 0;
+};
+/// The pointer, in window coordinates from the top left corner; empty once it has left.
+struct PointerMoved {
+  bool is_inside = false;
+  DVec2 position{0.0};
+};
+struct MouseButtonMoved {
+  int button = 0;  ///< GLFW's number; 0 is the left one
+  bool is_down = false;
+};
+struct WheelTurned {
+  double steps = 0.0;  ///< positive: away from the user
+};
+/// The first gamepad's sticks; at rest once it is gone.
+struct GamepadMoved {
+  GamepadSticks sticks;
+};
+struct WindowResized {
+  IVec2 framebuffer{0};  ///< pixels
+  IVec2 window{0};       ///< window coordinates
+};
+/// Minimised: nothing of it can be seen.
+struct WindowHidden {
+  bool is_hidden = false;
+};
+struct FocusMoved {
+  bool has_focus = false;
+};
+struct MonitorLost {
+  std::string name;
+};
+struct MonitorFound {
+  std::string name;
+};
+struct CloseWanted {};
+
+struct WindowEvent {
+  Nanoseconds time{0};
+  std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, WheelTurned, GamepadMoved,
+               WindowResized, WindowHidden, FocusMoved, MonitorLost, MonitorFound, CloseWanted>
+      what;
+};
+
+/// From the thread that waits for events to the one that answers them.
+class WindowEvents {
+ public:
+  void push(WindowEvent event);
+  /// All since the last call, in order.
+  std::vector<WindowEvent> take();
+
+ private:
+  std::mutex mutex_;
+  std::vector<WindowEvent> events_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,131 @@
+// The live preview, as its user runs it: on a display without a screen.
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/image/image_file.h"
+#include "tests/end_to_end/program.h"
+#include "tests/x_server.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class PreviewCommand : public ::testing::Test {
+ protected:
+  ProgramResult preview(std::vector<std::string> options) const {
+    std::vector<std::string> arguments = {"preview",  scene_,    "--size", "512x256",
+                                          "--window", "200x160", "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_foveola(arguments);
+  }
+
+  /// What the preview says at its end, after a user has done something with its window.
+  template <typename Act>
+  nlohmann::json preview_while(const Act& act, std::vector<std::string> options = {}) const {
+    const std::jthread user_thread([&] {
+      XUser user(server_.display());
+      user.point_at(title_, 100, 80);
+      act(user);
+    });
+    const ProgramResult result = preview(std::move(options));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output);
+  }
+
+  XServer server_;
+  TemporaryFolder folder_;
+  std::string scene_ = folder_.write("room.gltf", room_gltf()).string();
+  std::string title_ = "Foveola: " + scene_;
+};
+
+TEST_F(PreviewCommand, WritesItsLastPicture) {
+  const std::string file = folder_ / "last.png";
+  const ProgramResult result =
+      preview({"--frames", "25", "--screenshot", file, "--fill-unsampled"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json.at("frame_count"), 25);
+  EXPECT_THAT(json.at("methods"), ElementsAre("fv"));
+  const FilmImage picture = read_film_image(file);
+  EXPECT_EQ(picture.color.width, 200);
+  EXPECT_EQ(picture.color.height, 160);
+  double sum = 0.0;
+  for (const Rgb& color : picture.color.pixels) {
+    sum += color.g;
+  }
+  EXPECT_GT(sum / (200 * 160), 0.02);
+}
+
+TEST_F(PreviewCommand, KeysChangeWhatIsRendered) {
+  const auto json = preview_while([](XUser& user) {
+    user.type("m");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    user.type("r");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    user.type("q");
+  });
+  EXPECT_THAT(json.at("methods"), ElementsAre("fv", "od", "od"));
+}
+
+TEST_F(PreviewCommand, ChecksTheTracker) {
+  // The pointer rests in the middle of a window of 55 x 44 mm, 0.6 m away, and so on the first
+  // target; the other four lie at four fifths of the way to its corners, 2.1 and 1.7 degrees across
+  // and up.
+  const auto json = preview_while([](XUser& user) {
+    user.type("c");
+    std::this_thread::sleep_for(std::chrono::seconds(11));
+    user.type("q");
+  });
+  ASSERT_EQ(json.at("gaze_checks").size(), 1U);
+  const auto& check = json.at("gaze_checks").at(0);
+  EXPECT_NEAR(check.at("accuracy_deg").get<double>(), 0.8 * 2.70, 0.1);
+  EXPECT_LT(check.at("precision_rms_deg").get<double>(), 0.01);
+  EXPECT_LT(check.at("data_loss").get<double>(), 0.2);
+}
+
+TEST_F(PreviewCommand, FollowsItsWindowsSize) {
+  const auto json = preview_while([this](XUser& user) {
+    user.resize(title_, 320, 100);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    user.ask_to_close(title_);
+  });
+  EXPECT_THAT(json.at("final_window"), ElementsAre(320, 100));
+}
+
+TEST_F(PreviewCommand, GoesOnWhileMinimised) {
+  const auto json = preview_while([this](XUser& user) {
+    user.say_minimised(title_, true);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    user.say_minimised(title_, false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    user.type("q");
+  });
+  EXPECT_GT(json.at("frame_count").get<int>(), 5);
+}
+
+TEST_F(PreviewCommand, ShowsEveryOverlay) {
+  const std::string plain = folder_ / "plain.png";
+  const std::string overlaid = folder_ / "overlaid.png";
+  ASSERT_EQ(preview({"--frames", "3", "--screenshot", plain}).exit_code, 0);
+  const ProgramResult result =
+      preview({"--frames", "3", "--screenshot", overlaid, "--show",
+               "gaze,rings,density,times,latency,help", "--display", "fove0"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NE(read_film_image(plain).color.pixels, read_film_image(overlaid).color.pixels);
+}
+
+TEST_F(PreviewCommand, SaysWhatIsWrong) {
+  EXPECT_THAT(preview({"--display", "cinema"}).errors, StartsWith("foveola: error: "));
+  EXPECT_EQ(preview({"--method", "nothing"}).exit_code, 2);
+  const ProgramResult nowhere = run_foveola({"preview", scene_}, {{"DISPLAY", ":9999"}});
+  EXPECT_EQ(nowhere.exit_code, 1);
+  EXPECT_THAT(nowhere.errors, HasSubstr("there is no display"));
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,247 @@
+// The graphics card's picture against the processor's.
+#include "renderer/window/presenter.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/random.h"
+#include "renderer/film/viewport_image.h"
+#include "renderer/image/tone_mapping.h"
+#include "renderer/view/equirect.h"
+#include "renderer/window/film_mirror.h"
+#include "tests/x_server.h"
+
+namespace foveola {
+namespace {
+
+/// A picture of smooth waves and a few sharp edges, in part unsampled.
+Rgb pattern(const Vec2& image) {
+  const float wave = 0.5F + 0.5F * std::sin(60.0F * image.x) * std::cos(40.0F * image.y);
+  const float edge = std::fmod(image.x * 16.0F, 1.0F) < 0.5F ? 0.2F : 1.5F;
+  return {wave, 0.3F * edge, 0.5F * wave * edge};
+}
+
+class PresenterTest : public ::testing::Test {
+ protected:
+  PresenterTest() {
+    std::vector<ViewSample> samples;
+    std::vector<Rgb> radiance;
+    Pcg32 random(3, 5);
+    for (int i = 0; i < 200'000; ++i) {
+      const auto u = static_cast<float>(random.uniform());
+      const auto v = static_cast<float>(random.uniform());
+      samples.push_back({.direction = direction_from_equirect({u, v}), .image = {u, v}});
+      radiance.push_back(pattern({u, v}));
+    }
+    NumberedBatch batch;
+    film_.number(samples, batch, workers_);
+    film_.add(batch, radiance, workers_);
+  }
+
+  RgbImage picture(const std::vector<ShownView>& views, const ViewLook& look,
+                   const ViewOverlays& overlays = {}, const std::vector<TextPanel>& panels = {}) {
+    std::vector<Viewport> viewports;
+    for (const ShownView& view : views) {
+      viewports.push_back(view.viewport);
+    }
+    ShownFrame frame{.number = 1,
+                     .framebuffer = window_.framebuffer_size(),
+                     .update = mirror_.collect(film_, viewports, film_.levels()),
+                     .views = views,
+                     .look = look,
+                     .overlays = overlays,
+                     .panels = panels,
+                     .picture = std::make_shared<std::promise<RgbImage>>()};
+    auto picture = frame.picture->get_future();
+    presenter_.draw(std::move(frame));
+    return picture.get();
+  }
+
+  /// The part of the window that a view has, as the processor draws it.
+  void expect_like_the_processors(const RgbImage& picture, const ShownView& view,
+                                  const ViewLook& look) {
+    const RgbImage expected = display_image(
+        viewport_image(film_, view.viewport, view.part.size.x, view.part.size.y,
+                       look.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black,
+                       workers_),
+        look.exposure_stops);
+    // A step of the display is 1/255, half of which is its rounding; 16-bit texels add a part in
+    // two thousand, and positions on the card a thousandth of a pixel.
+    constexpr float tolerance = 1.5F / 255.0F;
+    int differing = 0;
+    double sum = 0.0;
+    const int top = picture.height - view.part.origin.y - view.part.size.y;
+    for (int y = 0; y < expected.height; ++y) {
+      for (int x = 0; x < expected.width; ++x) {
+        const Rgb difference =
+            glm::abs(picture.at(view.part.origin.x + x, top + y) - expected.at(x, y));
+        const float largest = std::max({difference.r, difference.g, difference.b});
+        differing += largest > tolerance ? 1 : 0;
+        sum += largest;
+      }
+    }
+    const double pixels = static_cast<double>(expected.width) * expected.height;
+    EXPECT_LE(differing, 0.001 * pixels);
+    EXPECT_LE(sum / pixels, 0.7 / 255.0);
+  }
+
+  ShownView whole_window(const AzimuthElevation& heading, double fov_deg = 90.0) {
+    return {
+        .viewport = Viewport(head_orientation(heading), radians(fov_deg), radians(0.8 * fov_deg)),
+        .part = {.origin = IVec2(0), .size = window_.framebuffer_size()}};
+  }
+
+  test::XServer server_;
+  SteadyClock clock_;
+  WindowEvents events_;
+  Window window_{{.size = {320, 256}}, events_, clock_};
+  Workers workers_{2};
+  EquirectFilm film_{600, 300};
+  FilmMirror mirror_{film_};
+  Presenter presenter_{window_, mirror_.atlas(), clock_};
+};
+
+TEST_F(PresenterTest, DrawsWhatTheProcessorDraws) {
+  for (const auto& [azimuth_deg, elevation_deg] :
+       {std::pair(0.0, 0.0), std::pair(180.0, 10.0), std::pair(40.0, 85.0),
+        std::pair(-100.0, -70.0)}) {
+    const ShownView view = whole_window({radians(azimuth_deg), radians(elevation_deg)});
+    SCOPED_TRACE(azimuth_deg);
+    expect_like_the_processors(picture({view}, {}), view, {});
+  }
+}
+
+TEST_F(PresenterTest, ReadsCoarserLevelsOfTheFilm) {
+  const ShownView view = whole_window({}, 170.0);
+  expect_like_the_processors(picture({view}, {}), view, {});
+}
+
+TEST_F(PresenterTest, FillsHolesLikeTheProcessor) {
+  const ViewLook look{.exposure_stops = -1.0, .fill_unsampled = true};
+  const ShownView view = whole_window({radians(20.0), 0.0}, 40.0);
+  expect_like_the_processors(picture({view}, look), view, look);
+}
+
+TEST_F(PresenterTest, DrawsForTwoEyesThroughTheirLenses) {
+  const RadialLens lens{.axis = {0.55F, 0.5F}, .k1 = 0.2F, .k2 = 0.05F};
+  const Quat head = head_orientation({radians(-30.0), radians(5.0)});
+  const ShownView left{.viewport = Viewport(head, radians(90.0), radians(90.0), lens),
+                       .part = {.origin = {0, 0}, .size = {160, 256}}};
+  const ShownView right{.viewport = Viewport(head, radians(90.0), radians(90.0), mirrored(lens)),
+                        .part = {.origin = {160, 0}, .size = {160, 256}}};
+  const RgbImage shown = picture({left, right}, {});
+  expect_like_the_processors(shown, left, {});
+  expect_like_the_processors(shown, right, {});
+}
+
+TEST_F(PresenterTest, ShowsWhereTheGazeIs) {
+  const ShownView view = whole_window({});
+  const Vec2 plane(0.75F, 0.25F);
+  const RgbImage shown =
+      picture({view}, {}, {.gaze = view.viewport.direction(plane), .shows_gaze = true});
+  const Rgb at_gaze = shown.at(240, 64);
+  EXPECT_GT(at_gaze.r, 0.8F);
+  EXPECT_LT(at_gaze.g, 0.4F);
+  const RgbImage plain = picture({view}, {});
+  EXPECT_EQ(shown.at(80, 192), plain.at(80, 192));
+}
+
+TEST_F(PresenterTest, DrawsRingsAtTheirEccentricity) {
+  const ShownView view = whole_window({});
+  const float ring_rad = static_cast<float>(radians(20.0));
+  const RgbImage shown = picture({view}, {}, {.rings_rad = {ring_rad}});
+  const RgbImage plain = picture({view}, {});
+  const Vec3 on_ring(std::sin(ring_rad), 0.0F, -std::cos(ring_rad));
+  const Vec2 at = *view.viewport.project(on_ring) * Vec2(320.0F, 256.0F);
+  EXPECT_NE(shown.at(static_cast<int>(at.x), static_cast<int>(at.y)),
+            plain.at(static_cast<int>(at.x), static_cast<int>(at.y)));
+  EXPECT_EQ(shown.at(static_cast<int>(at.x) - 8, 128), plain.at(static_cast<int>(at.x) - 8, 128));
+}
+
+TEST_F(PresenterTest, DrawsDensities) {
+  const ShownView view = whole_window({});
+  const DensityMap map{.width = 2, .height = 1, .values = {0.0F, 1.0F}};
+  const RgbImage shown = picture({view}, {}, {.density = map});
+  const RgbImage plain = picture({view}, {});
+  const Rgb left = shown.at(20, 128) - plain.at(20, 128);
+  const Rgb right = shown.at(300, 128) - plain.at(300, 128);
+  EXPECT_GT(left.b - left.r, 0.1F);    // few: blue
+  EXPECT_GT(right.r - right.b, 0.1F);  // many: red
+}
+
+TEST_F(PresenterTest, ShowsATargetAlone) {
+  const ShownView view = whole_window({}, 20.0);
+  const RgbImage shown = picture(
+      {view}, {}, {.target = view.viewport.direction(Vec2(160.5F, 128.5F) / Vec2(320, 256))});
+  EXPECT_EQ(shown.at(160, 128), Rgb(1.0F));
+  // Black from 0.1 to 0.3 degrees: 0.063 degrees a pixel.
+  EXPECT_EQ(shown.at(163, 128), Rgb(0.0F));
+  EXPECT_NEAR(shown.at(170, 128).g, 0.5, 0.01);
+}
+
+TEST_F(PresenterTest, WritesText) {
+  const ShownView view = whole_window({});
+  const RgbImage plain = picture({view}, {});
+  const std::vector<TextPanel> panels = {{.lines = {"How it goes"}}};
+  picture({view}, {}, {}, panels);
+  const RgbImage shown = picture({view}, {}, {}, panels);
+  int changed = 0;
+  int white = 0;
+  for (int y = 8; y < 30; ++y) {
+    for (int x = 8; x < 90; ++x) {
+      changed += shown.at(x, y) != plain.at(x, y) ? 1 : 0;
+      white += glm::all(glm::greaterThan(shown.at(x, y), Rgb(0.9F))) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changed, 1000);
+  EXPECT_GT(white, 30);
+  EXPECT_EQ(shown.at(250, 200), plain.at(250, 200));
+}
+
+TEST_F(PresenterTest, FollowsTheFilm) {
+  const ShownView view = whole_window({});
+  picture({view}, {});
+  film_.clear();
+  for (const Rgb& color : picture({view}, {}).pixels) {
+    ASSERT_EQ(color, Rgb(0.0F));
+  }
+}
+
+TEST_F(PresenterTest, TellsWhenFramesWereShown) {
+  const Nanoseconds before = clock_.now();
+  const ShownView view = whole_window({});
+  picture({view}, {});
+  const PresentedFrame presented = presenter_.wait_until_shown();
+  EXPECT_EQ(presented.number, 1U);
+  EXPECT_GE(presented.taken, before);
+  EXPECT_GE(presented.drawn, presented.taken);
+  EXPECT_GE(presented.shown, presented.drawn);
+  EXPECT_GE(clock_.now(), presented.shown);
+  EXPECT_FALSE(presenter_.graphics().empty());
+}
+
+TEST_F(PresenterTest, AHiddenWindowIsNotDrawn) {
+  ShownFrame frame{.number = 1, .picture = std::make_shared<std::promise<RgbImage>>()};
+  auto picture = frame.picture->get_future();
+  presenter_.draw(std::move(frame));
+  presenter_.draw({.number = 2});  // by now the first one is forgotten
+  EXPECT_THROW(picture.get(), std::future_error);
+}
+
+TEST(PresenterErrors, AFilmBeyondTheCardsTexturesIsRefused) {
+  const test::XServer server;
+  const SteadyClock clock;
+  WindowEvents events;
+  Window window({.size = {64, 64}}, events, clock);
+  try {
+    const Presenter presenter(window, PyramidAtlas(65536, 16), clock);
+    FAIL() << "a texture 65536 texels wide";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("choose a smaller film"));
+  }
+}
+
+}  // namespace
+}  // namespace foveola

@@ -1,0 +1,192 @@
+#include "renderer/window/window.h"
+
+#include <functional>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "renderer/base/error.h"
+#include "tests/x_server.h"
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr const char* title = "A window of the tests";
+
+/// A window whose events are passed on while a user does something.
+class WindowTest : public ::testing::Test {
+ protected:
+  /// The events that `act` gives rise to, until those that `is_last` is true of, or ten seconds are
+  /// over.
+  std::vector<WindowEvent> events_while(const std::function<void(test::XUser&)>& act,
+                                        const std::function<bool(const WindowEvent&)>& is_last) {
+    std::vector<WindowEvent> all;
+    const std::jthread user_thread([&] {
+      test::XUser user(server_.display());
+      act(user);
+      const Nanoseconds end = clock_.now() + std::chrono::seconds(10);
+      bool is_over = false;
+      while (!is_over && clock_.now() < end) {
+        for (const WindowEvent& event : events_.take()) {
+          all.push_back(event);
+          is_over = is_over || is_last(event);
+        }
+        std::this_thread::sleep_for(milliseconds(1));
+      }
+      window_.finish();
+    });
+    window_.pass_on_events({});
+    return all;
+  }
+
+  test::XServer server_;
+  SteadyClock clock_;
+  WindowEvents events_;
+  Window window_{{.title = title, .size = {400, 300}}, events_, clock_};
+};
+
+TEST_F(WindowTest, HasTheSizeThatWasAskedFor) {
+  EXPECT_EQ(window_.framebuffer_size(), IVec2(400, 300));
+  const std::vector<MonitorInfo> monitors = window_.monitors();
+  ASSERT_EQ(monitors.size(), 1U);
+  EXPECT_EQ(monitors[0].size_px, IVec2(1280, 1024));
+}
+
+TEST_F(WindowTest, KeysComeWithTheTimeAtWhichTheyMoved) {
+  Nanoseconds before{0};
+  Nanoseconds between{0};
+  const auto events = events_while(
+      [&](test::XUser& user) {
+        user.point_at(title, 200, 150);
+        std::this_thread::sleep_for(milliseconds(100));
+        before = clock_.now();
+        user.hold("m");
+        std::this_thread::sleep_for(milliseconds(300));
+        between = clock_.now();
+        user.let_go("m");
+      },
+      [](const WindowEvent& event) {
+        const auto* key = std::get_if<KeyMoved>(&event.what);
+        return key != nullptr && !key->is_down;
+      });
+  std::vector<WindowEvent> keys;
+  int characters = 0;
+  for (const WindowEvent& event : events) {
+    if (std::holds_alternative<KeyMoved>(event.what)) {
+      keys.push_back(event);
+    } else if (const auto* typed = std::get_if<CharacterTyped>(&event.what)) {
+      EXPECT_EQ(typed->character, U'm');
+      ++characters;
+    }
+  }
+  ASSERT_EQ(keys.size(), 2U);
+  EXPECT_EQ(std::get<KeyMoved>(keys[0].what).key, GLFW_KEY_M);
+  EXPECT_TRUE(std::get<KeyMoved>(keys[0].what).is_down);
+  EXPECT_GE(keys[0].time, before);
+  EXPECT_LT(keys[0].time, between);
+  EXPECT_GE(keys[1].time, between);
+  EXPECT_GE(characters, 1);
+}
+
+TEST_F(WindowTest, ThePointerAndItsButtonCome) {
+  const auto events = events_while(
+      [](test::XUser& user) {
+        user.point_at(title, 120, 80);
+        user.press_button(1);
+        user.release_button(1);
+      },
+      [](const WindowEvent& event) {
+        const auto* button = std::get_if<MouseButtonMoved>(&event.what);
+        return button != nullptr && !button->is_down;
+      });
+  std::optional<DVec2> place;
+  int presses = 0;
+  for (const WindowEvent& event : events) {
+    if (const auto* pointer = std::get_if<PointerMoved>(&event.what);
+        pointer && pointer->is_inside) {
+      place = pointer->position;
+    } else if (const auto* button = std::get_if<MouseButtonMoved>(&event.what)) {
+      EXPECT_EQ(button->button, GLFW_MOUSE_BUTTON_LEFT);
+      presses += button->is_down ? 1 : 0;
+    }
+  }
+  ASSERT_TRUE(place);
+  EXPECT_EQ(*place, DVec2(120, 80));
+  EXPECT_EQ(presses, 1);
+}
+
+TEST_F(WindowTest, SizesCome) {
+  const auto is_the_new_one = [](const WindowEvent& event) {
+    const auto* size = std::get_if<WindowResized>(&event.what);
+    return size != nullptr && size->framebuffer == IVec2(640, 200);
+  };
+  const auto events =
+      events_while([](test::XUser& user) { user.resize(title, 640, 200); }, is_the_new_one);
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), is_the_new_one));
+  EXPECT_EQ(window_.framebuffer_size(), IVec2(640, 200));
+}
+
+TEST_F(WindowTest, AWishToCloseIsAnEvent) {
+  const auto is_wish = [](const WindowEvent& event) {
+    return std::holds_alternative<CloseWanted>(event.what);
+  };
+  const auto events = events_while([](test::XUser& user) { user.ask_to_close(title); }, is_wish);
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), is_wish));
+}
+
+TEST_F(WindowTest, ItSaysWhenItIsMinimised) {
+  const auto hidden = [](bool is_hidden) {
+    return [is_hidden](const WindowEvent& event) {
+      const auto* what = std::get_if<WindowHidden>(&event.what);
+      return what != nullptr && what->is_hidden == is_hidden;
+    };
+  };
+  const auto away =
+      events_while([](test::XUser& user) { user.say_minimised(title, true); }, hidden(true));
+  EXPECT_TRUE(std::any_of(away.begin(), away.end(), hidden(true)));
+}
+
+TEST_F(WindowTest, FillsTheMonitorAndComesBack) {
+  const auto has_size = [](const IVec2& size) {
+    return [size](const WindowEvent& event) {
+      const auto* resized = std::get_if<WindowResized>(&event.what);
+      return resized != nullptr && resized->framebuffer == size;
+    };
+  };
+  const auto toggle = [&](test::XUser& /*user*/) { window_.toggle_full_screen(); };
+  const auto full = events_while(toggle, has_size({1280, 1024}));
+  EXPECT_TRUE(std::any_of(full.begin(), full.end(), has_size({1280, 1024})));
+}
+
+TEST(WindowErrors, NoDisplayIsSaid) {
+  const test::XServer server;
+  ::setenv("DISPLAY", ":9999", 1);
+  WindowEvents events;
+  const SteadyClock clock;
+  try {
+    const Window window({}, events, clock);
+    FAIL() << "a window on no display";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("there is no display"));
+  }
+}
+
+TEST(WindowErrors, AMonitorThatIsNotThereIsSaid) {
+  const test::XServer server;
+  WindowEvents events;
+  const SteadyClock clock;
+  try {
+    const Window window({.monitor = 3}, events, clock);
+    FAIL() << "a window on no monitor";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("no monitor 3, only 1"));
+  }
+}
+
+}  // namespace
+}  // namespace foveola

@@ -1,0 +1,56 @@
+// A display without a screen, and hands to type and point on it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <sys/types.h>
+
+namespace foveola::test {
+
+/// Xvfb with one screen of 1280x1024, for as long as it lives. This process's DISPLAY names it, and
+/// Mesa draws with the processor.
+class XServer {
+ public:
+  /// Throws std::runtime_error if there is no Xvfb.
+  XServer();
+  ~XServer();
+  XServer(const XServer&) = delete;
+  XServer& operator=(const XServer&) = delete;
+
+  const std::string& display() const { return display_; }
+
+ private:
+  std::string display_;
+  pid_t process_ = -1;
+};
+
+/// A user, through the extension XTest. A window of `title` is looked for where one is named, for
+/// ten seconds at most; throws std::runtime_error if there is none.
+class XUser {
+ public:
+  explicit XUser(const std::string& display);
+  ~XUser();
+  XUser(const XUser&) = delete;
+  XUser& operator=(const XUser&) = delete;
+
+  /// Presses a key and lets it go; by its name, as in X11/keysymdef.h without XK_.
+  void type(const std::string& key);
+  void hold(const std::string& key);
+  void let_go(const std::string& key);
+  void press_button(unsigned button);
+  void release_button(unsigned button);
+  /// In the window, from its top left corner.
+  void point_at(const std::string& title, int x, int y);
+  void resize(const std::string& title, unsigned width, unsigned height);
+  /// As a window manager asks when its cross is clicked.
+  void ask_to_close(const std::string& title);
+  /// As a window manager says of a minimised window.
+  void say_minimised(const std::string& title, bool is_minimised);
+
+ private:
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace foveola::test
