@@ -65,7 +65,7 @@ PreviewRun run_of(const PreviewArguments& arguments, const RenderSettings& setti
 FrameOutput output_without_window(const RenderSettings& settings) {
   const bool is_resampled = settings.view.has_value();
   return {.resample =
-              [is_resampled](const Preview& preview) {
+              [is_resampled](Preview& preview) {
                 if (is_resampled) {
                   preview.present();
                 }

@@ -31,7 +31,7 @@ struct LiveFrame {
 /// How frames get to the display.
 struct FrameOutput {
   /// Makes the display's image of what the preview knows; returns when it is done with the film.
-  std::function<void(const Preview& preview)> resample;
+  std::function<void(Preview& preview)> resample;
   /// Hands the image over. If it waits until the display has taken it, at a refresh: returns when
   /// that was, and does little else. Empty otherwise.
   std::function<std::optional<Nanoseconds>()> present;

@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "renderer/base/random.h"
-#include "renderer/film/viewport_image.h"
-#include "renderer/image/tone_mapping.h"
 
 namespace foveola {
 namespace {
@@ -148,10 +146,14 @@ void Preview::hold_gaze(bool held) {
   }
 }
 
-RgbImage Preview::present() const {
-  return display_image(viewport_image(film_, viewport_, settings_.view_width, settings_.view_height,
-                                      settings_.unsampled, *workers_),
-                       settings_.exposure_stops);
+const RgbImage& Preview::present() {
+  if (!resampler_) {
+    resampler_.emplace(film_, ViewImage{.width = settings_.view_width,
+                                        .height = settings_.view_height,
+                                        .unsampled = settings_.unsampled,
+                                        .exposure_stops = settings_.exposure_stops});
+  }
+  return resampler_->show(viewport_, *workers_);
 }
 
 }  // namespace foveola

@@ -11,7 +11,7 @@
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
 #include "renderer/film/spare_done.h"
-#include "renderer/film/viewport_image.h"
+#include "renderer/film/viewport_resampler.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/trace/path_tracer.h"
@@ -99,8 +99,9 @@ class Preview {
   /// pointer follow the gaze. A restart keeps it.
   void point_at(const std::optional<Vec3>& pointer) { pointer_ = pointer; }
 
-  /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1].
-  RgbImage present() const;
+  /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1]. It
+  /// stays until the next call.
+  const RgbImage& present();
   /// The view of the last frame.
   const Viewport& viewport() const { return viewport_; }
   /// The gaze that it used, world.
@@ -126,6 +127,7 @@ class Preview {
   HeadTracker* head_;
   const Workers* workers_;
   EquirectFilm film_;
+  std::optional<ViewportResampler> resampler_;  ///< of the film, once it was presented
   Viewport viewport_;
   std::unique_ptr<ViewSampler> sampler_;
   std::uint64_t next_point_ = 0;

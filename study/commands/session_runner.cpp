@@ -188,7 +188,7 @@ std::optional<Nanoseconds> SessionRunner::show_frame() {
   if (!glance) {
     return std::nullopt;
   }
-  const RgbImage image = preview_->present();
+  const RgbImage& image = preview_->present();
   return participant_.see({.image = image,
                            .viewport = preview_->viewport(),
                            .gaze = participant_.gaze(clock_.now()),

@@ -36,7 +36,7 @@ class VirtualPreview {
   FrameReport next_frame();
 
   /// What is on the display now, and the view that it was rendered for.
-  RgbImage present() const { return preview_.present(); }
+  const RgbImage& present() { return preview_.present(); }
   const Viewport& viewport() const { return preview_.viewport(); }
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   std::uint64_t samples() const { return preview_.film().total_samples(); }
