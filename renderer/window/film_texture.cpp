@@ -12,7 +12,8 @@ namespace foveola {
 namespace {
 
 const void* offset_in_buffer(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // how OpenGL wants it
+  // OpenGL wants it so.
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
 void require_room_for(const IVec2& size) {
