@@ -1,5 +1,6 @@
 #include "renderer/commands/preview_command.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -188,7 +189,7 @@ void print_text(const LivePreviewReport& report, const PreviewCommand& command,
   fmt::print(
       "{}\nFirst picture {:.2f} s after the scene was loaded; refreshes at {:.2f} Hz, {}\n{}",
       report.graphics, seconds_to_first_picture(report), report.refresh_rate_hz,
-      report.is_refresh_measured ? "measured" : "as the display's profile says",
+      report.is_refresh_measured ? "measured" : "as the system or the display's profile says",
       preview_text(run_of(report, command, display)));
 }
 
@@ -238,6 +239,14 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
   fmt::print("{}\n", json.dump(2));
 }
 
+/// The rate that the system says the monitor runs at, or its profile's if it says none.
+double refresh_rate_hz(const Window& window, int monitor, const DisplayProfile& display) {
+  const std::vector<MonitorInfo> monitors = window.monitors();
+  const auto number = static_cast<std::size_t>(monitor);
+  const double said_hz = number < monitors.size() ? monitors[number].refresh_rate_hz : 0.0;
+  return said_hz > 0.0 ? said_hz : display.refresh_rate_hz;
+}
+
 void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
                  const std::stop_token& stop) {
   if (!command.screenshot.empty()) {
@@ -245,7 +254,7 @@ void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
     require_writable(command.screenshot);
   }
   require_method(command.method);
-  const DisplayProfile display = read_display_profile(command.display);
+  DisplayProfile display = read_display_profile(command.display);
   const SceneSource source = find_scene(command.scene);
   const SteadyClock clock;
   WindowEvents events;
@@ -253,6 +262,7 @@ void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
                  .size = parse_size("--window", command.window),
                  .monitor = command.full_screen ? std::optional(command.monitor) : std::nullopt},
                 events, clock);
+  display.refresh_rate_hz = refresh_rate_hz(window, command.monitor, display);
   LivePreviewReport report;
   std::exception_ptr fault;
   {
@@ -311,6 +321,7 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
   CLI::Option* full_screen =
       command->add_flag("--full-screen", arguments->full_screen, "Fill a monitor");
   command->add_option("--monitor", arguments->monitor, "Which one, from 0 on")
+      ->check(CLI::Range(0, 100))
       ->needs(full_screen)
       ->capture_default_str();
   command->add_option("--exposure", arguments->exposure_stops, "Brighter by so many stops")

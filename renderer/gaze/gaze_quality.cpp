@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/quantile.h"
 #include "renderer/gaze/eye_movements.h"
 
 namespace foveola {
@@ -14,16 +15,6 @@ namespace {
 constexpr std::size_t fewest_samples = 10;
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
-
-/// Empty without values.
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) {
-    return std::nullopt;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Between samples that arrived one after the other, valid or not.
 std::optional<double> usual_interval_s(std::span<const WatchedTarget> watched) {

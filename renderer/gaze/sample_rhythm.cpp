@@ -1,8 +1,8 @@
 #include "renderer/gaze/sample_rhythm.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "renderer/base/quantile.h"
 
 namespace foveola {
 
@@ -44,13 +44,7 @@ std::optional<double> SampleRhythm::jitter_ms() const {
 }
 
 std::optional<double> SampleRhythm::median_interval_s() const {
-  if (intervals_s_.empty()) {
-    return std::nullopt;
-  }
-  std::vector<double> sorted(intervals_s_.begin(), intervals_s_.end());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+  return median({intervals_s_.begin(), intervals_s_.end()});
 }
 
 }  // namespace foveola

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "renderer/film/view_pixels.h"
 #include "renderer/view/image_rectangle.h"
 
 namespace foveola {
@@ -134,9 +134,8 @@ int levels_shown(const Viewport& viewport, const IVec2& view, int film_height) {
           std::max(largest_sr, viewport.sr_per_area(Vec2(x, y) / static_cast<float>(steps)));
     }
   }
-  const double pixel_rad = std::sqrt(largest_sr / (static_cast<double>(view.x) * view.y));
-  const double level = std::log2(pixel_rad * film_height / std::numbers::pi);
-  return 2 + static_cast<int>(std::floor(std::max(level, 0.0)));
+  const double pixels = static_cast<double>(view.x) * view.y;
+  return 2 + static_cast<int>(level_for(largest_sr / pixels, film_height));
 }
 
 }  // namespace foveola

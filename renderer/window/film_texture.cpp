@@ -32,10 +32,10 @@ void require_room_for(const IVec2& size) {
 FilmTexture::FilmTexture(const PyramidAtlas& atlas)
     : atlas_(atlas),
       program_(make_gl_program(atlas_vertex_shader, atlas_fragment_shader)),
-      texture_(make_gl_texture()),
-      framebuffer_(make_gl_framebuffer()),
-      rectangles_(make_gl_buffer()),
-      layout_(make_gl_vertex_array()) {
+      texture_(make_gl<GlTexture>(glGenTextures)),
+      framebuffer_(make_gl<GlFramebuffer>(glGenFramebuffers)),
+      rectangles_(make_gl<GlBuffer>(glGenBuffers)),
+      layout_(make_gl<GlVertexArray>(glGenVertexArrays)) {
   require_room_for(atlas.size());
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, atlas.size().x, atlas.size().y, 0, GL_RGBA, GL_FLOAT,

@@ -28,30 +28,6 @@ GlShader compile(GLenum kind, const std::string& source) {
 
 }  // namespace
 
-GlTexture make_gl_texture() {
-  GLuint name = 0;
-  glGenTextures(1, &name);
-  return GlTexture(name);
-}
-
-GlFramebuffer make_gl_framebuffer() {
-  GLuint name = 0;
-  glGenFramebuffers(1, &name);
-  return GlFramebuffer(name);
-}
-
-GlBuffer make_gl_buffer() {
-  GLuint name = 0;
-  glGenBuffers(1, &name);
-  return GlBuffer(name);
-}
-
-GlVertexArray make_gl_vertex_array() {
-  GLuint name = 0;
-  glGenVertexArrays(1, &name);
-  return GlVertexArray(name);
-}
-
 GlProgram make_gl_program(const std::string& vertex_source, const std::string& fragment_source) {
   const GlShader vertex = compile(GL_VERTEX_SHADER, vertex_source);
   const GlShader fragment = compile(GL_FRAGMENT_SHADER, fragment_source);

@@ -48,10 +48,13 @@ using GlVertexArray = GlObject<remove_gl_vertex_array>;
 using GlProgram = GlObject<remove_gl_program>;
 using GlShader = GlObject<remove_gl_shader>;
 
-GlTexture make_gl_texture();
-GlFramebuffer make_gl_framebuffer();
-GlBuffer make_gl_buffer();
-GlVertexArray make_gl_vertex_array();
+/// A new one. generate: what makes names of its kind, such as glGenTextures.
+template <typename Object>
+Object make_gl(void (*generate)(GLsizei count, GLuint* names)) {
+  GLuint name = 0;
+  generate(1, &name);
+  return Object(name);
+}
 
 /// Compiles and links GLSL. Throws Error with the compiler's own words.
 GlProgram make_gl_program(const std::string& vertex_source, const std::string& fragment_source);

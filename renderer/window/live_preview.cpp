@@ -24,15 +24,7 @@ constexpr std::array acuity_rings_deg = {reddy_knee_deg, 10.0, 20.0, 40.0};
 
 constexpr int gaze_check_targets = 5;
 
-/// The first of foveola-1.png, foveola-2.png, ... that does not exist.
-fs::path new_picture_file() {
-  for (int i = 1;; ++i) {
-    fs::path file = fmt::format("foveola-{}.png", i);
-    if (!fs::exists(file)) {
-      return file;
-    }
-  }
-}
+fs::path picture_file(int number) { return fmt::format("foveola-{}.png", number); }
 
 /// Keeps about the last `most` of a list that grows at its end.
 template <typename Item>
@@ -81,6 +73,9 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   report_.graphics = parts_.presenter->graphics();
   if (last_picture_) {
     report_.last_picture = last_picture_->get();
+  }
+  for (std::future<void>& written : pictures_being_written_) {
+    written.get();  // throws what went wrong
   }
   return std::move(report_);
 }
@@ -166,7 +161,7 @@ void LivePreview::show_in(const WindowResized& size) {
 }
 
 void LivePreview::draw(const Preview& preview) {
-  ShownFrame frame{.number = report_.frame_count};
+  ShownFrame frame;
   const std::vector<Viewport> viewports = viewports_of(geometry_, preview.viewport().head());
   for (std::size_t i = 0; i < viewports.size(); ++i) {
     frame.views.push_back({.viewport = viewports[i], .part = geometry_.parts[i]});
@@ -207,7 +202,7 @@ void LivePreview::go_on_checking(const Preview& preview) {
 }
 
 std::optional<Nanoseconds> LivePreview::wait_until_shown() {
-  const Nanoseconds shown = parts_.presenter->wait_until_shown().shown;
+  const Nanoseconds shown = parts_.presenter->wait_until_shown();
   if (!report_.first_shown) {
     report_.first_shown = shown - start_;
   }
@@ -235,7 +230,11 @@ void LivePreview::keep(const LiveFrame& frame) {
 }
 
 void LivePreview::write_picture(std::future<RgbImage> picture) {
-  const fs::path file = new_picture_file();
+  // One that was taken a moment ago may not be on the disk yet.
+  do {
+    ++last_picture_number_;
+  } while (fs::exists(picture_file(last_picture_number_)));
+  const fs::path file = picture_file(last_picture_number_);
   message_ = "picture: " + file.string();
   pictures_being_written_.push_back(
       std::async(std::launch::async, [file, picture = std::move(picture)]() mutable {

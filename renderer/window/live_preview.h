@@ -103,6 +103,7 @@ class LivePreview {
   bool is_done_ = false;
   bool wants_picture_ = false;
   std::optional<std::future<RgbImage>> last_picture_;
+  int last_picture_number_ = 0;  ///< of foveola-1.png, foveola-2.png, ...
   std::vector<std::future<void>> pictures_being_written_;
 };
 

@@ -75,10 +75,10 @@ void Presenter::draw(ShownFrame frame) {
   wait_for(is_drawn_, lock);
 }
 
-PresentedFrame Presenter::wait_until_shown() {
+Nanoseconds Presenter::wait_until_shown() {
   std::unique_lock lock(mutex_);
   wait_for(is_ready_, lock);
-  return presented_;
+  return shown_;
 }
 
 void Presenter::wait_for(const bool& flag, std::unique_lock<std::mutex>& lock) {
@@ -110,10 +110,8 @@ void Presenter::serve(const std::stop_token& stop, Card& card) {
     }
     const ShownFrame frame = *std::exchange(frame_, std::nullopt);
     lock.unlock();
-    PresentedFrame presented{.number = frame.number, .taken = clock_->now()};
     card.draw(frame);
     glFinish();
-    presented.drawn = clock_->now();
     lock.lock();
     is_drawn_ = true;
     changed_.notify_all();
@@ -121,9 +119,8 @@ void Presenter::serve(const std::stop_token& stop, Card& card) {
     if (frame.framebuffer.x > 0 && frame.framebuffer.y > 0) {
       window_->swap();
     }
-    presented.shown = clock_->now();
     lock.lock();
-    presented_ = presented;
+    shown_ = clock_->now();
   }
 }
 

@@ -26,7 +26,6 @@ struct ShownView {
 
 /// All that the drawing thread needs for a frame.
 struct ShownFrame {
-  std::uint64_t number = 0;
   IVec2 framebuffer{0};          ///< pixels; nothing is drawn if it has none
   FilmUpdate update;             ///< since the frame before
   std::vector<ShownView> views;  ///< one, or one for each eye
@@ -35,14 +34,6 @@ struct ShownFrame {
   std::vector<TextPanel> panels;
   /// Gets what was drawn, sRGB in [0, 1], top row first.
   std::shared_ptr<std::promise<RgbImage>> picture;
-};
-
-/// When a frame went through the graphics card.
-struct PresentedFrame {
-  std::uint64_t number = 0;
-  Nanoseconds taken{0};  ///< by the drawing thread
-  Nanoseconds drawn{0};  ///< all of it, on the card
-  Nanoseconds shown{0};  ///< the buffers were swapped
 };
 
 class Presenter {
@@ -58,8 +49,9 @@ class Presenter {
   /// Rethrows what went wrong in the drawing thread.
   void draw(ShownFrame frame);
 
-  /// Waits until the frame that was drawn last is shown. Rethrows as draw.
-  PresentedFrame wait_until_shown();
+  /// Waits until the frame that was drawn last is shown, and says when that was: its buffers were
+  /// swapped. Rethrows as draw.
+  Nanoseconds wait_until_shown();
 
   /// The graphics card and its driver, in their own words.
   const std::string& graphics() const { return graphics_; }
@@ -82,7 +74,7 @@ class Presenter {
   bool is_ready_ = false;            ///< for a frame: the one before was shown
   bool is_drawn_ = false;            ///< the frame that was handed over last
   std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
-  PresentedFrame presented_;         ///< the last one
+  Nanoseconds shown_{0};             ///< when the last one was
   std::exception_ptr fault_;
   std::jthread thread_;  ///< last: it ends before the rest does
 };

@@ -32,8 +32,8 @@ void bind(GLint unit, GLuint texture) {
 
 ViewRenderer::ViewRenderer()
     : program_(make_gl_program(view_vertex_shader, view_fragment_shader)),
-      no_vertices_(make_gl_vertex_array()),
-      density_(make_gl_texture()) {
+      no_vertices_(make_gl<GlVertexArray>(glGenVertexArrays)),
+      density_(make_gl<GlTexture>(glGenTextures)) {
   set_smooth(density_.name());
   glDisable(GL_DITHER);
   check_gl("view renderer");

@@ -76,9 +76,6 @@ struct Window::Callbacks {
   static void mouse_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
     of(window).push(MouseButtonMoved{.button = button, .is_down = action == GLFW_PRESS});
   }
-  static void wheel(GLFWwindow* window, double /*x*/, double y) {
-    of(window).push(WheelTurned{.steps = y});
-  }
   static void resized(GLFWwindow* window, int width, int height) {
     WindowResized resized{.framebuffer = {width, height}};
     glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
@@ -86,9 +83,6 @@ struct Window::Callbacks {
   }
   static void hidden(GLFWwindow* window, int iconified) {
     of(window).push(WindowHidden{.is_hidden = iconified == GLFW_TRUE});
-  }
-  static void focus(GLFWwindow* window, int focused) {
-    of(window).push(FocusMoved{.has_focus = focused == GLFW_TRUE});
   }
   static void close(GLFWwindow* window) {
     glfwSetWindowShouldClose(window, GLFW_FALSE);
@@ -127,10 +121,8 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   glfwSetCursorPosCallback(window_, Callbacks::pointer);
   glfwSetCursorEnterCallback(window_, Callbacks::pointer_entered);
   glfwSetMouseButtonCallback(window_, Callbacks::mouse_button);
-  glfwSetScrollCallback(window_, Callbacks::wheel);
   glfwSetFramebufferSizeCallback(window_, Callbacks::resized);
   glfwSetWindowIconifyCallback(window_, Callbacks::hidden);
-  glfwSetWindowFocusCallback(window_, Callbacks::focus);
   glfwSetWindowCloseCallback(window_, Callbacks::close);
   glfwGetWindowPos(window_, &restored_position_.x, &restored_position_.y);
   for (GLFWmonitor* const known : glfw_monitors()) {
@@ -144,12 +136,9 @@ std::vector<MonitorInfo> Window::monitors() const {
   std::vector<MonitorInfo> list;
   for (GLFWmonitor* const monitor : glfw_monitors()) {
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    IVec2 size_mm(0);
-    glfwGetMonitorPhysicalSize(monitor, &size_mm.x, &size_mm.y);
     list.push_back({.name = glfwGetMonitorName(monitor),
                     .size_px = {mode->width, mode->height},
-                    .refresh_rate_hz = static_cast<double>(mode->refreshRate),
-                    .size_m = 1e-3 * DVec2(size_mm)});
+                    .refresh_rate_hz = static_cast<double>(mode->refreshRate)});
   }
   return list;
 }

@@ -31,7 +31,6 @@ struct MonitorInfo {
   std::string name;
   IVec2 size_px{0};
   double refresh_rate_hz = 0.0;  ///< as the system says; 0 if it does not
-  DVec2 size_m{0.0};             ///< likewise
 };
 
 class Window {

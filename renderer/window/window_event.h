@@ -30,9 +30,6 @@ struct MouseButtonMoved {
   int button = 0;  ///< GLFW's number; 0 is the left one
   bool is_down = false;
 };
-struct WheelTurned {
-  double steps = 0.0;  ///< positive: away from the user
-};
 /// The first gamepad's sticks; at rest once it is gone.
 struct GamepadMoved {
   GamepadSticks sticks;
@@ -45,9 +42,6 @@ struct WindowResized {
 struct WindowHidden {
   bool is_hidden = false;
 };
-struct FocusMoved {
-  bool has_focus = false;
-};
 struct MonitorLost {
   std::string name;
 };
@@ -58,8 +52,8 @@ struct CloseWanted {};
 
 struct WindowEvent {
   Nanoseconds time{0};
-  std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, WheelTurned, GamepadMoved,
-               WindowResized, WindowHidden, FocusMoved, MonitorLost, MonitorFound, CloseWanted>
+  std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, GamepadMoved,
+               WindowResized, WindowHidden, MonitorLost, MonitorFound, CloseWanted>
       what;
 };
 

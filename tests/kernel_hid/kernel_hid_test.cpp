@@ -14,9 +14,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernel_hid/uhid_device.h"
-#include "tests/kernel_hid/waiting.h"
 #include "tests/kernel_hid/watched_tracker.h"
 #include "tests/renderer/gaze/hid_reference.h"
+#include "tests/waiting.h"
 
 namespace foveola {
 namespace {

@@ -10,7 +10,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "tests/kernel_hid/waiting.h"
+#include "tests/waiting.h"
 
 namespace foveola::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "tests/kernel_hid/waiting.h"
+#include "tests/waiting.h"
 
 namespace foveola::test {
 

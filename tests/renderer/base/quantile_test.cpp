@@ -22,5 +22,11 @@ TEST(Quantile, IsTheLeastThatEnoughValuesDoNotExceed) {
   EXPECT_EQ(quantile(even, 0.51), 4.0);
 }
 
+TEST(Median, IsTheUpperOfTwo) {
+  EXPECT_EQ(median({16.0, 1.0, 4.0, 2.0, 8.0}), 4.0);
+  EXPECT_EQ(median({8.0, 1.0, 4.0, 2.0}), 4.0);
+  EXPECT_EQ(median({}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace foveola

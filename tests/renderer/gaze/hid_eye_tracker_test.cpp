@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "tests/renderer/gaze/hid_reference.h"
 #include "tests/renderer/gaze/newest_gaze.h"
+#include "tests/waiting.h"
 
 namespace foveola {
 namespace {
@@ -123,14 +124,12 @@ HidTrackerSettings quick_settings() {
 /// Waits until the tracker's state is such, however slow the machine; throws if it never is.
 HidTrackerState wait_for(const HidEyeTracker& tracker,
                          const std::function<bool(const HidTrackerState&)>& is_reached) {
-  for (int tries = 0; tries < 60'000; ++tries) {
-    HidTrackerState state = tracker.state();
-    if (is_reached(state)) {
-      return state;
-    }
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  throw std::runtime_error("the tracker did not get there: " + tracker.state().trouble);
+  HidTrackerState state;
+  test::wait_until("the tracker's state", [&] {
+    state = tracker.state();
+    return is_reached(state);
+  });
+  return state;
 }
 
 auto has_reports(std::uint64_t count) {
