@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "renderer/view/view_sampler.h"
 #include "renderer/view/viewport.h"
 #include "renderer/view/weight_image.h"
+#include "study/protocol/questionnaire.h"
 
 namespace foveola::study {
 
@@ -29,14 +31,6 @@ struct MethodFile {
   std::string file;    ///< as the method's text names it, relative to the protocol's folder
   std::string sha256;
   std::shared_ptr<const WeightImage> weights;
-};
-
-/// A question of the background questionnaire, answered with a whole number.
-struct Question {
-  std::string id;
-  std::string text;
-  int minimum = 1;
-  int maximum = 5;
 };
 
 /// The machine whose speed a simulated study assumes, so that its times do not depend on the host.
@@ -81,7 +75,84 @@ struct TrackerSettings {
 
 struct Timing {
   double mark_timeout_s = 120.0;  ///< a mark that has not come by then is censored
-  double rating_s = 4.0;          ///< how long a participant looks around before rating
+  double rating_s = 4.0;          ///< how long a participant looks around before rating, at least
+};
+
+/// How the rows of a design are made. Latin and Williams squares are as large as what they order.
+enum class Order {
+  fixed,     ///< as the protocol lists it
+  random,    ///< drawn anew for every participant; as published
+  latin,     ///< the rows of a cyclic Latin square
+  williams,  ///< balanced for what precedes what
+};
+
+/// A moment that the participant marks while a trial is rendered; the marks come in the protocol's
+/// order.
+struct MarkEntry {
+  std::string id;           ///< "outline", "material"
+  std::string instruction;  ///< what the participant reads before the trial
+};
+
+/// For how long a trial's object is kept.
+enum class ObjectChoice { per_scene, per_method };
+
+/// What changes in one scene or with one method: settings cascade from the protocol to the scene to
+/// the method.
+struct SettingsOverride {
+  std::string scene;   ///< empty: in all
+  std::string method;  ///< empty: with all
+  std::optional<FilmSettings> film;
+  std::optional<Timing> timing;
+  std::optional<bool> fill_unsampled;
+};
+
+/// What a trial is shown with.
+struct TrialSettings {
+  FilmSettings film;
+  Timing timing;
+  bool fill_unsampled = false;
+};
+
+struct PracticeEntry {
+  std::string scene;
+  std::string method;
+};
+
+/// Trials in which nothing is rendered.
+struct CatchTrials {
+  int count = 0;           ///< in a session, at places that the seed draws
+  double timeout_s = 8.0;  ///< after which each ends by itself
+};
+
+struct ReactionSettings {
+  int presses = 10;
+  double shortest_wait_s = 1.0;  ///< drawn uniformly between these, so that nobody can guess
+  double longest_wait_s = 3.0;
+};
+
+/// A part of a session: "consent", "validation", "reaction", "trials" (with the practice before
+/// them), or a questionnaire.
+struct PhaseEntry {
+  enum class Kind { consent, questionnaire, validation, reaction, trials };
+  Kind kind = Kind::trials;
+  std::string questionnaire;  ///< its id
+};
+
+/// A comparison that the analysis plan names before there are data.
+struct PlannedComparison {
+  std::string measure;   ///< "outline", "material" or a rating's id
+  std::string method;    ///< compared with `baseline`
+  std::string baseline;  ///< a method of the protocol
+};
+
+/// The preregistered part of the analysis: anything else is exploratory.
+struct AnalysisPlan {
+  std::vector<PlannedComparison> primary;
+  double alpha = 0.05;
+  /// Of equivalence tests, per measure: the largest difference that does not matter. Times as a
+  /// ratio above 1, ratings in points.
+  std::map<std::string, double> equivalence_margins;
+  std::optional<int> participants;  ///< as many are planned
 };
 
 /// How well a simulation knows what the image will converge to.
@@ -93,7 +164,9 @@ struct ReferenceQuality {
 struct Protocol {
   std::string name;
   std::string title;
-  std::vector<SceneEntry> scenes;  ///< at least one, none twice
+  std::string language = "en";               ///< BCP 47, of the texts
+  std::map<std::string, std::string> texts;  ///< screens' words over the built-in ones, by their id
+  std::vector<SceneEntry> scenes;            ///< at least one, none twice
   std::vector<std::string>
       methods;  ///< as make_view_sampler reads them, none twice; first: baseline
   std::vector<MethodFile> method_files;  ///< in the methods' order; none twice for one method
@@ -103,7 +176,18 @@ struct Protocol {
   TrackerSettings tracker;
   Timing timing;
   ReferenceQuality reference;
-  std::vector<Question> background;
+  Order scene_order = Order::random;
+  Order method_order = Order::random;  ///< within each scene
+  ObjectChoice object_choice = ObjectChoice::per_scene;
+  std::vector<MarkEntry> marks;   ///< at least one; default: outline, material
+  std::vector<Question> ratings;  ///< after the marks; default: "artifacts", 1 to 5
+  std::vector<PracticeEntry> practice;
+  CatchTrials catch_trials;
+  std::optional<ReactionSettings> reaction;
+  std::vector<Questionnaire> questionnaires;
+  std::vector<PhaseEntry> phases;  ///< in the session's order; exactly one is trials
+  std::vector<SettingsOverride> overrides;
+  AnalysisPlan analysis;
 
   std::filesystem::path path;
   std::string text;    ///< the file, to the letter
@@ -119,6 +203,14 @@ std::filesystem::path find_protocol(const std::string& name_or_path);
 /// by a path. Throws Error with file:line:column for an unknown key, a wrong type, an impossible
 /// value or a bad file.
 Protocol load_protocol(const std::filesystem::path& path);
+
+/// What a trial of this scene and method is shown with: the protocol's settings, then the scene's,
+/// then the method's, then those of both.
+TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
+                          const std::string& method);
+
+/// The questionnaire of this id, which the protocol has.
+const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id);
 
 /// The TOML of the profiles that the protocol names, by what they are of: "display", "tracker".
 struct NamedProfile {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,31 +32,61 @@ struct SessionFacts {
   std::string participant;  ///< code, never a name
   SessionKind kind = SessionKind::simulated;
   std::uint64_t seed = 0;
+  int design_row = 0;  ///< that the plan was made of
   BuildInfo build;
   MachineInfo machine;
+  /// Of a person's session, as a JSON object: what the display turned out to be (its size, refresh
+  /// rate, whether that was measured, graphics card) and the eye tracker; {} of a simulated one.
+  std::string devices = "{}";
   std::vector<ShownScene> scenes;
+};
+
+/// A session of the file, with all that its program needs to go on with it.
+struct KnownSession {
+  std::int64_t id = 0;
+  std::string participant;
+  SessionKind kind = SessionKind::simulated;
+  std::uint64_t seed = 0;
+  int design_row = 0;
+  Phase phase = Phase::created;
+  std::string program_version;
+  std::vector<ShownScene> scenes;
+};
+
+struct LoggedEvent {
+  Nanoseconds time{0};
+  Event event;
 };
 
 /// One rendered frame, as it is kept.
 struct FrameRow {
-  Nanoseconds time{0};  ///< session clock
+  Nanoseconds time{0};       ///< session clock: head and gaze were polled
+  Nanoseconds presented{0};  ///< session clock: it was on the display
   float head_azimuth_rad = 0.0F;
   float head_elevation_rad = 0.0F;
   Vec3 gaze{0.0F};  ///< world, the one that was used
   bool gaze_valid = false;
   bool gaze_held = false;
+  bool is_late = false;  ///< it missed its refresh
   Nanoseconds gaze_age{0};
   std::uint32_t samples = 0;
 };
 
+/// What the film was after a frame, so that a replay can be checked.
+struct FilmHash {
+  std::uint64_t frame = 0;  ///< counted from the attempt's start
+  std::string sha256;
+};
+
 /// A study's file, open for writing. Every function that returns has committed with
-/// synchronous=FULL; one that throws Error has changed nothing. Several programs may write to one
-/// file at a time: each waits for the other's commit.
+/// synchronous=FULL; one that throws Error has changed nothing. There is one at a time for a file.
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
-  /// the file is no database, damaged, of another schema, or of another protocol, other files of
-  /// its methods or other profiles (by their hashes); nothing is then made or changed.
+  /// the file is no database, damaged, of a newer schema, or of another protocol, other files of
+  /// its methods or other profiles (by their hashes), or if another program has it open to write:
+  /// then it says which, and since when. Nothing is then made or changed. A file of an older schema
+  /// is copied beside itself and brought to this one.
   StudyStore(const std::filesystem::path& path, const Protocol& protocol);
   /// Leaves one self-contained file (the write-ahead log is folded in).
   ~StudyStore();
@@ -64,6 +95,15 @@ class StudyStore {
 
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;
+
+  /// In the order in which they were begun.
+  std::vector<KnownSession> sessions() const;
+
+  /// As it was recorded before anything happened.
+  Plan plan_of(std::int64_t session) const;
+
+  /// Everything that happened in a session, in order.
+  std::vector<LoggedEvent> events_of(std::int64_t session) const;
 
   /// Records a new session with its whole plan, before anything happens in it. Returns its row id.
   /// Throws Error if the participant has one already.
@@ -82,6 +122,11 @@ class StudyStore {
   /// Likewise, gaze samples.
   void record_gaze(std::int64_t session, std::size_t trial, int attempt, std::uint64_t first_sample,
                    const std::vector<GazeSample>& samples);
+
+  void record_film_hash(std::int64_t session, std::size_t trial, int attempt, const FilmHash& hash);
+
+  /// Copies the whole study to `path`, and checks the copy; the file is there whole or not at all.
+  void back_up(const std::filesystem::path& path) const;
 
  private:
   struct Implementation;

@@ -15,25 +15,24 @@ namespace foveola::study {
 
 enum class Phase {
   created,
+  consent,          ///< waiting for the participant's consent
+  questionnaire,    ///< waiting for a form's answers
   validation,       ///< waiting for how well the tracker sees the gaze
-  background,       ///< waiting for the questionnaire's answers
+  reaction,         ///< waiting for a key press at what appears
   choosing_object,  ///< of the trial's scene
+  ready,            ///< waiting for the participant to start the trial
   armed,            ///< rendering was asked for; waiting for its first frame to be presented
-  outline,          ///< waiting for the outline mark
-  material,         ///< waiting for the material mark
+  marking,          ///< waiting for the next mark
   rating,           ///< looking around, waiting for the rating
+  paused,
+  interrupted,  ///< the program stopped or died; the session can be resumed
   completed,
-  interrupted,
   withdrawn,
+  excluded,
   refused,  ///< by the protocol's gate: the tracker did not see the gaze well enough
 };
 
 const char* name_of(Phase phase);
-
-struct Answer {
-  std::string question;
-  int value = 0;
-};
 
 /// One look at all of a validation's targets.
 struct GazeRun {
@@ -43,74 +42,116 @@ struct GazeRun {
 };
 
 // What can happen. Times are of the session's clock.
-struct SessionStarted {
-  int validations = 0;  ///< how often the gaze may be validated until it passes; 0: it need not be
+struct SessionStarted {};
+struct ConsentGiven {};
+struct QuestionnaireAnswered {
+  std::string questionnaire;
+  std::vector<Answer> answers;
 };
 struct GazeValidated {
   std::vector<GazeRun> runs;  ///< in the order of time
   bool passed = false;
 };
-struct BackgroundAnswered {
-  std::vector<Answer> answers;
+/// A press at what appeared at `shown`. One before that is a false start: kept, and asked for
+/// again.
+struct ReactionPressed {
+  Nanoseconds shown{0};
+  Nanoseconds time{0};  ///< of the key
 };
 struct ObjectChosen {
   std::string object;
 };
+struct TrialStarted {};
 struct FirstFramePresented {
   Nanoseconds time{0};
 };
-struct OutlineMarked {
-  Nanoseconds time{0};
-};
-struct MaterialMarked {
+/// The mark that is waited for was made.
+struct Marked {
   Nanoseconds time{0};
 };
 /// The mark that is waited for did not come in time: it is censored.
 struct TimedOut {
   Nanoseconds time{0};
 };
-struct ArtifactsRated {
-  int rating = 0;  ///< 1 none ... 5 not discernible at all
+struct Rated {
+  std::vector<Answer> answers;  ///< one to each of the protocol's ratings
 };
 /// The timing failed: the whole method is timed again, with the same object.
 struct RetimeRequested {};
+struct PauseRequested {};
 struct Interrupted {};
+/// After a pause or an interruption: a trial that had begun is timed again.
+struct Resumed {};
+/// By the experimenter, at any time.
+struct NoteWritten {
+  std::string text;
+};
 struct Withdrawn {};
+struct Excluded {
+  std::string reason;
+};
 
-using Event = std::variant<SessionStarted, GazeValidated, BackgroundAnswered, ObjectChosen,
-                           FirstFramePresented, OutlineMarked, MaterialMarked, TimedOut,
-                           ArtifactsRated, RetimeRequested, Interrupted, Withdrawn>;
+using Event = std::variant<SessionStarted, ConsentGiven, QuestionnaireAnswered, GazeValidated,
+                           ReactionPressed, ObjectChosen, TrialStarted, FirstFramePresented, Marked,
+                           TimedOut, Rated, RetimeRequested, PauseRequested, Interrupted, Resumed,
+                           NoteWritten, Withdrawn, Excluded>;
 
+/// The name that records use: "session_started", "consent_given", "questionnaire_answered",
+/// "gaze_validated", "reaction_pressed", "object_chosen", "trial_started",
+/// "first_frame_presented", "marked", "timed_out", "rated", "retime_requested", "pause_requested",
+/// "interrupted", "resumed", "note_written", "withdrawn", "excluded".
 const char* name_of(const Event& event);
 
 // What the controller then does, in this order, after the event is durable.
+struct AskForConsent {};
+struct AskQuestionnaire {
+  std::string questionnaire;
+};
 struct ValidateGaze {};
-struct AskBackground {};
+struct AskForPress {};
 struct AskForObject {};
+struct AskWhetherReady {};
 struct StartRendering {};
 struct AcknowledgeMark {};
 struct AskForRating {};
 struct StopRendering {};
+struct ShowPause {};
 struct EndSession {};
 
-using Effect = std::variant<ValidateGaze, AskBackground, AskForObject, StartRendering,
-                            AcknowledgeMark, AskForRating, StopRendering, EndSession>;
+using Effect = std::variant<AskForConsent, AskQuestionnaire, ValidateGaze, AskForPress,
+                            AskForObject, AskWhetherReady, StartRendering, AcknowledgeMark,
+                            AskForRating, StopRendering, ShowPause, EndSession>;
 
+/// All that an event's meaning depends on. A session's state follows from its agenda and the events
+/// so far, so that it is made again from the record after a crash.
 struct SessionState {
   Phase phase = Phase::created;
-  int validations_left = 0;  ///< of the gaze, the next one included
-  std::size_t trial = 0;     ///< index into the plan
-  int attempt = 1;           ///< of the trial; counts up with each retiming
-  std::string object;        ///< chosen for this trial
-  Nanoseconds first_frame{0};
-  Nanoseconds outline{0};  ///< time of the outline mark or its time-out
+  std::size_t step = 0;        ///< index into the agenda; its size once completed
+  int validations_left = 0;    ///< of this step, the next one included
+  int presses_left = 0;        ///< of this step, the next one included
+  int attempt = 1;             ///< of the trial; counts up with each that has to be done again
+  int timing = 1;              ///< likewise, but only with each that was asked to be retimed
+  std::size_t mark = 0;        ///< index of the one that is waited for
+  std::string object;          ///< chosen last
+  Nanoseconds first_frame{0};  ///< of the attempt
+  Nanoseconds last_mark{0};    ///< or its time-out; the first frame before there is one
+  /// Where a pause or an interruption ends. An attempt that had begun ends with them: then `ready`.
+  Phase resumes_at = Phase::created;
 
   bool is_over() const {
-    return phase == Phase::completed || phase == Phase::interrupted || phase == Phase::withdrawn ||
+    return phase == Phase::completed || phase == Phase::withdrawn || phase == Phase::excluded ||
            phase == Phase::refused;
   }
   friend bool operator==(const SessionState&, const SessionState&) = default;
 };
+
+/// What the machine knows of a protocol.
+struct Procedure {
+  Agenda agenda;
+  std::size_t marks = 2;  ///< in a trial
+};
+
+Procedure procedure_of(const Protocol& protocol, const Plan& plan);
 
 struct Transition {
   SessionState state;
@@ -118,7 +159,11 @@ struct Transition {
 };
 
 /// The state after `event`. Empty if the event is not allowed in this state: a mark skipped, a
-/// second rating, a rating out of 1 to 5, a mark earlier than what came before it.
-std::optional<Transition> step(const Plan& plan, const SessionState& state, const Event& event);
+/// second rating, a mark earlier than what came before it, another questionnaire than was asked.
+std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
+                               const Event& event);
+
+/// The index in the plan of the trial that the state is in; empty if it is in none.
+std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state);
 
 }  // namespace foveola::study

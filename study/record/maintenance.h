@@ -1,0 +1,53 @@
+// What a researcher does with a study's file between sessions: check, merge, forget.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foveola::study {
+
+/// A fault of a study's file, in words that say where it is.
+struct RecordFault {
+  std::string participant;  ///< empty: of the whole file
+  std::string what;
+};
+
+struct Verification {
+  std::size_t sessions = 0;
+  std::size_t events = 0;
+  std::size_t chunks = 0;  ///< of frames and gaze
+  std::vector<RecordFault> faults;
+  /// Sessions that are not over, trials without a mark or rating, attempts without frames: no
+  /// damage, but not complete either.
+  std::vector<RecordFault> gaps;
+};
+
+/// Integrity, foreign keys, each session's hash chain, each chunk's checksum, whether the tables
+/// follow from the log, and completeness. Changes nothing. Throws Error for what is no study.
+Verification verify_study(const std::filesystem::path& path);
+
+struct Merge {
+  std::size_t sessions_added = 0;
+  std::size_t sessions_known = 0;  ///< the same in both, by UUID
+};
+
+/// Adds the sessions of `sources` to a new file at `target`, each once, by UUID. Throws Error, and
+/// leaves no target, if the studies differ, a session differs between two of them, or two people
+/// have one code.
+Merge merge_studies(const std::vector<std::filesystem::path>& sources,
+                    const std::filesystem::path& target);
+
+struct Forgotten {
+  std::size_t files = 0;  ///< rebuilt: the study and its backups
+};
+
+/// Rebuilds the study and all of its backups without one participant's session, and checks that
+/// nothing of it is left in the files. Throws Error if there is no such participant.
+Forgotten forget_participant(const std::filesystem::path& path, const std::string& code);
+
+/// Where a study's backups lie: beside it, STUDY.sqlite.backups.
+std::filesystem::path backup_folder(const std::filesystem::path& study);
+
+}  // namespace foveola::study
