@@ -1,23 +1,13 @@
-// What the study's commands print, as plain aligned text.
+// How far a study has come, as plain aligned text.
 #pragma once
 
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "renderer/base/scene_source.h"
-#include "study/design/plan.h"
-#include "study/protocol/protocol.h"
 #include "study/record/study_records.h"
 
 namespace foveola::study {
-
-/// What a protocol means; sources are its scenes as they were found.
-std::string protocol_table(const Protocol& protocol, const std::vector<SceneSource>& sources);
-
-/// One line for each participant and scene, in their order.
-std::string plan_table(const std::vector<Plan>& plans);
 
 /// How far a study has come.
 struct StudyStatus {

@@ -1,37 +1,15 @@
-#include "study/commands/tables.h"
+#include "study/commands/protocol_tables.h"
 
-#include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "study/commands/aligned_rows.h"
 #include "study/commands/participant_code.h"
 
 namespace foveola::study {
 namespace {
-
-using Row = std::vector<std::string>;
-
-/// Columns as wide as their widest cell, two spaces between them.
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      widths[column] = std::max(widths[column], row[column].size());
-    }
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      line += fmt::format("{:<{}}", row[column], widths[column] + 2);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
-}
 
 std::string objects_of(const SceneSource& source) {
   std::vector<std::string> names;
@@ -106,28 +84,6 @@ std::string plan_table(const std::vector<Plan>& plans) {
       }
     }
   }
-  return aligned(rows);
-}
-
-StudyStatus status_of(const StudyRecords& records) {
-  StudyStatus status;
-  for (const SessionRow& session : records.sessions) {
-    ++status.sessions[{session.kind, session.state}];
-  }
-  status.trials_done = static_cast<int>(
-      std::count_if(records.trials.begin(), records.trials.end(),
-                    [](const TrialRow& trial) { return trial.artifact_rating.has_value(); }));
-  return status;
-}
-
-std::string status_table(const StudyRecords& records, const StudyStatus& status) {
-  std::vector<Row> rows = {{"protocol", records.protocol_name},
-                           {"title", records.protocol_title},
-                           {"sha256", records.protocol_sha256}};
-  for (const auto& [group, count] : status.sessions) {
-    rows.push_back({"sessions", fmt::format("{} {} {}", count, group.first, group.second)});
-  }
-  rows.push_back({"trials", fmt::format("{} done", status.trials_done)});
   return aligned(rows);
 }
 

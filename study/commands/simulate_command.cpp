@@ -1,0 +1,78 @@
+#include "study/commands/simulate_command.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/progress.h"
+#include "study/commands/command_line.h"
+#include "study/commands/simulate_study.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr int most_threads = 1024;
+
+struct Arguments {
+  std::string protocol;
+  std::string database;
+  int participants = 0;
+  std::uint64_t seed = 0;
+  int threads = 0;
+  bool json = false;
+};
+
+nlohmann::json json_report(const Arguments& arguments, const SimulateReport& report) {
+  return {{"database", arguments.database},
+          {"seed", arguments.seed},
+          {"sessions_completed", report.sessions_completed},
+          {"sessions_refused", report.sessions_refused},
+          {"trials", report.trials},
+          {"wall_seconds", report.wall_s},
+          {"simulated_seconds", report.simulated_s},
+          {"samples", report.samples},
+          {"non_finite", report.non_finite}};
+}
+
+void run_simulate(const Arguments& arguments, const SceneFinder& find_scene,
+                  const std::stop_token& stop) {
+  const SimulateReport report = simulate_study({.protocol = find_protocol(arguments.protocol),
+                                                .database = arguments.database,
+                                                .participants = arguments.participants,
+                                                .seed = arguments.seed,
+                                                .threads = arguments.threads},
+                                               find_scene, stop);
+  if (arguments.json) {
+    fmt::print("{}\n", json_report(arguments, report).dump(2));
+    return;
+  }
+  fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of virtual time)\n",
+             arguments.database, report.sessions_completed, arguments.participants, report.trials,
+             human_duration(report.wall_s), human_duration(report.simulated_s));
+  if (report.sessions_refused > 0) {
+    fmt::print("{} refused: the tracker did not see the gaze well enough for the protocol\n",
+               report.sessions_refused);
+  }
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = add_command(study, "simulate", "Run a study with simulated participants",
+                                  "simulate demo --db study.sqlite --participants 4 --seed 7");
+  add_protocol(command, arguments->protocol);
+  command
+      ->add_option("--db", arguments->database,
+                   "The study's file; made, or added to if it is of the same protocol")
+      ->required();
+  add_participants_and_seed(command, arguments->participants, arguments->seed);
+  command->add_option("--threads", arguments->threads, "0: every core")
+      ->check(CLI::Range(0, most_threads))
+      ->capture_default_str();
+  add_json(command, arguments->json);
+  command->callback([arguments, find_scene, stop] { run_simulate(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola::study
