@@ -137,9 +137,10 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
   const Floats brightest = max_component(throughput) / paths.radiance_scale.load(first);
   goes_on = finite(group, goes_on, throughput, direction) & (brightest > 0.0F);
   if (vertex_ > vertices_before_roulette) {
-    const LaneMask is_dim = brightest < 1.0F;
-    throughput = chosen(is_dim, (1.0F / brightest) * throughput, throughput);
-    goes_on &= ~is_dim | (numbers.roulette.load() < brightest);
+    const Floats survives = survival(brightest);
+    const LaneMask is_dim = survives < 1.0F;
+    throughput = chosen(is_dim, (1.0F / survives) * throughput, throughput);
+    goes_on &= ~is_dim | (numbers.roulette.load() < survives);
   }
   paths.origin.store(first, goes_on, points.origin);
   paths.direction.store(first, goes_on, direction);

@@ -153,11 +153,12 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
 
 bool BlockTracer::survives_roulette(Path& path, float u) const {
   const float brightest = max_component(path.throughput) / path.radiance_scale;
-  if (vertex_ <= vertices_before_roulette || brightest >= 1.0F) {
+  const float survives = survival(brightest);
+  if (vertex_ <= vertices_before_roulette || survives >= 1.0F) {
     return brightest > 0.0F;
   }
-  path.throughput /= brightest;
-  return u < brightest;
+  path.throughput /= survives;
+  return u < survives;
 }
 
 }  // namespace foveola
