@@ -2,7 +2,6 @@
 
 #include <array>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -14,31 +13,28 @@
 namespace foveola {
 namespace {
 
-class Sha256 {
- public:
-  Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
-    check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
+void check(int ok) {
+  if (ok != 1) {
+    throw std::runtime_error("OpenSSL could not compute a SHA-256");
   }
-  void update(std::span<const std::byte> bytes) {
-    check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
-  }
-  std::string hex() {
-    std::array<unsigned char, 32> digest{};
-    unsigned length = 0;
-    check(EVP_DigestFinal_ex(context_.get(), digest.data(), &length));
-    return fmt::format("{:02x}", fmt::join(digest, ""));
-  }
-
- private:
-  static void check(int ok) {
-    if (ok != 1) {
-      throw std::runtime_error("OpenSSL could not compute a SHA-256");
-    }
-  }
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
+}
 
 }  // namespace
+
+Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+  check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
+}
+
+void Sha256::update(std::span<const std::byte> bytes) {
+  check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+}
+
+std::string Sha256::hex() {
+  std::array<unsigned char, 32> digest{};
+  unsigned length = 0;
+  check(EVP_DigestFinal_ex(context_.get(), digest.data(), &length));
+  return fmt::format("{:02x}", fmt::join(digest, ""));
+}
 
 std::string sha256(std::span<const std::byte> bytes) {
   Sha256 digest;

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+
+struct evp_md_ctx_st;
 
 namespace foveola {
 
@@ -15,5 +18,17 @@ std::string sha256(std::string_view text);
 
 /// The SHA-256 of a file's content. Throws Error if it cannot be read.
 std::string sha256_of_file(const std::filesystem::path& path);
+
+/// The same of bytes that come piece by piece.
+class Sha256 {
+ public:
+  Sha256();
+  void update(std::span<const std::byte> bytes);
+  /// Of all bytes so far. To be called once, at the end.
+  std::string hex();
+
+ private:
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
+};
 
 }  // namespace foveola

@@ -121,6 +121,11 @@ class EquirectFilm {
   template <typename Visit>
   void for_each_changed_cell(std::uint32_t tile, FilmRevision since, const Visit& visit) const;
 
+  /// Calls visit(IVec2(x, y), pixel) for each pixel with samples, a const FilmTile::Pixel: row by
+  /// row from the top, each from the left.
+  template <typename Visit>
+  void for_each_sampled_pixel(const Visit& visit) const;
+
   /// The means and counts of the whole image, and the variances if they are kept.
   FilmImage resolve() const;
 
@@ -193,6 +198,22 @@ void EquirectFilm::for_each_changed_cell(std::uint32_t tile, FilmRevision since,
         since, [&](int level, const IVec2& in_tile, const Coverage& coverage) {
           visit(level, IVec2(corner.x >> level, corner.y >> level) + in_tile, coverage);
         });
+  }
+}
+
+template <typename Visit>
+void EquirectFilm::for_each_sampled_pixel(const Visit& visit) const {
+  for (int y = 0; y < height_; ++y) {
+    for (int left = 0; left < width_; left += tile_size) {
+      const FilmTile* tile = find_tile(tile_of(left, y));
+      const int end = tile != nullptr ? std::min(left + tile_size, width_) : left;
+      for (int x = left; x < end; ++x) {
+        const FilmTile::Pixel* pixel = tile->find(place(x, y));
+        if (pixel != nullptr && pixel->count > 0) {
+          visit(IVec2(x, y), *pixel);
+        }
+      }
+    }
   }
 }
 
