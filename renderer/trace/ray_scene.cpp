@@ -72,20 +72,25 @@ void take_back_hits(const RTCFilterFunctionNArguments* arguments, Passes passes)
   }
 }
 
-/// Every pair of a ray and a triangle has one random number that decides.
-bool passes_opacity(const Sieve& sieve, std::uint32_t key, const Hit& hit) {
-  const float opaque = opacity(*sieve.scene, *sieve.mesh, hit.triangle, hit.barycentric);
-  return opaque < 1.0F && unit_float(mix(mix(key, hit.object), hit.triangle)) >= opaque;
-}
-
 const RayQueryContext& context_of(const RTCFilterFunctionNArguments* arguments) {
   return *static_cast<const RayQueryContext*>(arguments->context);
 }
 
+/// Every pair of a ray and a triangle has one random number that decides.
+bool passes_opacity(const Sieve& sieve, std::uint32_t id, const Hit& hit,
+                    const RayQueryContext& context) {
+  const float opaque = opacity(*sieve.scene, *sieve.mesh, hit.triangle, hit.barycentric);
+  if (context.meets_any_opacity) {
+    return opaque <= 0.0F;
+  }
+  const std::uint32_t key = context.keys != nullptr ? context.keys[id] : id;
+  return opaque < 1.0F && unit_float(mix(mix(key, hit.object), hit.triangle)) >= opaque;
+}
+
 void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
-  const std::uint32_t* keys = context_of(arguments).keys;
-  take_back_hits(arguments, [keys](const Sieve& sieve, std::uint32_t id, const Hit& hit) {
-    return passes_opacity(sieve, keys != nullptr ? keys[id] : id, hit);
+  const RayQueryContext& context = context_of(arguments);
+  take_back_hits(arguments, [&context](const Sieve& sieve, std::uint32_t id, const Hit& hit) {
+    return passes_opacity(sieve, id, hit, context);
   });
 }
 
@@ -255,6 +260,14 @@ void RayScene::find_hits(std::span<HitQuery> queries) const {
     // The same bytes (asserted above).
     rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
   }
+}
+
+Hit RayScene::closest_hit_of_any_opacity(const Ray& ray) const {
+  RayQueryContext context;
+  context.meets_any_opacity = true;
+  HitQuery query(ray);
+  rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
+  return query.hit();
 }
 
 bool RayScene::asks_for_keys() const { return embree_->asks_for_keys; }

@@ -99,6 +99,9 @@ class RayScene {
   /// The same for each of the queries.
   void find_hits(std::span<HitQuery> queries) const;
 
+  /// The first triangle on the ray where the opacity is above 0, whatever the ray's key.
+  Hit closest_hit_of_any_opacity(const Ray& ray) const;
+
   /// Marks the rays that meet a triangle as blocked. Windows (see opacity.h) do not block but tint,
   /// so the rays that met one are marked too. Their order is of no importance.
   void find_blocked(std::span<Ray> rays) const;
