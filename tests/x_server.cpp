@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
@@ -12,22 +13,38 @@
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XTest.h>
+#include <X11/extensions/Xrandr.h>
+#include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace foveola::test {
 
-XServer::XServer() {
+XServer::XServer()
+    : XServer({"Xvfb", "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"}) {}
+
+XServer::XServer(std::vector<std::string> command) {
   std::array<int, 2> number_pipe{};
   if (::pipe(number_pipe.data()) != 0) {
     throw std::runtime_error("no pipe");
   }
-  const std::string number_end = std::to_string(number_pipe[1]);
+  const std::string program = command.front();
+  command.emplace_back("-displayfd");
+  command.push_back(std::to_string(number_pipe[1]));
+  std::vector<char*> arguments;
+  for (std::string& argument : command) {
+    arguments.push_back(argument.data());
+  }
+  arguments.push_back(nullptr);
   process_ = ::fork();
   if (process_ == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // if a test dies, so does its server
     ::close(number_pipe[0]);
-    ::execlp("Xvfb", "Xvfb", "-displayfd", number_end.c_str(), "-screen", "0", "1280x1024x24",
-             "-nolisten", "tcp", "-noreset", nullptr);
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    ::execvp(arguments.front(), arguments.data());
     ::_exit(127);
   }
   ::close(number_pipe[1]);
@@ -38,7 +55,8 @@ XServer::XServer() {
   }
   ::close(number_pipe[0]);
   if (digit != '\n') {
-    throw std::runtime_error("Xvfb does not start");
+    ::waitpid(process_, nullptr, 0);
+    throw std::runtime_error(program + " does not start");
   }
   ::setenv("DISPLAY", display_.c_str(), 1);
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
@@ -51,15 +69,162 @@ XServer::~XServer() {
   ::waitpid(process_, nullptr, 0);
 }
 
-struct XUser::Connection {
-  explicit Connection(const std::string& name) : display(XOpenDisplay(name.c_str())) {
-    if (display == nullptr) {
-      throw std::runtime_error("no X server at " + name);
+namespace {
+
+struct CloseDisplay {
+  void operator()(Display* display) const { XCloseDisplay(display); }
+};
+using OpenDisplay = std::unique_ptr<Display, CloseDisplay>;
+
+OpenDisplay open_display(const std::string& name) {
+  OpenDisplay display(XOpenDisplay(name.c_str()));
+  if (!display) {
+    throw std::runtime_error("no X server at " + name);
+  }
+  return display;
+}
+
+/// Where a monitor stands, and which of its modes it shows.
+struct MonitorPlace {
+  const char* name;
+  int left;
+  unsigned width;
+  unsigned height;
+  int refresh_hz;  ///< rounded
+};
+constexpr std::array monitor_places = {MonitorPlace{"DUMMY0", 0, 1024, 768, 60},
+                                       MonitorPlace{"DUMMY1", 1024, 800, 600, 56}};
+
+const char* const settings_with_monitors = R"(
+Section "ServerFlags"
+  Option "AutoAddDevices" "false"
+  Option "AutoAddGPU" "false"
+EndSection
+Section "Device"
+  Identifier "device"
+  Driver "dummy"
+  VideoRam 65536
+EndSection
+Section "Screen"
+  Identifier "screen"
+  Device "device"
+  DefaultDepth 24
+  SubSection "Display"
+    Depth 24
+    Virtual 2560 1024
+  EndSubSection
+EndSection
+)";
+
+std::vector<std::string> command_with_monitors(const TemporaryFolder& folder) {
+  // No console: neither is one needed, nor is there one in a container.
+  return {"Xorg",
+          "-config",
+          folder.write("xorg.conf", settings_with_monitors),
+          "-logfile",
+          folder / "log",
+          "-quiet",
+          "-verbose",
+          "0",
+          "-sharevts",
+          "-novtswitch",
+          "-nolisten",
+          "tcp",
+          "-noreset"};
+}
+
+/// The outputs of a server and what they can show, through the extension RandR.
+class Outputs {
+ public:
+  explicit Outputs(const std::string& display)
+      : display_(open_display(display)),
+        resources_(XRRGetScreenResources(display_.get(), DefaultRootWindow(display_.get()))) {}
+  ~Outputs() { XRRFreeScreenResources(resources_); }
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  void make_room(int width, int height) const {
+    constexpr double mm_per_pixel = 0.25;
+    XRRSetScreenSize(display_.get(), DefaultRootWindow(display_.get()), width, height,
+                     static_cast<int>(mm_per_pixel * width),
+                     static_cast<int>(mm_per_pixel * height));
+  }
+
+  void show(const MonitorPlace& place, bool is_there) const {
+    RROutput output = output_of(place.name);
+    XRROutputInfo* const info = XRRGetOutputInfo(display_.get(), resources_, output);
+    const RRCrtc crtc = info->crtcs[0];
+    XRRFreeOutputInfo(info);
+    const RRMode mode = is_there ? mode_of(place) : None;
+    if (is_there) {
+      XRRAddOutputMode(display_.get(), output, mode);
+    }
+    XRRSetCrtcConfig(display_.get(), resources_, crtc, CurrentTime, is_there ? place.left : 0, 0,
+                     mode, RR_Rotate_0, &output, is_there ? 1 : 0);
+    // The driver calls an output connected once it shows something, and is asked only here.
+    XRRFreeScreenResources(
+        XRRGetScreenResources(display_.get(), DefaultRootWindow(display_.get())));
+  }
+
+ private:
+  RROutput output_of(const std::string& name) const {
+    for (int i = 0; i < resources_->noutput; ++i) {
+      XRROutputInfo* const info =
+          XRRGetOutputInfo(display_.get(), resources_, resources_->outputs[i]);
+      const bool is_it = name == info->name;
+      XRRFreeOutputInfo(info);
+      if (is_it) {
+        return resources_->outputs[i];
+      }
+    }
+    throw std::runtime_error("there is no output " + name);
+  }
+
+  RRMode mode_of(const MonitorPlace& place) const {
+    for (int i = 0; i < resources_->nmode; ++i) {
+      const XRRModeInfo& mode = resources_->modes[i];
+      const double refresh_hz = static_cast<double>(mode.dotClock) / mode.hTotal / mode.vTotal;
+      if (mode.width == place.width && mode.height == place.height &&
+          std::lround(refresh_hz) == place.refresh_hz) {
+        return mode.id;
+      }
+    }
+    throw std::runtime_error("there is no such mode");
+  }
+
+  OpenDisplay display_;
+  XRRScreenResources* resources_;
+};
+
+const MonitorPlace& place_of(const std::string& monitor) {
+  for (const MonitorPlace& place : monitor_places) {
+    if (monitor == place.name) {
+      return place;
     }
   }
-  ~Connection() { XCloseDisplay(display); }
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
+  throw std::runtime_error("there is no monitor " + monitor);
+}
+
+}  // namespace
+
+XMonitors::XMonitors() : server_(command_with_monitors(folder_)) {
+  Outputs(display()).make_room(1824, 768);
+  for (const MonitorPlace& place : monitor_places) {
+    bring_back(place.name);
+  }
+}
+
+void XMonitors::take_away(const std::string& monitor) {
+  Outputs(display()).show(place_of(monitor), false);
+}
+
+void XMonitors::bring_back(const std::string& monitor) {
+  Outputs(display()).show(place_of(monitor), true);
+}
+
+struct XUser::Connection {
+  explicit Connection(const std::string& name)
+      : opened(open_display(name)), display(opened.get()) {}
 
   /// 0 if there is none, or it is not shown yet.
   ::Window find(const std::string& title) const {
@@ -103,6 +268,7 @@ struct XUser::Connection {
     XFlush(display);
   }
 
+  OpenDisplay opened;
   Display* display;
 };
 

@@ -3,17 +3,22 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <sys/types.h>
 
+#include "tests/temporary_folder.h"
+
 namespace foveola::test {
 
-/// Xvfb with one screen of 1280x1024, for as long as it lives. This process's DISPLAY names it, and
-/// Mesa draws with the processor.
+/// Xvfb with one monitor of 1280x1024, for as long as it lives. This process's DISPLAY names it,
+/// and Mesa draws with the processor.
 class XServer {
  public:
   /// Throws std::runtime_error if there is no Xvfb.
   XServer();
+  /// Another server, by its program and arguments. Throws std::runtime_error if it does not start.
+  explicit XServer(std::vector<std::string> command);
   ~XServer();
   XServer(const XServer&) = delete;
   XServer& operator=(const XServer&) = delete;
@@ -23,6 +28,22 @@ class XServer {
  private:
   std::string display_;
   pid_t process_ = -1;
+};
+
+/// Xorg with two monitors side by side that can be taken away and brought back: "DUMMY0" of
+/// 1024x768 pixels at 60 Hz, and to its right "DUMMY1" of 800x600 at 56.25 Hz.
+class XMonitors {
+ public:
+  /// Throws std::runtime_error where there is no Xorg with the driver "dummy", or it may not run.
+  XMonitors();
+
+  const std::string& display() const { return server_.display(); }
+  void take_away(const std::string& monitor);
+  void bring_back(const std::string& monitor);
+
+ private:
+  TemporaryFolder folder_;  ///< of the server's settings and its log
+  XServer server_;
 };
 
 /// A user, through the extension XTest. A window of `title` is looked for where one is named, for

@@ -18,30 +18,47 @@ using std::chrono::milliseconds;
 
 constexpr const char* title = "A window of the tests";
 
+using IsLast = std::function<bool(const WindowEvent&)>;
+
+/// The events that `act` gives rise to, until those that `is_last` is true of, or ten seconds are
+/// over.
+std::vector<WindowEvent> pass_on_while(Window& window, WindowEvents& events,
+                                       const std::function<void()>& act, const IsLast& is_last) {
+  const SteadyClock clock;
+  std::vector<WindowEvent> all;
+  const std::stop_source done;
+  const std::jthread user_thread([&, done]() mutable {
+    act();
+    const Nanoseconds end = clock.now() + std::chrono::seconds(10);
+    bool is_over = false;
+    while (!is_over && clock.now() < end) {
+      for (const WindowEvent& event : events.take()) {
+        all.push_back(event);
+        is_over = is_over || is_last(event);
+      }
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    done.request_stop();
+  });
+  window.pass_on_events(done.get_token());
+  return all;
+}
+
+IsLast has_size(const IVec2& size) {
+  return [size](const WindowEvent& event) {
+    const auto* resized = std::get_if<WindowResized>(&event.what);
+    return resized != nullptr && resized->framebuffer == size;
+  };
+}
+
 /// A window whose events are passed on while a user does something.
 class WindowTest : public ::testing::Test {
  protected:
-  /// The events that `act` gives rise to, until those that `is_last` is true of, or ten seconds are
-  /// over.
   std::vector<WindowEvent> events_while(const std::function<void(test::XUser&)>& act,
-                                        const std::function<bool(const WindowEvent&)>& is_last) {
-    std::vector<WindowEvent> all;
-    const std::jthread user_thread([&] {
-      test::XUser user(server_.display());
-      act(user);
-      const Nanoseconds end = clock_.now() + std::chrono::seconds(10);
-      bool is_over = false;
-      while (!is_over && clock_.now() < end) {
-        for (const WindowEvent& event : events_.take()) {
-          all.push_back(event);
-          is_over = is_over || is_last(event);
-        }
-        std::this_thread::sleep_for(milliseconds(1));
-      }
-      window_.finish();
-    });
-    window_.pass_on_events({});
-    return all;
+                                        const IsLast& is_last) {
+    test::XUser user(server_.display());
+    return pass_on_while(
+        window_, events_, [&] { act(user); }, is_last);
   }
 
   test::XServer server_;
@@ -152,15 +169,77 @@ TEST_F(WindowTest, ItSaysWhenItIsMinimised) {
 }
 
 TEST_F(WindowTest, FillsTheMonitorAndComesBack) {
-  const auto has_size = [](const IVec2& size) {
-    return [size](const WindowEvent& event) {
-      const auto* resized = std::get_if<WindowResized>(&event.what);
-      return resized != nullptr && resized->framebuffer == size;
-    };
-  };
   const auto toggle = [&](test::XUser& /*user*/) { window_.toggle_full_screen(); };
   const auto full = events_while(toggle, has_size({1280, 1024}));
   EXPECT_TRUE(std::any_of(full.begin(), full.end(), has_size({1280, 1024})));
+}
+
+/// Whether it tells that a monitor was lost or found.
+template <typename What>
+IsLast tells_of(const std::string& monitor) {
+  return [monitor](const WindowEvent& event) {
+    const auto* what = std::get_if<What>(&event.what);
+    return what != nullptr && what->name == monitor;
+  };
+}
+
+class MonitorTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      monitors_.emplace();
+    } catch (const std::runtime_error& reason) {
+      GTEST_SKIP() << reason.what();
+    }
+  }
+
+  std::optional<test::XMonitors> monitors_;
+  SteadyClock clock_;
+  WindowEvents events_;
+};
+
+TEST_F(MonitorTest, AreListedWithTheirRefreshRates) {
+  const Window window({}, events_, clock_);
+  const std::vector<MonitorInfo> monitors = window.monitors();
+  ASSERT_EQ(monitors.size(), 2U);
+  EXPECT_EQ(monitors[0].name, "DUMMY0");
+  EXPECT_EQ(monitors[0].size_px, IVec2(1024, 768));
+  EXPECT_EQ(monitors[0].refresh_rate_hz, 60.0);
+  EXPECT_EQ(monitors[1].name, "DUMMY1");
+  EXPECT_EQ(monitors[1].size_px, IVec2(800, 600));
+  EXPECT_EQ(monitors[1].refresh_rate_hz, 56.0) << "GLFW rounds 56.25";
+}
+
+TEST_F(MonitorTest, AWindowLeavesFullScreenWithItsMonitor) {
+  Window window({.monitor = 1}, events_, clock_);
+  EXPECT_EQ(window.framebuffer_size(), IVec2(800, 600));
+  const auto is_lost = tells_of<MonitorLost>("DUMMY1");
+  const auto lost = pass_on_while(
+      window, events_, [&] { monitors_->take_away("DUMMY1"); }, is_lost);
+  EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), is_lost));
+  EXPECT_EQ(window.monitors().size(), 1U);
+
+  // It is a window like others now: it can fill the monitor that is left.
+  const auto fills_the_other = has_size({1024, 768});
+  const auto filled = pass_on_while(
+      window, events_, [&] { window.toggle_full_screen(); }, fills_the_other);
+  EXPECT_TRUE(std::any_of(filled.begin(), filled.end(), fills_the_other));
+
+  const auto is_found = tells_of<MonitorFound>("DUMMY1");
+  const auto found = pass_on_while(
+      window, events_, [&] { monitors_->bring_back("DUMMY1"); }, is_found);
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), is_found));
+  EXPECT_EQ(window.monitors().size(), 2U);
+  EXPECT_EQ(window.framebuffer_size(), IVec2(1024, 768)) << "it stays where it is";
+}
+
+TEST_F(MonitorTest, AWindowStaysWhenAnotherMonitorIsLost) {
+  Window window({.monitor = 0}, events_, clock_);
+  const auto is_lost = tells_of<MonitorLost>("DUMMY1");
+  const auto lost = pass_on_while(
+      window, events_, [&] { monitors_->take_away("DUMMY1"); }, is_lost);
+  EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), is_lost));
+  EXPECT_EQ(window.framebuffer_size(), IVec2(1024, 768));
 }
 
 TEST(WindowErrors, NoDisplayIsSaid) {
