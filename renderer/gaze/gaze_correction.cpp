@@ -50,6 +50,14 @@ Vec3 corrected(const Vec3& direction, const GazeCorrection& correction) {
                          .elevation_rad = radians(glm::dot(correction.elevation, seen))});
 }
 
+GazeCorrection combined(const GazeCorrection& first, const GazeCorrection& second) {
+  const auto row = [&](const DVec3& of_second) {
+    return DVec3(of_second.x, 0.0, 0.0) + of_second.y * first.azimuth +
+           of_second.z * first.elevation;
+  };
+  return {.azimuth = row(second.azimuth), .elevation = row(second.elevation)};
+}
+
 std::optional<GazeCorrection> fit_correction(std::span<const TargetQuality> targets) {
   constexpr double least_deviation_deg = 1.0;
   std::vector<DVec2> gazes_deg;
@@ -77,9 +85,16 @@ CorrectedEyeTracker::CorrectedEyeTracker(std::unique_ptr<EyeTracker> source,
                                          const GazeCorrection& correction)
     : source_(std::move(source)), correction_(correction) {}
 
+void CorrectedEyeTracker::add(const GazeCorrection& correction) {
+  correction_ = combined(correction_, correction);
+}
+
 void CorrectedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
   const std::size_t before = arrived.size();
   source_->poll(now, arrived);
+  if (correction_ == GazeCorrection{}) {
+    return;
+  }
   for (GazeSample& sample : std::span(arrived).subspan(before)) {
     if (sample.valid) {
       sample.direction = corrected(sample.direction, correction_);

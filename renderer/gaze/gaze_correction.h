@@ -26,15 +26,22 @@ struct GazeCorrection {
 /// direction: of unit length, as is what is returned.
 Vec3 corrected(const Vec3& direction, const GazeCorrection& correction);
 
+/// What `first` makes of a gaze, and `second` of that.
+GazeCorrection combined(const GazeCorrection& first, const GazeCorrection& second);
+
 /// Takes the mean gaze on each target that was seen to the target, as closely as can be in the
 /// least squares of angles. Empty if the gazes lie so nearly on a line or a point that they do not
 /// tell: if along some direction they deviate from their mean by less than a degree.
 std::optional<GazeCorrection> fit_correction(std::span<const TargetQuality> targets);
 
-/// Corrects the valid samples that pass through it.
+/// Corrects the valid samples that pass through it. As long as there is nothing to correct they
+/// stay as they are, to the bit.
 class CorrectedEyeTracker final : public EyeTracker {
  public:
-  CorrectedEyeTracker(std::unique_ptr<EyeTracker> source, const GazeCorrection& correction);
+  explicit CorrectedEyeTracker(std::unique_ptr<EyeTracker> source,
+                               const GazeCorrection& correction = {});
+  /// Corrects what it has corrected so far once more, from the next poll on.
+  void add(const GazeCorrection& correction);
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
   std::string trouble() const override { return source_->trouble(); }
 

@@ -1,5 +1,8 @@
 #include "renderer/gaze/gaze_source.h"
 
+#include <utility>
+
+#include "renderer/base/error.h"
 #include "renderer/gaze/hid_eye_tracker.h"
 #include "renderer/gaze/open_gaze_tracker.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
@@ -42,12 +45,25 @@ std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, cons
       return open_hid(profile, screen, clock);
     case TrackerSource::open_gaze:
       return open_open_gaze(profile, screen);
+    case TrackerSource::pointer:
+      throw Error("tracker '" + profile.name + "'", "there is no window to point in",
+                  "use it where there is one, or choose another tracker");
     case TrackerSource::recorded:
       return replay(profile, clock);
     case TrackerSource::simulated:
       break;
   }
   return watch_simulated_eye(profile, clock);
+}
+
+WindowEyeTracker open_window_eye_tracker(const TrackerProfile& profile, const Screen& screen,
+                                         const Clock& clock) {
+  if (profile.source != TrackerSource::pointer) {
+    return {.tracker = open_eye_tracker(profile, screen, clock)};
+  }
+  auto pointer = std::make_unique<PointerEyeTracker>();
+  PointerEyeTracker* const told = pointer.get();
+  return {.tracker = std::move(pointer), .pointer = told};
 }
 
 }  // namespace foveola

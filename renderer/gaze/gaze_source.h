@@ -5,6 +5,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/pointer_eye_tracker.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/gaze/screen.h"
 
@@ -12,9 +13,19 @@ namespace foveola {
 
 /// Begins to look for the tracker at once, and does not wait for it. screen: what it watches the
 /// eyes look at. clock: that of samples, steady, must outlive the tracker. A simulated one watches
-/// a simulated eye whose time begins now, as does a recording's. Throws Error if a host is unknown
-/// or a recording bad.
+/// a simulated eye whose time begins now, as does a recording's. Throws Error if a host is unknown,
+/// a recording bad, or the tracker a window's pointer.
 std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                              const Clock& clock);
+
+/// The tracker of who looks into a window.
+struct WindowEyeTracker {
+  std::unique_ptr<EyeTracker> tracker;
+  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the window is to tell it where to look
+};
+
+/// The same, or the window's pointer.
+WindowEyeTracker open_window_eye_tracker(const TrackerProfile& profile, const Screen& screen,
+                                         const Clock& clock);
 
 }  // namespace foveola

@@ -180,6 +180,7 @@ void read_simulated(TomlReader table, SimulatedTrackerSettings& settings) {
 TrackerProfile tracker_from(TomlReader table) {
   constexpr std::array words{Word<TrackerSource>{"hid", TrackerSource::hid},
                              Word<TrackerSource>{"open-gaze", TrackerSource::open_gaze},
+                             Word<TrackerSource>{"pointer", TrackerSource::pointer},
                              Word<TrackerSource>{"recorded", TrackerSource::recorded},
                              Word<TrackerSource>{"simulated", TrackerSource::simulated}};
   TrackerProfile tracker;

@@ -42,7 +42,7 @@ struct DisplayProfile {
   std::string toml;                ///< the file's content, for the record
 };
 
-enum class TrackerSource { hid, open_gaze, recorded, simulated };
+enum class TrackerSource { hid, open_gaze, pointer, recorded, simulated };
 
 struct TrackerProfile {
   std::string name;  ///< the file's, without .toml

@@ -34,6 +34,16 @@ TEST(GazeCorrection, OfNothingChangesNothing) {
   EXPECT_LT(angle_deg(corrected(at_deg(20.0, -10.0), {}), at_deg(20.0, -10.0)), 1e-4);
 }
 
+TEST(GazeCorrection, CombinedIsOneAfterTheOther) {
+  const GazeCorrection first{.azimuth = {1.0, 0.9, -0.1}, .elevation = {-2.0, 0.2, 1.1}};
+  const GazeCorrection second{.azimuth = {-3.0, 1.2, 0.3}, .elevation = {0.5, -0.1, 0.8}};
+  for (const Vec3& direction : {at_deg(0.0, 0.0), at_deg(12.0, -7.0), at_deg(-20.0, 15.0)}) {
+    EXPECT_LT(angle_deg(corrected(direction, combined(first, second)),
+                        corrected(corrected(direction, first), second)),
+              1e-4);
+  }
+}
+
 TEST(GazeCorrection, UndoesAnAffineDistortion) {
   for (const int points : {5, 9}) {
     std::vector<TargetQuality> targets;
@@ -104,6 +114,25 @@ TEST(CorrectedEyeTracker, CorrectsValidSamplesAndNothingElse) {
   EXPECT_EQ(arrived[1].time, Nanoseconds(1));
   EXPECT_FALSE(arrived[2].valid);
   EXPECT_EQ(arrived[2].direction, samples[1].direction);
+}
+
+TEST(CorrectedEyeTracker, CorrectsWhatItHasCorrectedOnceMore) {
+  const std::vector<GazeSample> samples = {
+      {.time = Nanoseconds(1), .direction = at_deg(10.0, 5.0), .valid = true},
+      {.time = Nanoseconds(2), .direction = at_deg(10.0, 5.0), .valid = true},
+      {.time = Nanoseconds(3), .direction = at_deg(10.0, 5.0), .valid = true}};
+  CorrectedEyeTracker tracker(
+      std::make_unique<RecordedEyeTracker>(samples, Nanoseconds(0), Nanoseconds(0)));
+  std::vector<GazeSample> arrived;
+  tracker.poll(Nanoseconds(1), arrived);
+  tracker.add({.azimuth = {-4.0, 1.0, 0.0}});
+  tracker.poll(Nanoseconds(2), arrived);
+  tracker.add({.azimuth = {0.0, 0.5, 0.0}});
+  tracker.poll(Nanoseconds(3), arrived);
+  ASSERT_EQ(arrived.size(), 3U);
+  EXPECT_EQ(arrived[0].direction, samples[0].direction) << "to the bit";
+  EXPECT_LT(angle_deg(arrived[1].direction, at_deg(6.0, 5.0)), 1e-4);
+  EXPECT_LT(angle_deg(arrived[2].direction, at_deg(3.0, 5.0)), 1e-4);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "renderer/base/error.h"
 #include "tests/renderer/gaze/newest_gaze.h"
 #include "tests/temporary_folder.h"
 #include "tracker_server.h"
@@ -48,6 +49,24 @@ TEST(GazeSource, ARecordingBeginsWhenItIsOpened) {
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->time, clock.now() + std::chrono::milliseconds(5));
   EXPECT_EQ(sample->direction, Vec3(1.0F, 0.0F, 0.0F));
+}
+
+TEST(GazeSource, AWindowsPointerIsToldWhereItIs) {
+  const SteadyClock clock;
+  const WindowEyeTracker opened =
+      open_window_eye_tracker(read_tracker_profile("pointer"), screen, clock);
+  ASSERT_NE(opened.pointer, nullptr);
+  opened.pointer->point_at(Nanoseconds(1), Vec3(1.0F, 0.0F, 0.0F));
+  NewestGaze newest(*opened.tracker);
+  const auto sample = newest(Nanoseconds(2));
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->direction, Vec3(1.0F, 0.0F, 0.0F));
+  EXPECT_EQ(open_window_eye_tracker(read_tracker_profile("fove0"), screen, clock).pointer, nullptr);
+}
+
+TEST(GazeSource, WithoutAWindowThereIsNoPointer) {
+  const SteadyClock clock;
+  EXPECT_THROW(open_eye_tracker(read_tracker_profile("pointer"), screen, clock), Error);
 }
 
 TEST(GazeSource, SaysThatNobodySpeaksOpenGaze) {

@@ -89,6 +89,10 @@ TEST(TrackerProfile, TheOthersCanBeReadToo) {
   EXPECT_EQ(gaze_point.source, TrackerSource::open_gaze);
   EXPECT_EQ(gaze_point.open_gaze.host, "127.0.0.1");
   EXPECT_EQ(gaze_point.open_gaze.port, 4242);
+  const TrackerProfile pointer = read_tracker_profile("pointer");
+  EXPECT_EQ(pointer.source, TrackerSource::pointer);
+  EXPECT_EQ(pointer.rate_hz, 125.0);
+  EXPECT_EQ(shortest_delay(pointer), Nanoseconds(0));
   const TrackerProfile simulated = read_tracker_profile("simulated");
   EXPECT_EQ(simulated.simulated.bias_right_deg, 0.5);
   EXPECT_EQ(simulated.simulated.bias_up_deg, -0.4);
@@ -97,7 +101,7 @@ TEST(TrackerProfile, TheOthersCanBeReadToo) {
 
 TEST(Profiles, AreListedByName) {
   EXPECT_THAT(display_profile_names(), ElementsAre("desktop", "fove0"));
-  EXPECT_THAT(tracker_profile_names(), ElementsAre("fove0", "hid", "open-gaze", "simulated"));
+  EXPECT_THAT(tracker_profile_names(), ElementsAre("fove0", "hid", "open-gaze", "pointer", "simulated"));
 }
 
 std::string error_of(const std::function<void()>& action) {
