@@ -26,20 +26,19 @@
 #include "renderer/gaze/recorded_head.h"
 #include "renderer/image/image_file.h"
 #include "renderer/window/live_preview.h"
+#include "renderer/window/preview_panels.h"
 
 namespace foveola {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* pointer_name = "pointer";
-
 struct PreviewCommand {
   std::string scene;
   std::string method = "fv";
   std::string size = "4096x2048";
   std::string display = "desktop";
-  std::string tracker = pointer_name;
+  std::string tracker = "pointer";
   std::string gaze_file;
   std::string head;
   std::string head_file;
@@ -48,6 +47,7 @@ struct PreviewCommand {
   bool full_screen = false;
   double exposure_stops = 0.0;
   bool fill_unsampled = false;
+  bool correct_gaze = false;
   std::vector<std::string> shown;
   std::uint64_t frames = 0;
   std::string screenshot;
@@ -96,36 +96,13 @@ RenderSettings render_settings(const PreviewCommand& command) {
   return settings;
 }
 
-/// What is assumed of a pointing device: a mouse's usual rate, and no delay of its own.
-TrackerProfile pointer_profile() {
-  constexpr double usual_rate_hz = 125.0;
-  return {.name = "pointer", .title = "The pointer", .rate_hz = usual_rate_hz};
-}
-
-TrackerProfile tracker_profile(const PreviewCommand& command) {
-  return command.tracker == pointer_name ? pointer_profile()
-                                         : read_tracker_profile(command.tracker);
-}
-
-/// The sources of gaze that a preview has: one of them is there.
-struct GazeSource {
-  std::unique_ptr<EyeTracker> tracker;
-  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the pointer is the gaze
-};
-
-GazeSource open_gaze_source(const PreviewCommand& command, const DisplayProfile& display,
-                            const Clock& clock) {
+WindowEyeTracker open_gaze_source(const PreviewCommand& command, const DisplayProfile& display,
+                                  const Clock& clock) {
   if (!command.gaze_file.empty()) {
     return {.tracker = std::make_unique<RecordedEyeTracker>(read_gaze_file(command.gaze_file),
                                                             clock.now(), Nanoseconds(0))};
   }
-  if (command.tracker == pointer_name) {
-    auto pointer = std::make_unique<PointerEyeTracker>();
-    PointerEyeTracker* const told = pointer.get();
-    return {.tracker = std::move(pointer), .pointer = told};
-  }
-  return {.tracker =
-              open_eye_tracker(read_tracker_profile(command.tracker), screen_of(display), clock)};
+  return open_window_eye_tracker(read_tracker_profile(command.tracker), screen_of(display), clock);
 }
 
 /// Loads the scene and shows it, in a thread of its own beside the window's.
@@ -137,7 +114,8 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
   const PyramidAtlas atlas(settings.size.x, settings.size.y);
   Presenter presenter(window, atlas, clock);
   const Stage stage(source, settings);
-  const GazeSource gaze = open_gaze_source(command, display, clock);
+  WindowEyeTracker gaze = open_gaze_source(command, display, clock);
+  CorrectedEyeTracker eye(std::move(gaze.tracker));
   SteeredHeadTracker steered_head(stage.camera.heading);
   std::optional<ScriptedHeadTracker> replayed;
   if (!command.head_file.empty()) {
@@ -145,22 +123,23 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
   }
   HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
   Preview preview(stage.tracer,
-                  preview_settings(settings, stage.camera.position, source.exposure_stops),
-                  *gaze.tracker, head, stage.workers);
+                  preview_settings(settings, stage.camera.position, source.exposure_stops), eye,
+                  head, stage.workers);
   Steering steering(steered_head, gaze.pointer);
   LivePreviewSettings live{.display = display,
-                           .tracker = tracker_profile(command),
+                           .tracker = read_tracker_profile(command.tracker),
                            .choices = choices_from(command),
                            .seed = settings.seed,
                            .framebuffer = framebuffer,
-                           .keeps_last_picture = !command.screenshot.empty()};
+                           .keeps_last_picture = !command.screenshot.empty(),
+                           .corrects_gaze = command.correct_gaze};
   live.choices.look.exposure_stops = source.exposure_stops + command.exposure_stops;
   if (command.frames > 0) {
     live.frames = command.frames;
   }
   LivePreview shown(live, {.preview = &preview,
                            .steering = &steering,
-                           .eye = gaze.tracker.get(),
+                           .eye = &eye,
                            .window = &window,
                            .events = &events,
                            .presenter = &presenter,
@@ -177,7 +156,7 @@ double seconds_to_first_picture(const LivePreviewReport& report) {
 PreviewRun run_of(const LivePreviewReport& report, const PreviewCommand& command,
                   const DisplayProfile& display) {
   return {.frames = report.frames,
-          .tracker = tracker_profile(command),
+          .tracker = read_tracker_profile(command.tracker),
           .display = display,
           .refresh_rate_hz = report.refresh_rate_hz,
           .is_resampled = true,
@@ -191,6 +170,15 @@ void print_text(const LivePreviewReport& report, const PreviewCommand& command,
       report.graphics, seconds_to_first_picture(report), report.refresh_rate_hz,
       report.is_refresh_measured ? "measured" : "as the system or the display's profile says",
       preview_text(run_of(report, command, display)));
+  for (const GazeCheck& check : report.gaze_checks) {
+    fmt::print("Check of the tracker: {}\n", gaze_quality_line(check.quality));
+    if (check.correction) {
+      fmt::print("  corrected since then: {}\n", gaze_correction_line(*check.correction));
+    }
+  }
+  for (const std::string& monitor : report.lost_monitors) {
+    fmt::print("The monitor {} was lost\n", monitor);
+  }
 }
 
 /// Frames that were late, by their number from the first, and by how many refreshes.
@@ -207,12 +195,17 @@ Json late_frames(const LivePreviewReport& report) {
 
 Json gaze_checks(const LivePreviewReport& report) {
   Json checks = Json::array();
-  for (const GazeQuality& check : report.gaze_checks) {
-    Json json = {{"data_loss", check.data_loss}};
-    if (check.figures) {
-      json["accuracy_deg"] = check.figures->accuracy_deg;
-      json["precision_rms_deg"] = check.figures->precision_rms_deg;
-      json["precision_sd_deg"] = check.figures->precision_sd_deg;
+  const auto row = [](const DVec3& weights) { return Json{weights.x, weights.y, weights.z}; };
+  for (const GazeCheck& check : report.gaze_checks) {
+    Json json = {{"data_loss", check.quality.data_loss}};
+    if (const auto& figures = check.quality.figures) {
+      json["accuracy_deg"] = figures->accuracy_deg;
+      json["precision_rms_deg"] = figures->precision_rms_deg;
+      json["precision_sd_deg"] = figures->precision_sd_deg;
+    }
+    if (check.correction) {
+      json["correction"] = {{"azimuth", row(check.correction->azimuth)},
+                            {"elevation", row(check.correction->elevation)}};
     }
     checks.push_back(std::move(json));
   }
@@ -234,6 +227,7 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
                {"refresh_is_measured", report.is_refresh_measured},
                {"frame_count", report.frame_count},
                {"late", late_frames(report)},
+               {"lost_monitors", report.lost_monitors},
                {"gaze_checks", gaze_checks(report)}};
   json.update(preview_json(run_of(report, command, display)));
   fmt::print("{}\n", json.dump(2));
@@ -311,6 +305,8 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
           ->capture_default_str();
   command->add_option("--gaze-file", arguments->gaze_file, "Replay a recorded gaze instead")
       ->excludes(tracker);
+  command->add_flag("--correct-gaze", arguments->correct_gaze,
+                    "Correct the gaze by what each check of the tracker (key c) finds");
   CLI::Option* head =
       command->add_option("--head", arguments->head,
                           "azimuth,elevation in degrees to begin with (default: the scene's)");

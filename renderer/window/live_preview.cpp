@@ -106,6 +106,7 @@ void LivePreview::answer(const WindowEvent& event) {
     is_hidden_ = hidden->is_hidden;
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
     message_ = "lost the monitor " + lost->name;
+    report_.lost_monitors.push_back(lost->name);
   } else if (const auto* found = std::get_if<MonitorFound>(&event.what)) {
     message_ = "found the monitor " + found->name;
   } else if (std::holds_alternative<CloseWanted>(event.what)) {
@@ -195,10 +196,22 @@ void LivePreview::go_on_checking(const Preview& preview) {
   }
   gaze_check_->update(parts_.clock->now(), preview.arrived_gaze());
   if (!gaze_check_->target()) {
-    report_.gaze_checks.push_back(gaze_quality(gaze_check_->watched()));
-    message_ = gaze_quality_line(report_.gaze_checks.back());
-    gaze_check_.reset();
+    end_check();
   }
+}
+
+void LivePreview::end_check() {
+  GazeCheck check{.quality = gaze_quality(gaze_check_->watched())};
+  message_ = gaze_quality_line(check.quality);
+  if (settings_.corrects_gaze) {
+    check.correction = fit_correction(check.quality.targets);
+    message_ += check.correction ? ", now corrected" : ", too little to correct it by";
+  }
+  if (check.correction) {
+    parts_.eye->add(*check.correction);
+  }
+  report_.gaze_checks.push_back(std::move(check));
+  gaze_check_.reset();
 }
 
 std::optional<Nanoseconds> LivePreview::wait_until_shown() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/gaze/calibration_routine.h"
+#include "renderer/gaze/gaze_correction.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
@@ -31,6 +32,13 @@ struct LivePreviewSettings {
   IVec2 framebuffer{0};                 ///< the window's size, in pixels
   std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
   bool keeps_last_picture = false;      ///< of those frames
+  bool corrects_gaze = false;           ///< by what each check of the tracker finds
+};
+
+/// A check of the tracker.
+struct GazeCheck {
+  GazeQuality quality;
+  std::optional<GazeCorrection> correction;  ///< that the gaze is corrected by since then, if any
 };
 
 /// What happened.
@@ -45,7 +53,8 @@ struct LivePreviewReport {
   bool is_refresh_measured = false;
   int threads = 0;                         ///< that traced
   std::optional<Nanoseconds> first_shown;  ///< the first picture, after the scene was loaded
-  std::vector<GazeQuality> gaze_checks;    ///< of the tracker, in the order they were made
+  std::vector<GazeCheck> gaze_checks;      ///< in the order they were made
+  std::vector<std::string> lost_monitors;  ///< names, likewise
   std::optional<RgbImage> last_picture;    ///< sRGB in [0, 1]
   static constexpr std::size_t most_frames = 1 << 16;
 };
@@ -60,7 +69,7 @@ class LivePreview {
   struct Parts {
     Preview* preview;
     Steering* steering;
-    EyeTracker* eye;
+    CorrectedEyeTracker* eye;
     Window* window;
     WindowEvents* events;
     Presenter* presenter;
@@ -84,6 +93,7 @@ class LivePreview {
   std::optional<Nanoseconds> wait_until_shown();
   void keep(const LiveFrame& frame);
   void go_on_checking(const Preview& preview);
+  void end_check();
   void write_picture(std::future<RgbImage> picture);
   int levels_for(const std::vector<Viewport>& viewports) const;
   ViewOverlays overlays(const Preview& preview) const;

@@ -71,6 +71,14 @@ std::string gaze_quality_line(const GazeQuality& quality) {
                      100.0 * quality.data_loss);
 }
 
+std::string gaze_correction_line(const GazeCorrection& correction) {
+  const auto sum = [](const DVec3& row) {
+    return fmt::format("{:.2f} {:+.3f} a {:+.3f} e", row.x, row.y, row.z);
+  };
+  return fmt::format("azimuth {}, elevation {}", sum(correction.azimuth),
+                     sum(correction.elevation));
+}
+
 std::vector<std::string> latency_lines(std::span<const LiveFrame> frames,
                                        const TrackerProfile& tracker,
                                        const DisplayProfile& display) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gaze/gaze_correction.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
@@ -17,6 +18,9 @@ std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
 
 /// How well the tracker saw the eye look at targets.
 std::string gaze_quality_line(const GazeQuality& quality);
+
+/// What is made of the azimuth a and the elevation e, in degrees.
+std::string gaze_correction_line(const GazeCorrection& correction);
 
 /// From the eye's movement to the light of the last second's frames, stage by stage; assumed stages
 /// are marked.
