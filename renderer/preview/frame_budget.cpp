@@ -20,12 +20,21 @@ void CostEstimate::add(double cost) {
 
 std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
   constexpr double share = 0.75;
-  return std::max(smallest_batch, static_cast<std::uint64_t>(share * samples_in(left)));
+  constexpr double fewest = 64.0;
+  constexpr double shortest_s = 1e-3;
+  if (sample_s_.empty()) {
+    return first_of_all;
+  }
+  const double at_least =
+      std::clamp(samples_for(shortest_s), fewest, static_cast<double>(first_of_all));
+  return static_cast<std::uint64_t>(std::max(at_least, share * samples_in(left)));
 }
 
-std::uint64_t FrameBudget::second_batch(Nanoseconds left) const {
-  const auto samples = static_cast<std::uint64_t>(samples_in(left));
-  return samples >= smallest_batch ? samples : 0;
+std::uint64_t FrameBudget::next_batch(Nanoseconds left) const {
+  constexpr double shortest_s = 2.5e-4;
+  const double samples = samples_in(left);
+  return samples >= 1.0 && samples >= samples_for(shortest_s) ? static_cast<std::uint64_t>(samples)
+                                                              : 0;
 }
 
 void FrameBudget::batch_took(std::uint64_t samples, Nanoseconds time) {

@@ -23,18 +23,20 @@ class CostEstimate {
   double deviation_ = 0.0;
 };
 
-/// Cuts a frame's tracing into two batches: a large one, and one that fits what time it left. A
-/// frame's deadline is then missed only by what the second takes longer than expected.
+/// Cuts a frame's tracing into batches: a large one, and then what fits the time that is left. A
+/// frame's deadline is then missed only by what the last one takes longer than expected.
 class FrameBudget {
  public:
-  /// The first batch of every frame has at least so many samples, however late it is: a restart is
-  /// seen in the next frame.
-  static constexpr std::uint64_t smallest_batch = 1024;
+  /// What is traced while nothing is known of the machine and the scene.
+  static constexpr std::uint64_t first_of_all = 1024;
 
-  /// How many samples the frame's first batch has, `left` before its deadline.
+  /// How many samples the frame's first batch has, `left` before its deadline. There are some
+  /// however late it is, so that a restart is seen in the next frame: what is traced within a
+  /// millisecond, but at least 64 and at most first_of_all.
   std::uint64_t first_batch(Nanoseconds left) const;
-  /// And the second; 0 if there is no time for one.
-  std::uint64_t second_batch(Nanoseconds left) const;
+  /// And the next one; 0 if there is no time for one that is worth its beginning: for what is
+  /// traced within a quarter of a millisecond.
+  std::uint64_t next_batch(Nanoseconds left) const;
 
   /// What a batch of `samples` took from directions to film; samples > 0.
   void batch_took(std::uint64_t samples, Nanoseconds time);
@@ -48,6 +50,8 @@ class FrameBudget {
  private:
   /// Samples that are done in time, were they traced now.
   double samples_in(Nanoseconds left) const;
+  /// Samples that take so long, on average.
+  double samples_for(double time_s) const { return time_s / sample_s_.mean(); }
 
   CostEstimate sample_s_;
   CostEstimate rest_s_;

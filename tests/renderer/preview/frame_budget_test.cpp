@@ -13,6 +13,7 @@ constexpr Nanoseconds frame_time{14'285'714};  // 70 Hz
 /// else for a while.
 struct Machine {
   double sample_s = 2e-6;
+  double batch_s = 0.0;  ///< of a batch, whatever its size
   double rest_s = 3e-3;
   double variation = 0.1;
   double disturbed_share = 0.0;
@@ -32,6 +33,7 @@ struct Machine {
 
 struct Frame {
   Nanoseconds took{0};
+  Nanoseconds tracing{0};  ///< of that
   std::uint64_t samples = 0;
 };
 
@@ -39,14 +41,17 @@ Frame run_frame(FrameBudget& budget, Machine& machine) {
   Frame frame;
   const auto trace = [&](std::uint64_t samples) {
     if (samples > 0) {
-      const Nanoseconds time = machine.take(machine.sample_s * static_cast<double>(samples));
+      const Nanoseconds time = nanoseconds_from_seconds(machine.batch_s) +
+                               machine.take(machine.sample_s * static_cast<double>(samples));
       budget.batch_took(samples, time);
       frame.took += time;
       frame.samples += samples;
     }
   };
   trace(budget.first_batch(frame_time));
-  trace(budget.second_batch(frame_time - frame.took));
+  trace(budget.next_batch(frame_time - frame.took));
+  trace(budget.next_batch(frame_time - frame.took));
+  frame.tracing = frame.took;
   const Nanoseconds rest = machine.take(machine.rest_s);
   budget.rest_took(rest);
   frame.took += rest + machine.disturbance();
@@ -65,10 +70,10 @@ TEST(CostEstimate, FollowsRfc6298) {
   EXPECT_DOUBLE_EQ(cost.seldom_exceeded(), 9.0 + 4.0 * (0.75 * 4.0 + 0.25 * 8.0));
 }
 
-TEST(FrameBudget, FirstTracesTheSmallestBatch) {
+TEST(FrameBudget, BeginsWithoutKnowingAnything) {
   const FrameBudget budget;
-  EXPECT_EQ(budget.first_batch(frame_time), FrameBudget::smallest_batch);
-  EXPECT_EQ(budget.second_batch(frame_time), 0U);
+  EXPECT_EQ(budget.first_batch(frame_time), FrameBudget::first_of_all);
+  EXPECT_EQ(budget.next_batch(frame_time), 0U);
 }
 
 TEST(FrameBudget, FramesAreInTimeAndTheirTimeIsUsed) {
@@ -85,6 +90,30 @@ TEST(FrameBudget, FramesAreInTimeAndTheirTimeIsUsed) {
   EXPECT_LE(late, frames / 100);
   const double possible = (seconds(frame_time) - machine.rest_s) / machine.sample_s;
   EXPECT_GE(samples / frames, 0.8 * possible);
+}
+
+/// Where a frame has time for so few samples that they are not many batches.
+TEST(FrameBudget, SlowScenesUseTheirTimeToo) {
+  for (const double samples_in_a_frame : {500.0, 1000.0, 2000.0, 4000.0}) {
+    FrameBudget budget;
+    Machine machine;
+    const double time_s = seconds(frame_time) - machine.rest_s;
+    machine.sample_s = time_s / samples_in_a_frame;
+    machine.batch_s = 5e-5;
+    for (int i = 0; i < 100; ++i) {
+      run_frame(budget, machine);
+    }
+    constexpr int frames = 5000;
+    int late = 0;
+    double tracing_s = 0.0;
+    for (int i = 0; i < frames; ++i) {
+      const Frame frame = run_frame(budget, machine);
+      late += frame.took > frame_time ? 1 : 0;
+      tracing_s += seconds(frame.tracing);
+    }
+    EXPECT_LE(late, frames / 200) << samples_in_a_frame;
+    EXPECT_GE(tracing_s / frames, 0.9 * time_s) << samples_in_a_frame;
+  }
 }
 
 TEST(FrameBudget, KeepsAReserveWhereTheMachineIsDisturbed) {
@@ -121,8 +150,12 @@ TEST(FrameBudget, LateFramesStillTraceSomething) {
   Machine machine;
   machine.rest_s = 2.0 * seconds(frame_time);
   for (int i = 0; i < 10; ++i) {
-    EXPECT_GE(run_frame(budget, machine).samples, FrameBudget::smallest_batch);
+    EXPECT_GE(run_frame(budget, machine).samples, 400U) << "a millisecond's, of 500";
   }
+  machine.sample_s = 1e-4;
+  run_frame(budget, machine);
+  run_frame(budget, machine);
+  EXPECT_GE(run_frame(budget, machine).samples, 64U) << "even if a millisecond has time for ten";
 }
 
 }  // namespace
