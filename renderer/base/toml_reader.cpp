@@ -1,10 +1,13 @@
 #include "renderer/base/toml_reader.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
 
 namespace foveola {
 namespace {
@@ -23,6 +26,24 @@ toml::table parse_toml(const std::string& file, const std::string& text,
   } catch (const toml::parse_error& error) {
     throw Error(place_of(file, error.source()), std::string(error.description()), remedy);
   }
+}
+
+std::vector<std::string> toml_names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code failure;
+  fs::directory_iterator entry(folder, failure);
+  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    if (entry->path().extension() == ".toml") {
+      names.push_back(entry->path().stem().string());
+    }
+  }
+  if (failure) {
+    throw Error(folder.string(), "cannot be read: " + failure.message(),
+                "install Foveola again, or set FOVEOLA_RESOURCES to the folder that holds "
+                "protocols/, scenes/ and data/");
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 TomlReader::TomlReader(std::string file, const toml::table& table, std::string name)
@@ -107,16 +128,31 @@ void TomlReader::read(std::string_view key, Vec3& value, double minimum, double 
   read_vector(key, value, minimum, maximum);
 }
 
+std::size_t TomlReader::find_word(std::string_view key,
+                                  const std::vector<std::string_view>& known) {
+  std::string text;
+  read(key, text);
+  if (!has(key)) {
+    return known.size();
+  }
+  const auto found = std::find(known.begin(), known.end(), text);
+  if (found == known.end()) {
+    fail(source(key), fmt::format("there is no {} '{}'", full_name(key), text),
+         fmt::format("choose one of {}", fmt::join(known, ", ")));
+  }
+  return static_cast<std::size_t>(found - known.begin());
+}
+
 void TomlReader::require(std::string_view key) const {
   if (!has(key)) {
     fail(source(), full_name(key) + " is missing", {});
   }
 }
 
-std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
+std::vector<TomlReader::Text> TomlReader::texts(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) {
-    fail(source(), full_name(key) + " is missing", "give a list of names");
+    return {};
   }
   const toml::array* array = node->as_array();
   if (array == nullptr || array->empty() || !array->is_homogeneous<std::string>()) {
@@ -133,6 +169,13 @@ std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
     texts.push_back({value, element.source()});
   }
   return texts;
+}
+
+std::vector<TomlReader::Text> TomlReader::require_texts(std::string_view key) {
+  if (!has(key)) {
+    fail(source(), full_name(key) + " is missing", "give a list of names");
+  }
+  return texts(key);
 }
 
 std::string TomlReader::require_text(std::string_view key) {

@@ -1,7 +1,10 @@
 // Reading a TOML table key by key, with the place of whatever is wrong in it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,6 +18,17 @@ namespace foveola {
 
 /// Throws Error with the place of what is no TOML.
 toml::table parse_toml(const std::string& file, const std::string& text, const std::string& remedy);
+
+/// The names of the TOML files in one of Foveola's own folders, without .toml, in alphabetical
+/// order. Throws Error if it cannot be read.
+std::vector<std::string> toml_names_in(const std::filesystem::path& folder);
+
+/// A text that may stand in a file, and what it stands for.
+template <typename Value>
+struct Word {
+  std::string_view text;
+  Value value;
+};
 
 /// One table of a file. Each read_ function leaves `value` alone where the key is absent and throws
 /// Error where it has another type or lies out of range.
@@ -33,6 +47,18 @@ class TomlReader {
   /// Arrays of as many numbers as the vector has components, each of them as above.
   void read(std::string_view key, Vec2& value, double minimum, double maximum);
   void read(std::string_view key, Vec3& value, double minimum, double maximum);
+  /// One of `words`.
+  template <typename Value, std::size_t count>
+  void read(std::string_view key, Value& value, const std::array<Word<Value>, count>& words) {
+    std::vector<std::string_view> known;
+    known.reserve(count);
+    for (const Word<Value>& word : words) {
+      known.push_back(word.text);
+    }
+    if (const std::size_t found = find_word(key, known); found < count) {
+      value = words[found].value;
+    }
+  }
 
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_array(std::string_view key) const { return has(key) && table_->get(key)->is_array(); }
@@ -44,7 +70,9 @@ class TomlReader {
     std::string value;
     toml::source_region source;
   };
-  /// A non-empty array of strings, none twice. Throws Error if the key is absent.
+  /// A non-empty array of strings, none twice; no strings if the key is absent.
+  std::vector<Text> texts(std::string_view key);
+  /// Likewise. Throws Error if the key is absent.
   std::vector<Text> require_texts(std::string_view key);
   /// Throws Error if the key is absent or empty.
   std::string require_text(std::string_view key);
@@ -68,6 +96,8 @@ class TomlReader {
  private:
   const toml::node* find(std::string_view key);
   std::string full_name(std::string_view key) const;
+  /// The index in `known` of the text under `key`; known.size() if the key is absent.
+  std::size_t find_word(std::string_view key, const std::vector<std::string_view>& known);
   template <typename Vector>
   void read_vector(std::string_view key, Vector& value, double minimum, double maximum);
 

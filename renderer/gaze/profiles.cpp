@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,28 +26,11 @@ constexpr std::string_view trackers = "trackers";
 
 fs::path profile_folder(std::string_view folder) { return resource_folder() / "data" / folder; }
 
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code failure;
-  fs::directory_iterator entry(folder, failure);
-  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
-    if (entry->path().extension() == ".toml") {
-      names.push_back(entry->path().stem().string());
-    }
-  }
-  if (failure) {
-    throw Error(folder.string(), "cannot be read: " + failure.message(),
-                "install Foveola again, or set FOVEOLA_RESOURCES to the folder that holds data/");
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 fs::path profile_file(std::string_view folder, const std::string& name_or_path) {
   if (is_profile_path(name_or_path)) {
     return name_or_path;
   }
-  const std::vector<std::string> names = names_in(profile_folder(folder));
+  const std::vector<std::string> names = toml_names_in(profile_folder(folder));
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
     throw Error(fmt::format("profile '{}'", name_or_path), fmt::format("is none of the {}", folder),
                 fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
@@ -56,26 +38,14 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
   return profile_folder(folder) / (name_or_path + ".toml");
 }
 
-template <typename Value>
-struct Word {
-  std::string_view text;
-  Value value;
-};
-
 /// The value whose text stands under `key`, which must be there.
 template <typename Value, std::size_t count>
-Value read_word(TomlReader& table, std::string_view key,
-                const std::array<Word<Value>, count>& words) {
-  const std::string text = table.require_text(key);
-  std::vector<std::string_view> known;
-  for (const Word<Value>& word : words) {
-    if (word.text == text) {
-      return word.value;
-    }
-    known.push_back(word.text);
-  }
-  table.fail(table.source(key), fmt::format("there is no {} '{}'", key, text),
-             fmt::format("choose one of {}", fmt::join(known, ", ")));
+Value require_word(TomlReader& table, std::string_view key,
+                   const std::array<Word<Value>, count>& words) {
+  Value value = words.front().value;
+  table.require(key);
+  table.read(key, value, words);
+  return value;
 }
 
 double require_number(TomlReader& table, std::string_view key, double minimum, double maximum) {
@@ -100,7 +70,7 @@ KnownDuration require_duration(TomlReader& table, std::string_view key) {
   TomlReader inner = table.table(key);
   KnownDuration duration;
   duration.duration_s = 1e-3 * require_number(inner, "duration_ms", 0.0, 1000.0);
-  duration.provenance = read_word(inner, "provenance", words);
+  duration.provenance = require_word(inner, "provenance", words);
   inner.reject_unknown_keys();
   return duration;
 }
@@ -145,7 +115,7 @@ DisplayProfile display_from(TomlReader table) {
                              Word<DisplayKind>{"monitor", DisplayKind::monitor}};
   DisplayProfile display;
   display.title = table.require_text("title");
-  display.kind = read_word(table, "kind", words);
+  display.kind = require_word(table, "kind", words);
   display.width_px = require_whole_number(table, "width_px", 16, 65536);
   display.height_px = require_whole_number(table, "height_px", 16, 65536);
   display.refresh_rate_hz = require_number(table, "refresh_rate_hz", 1.0, 1000.0);
@@ -185,7 +155,7 @@ TrackerProfile tracker_from(TomlReader table) {
                              Word<TrackerSource>{"simulated", TrackerSource::simulated}};
   TrackerProfile tracker;
   tracker.title = table.require_text("title");
-  tracker.source = read_word(table, "source", words);
+  tracker.source = require_word(table, "source", words);
   tracker.rate_hz = require_number(table, "rate_hz", 1.0, 10000.0);
   tracker.exposure = require_duration(table, "exposure");
   tracker.transfer = require_duration(table, "transfer");
@@ -241,9 +211,9 @@ TrackerProfile read_tracker_profile(const std::string& name_or_path) {
   return tracker;
 }
 
-std::vector<std::string> display_profile_names() { return names_in(profile_folder(displays)); }
+std::vector<std::string> display_profile_names() { return toml_names_in(profile_folder(displays)); }
 
-std::vector<std::string> tracker_profile_names() { return names_in(profile_folder(trackers)); }
+std::vector<std::string> tracker_profile_names() { return toml_names_in(profile_folder(trackers)); }
 
 RadialLens read_lens(TomlReader& table, RadialLens lens) {
   constexpr double strongest = 100.0;

@@ -1,27 +1,158 @@
 #include "study/design/plan.h"
 
+#include <algorithm>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "renderer/base/random.h"
+#include "study/design/orders.h"
 
 namespace foveola::study {
+namespace {
 
-Plan random_plan(const Protocol& protocol, std::uint64_t seed, int participant_index) {
-  Pcg32 generator(seed, static_cast<std::uint64_t>(participant_index));
-  std::vector<SceneEntry> scenes = protocol.scenes;
-  shuffle(std::span(scenes), generator);
+int scene_count(const Protocol& protocol) { return static_cast<int>(protocol.scenes.size()); }
+int method_count(const Protocol& protocol) { return static_cast<int>(protocol.methods.size()); }
+
+Permutation drawn_order(int n, Pcg32& generator) {
+  Permutation order = row_of(Order::fixed, n, 0);
+  shuffle(std::span(order), generator);
+  return order;
+}
+
+Permutation order_of_scenes(const Protocol& protocol, int row, Pcg32& generator) {
+  const int n = scene_count(protocol);
+  return protocol.scene_order == Order::random ? drawn_order(n, generator)
+                                               : row_of(protocol.scene_order, n, row);
+}
+
+Permutation order_of_methods(const Protocol& protocol, int scene, int row, Pcg32& generator) {
+  const int n = method_count(protocol);
+  return protocol.method_order == Order::random
+             ? drawn_order(n, generator)
+             : crossed_row_of(protocol.method_order, n, scene, row);
+}
+
+Plan practice_trials(const Protocol& protocol) {
   Plan plan;
+  for (const PracticeEntry& entry : protocol.practice) {
+    plan.push_back({.scene = entry.scene, .method = entry.method, .kind = TrialKind::practice});
+  }
+  return plan;
+}
+
+Plan test_trials(const Protocol& protocol, int row, Pcg32& generator) {
+  Plan plan;
+  const Permutation scenes = order_of_scenes(protocol, row, generator);
   for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
-    std::vector<std::string> methods = protocol.methods;
-    shuffle(std::span(methods), generator);
+    const Permutation methods = order_of_methods(protocol, scenes[scene], row, generator);
     for (std::size_t method = 0; method < methods.size(); ++method) {
-      plan.push_back({.scene = scenes[scene].name,
-                      .method = methods[method],
+      plan.push_back({.scene = protocol.scenes[scenes[scene]].name,
+                      .method = protocol.methods[methods[method]],
                       .scene_position = static_cast<int>(scene),
                       .method_position = static_cast<int>(method)});
     }
   }
   return plan;
+}
+
+/// A catch trial follows the test trial that it is like, so that none is the first and no two come
+/// one after the other.
+Plan with_catch_trials(const Plan& tests, int count, Pcg32& generator) {
+  Permutation places = drawn_order(static_cast<int>(tests.size()), generator);
+  places.resize(static_cast<std::size_t>(count));
+  Plan plan;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    plan.push_back(tests[i]);
+    if (std::find(places.begin(), places.end(), static_cast<int>(i)) != places.end()) {
+      plan.push_back(
+          {.scene = tests[i].scene, .method = tests[i].method, .kind = TrialKind::catch_trial});
+    }
+  }
+  return plan;
+}
+
+/// Whether the object of the trial before may stay.
+bool keeps_object(const PlannedTrial& before, const PlannedTrial& trial) {
+  return before.scene == trial.scene &&
+         (before.kind == TrialKind::practice) == (trial.kind == TrialKind::practice);
+}
+
+void add_trials(Agenda& agenda, const Protocol& protocol, const Plan& plan) {
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const bool chooses_object = protocol.object_choice == ObjectChoice::per_method || i == 0 ||
+                                !keeps_object(plan[i - 1], plan[i]);
+    agenda.push_back(TrialStep{.trial = i, .chooses_object = chooses_object});
+  }
+}
+
+}  // namespace
+
+const char* name_of(TrialKind kind) {
+  switch (kind) {
+    case TrialKind::practice:
+      return "practice";
+    case TrialKind::catch_trial:
+      return "catch";
+    case TrialKind::test:
+      break;
+  }
+  return "test";
+}
+
+Agenda agenda_of(const Protocol& protocol, const Plan& plan) {
+  Agenda agenda;
+  for (const PhaseEntry& phase : protocol.phases) {
+    switch (phase.kind) {
+      case PhaseEntry::Kind::consent:
+        agenda.emplace_back(ConsentStep{});
+        break;
+      case PhaseEntry::Kind::questionnaire:
+        agenda.emplace_back(QuestionnaireStep{phase.questionnaire});
+        break;
+      case PhaseEntry::Kind::validation:
+        agenda.emplace_back(ValidationStep{protocol.tracker.validation->attempts});
+        break;
+      case PhaseEntry::Kind::reaction:
+        agenda.emplace_back(ReactionStep{protocol.reaction->presses});
+        break;
+      case PhaseEntry::Kind::trials:
+        add_trials(agenda, protocol, plan);
+        break;
+    }
+  }
+  return agenda;
+}
+
+Plan make_plan(const Protocol& protocol, std::uint64_t seed, int row) {
+  Pcg32 generator(seed, static_cast<std::uint64_t>(row));
+  Plan plan = practice_trials(protocol);
+  Plan tests = test_trials(protocol, row, generator);
+  if (protocol.catch_trials.count > 0) {
+    tests = with_catch_trials(tests, protocol.catch_trials.count, generator);
+  }
+  plan.insert(plan.end(), tests.begin(), tests.end());
+  return plan;
+}
+
+int design_rows(const Protocol& protocol) {
+  const int scene_rows = row_count(protocol.scene_order, scene_count(protocol));
+  const int method_rows = row_count(protocol.method_order, method_count(protocol));
+  return scene_rows == 0 || method_rows == 0 ? std::max(scene_rows, method_rows)
+                                             : std::lcm(scene_rows, method_rows);
+}
+
+int least_used_row(const Protocol& protocol, const std::vector<int>& used) {
+  const int rows = std::max(1, design_rows(protocol));
+  std::vector<int> uses(static_cast<std::size_t>(rows), 0);
+  for (const int row : used) {
+    ++uses[static_cast<std::size_t>(row % rows)];
+  }
+  int row = static_cast<int>(std::min_element(uses.begin(), uses.end()) - uses.begin());
+  while (std::find(used.begin(), used.end(), row) != used.end()) {
+    row += rows;
+  }
+  return row;
 }
 
 }  // namespace foveola::study

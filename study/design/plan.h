@@ -54,20 +54,23 @@ using AgendaStep =
 /// All steps of a session. At least one.
 using Agenda = std::vector<AgendaStep>;
 
-/// The protocol's phases with the plan's trials in them. An object is chosen for a scene's first
-/// trial of its kind, or for each trial, as the protocol says.
+/// The protocol's phases with the plan's trials in them. An object is chosen for each trial, or, if
+/// the protocol keeps it for a scene, when the trial before was in another one or one of the two is
+/// practice.
 Agenda agenda_of(const Protocol& protocol, const Plan& plan);
 
 /// The plan of row `row` of the protocol's design, with practice before and catch trials between
-/// its test trials. seed: of what the protocol's orders draw. A function of its arguments alone, on
-/// every platform.
+/// its test trials. A catch trial is like the test trial before it. Orders that are no squares, and
+/// the places of catch trials, are drawn by seed and row. A function of its arguments alone, on
+/// every platform. row >= 0, beyond design_rows it begins anew, with other draws.
 Plan make_plan(const Protocol& protocol, std::uint64_t seed, int row);
 
-/// How many rows the protocol's design has until it repeats; 0 if each is drawn anew.
+/// How many rows the protocol's design has until its squares repeat; 0 if all orders are drawn.
 int design_rows(const Protocol& protocol);
 
-/// The row for the next participant: the one that was used least, the first of those. used: the
-/// rows of completed and active sessions of people, in any order.
+/// The row for the next participant: of the design's row that was used least, the first of those,
+/// and among the rows that repeat it the first that is free. used: the rows of completed and active
+/// sessions of people, in any order.
 int least_used_row(const Protocol& protocol, const std::vector<int>& used);
 
 }  // namespace foveola::study

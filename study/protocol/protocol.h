@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/base/scene_source.h"
@@ -74,7 +75,7 @@ struct TrackerSettings {
 };
 
 struct Timing {
-  double mark_timeout_s = 120.0;  ///< a mark that has not come by then is censored
+  double mark_timeout_s = 120.0;  ///< from the first frame; marks that have not come are censored
   double rating_s = 4.0;          ///< how long a participant looks around before rating, at least
 };
 
@@ -95,16 +96,6 @@ struct MarkEntry {
 
 /// For how long a trial's object is kept.
 enum class ObjectChoice { per_scene, per_method };
-
-/// What changes in one scene or with one method: settings cascade from the protocol to the scene to
-/// the method.
-struct SettingsOverride {
-  std::string scene;   ///< empty: in all
-  std::string method;  ///< empty: with all
-  std::optional<FilmSettings> film;
-  std::optional<Timing> timing;
-  std::optional<bool> fill_unsampled;
-};
 
 /// What a trial is shown with.
 struct TrialSettings {
@@ -164,9 +155,9 @@ struct ReferenceQuality {
 struct Protocol {
   std::string name;
   std::string title;
-  std::string language = "en";               ///< BCP 47, of the texts
-  std::map<std::string, std::string> texts;  ///< screens' words over the built-in ones, by their id
-  std::vector<SceneEntry> scenes;            ///< at least one, none twice
+  std::string language = "en";     ///< BCP 47, of the texts
+  Texts texts;                     ///< screens' words over the built-in ones
+  std::vector<SceneEntry> scenes;  ///< at least one, none twice
   std::vector<std::string>
       methods;  ///< as make_view_sampler reads them, none twice; first: baseline
   std::vector<MethodFile> method_files;  ///< in the methods' order; none twice for one method
@@ -186,7 +177,8 @@ struct Protocol {
   std::optional<ReactionSettings> reaction;
   std::vector<Questionnaire> questionnaires;
   std::vector<PhaseEntry> phases;  ///< in the session's order; exactly one is trials
-  std::vector<SettingsOverride> overrides;
+  /// By scene and method, where overrides say something else than film, timing and display.
+  std::map<std::pair<std::string, std::string>, TrialSettings> cells;
   AnalysisPlan analysis;
 
   std::filesystem::path path;
@@ -199,20 +191,28 @@ struct Protocol {
 std::filesystem::path find_protocol(const std::string& name_or_path);
 
 /// Only name, title, scenes and methods must be given; the rest has the defaults above. Files of
-/// methods are read now, and only inside the protocol's own folder, as are profiles that it names
-/// by a path. Throws Error with file:line:column for an unknown key, a wrong type, an impossible
-/// value or a bad file.
+/// methods are read now, and only inside the protocol's own folder, as are profiles and
+/// questionnaires that it names by a path. Throws Error with file:line:column for an unknown key, a
+/// wrong type, an impossible value or a bad file.
 Protocol load_protocol(const std::filesystem::path& path);
 
+/// The same of a text that was kept; `path` says where it was, for messages and for the files that
+/// it names.
+Protocol read_protocol(const std::string& text, const std::filesystem::path& path);
+
+/// Where the files lie that the protocol names by their paths.
+std::filesystem::path folder_of(const Protocol& protocol);
+
 /// What a trial of this scene and method is shown with: the protocol's settings, then the scene's,
-/// then the method's, then those of both.
+/// then the method's, then those of both, each of them only where it says something.
 TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
                           const std::string& method);
 
 /// The questionnaire of this id, which the protocol has.
 const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id);
 
-/// The TOML of the profiles that the protocol names, by what they are of: "display", "tracker".
+/// The TOML of the files that come with Foveola or lie beside the protocol, by what they are of:
+/// "display", "tracker", "questionnaire".
 struct NamedProfile {
   std::string device;
   std::string name;

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "study/protocol/texts.h"
+
 namespace foveola::study {
 
 enum class QuestionKind {
@@ -40,6 +42,8 @@ struct Questionnaire {
   std::string intro;   ///< above the questions; may be empty
   std::string source;  ///< of a published questionnaire; empty for the study's own
   std::vector<Question> questions;
+  std::string file;  ///< as the protocol names it; empty if it is written in the protocol
+  std::string toml;  ///< the file's content, for the record
 };
 
 struct Answer {
@@ -49,7 +53,10 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// Why `answer` is none to `question`, in a few words for who typed it; empty if it is one.
-std::string fault_of(const Question& question, const std::variant<double, std::string>& answer);
+/// Why `answer` is none to `question`, in a few words for who typed it; empty if it is one. An
+/// empty text is no answer, which is a fault only if the question is required. texts: the
+/// protocol's.
+std::string fault_of(const Question& question, const std::variant<double, std::string>& answer,
+                     const Texts& texts = {});
 
 }  // namespace foveola::study

@@ -1,0 +1,58 @@
+#include "study/protocol/questionnaire.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace foveola::study {
+namespace {
+
+bool is_within(const Question& question, double number) {
+  return number >= question.minimum && number <= question.maximum;
+}
+
+bool is_option(const Question& question, const std::variant<double, std::string>& answer) {
+  return std::any_of(question.options.begin(), question.options.end(), [&](const Option& option) {
+    return option.value ? answer == std::variant<double, std::string>(*option.value)
+                        : answer == std::variant<double, std::string>(option.label);
+  });
+}
+
+/// The id of the text that says what is wrong with an answer; empty if nothing is.
+std::string_view fault_id(const Question& question,
+                          const std::variant<double, std::string>& answer) {
+  const auto* const words = std::get_if<std::string>(&answer);
+  if (words != nullptr && words->empty()) {
+    return question.required ? "fault_missing" : "";
+  }
+  if (question.kind == QuestionKind::choice) {
+    return is_option(question, answer) ? "" : "fault_no_option";
+  }
+  if (question.kind == QuestionKind::text) {
+    return words != nullptr ? "" : "fault_missing";
+  }
+  const auto* const number = std::get_if<double>(&answer);
+  if (number == nullptr || !std::isfinite(*number)) {
+    return "fault_not_a_number";
+  }
+  if (!is_within(question, *number)) {
+    return "fault_out_of_range";
+  }
+  const bool must_be_whole = question.kind == QuestionKind::likert;
+  return must_be_whole && *number != std::round(*number) ? "fault_not_whole" : "";
+}
+
+}  // namespace
+
+std::string fault_of(const Question& question, const std::variant<double, std::string>& answer,
+                     const Texts& texts) {
+  const std::string_view id = fault_id(question, answer);
+  if (id.empty()) {
+    return "";
+  }
+  return filled(text_of(texts, id), {{"minimum", fmt::format("{}", question.minimum)},
+                                     {"maximum", fmt::format("{}", question.maximum)}});
+}
+
+}  // namespace foveola::study

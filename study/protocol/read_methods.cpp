@@ -1,0 +1,85 @@
+#include "study/protocol/read_methods.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/confined_path.h"
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+/// Throws Error for a file out of the folder, for one that is no image of weights, and for one that
+/// somebody writes at this moment.
+MethodFile read_method_file(const std::string& method, const std::string& file,
+                            const fs::path& folder) {
+  fs::path path;
+  try {
+    path = confined_path(folder, file);
+  } catch (const std::runtime_error& reason) {
+    throw Error(fmt::format("method '{}'", method),
+                fmt::format("its file '{}' is {}", file, reason.what()),
+                "put a copy into the folder of the protocol");
+  }
+  const std::string digest = sha256_of_file(path);
+  auto weights = std::make_shared<const WeightImage>(read_weights(path));
+  if (sha256_of_file(path) != digest) {
+    throw Error(path.string(), "changed while it was read", "try again when it is finished");
+  }
+  return {.method = method, .file = file, .sha256 = digest, .weights = std::move(weights)};
+}
+
+/// Throws Error for what no session could use.
+void require_usable(const std::string& method, const fs::path& folder,
+                    std::vector<MethodFile>& files) {
+  if (follows_pointer(method)) {
+    throw Error(fmt::format("method '{}'", method),
+                "follows a pointer, and in this version nobody can point in a session",
+                "hold it in place with azimuth= and elevation=, or choose another method");
+  }
+  make_view_sampler(method, [&](const std::string& file) {
+    if (find_method_file(files, method, file) == nullptr) {
+      files.push_back(read_method_file(method, file, folder));
+    }
+    return *find_method_file(files, method, file)->weights;
+  });
+}
+
+}  // namespace
+
+std::vector<SceneEntry> read_scenes(TomlReader& reader) {
+  std::vector<SceneEntry> scenes;
+  for (const TomlReader::Text& scene : reader.require_texts("scenes")) {
+    scenes.push_back({.name = scene.value,
+                      .line = static_cast<int>(scene.source.begin.line),
+                      .column = static_cast<int>(scene.source.begin.column)});
+  }
+  return scenes;
+}
+
+const MethodFile* find_method_file(const std::vector<MethodFile>& files, const std::string& method,
+                                   const std::string& file) {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const MethodFile& known) {
+    return known.method == method && known.file == file;
+  });
+  return found != files.end() ? &*found : nullptr;
+}
+
+void read_methods(TomlReader& reader, Protocol& protocol) {
+  for (const TomlReader::Text& method : reader.require_texts("methods")) {
+    try {
+      require_usable(method.value, folder_of(protocol), protocol.method_files);
+    } catch (const Error& error) {
+      reader.fail(method.source, error.what(), "see foveola render --help");
+    }
+    protocol.methods.push_back(method.value);
+  }
+}
+
+}  // namespace foveola::study

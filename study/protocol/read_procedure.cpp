@@ -1,0 +1,267 @@
+#include "study/protocol/read_procedure.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "study/protocol/read_questions.h"
+#include "study/protocol/read_settings.h"
+#include "study/protocol/texts.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr std::array orders{
+    Word<Order>{"fixed", Order::fixed},
+    Word<Order>{"random", Order::random},
+    Word<Order>{"latin", Order::latin},
+    Word<Order>{"williams", Order::williams},
+};
+
+/// Throws Error for names in braces that the built-in words of `id` do not have.
+void require_known_names(const TomlReader& reader, const std::string& id, const std::string& text) {
+  const std::vector<std::string> known = names_in(text_of({}, id));
+  for (const std::string& name : names_in(text)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      reader.fail(reader.source(id), fmt::format("nothing fills in {{{}}} here", name),
+                  known.empty()
+                      ? "leave it out"
+                      : fmt::format("the names here are {{{}}}", fmt::join(known, "}, {")));
+    }
+  }
+}
+
+Texts read_words(TomlReader reader) {
+  Texts texts;
+  for (const std::string& id : known_text_ids()) {
+    std::string text;
+    reader.read(id, text);
+    if (reader.has(id)) {
+      require_known_names(reader, id, text);
+      texts[id] = text;
+    }
+  }
+  reader.reject_unknown_keys();
+  return texts;
+}
+
+bool is_language_tag(const std::string& text) {
+  return !text.empty() && text.front() != '-' && text.back() != '-' &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '-';
+         });
+}
+
+/// The published ones, if the protocol has none of its own.
+std::vector<MarkEntry> read_marks(TomlReader& reader) {
+  std::vector<MarkEntry> marks;
+  std::vector<std::string> ids;
+  for (TomlReader& entry : reader.tables("mark")) {
+    ids.push_back(read_new_id(entry, ids));
+    marks.push_back({.id = ids.back(), .instruction = entry.require_text("instruction")});
+    entry.reject_unknown_keys();
+  }
+  if (!marks.empty()) {
+    return marks;
+  }
+  return {{.id = "outline",
+           .instruction = "Press as soon as you could tell whether moving or turning the object "
+                          "succeeded: you see its outline."},
+          {.id = "material",
+           .instruction = "Press as soon as you could tell whether changing its material "
+                          "succeeded: you see what it is made of."}};
+}
+
+/// The published one, if the protocol has none of its own.
+std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks) {
+  std::vector<std::string> taken;
+  for (const MarkEntry& mark : marks) {
+    taken.push_back(mark.id);
+  }
+  std::vector<Question> ratings = read_questions(reader, "rating", taken);
+  if (ratings.empty()) {
+    ratings.push_back({.id = "artifacts",
+                       .text = "How prevalent were disturbing artifacts in the other areas?",
+                       .labels = {"none", "not discernible at all"}});
+  }
+  return ratings;
+}
+
+std::vector<PracticeEntry> read_practice(TomlReader& reader, const Protocol& protocol) {
+  std::vector<PracticeEntry> practice;
+  for (TomlReader& entry : reader.tables("practice")) {
+    entry.require("scene");
+    entry.require("method");
+    practice.push_back({.scene = read_scene_name(entry, "scene", protocol),
+                        .method = read_method_name(entry, "method", protocol)});
+    entry.reject_unknown_keys();
+  }
+  return practice;
+}
+
+CatchTrials read_catch_trials(TomlReader reader, int tests) {
+  CatchTrials trials;
+  reader.read("count", trials.count, 0, 1000);
+  reader.read("timeout_s", trials.timeout_s, 0.5, 3600.0);
+  reader.reject_unknown_keys();
+  if (trials.count > tests) {
+    reader.fail(reader.source("count"),
+                fmt::format("{} do not fit between {} trials", trials.count, tests),
+                "no two may follow one another: ask for fewer");
+  }
+  return trials;
+}
+
+ReactionSettings read_reaction(TomlReader reader) {
+  constexpr double longest_s = 60.0;
+  ReactionSettings reaction;
+  reader.read("presses", reaction.presses, 1, 1000);
+  reader.read("shortest_wait_s", reaction.shortest_wait_s, 0.1, longest_s);
+  reader.read("longest_wait_s", reaction.longest_wait_s, 0.1, longest_s);
+  reader.reject_unknown_keys();
+  if (reaction.longest_wait_s < reaction.shortest_wait_s) {
+    const bool has_longest = reader.has("longest_wait_s");
+    reader.fail(reader.source(has_longest ? "longest_wait_s" : "shortest_wait_s"),
+                fmt::format("no wait is between {} and {} seconds", reaction.shortest_wait_s,
+                            reaction.longest_wait_s),
+                "make the longest one the longer");
+  }
+  return reaction;
+}
+
+bool has_consent(const Protocol& protocol) { return !text_of(protocol.texts, "consent").empty(); }
+
+bool has_questionnaire(const Protocol& protocol, const std::string& id) {
+  return std::any_of(protocol.questionnaires.begin(), protocol.questionnaires.end(),
+                     [&](const Questionnaire& known) { return known.id == id; });
+}
+
+/// What may be a phase of this protocol, by its name.
+struct PossiblePhase {
+  std::string name;
+  PhaseEntry::Kind kind = PhaseEntry::Kind::questionnaire;
+};
+
+/// All, in the order that they have if the protocol does not say: questionnaires come last but for
+/// "background", which precedes the trials.
+std::vector<PossiblePhase> possible_phases(const Protocol& protocol) {
+  using Kind = PhaseEntry::Kind;
+  std::vector<PossiblePhase> phases;
+  const auto add_if = [&](bool is_possible, const char* name, Kind kind) {
+    if (is_possible) {
+      phases.push_back({name, kind});
+    }
+  };
+  add_if(has_consent(protocol), "consent", Kind::consent);
+  add_if(has_questionnaire(protocol, "background"), "background", Kind::questionnaire);
+  add_if(protocol.tracker.validation.has_value(), "validation", Kind::validation);
+  add_if(protocol.reaction.has_value(), "reaction", Kind::reaction);
+  add_if(true, "trials", Kind::trials);
+  add_if(has_questionnaire(protocol, "debrief"), "debrief", Kind::questionnaire);
+  for (const Questionnaire& questionnaire : protocol.questionnaires) {
+    if (questionnaire.id != "background" && questionnaire.id != "debrief") {
+      phases.push_back({questionnaire.id, Kind::questionnaire});
+    }
+  }
+  return phases;
+}
+
+PhaseEntry entry_of(const PossiblePhase& phase) {
+  const bool asks = phase.kind == PhaseEntry::Kind::questionnaire;
+  return {.kind = phase.kind, .questionnaire = asks ? phase.name : ""};
+}
+
+std::vector<std::string> names_of(const std::vector<PossiblePhase>& phases) {
+  std::vector<std::string> names;
+  names.reserve(phases.size());
+  for (const PossiblePhase& phase : phases) {
+    names.push_back(phase.name);
+  }
+  return names;
+}
+
+std::string remedy_for(const std::string& phase, const std::vector<PossiblePhase>& possible) {
+  if (phase == "consent") {
+    return "say in [texts] what the consent is to: consent = \"...\"";
+  }
+  if (phase == "validation" || phase == "reaction") {
+    return fmt::format("begin a table [{}]", phase == "reaction" ? phase : "tracker.validation");
+  }
+  return fmt::format("choose of {}, or give a [[questionnaire]] this id",
+                     fmt::join(names_of(possible), ", "));
+}
+
+PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
+                        const std::vector<PossiblePhase>& possible) {
+  const auto found =
+      std::find_if(possible.begin(), possible.end(),
+                   [&](const PossiblePhase& phase) { return phase.name == name.value; });
+  if (found == possible.end()) {
+    reader.fail(name.source, fmt::format("the protocol has nothing for a phase '{}'", name.value),
+                remedy_for(name.value, possible));
+  }
+  return entry_of(*found);
+}
+
+/// Throws Error for what the protocol describes and no phase uses.
+void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::Text>& chosen,
+                        const std::vector<PossiblePhase>& possible) {
+  for (const std::string& name : names_of(possible)) {
+    if (std::none_of(chosen.begin(), chosen.end(),
+                     [&](const TomlReader::Text& text) { return text.value == name; })) {
+      reader.fail(reader.source("phases"), fmt::format("'{}' comes in no phase", name),
+                  "name it where it belongs, or leave out what describes it");
+    }
+  }
+}
+
+}  // namespace
+
+void read_texts(TomlReader& reader, Protocol& protocol) {
+  reader.read("language", protocol.language);
+  if (!is_language_tag(protocol.language)) {
+    reader.fail(reader.source("language"), fmt::format("'{}' is no language", protocol.language),
+                "write its tag: en, fi, pt-BR");
+  }
+  protocol.texts = read_words(reader.table("texts"));
+}
+
+void read_procedure(TomlReader& reader, Protocol& protocol) {
+  constexpr std::array choices{Word<ObjectChoice>{"per scene", ObjectChoice::per_scene},
+                               Word<ObjectChoice>{"per method", ObjectChoice::per_method}};
+  reader.read("scene_order", protocol.scene_order, orders);
+  reader.read("method_order", protocol.method_order, orders);
+  reader.read("object", protocol.object_choice, choices);
+  protocol.marks = read_marks(reader);
+  protocol.ratings = read_ratings(reader, protocol.marks);
+  protocol.practice = read_practice(reader, protocol);
+  protocol.catch_trials =
+      read_catch_trials(reader.table("catch_trials"),
+                        static_cast<int>(protocol.scenes.size() * protocol.methods.size()));
+  const TomlReader reaction = reader.table("reaction");
+  if (reader.has("reaction")) {
+    protocol.reaction = read_reaction(reaction);
+  }
+}
+
+void read_phases(TomlReader& reader, Protocol& protocol) {
+  const std::vector<PossiblePhase> possible = possible_phases(protocol);
+  const std::vector<TomlReader::Text> chosen = reader.texts("phases");
+  for (const TomlReader::Text& name : chosen) {
+    protocol.phases.push_back(chosen_phase(reader, name, possible));
+  }
+  if (reader.has("phases")) {
+    require_all_chosen(reader, chosen, possible);
+    return;
+  }
+  for (const PossiblePhase& phase : possible) {
+    protocol.phases.push_back(entry_of(phase));
+  }
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,254 @@
+#include "study/protocol/read_questions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/confined_path.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/gaze/profiles.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr double largest_number = 1e6;
+constexpr int most_points = 101;  // of a scale: 0 to 100
+
+bool is_id_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+/// Throws Error for a key that the question's kind has no use for.
+void forbid(const TomlReader& reader, std::initializer_list<std::string_view> keys,
+            std::string_view kind) {
+  for (const std::string_view key : keys) {
+    if (reader.has(key)) {
+      reader.fail(reader.source(key), fmt::format("a {} has no {}", kind, key),
+                  "leave it out, or choose another kind");
+    }
+  }
+}
+
+void read_range(TomlReader& reader, Question& question) {
+  reader.read("minimum", question.minimum, -largest_number, largest_number);
+  reader.read("maximum", question.maximum, -largest_number, largest_number);
+  if (question.maximum <= question.minimum) {
+    reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
+                fmt::format("there is nothing from {} to {}", question.minimum, question.maximum),
+                "make the maximum larger than the minimum");
+  }
+}
+
+void require_points(const TomlReader& reader, const Question& question) {
+  const double points = question.maximum - question.minimum + 1.0;
+  if (question.minimum != std::round(question.minimum) || points != std::round(points) ||
+      points > most_points) {
+    reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
+                fmt::format("a scale has whole points, at most {}", most_points),
+                "give whole ends, or ask for a number");
+  }
+  const std::size_t labels = question.labels.size();
+  if (labels != 0 && labels != 2 && static_cast<double>(labels) != points) {
+    reader.fail(reader.source("labels"),
+                fmt::format("{} labels for {} points", labels, static_cast<int>(points)),
+                "give one for each point, or two for the ends");
+  }
+}
+
+void read_scale(TomlReader& reader, Question& question) {
+  forbid(reader, {"options"}, "scale");
+  read_range(reader, question);
+  for (const TomlReader::Text& label : reader.texts("labels")) {
+    question.labels.push_back(label.value);
+  }
+  require_points(reader, question);
+}
+
+void read_number(TomlReader& reader, Question& question) {
+  forbid(reader, {"labels", "options"}, "number");
+  reader.require("minimum");
+  reader.require("maximum");
+  read_range(reader, question);
+}
+
+Option read_option(TomlReader reader) {
+  Option option{.label = reader.require_text("label")};
+  double value = 0.0;
+  reader.read("value", value, -largest_number, largest_number);
+  if (reader.has("value")) {
+    option.value = value;
+  }
+  reader.reject_unknown_keys();
+  return option;
+}
+
+void read_options(TomlReader& reader, Question& question) {
+  forbid(reader, {"minimum", "maximum", "labels"}, "choice");
+  for (const TomlReader& entry : reader.tables("options")) {
+    const Option option = read_option(entry);
+    if (std::any_of(question.options.begin(), question.options.end(), [&](const Option& other) {
+          return other.label == option.label || (option.value && other.value == option.value);
+        })) {
+      entry.fail(entry.source(), fmt::format("nothing tells the option '{}' apart", option.label),
+                 "give each its own label and value");
+    }
+    question.options.push_back(option);
+  }
+  if (question.options.size() < 2) {
+    reader.fail(reader.source(), "a choice needs two options",
+                R"(write options = [{ label = "yes" }, { label = "no" }])");
+  }
+}
+
+void read_kind(TomlReader& reader, Question& question) {
+  constexpr std::array kinds{
+      Word<QuestionKind>{"likert", QuestionKind::likert},
+      Word<QuestionKind>{"number", QuestionKind::number},
+      Word<QuestionKind>{"choice", QuestionKind::choice},
+      Word<QuestionKind>{"text", QuestionKind::text},
+  };
+  reader.read("kind", question.kind, kinds);
+  switch (question.kind) {
+    case QuestionKind::likert:
+      read_scale(reader, question);
+      return;
+    case QuestionKind::number:
+      read_number(reader, question);
+      return;
+    case QuestionKind::choice:
+      read_options(reader, question);
+      return;
+    case QuestionKind::text:
+      forbid(reader, {"minimum", "maximum", "labels", "options"}, "text");
+      return;
+  }
+}
+
+Question read_question(TomlReader reader, const std::vector<std::string>& taken) {
+  Question question{.id = read_new_id(reader, taken), .text = reader.require_text("text")};
+  read_kind(reader, question);
+  reader.read("required", question.required);
+  reader.reject_unknown_keys();
+  return question;
+}
+
+/// A questionnaire but for its id, over `questionnaire`; with its questions, if it has any.
+void read_content(TomlReader& reader, Questionnaire& questionnaire) {
+  reader.read("title", questionnaire.title);
+  reader.read("intro", questionnaire.intro);
+  reader.read("source", questionnaire.source);
+  if (std::vector<Question> questions = read_questions(reader, "question", {});
+      !questions.empty()) {
+    questionnaire.questions = std::move(questions);
+  }
+}
+
+void require_content(const TomlReader& reader, const Questionnaire& questionnaire) {
+  if (questionnaire.title.empty()) {
+    reader.fail(reader.source(), "the questionnaire has no title", "give it a title");
+  }
+  if (questionnaire.questions.empty()) {
+    reader.fail(reader.source(), "the questionnaire asks nothing",
+                "give it questions, or the file of a ready one");
+  }
+}
+
+fs::path ready_questionnaires() { return resource_folder() / "protocols" / "questionnaires"; }
+
+fs::path questionnaire_file(const std::string& name_or_path, const fs::path& folder) {
+  if (is_profile_path(name_or_path)) {
+    return confined_path(folder, name_or_path);
+  }
+  const std::vector<std::string> names = toml_names_in(ready_questionnaires());
+  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+    throw Error("questionnaire", "is none of the ready ones",
+                fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
+  }
+  return ready_questionnaires() / (name_or_path + ".toml");
+}
+
+Questionnaire read_file_of(const fs::path& file) {
+  Questionnaire questionnaire{.toml = read_file(file)};
+  const toml::table content =
+      parse_toml(file.string(), questionnaire.toml,
+                 fmt::format("see those in {}", ready_questionnaires().string()));
+  TomlReader reader(file.string(), content, "");
+  read_content(reader, questionnaire);
+  reader.reject_unknown_keys();
+  require_content(reader, questionnaire);
+  return questionnaire;
+}
+
+/// Of the file that the table names; an empty one if it names none.
+Questionnaire read_ready_one(TomlReader& reader, const fs::path& folder) {
+  std::string name;
+  reader.read("file", name);
+  if (!reader.has("file")) {
+    return {};
+  }
+  if (reader.has("question")) {
+    reader.fail(reader.source("question"), "the questions are those of the file",
+                "leave out one of them");
+  }
+  try {
+    Questionnaire questionnaire = read_file_of(questionnaire_file(name, folder));
+    questionnaire.file = name;
+    return questionnaire;
+  } catch (const std::runtime_error& reason) {
+    reader.fail(reader.source("file"), fmt::format("'{}': {}", name, reason.what()),
+                "name one that comes with Foveola, or a file in the folder of the protocol");
+  }
+}
+
+}  // namespace
+
+std::string read_new_id(TomlReader& reader, const std::vector<std::string>& taken) {
+  const std::string id = reader.require_text("id");
+  if (!std::all_of(id.begin(), id.end(), is_id_character)) {
+    reader.fail(reader.source("id"), fmt::format("'{}' is no id", id),
+                "use letters, digits, - and _ only");
+  }
+  if (std::find(taken.begin(), taken.end(), id) != taken.end()) {
+    reader.fail(reader.source("id"), fmt::format("the id '{}' is used twice", id),
+                "give each its own");
+  }
+  return id;
+}
+
+std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
+                                     const std::vector<std::string>& taken) {
+  std::vector<Question> questions;
+  std::vector<std::string> ids = taken;
+  for (const TomlReader& entry : reader.tables(key)) {
+    questions.push_back(read_question(entry, ids));
+    ids.push_back(questions.back().id);
+  }
+  return questions;
+}
+
+std::vector<Questionnaire> read_questionnaires(TomlReader& reader, const fs::path& folder) {
+  std::vector<Questionnaire> questionnaires;
+  std::vector<std::string> ids{"consent", "validation", "reaction", "trials"};
+  for (TomlReader& entry : reader.tables("questionnaire")) {
+    ids.push_back(read_new_id(entry, ids));
+    Questionnaire questionnaire = read_ready_one(entry, folder);
+    questionnaire.id = ids.back();
+    read_content(entry, questionnaire);
+    entry.reject_unknown_keys();
+    require_content(entry, questionnaire);
+    questionnaires.push_back(std::move(questionnaire));
+  }
+  return questionnaires;
+}
+
+}  // namespace foveola::study

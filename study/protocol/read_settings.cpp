@@ -1,0 +1,253 @@
+#include "study/protocol/read_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/confined_path.h"
+#include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr int largest_film_side = 65536;
+constexpr int largest_view_side = 8192;
+constexpr int most_samples = std::numeric_limits<int>::max();
+
+/// The profile that the table names, by `read`; empty if it names none.
+template <typename Profile>
+std::optional<Profile> read_profile(TomlReader& reader, const fs::path& folder,
+                                    Profile (*read)(const std::string&)) {
+  std::string name;
+  reader.read("profile", name);
+  if (!reader.has("profile")) {
+    return std::nullopt;
+  }
+  try {
+    return read(is_profile_path(name) ? confined_path(folder, name).string() : name);
+  } catch (const std::runtime_error& reason) {
+    reader.fail(reader.source("profile"), fmt::format("profile '{}': {}", name, reason.what()),
+                "name one that comes with Foveola, or a file in the folder of the protocol");
+  }
+}
+
+/// Of the eye that is shown, over the left eye's of the profile.
+RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
+  const RadialLens lens = read_lens(reader, profile);
+  constexpr std::array eyes{Word<bool>{"left", false}, Word<bool>{"right", true}};
+  bool is_right = false;
+  reader.read("eye", is_right, eyes);
+  reader.reject_unknown_keys();
+  return is_right ? mirrored(lens) : lens;
+}
+
+void require_view(const TomlReader& reader, const DisplaySettings& display) {
+  try {
+    Viewport(head_orientation({}), radians(display.horizontal_fov_deg),
+             radians(display.vertical_fov_deg), display.lens);
+  } catch (const Error& error) {
+    reader.fail(reader.has("lens") ? reader.source("lens") : reader.source(), error.what(),
+                "measure the headset's profile anew");
+  }
+}
+
+/// Throws Error through `reader`. The view's size must have been read.
+void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
+  constexpr double narrowest_deg = 1.0;
+  constexpr double widest_deg = 170.0;
+  if (display.profile && !reader.has("fov_deg")) {
+    display.horizontal_fov_deg = display.profile->horizontal_fov_deg;
+    display.vertical_fov_deg = display.profile->vertical_fov_deg;
+    return;
+  }
+  if (reader.is_array("fov_deg")) {
+    Vec2 both(0.0F);
+    reader.read("fov_deg", both, narrowest_deg, widest_deg);
+    display.horizontal_fov_deg = both.x;
+    display.vertical_fov_deg = both.y;
+    return;
+  }
+  reader.read("fov_deg", display.horizontal_fov_deg, narrowest_deg, widest_deg);
+  display.vertical_fov_deg = display.horizontal_fov_deg;
+  if (display.view_width != display.view_height) {
+    const double aspect = static_cast<double>(display.view_height) / display.view_width;
+    const double half_width = std::tan(0.5 * radians(display.horizontal_fov_deg));
+    display.vertical_fov_deg = degrees(2.0 * std::atan(half_width * aspect));
+  }
+}
+
+ValidationSettings read_validation(TomlReader reader) {
+  constexpr double largest_deg = 45.0;
+  ValidationSettings validation;
+  reader.read("points", validation.points, 5, 9);
+  if (validation.points != 5 && validation.points != 9) {
+    reader.fail(reader.source("points"), fmt::format("there is no grid of {}", validation.points),
+                "choose 5 or 9 points");
+  }
+  reader.read("max_accuracy_deg", validation.gate.max_accuracy_deg, 0.0, largest_deg);
+  reader.read("max_precision_deg", validation.gate.max_precision_deg, 0.0, largest_deg);
+  reader.read("max_data_loss", validation.gate.max_data_loss, 0.0, 1.0);
+  reader.read("correct", validation.correct);
+  reader.read("attempts", validation.attempts, 1, 100);
+  reader.reject_unknown_keys();
+  return validation;
+}
+
+/// Where an [[override]] holds, and what it says.
+struct Override {
+  std::string scene;   ///< empty: in all
+  std::string method;  ///< empty: with all
+  TomlReader reader;
+
+  bool holds_for(const std::string& a_scene, const std::string& a_method) const {
+    return (scene.empty() || scene == a_scene) && (method.empty() || method == a_method);
+  }
+  /// The scene's come first, then the method's, then those of both.
+  int rank() const { return (scene.empty() ? 0 : 1) + (method.empty() ? 0 : 2); }
+};
+
+Override read_place(TomlReader reader, const Protocol& protocol) {
+  const std::string scene = read_scene_name(reader, "scene", protocol);
+  const std::string method = read_method_name(reader, "method", protocol);
+  if (scene.empty() && method.empty()) {
+    reader.fail(reader.source(), "an override of what?", "give it a scene, a method or both");
+  }
+  return {scene, method, std::move(reader)};
+}
+
+std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) {
+  std::vector<Override> overrides;
+  for (const TomlReader& entry : reader.tables("override")) {
+    Override next = read_place(entry, protocol);
+    if (std::any_of(overrides.begin(), overrides.end(), [&](const Override& other) {
+          return other.scene == next.scene && other.method == next.method;
+        })) {
+      entry.fail(entry.source(), "there is another override for the same", "put both into one");
+    }
+    overrides.push_back(std::move(next));
+  }
+  std::stable_sort(overrides.begin(), overrides.end(),
+                   [](const Override& a, const Override& b) { return a.rank() < b.rank(); });
+  return overrides;
+}
+
+/// What the override says over `settings`.
+TrialSettings overridden(TomlReader& reader, TrialSettings settings) {
+  settings.film = read_film(reader.table("film"), settings.film);
+  settings.timing = read_timing(reader.table("timing"), settings.timing);
+  reader.read("fill_unsampled", settings.fill_unsampled);
+  reader.reject_unknown_keys();
+  return settings;
+}
+
+}  // namespace
+
+MachineModel read_machine(TomlReader reader) {
+  MachineModel machine;
+  reader.read("samples_per_second", machine.samples_per_second, 1.0, 1e12);
+  reader.read("frame_rate_hz", machine.frame_rate_hz, 1.0, 1000.0);
+  reader.reject_unknown_keys();
+  return machine;
+}
+
+DisplaySettings read_display(TomlReader reader, const fs::path& folder) {
+  DisplaySettings display;
+  display.profile = read_profile(reader, folder, read_display_profile);
+  reader.read("view_width", display.view_width, 8, largest_view_side);
+  reader.read("view_height", display.view_height, 8, largest_view_side);
+  read_fields_of_view(reader, display);
+  reader.read("fill_unsampled", display.fill_unsampled);
+  display.lens =
+      read_eyes_lens(reader.table("lens"),
+                     display.profile ? display.profile->lens.value_or(RadialLens{}) : RadialLens{});
+  require_view(reader, display);
+  reader.reject_unknown_keys();
+  return display;
+}
+
+FilmSettings read_film(TomlReader reader, FilmSettings film) {
+  reader.read("width", film.width, 8, largest_film_side);
+  reader.read("height", film.height, 4, largest_film_side);
+  reader.read("spare_done_contrast", film.spare_done_contrast, 0.0, 0.99);
+  reader.read("max_depth", film.max_depth, 1, 1000);
+  reader.reject_unknown_keys();
+  return film;
+}
+
+TrackerSettings read_tracker(TomlReader reader, const fs::path& folder) {
+  TrackerSettings tracker;
+  tracker.profile = read_profile(reader, folder, read_tracker_profile);
+  if (tracker.profile) {
+    tracker.simulated = tracker.profile->simulated;
+  }
+  reader.read("rate_hz", tracker.simulated.rate_hz, 1.0, 10000.0);
+  reader.read("latency_s", tracker.simulated.latency_s, 0.0, 1.0);
+  reader.read("precision_deg", tracker.simulated.precision_deg, 0.0, 10.0);
+  const TomlReader validation = reader.table("validation");
+  if (reader.has("validation")) {
+    tracker.validation = read_validation(validation);
+  }
+  reader.reject_unknown_keys();
+  return tracker;
+}
+
+Timing read_timing(TomlReader reader, Timing timing) {
+  reader.read("mark_timeout_s", timing.mark_timeout_s, 0.1, 3600.0);
+  reader.read("rating_s", timing.rating_s, 0.1, 3600.0);
+  reader.reject_unknown_keys();
+  return timing;
+}
+
+ReferenceQuality read_reference(TomlReader reader) {
+  ReferenceQuality reference;
+  reader.read("samples_per_pixel", reference.samples_per_pixel, 1, 1 << 20);
+  reader.read("samples_per_object", reference.samples_per_object, 0, most_samples);
+  reader.reject_unknown_keys();
+  return reference;
+}
+
+std::string read_scene_name(TomlReader& reader, std::string_view key, const Protocol& protocol) {
+  std::string name;
+  reader.read(key, name);
+  const bool is_known = std::any_of(protocol.scenes.begin(), protocol.scenes.end(),
+                                    [&](const SceneEntry& scene) { return scene.name == name; });
+  if (reader.has(key) && !is_known) {
+    reader.fail(reader.source(key), fmt::format("the scene '{}' is none of the study's", name),
+                "name one of the protocol's scenes");
+  }
+  return name;
+}
+
+std::string read_method_name(TomlReader& reader, std::string_view key, const Protocol& protocol) {
+  std::string name;
+  reader.read(key, name);
+  const std::vector<std::string>& methods = protocol.methods;
+  if (reader.has(key) && std::find(methods.begin(), methods.end(), name) == methods.end()) {
+    reader.fail(reader.source(key), fmt::format("the method '{}' is none of the study's", name),
+                "write it as in the protocol's methods");
+  }
+  return name;
+}
+
+void read_overrides(TomlReader& reader, Protocol& protocol) {
+  for (Override& entry : read_places(reader, protocol)) {
+    for (const SceneEntry& scene : protocol.scenes) {
+      for (const std::string& method : protocol.methods) {
+        if (entry.holds_for(scene.name, method)) {
+          protocol.cells[{scene.name, method}] =
+              overridden(entry.reader, settings_of(protocol, scene.name, method));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,31 @@
+// What a protocol's trials are shown with: machine, display, film, tracker, timing.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "renderer/base/toml_reader.h"
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+// Each takes a table and gives what it says over the defaults, or over `film` or `timing`. folder:
+// where profiles lie that are named by a path.
+MachineModel read_machine(TomlReader reader);
+DisplaySettings read_display(TomlReader reader, const std::filesystem::path& folder);
+FilmSettings read_film(TomlReader reader, FilmSettings film);
+TrackerSettings read_tracker(TomlReader reader, const std::filesystem::path& folder);
+Timing read_timing(TomlReader reader, Timing timing);
+ReferenceQuality read_reference(TomlReader reader);
+
+/// One of the protocol's scenes; empty if the key is absent.
+std::string read_scene_name(TomlReader& reader, std::string_view key, const Protocol& protocol);
+
+/// One of the protocol's methods; empty if the key is absent.
+std::string read_method_name(TomlReader& reader, std::string_view key, const Protocol& protocol);
+
+/// Fills the protocol's cells. All else of its settings must have been read.
+void read_overrides(TomlReader& reader, Protocol& protocol);
+
+}  // namespace foveola::study

@@ -1,0 +1,29 @@
+// The words of the participant's screens: the built-in ones, and the protocol's over them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace foveola::study {
+
+/// What a protocol may replace, none twice.
+std::vector<std::string> known_text_ids();
+
+/// Words by their id, over the built-in ones. A name in braces, as in "{trial} of {trials}", is
+/// filled in when they are shown.
+using Texts = std::map<std::string, std::string>;
+
+/// The words of `id`, which must be known: those of `texts`, else the built-in ones.
+std::string text_of(const Texts& texts, std::string_view id);
+
+/// The names in braces in a text, in its order.
+std::vector<std::string> names_in(std::string_view text);
+
+/// The text with its names in braces replaced. Names that `values` lacks stay as they are.
+std::string filled(std::string_view text,
+                   const std::vector<std::pair<std::string_view, std::string>>& values);
+
+}  // namespace foveola::study
