@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "study/commands/command_line.h"
+#include "study/commands/design_tables.h"
 #include "study/commands/participant_code.h"
+#include "study/commands/protocol_json.h"
 #include "study/commands/protocol_tables.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
@@ -22,65 +24,72 @@ struct Arguments {
   bool json = false;
 };
 
-nlohmann::json json_profiles(const Protocol& protocol) {
-  nlohmann::json names = nlohmann::json::object();
-  for (const NamedProfile& profile : named_profiles(protocol)) {
-    names[profile.device] = profile.name;
+std::vector<Plan> plans_of(const Protocol& protocol, int participants, std::uint64_t seed) {
+  std::vector<Plan> plans;
+  plans.reserve(static_cast<std::size_t>(participants));
+  for (int row = 0; row < participants; ++row) {
+    plans.push_back(make_plan(protocol, seed, row));
   }
-  return names;
+  return plans;
+}
+
+/// As many as are planned, else one of each row of the design; 0 if neither says a number.
+int expected_participants(const Protocol& protocol) {
+  return protocol.analysis.participants.value_or(design_rows(protocol));
+}
+
+std::string balance_heading(const Protocol& protocol, int participants) {
+  const bool draws =
+      protocol.scene_order == Order::random || protocol.method_order == Order::random;
+  return fmt::format("balance of {} participants{}", participants,
+                     draws ? ", for instance: orders are drawn (seed 0)" : "");
+}
+
+void print_check(const Protocol& protocol, const std::vector<SceneSource>& scenes) {
+  fmt::print("{}\n{}", protocol_table(protocol, scenes), duration_table(session_parts(protocol)));
+  if (const int participants = expected_participants(protocol); participants > 0) {
+    const Balance balance = balance_of(protocol, plans_of(protocol, participants, 0));
+    fmt::print("\n{}\n{}", balance_heading(protocol, participants),
+               balance_table(protocol, balance));
+  }
+}
+
+nlohmann::json json_check(const Protocol& protocol) {
+  nlohmann::json json = json_of(protocol);
+  json["session"] = json_of(session_parts(protocol));
+  if (const int participants = expected_participants(protocol); participants > 0) {
+    json["balance"] = json_of(protocol, balance_of(protocol, plans_of(protocol, participants, 0)));
+    json["balance"]["participants"] = participants;
+  }
+  return json;
 }
 
 void run_check(const Arguments& arguments, const SceneFinder& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
   if (arguments.json) {
-    nlohmann::json names = nlohmann::json::array();
-    for (const SceneEntry& scene : protocol.scenes) {
-      names.push_back(scene.name);
-    }
-    nlohmann::json files = nlohmann::json::array();
-    for (const MethodFile& file : protocol.method_files) {
-      files.push_back({{"method", file.method}, {"file", file.file}, {"sha256", file.sha256}});
-    }
-    const nlohmann::json json = {
-        {"protocol", protocol.path.string()},
-        {"name", protocol.name},
-        {"title", protocol.title},
-        {"sha256", protocol.sha256},
-        {"scenes", names},
-        {"methods", protocol.methods},
-        {"method_files", files},
-        {"profiles", json_profiles(protocol)},
-        {"trials_per_participant", scenes.size() * protocol.methods.size()},
-        {"background_questions", protocol.background.size()}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_check(protocol).dump(2));
   } else {
-    fmt::print("{}", protocol_table(protocol, scenes));
+    print_check(protocol, scenes);
   }
 }
 
-nlohmann::json json_plan(int participant, const Plan& plan) {
-  nlohmann::json trials = nlohmann::json::array();
-  for (const PlannedTrial& trial : plan) {
-    trials.push_back({{"scene", trial.scene}, {"method", trial.method}});
+nlohmann::json json_plans(const Protocol& protocol, const std::vector<Plan>& plans) {
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    list.push_back(
+        {{"participant", participant_code(static_cast<int>(i))}, {"trials", json_of(plans[i])}});
   }
-  return {{"participant", participant_code(participant)}, {"trials", trials}};
+  return {{"plans", list}, {"balance", json_of(protocol, balance_of(protocol, plans))}};
 }
 
 void run_plan(const Arguments& arguments) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
-  std::vector<Plan> plans;
-  for (int i = 0; i < arguments.participants; ++i) {
-    plans.push_back(random_plan(protocol, arguments.seed, i));
-  }
+  const std::vector<Plan> plans = plans_of(protocol, arguments.participants, arguments.seed);
   if (arguments.json) {
-    nlohmann::json list = nlohmann::json::array();
-    for (int i = 0; i < arguments.participants; ++i) {
-      list.push_back(json_plan(i, plans[i]));
-    }
-    fmt::print("{}\n", list.dump(2));
+    fmt::print("{}\n", json_plans(protocol, plans).dump(2));
   } else {
-    fmt::print("{}", plan_table(plans));
+    fmt::print("{}\n{}", plan_table(plans), balance_table(protocol, balance_of(protocol, plans)));
   }
 }
 
@@ -89,7 +98,8 @@ void run_plan(const Arguments& arguments) {
 void add_check(CLI::App& study, const SceneFinder& find_scene) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      add_command(study, "check", "Whether a protocol and its scenes are sound", "check demo");
+      add_command(study, "check", "What a protocol means, whether it is sound, how long it takes",
+                  "check demo");
   add_protocol(command, arguments->protocol);
   add_json(command, arguments->json);
   command->callback([arguments, find_scene] { run_check(*arguments, find_scene); });
@@ -97,8 +107,9 @@ void add_check(CLI::App& study, const SceneFinder& find_scene) {
 
 void add_plan(CLI::App& study) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = add_command(study, "plan", "The order in which each participant sees things",
-                                  "plan demo --participants 16 --seed 7");
+  CLI::App* command = add_command(
+      study, "plan", "The order in which each participant sees things, and how balanced it is",
+      "plan demo --participants 16 --seed 7");
   add_protocol(command, arguments->protocol);
   add_participants_and_seed(command, arguments->participants, arguments->seed);
   add_json(command, arguments->json);

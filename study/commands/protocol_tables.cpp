@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "study/commands/aligned_rows.h"
-#include "study/commands/participant_code.h"
+#include "study/design/orders.h"
 
 namespace foveola::study {
 namespace {
@@ -39,6 +39,99 @@ std::string text_of(const ValidationSettings& validation) {
                      validation.gate.max_precision_deg, validation.gate.max_data_loss);
 }
 
+/// "random"; "williams, 6 rows".
+std::string orders_of(Order order, std::size_t things) {
+  const int rows = row_count(order, static_cast<int>(things));
+  return rows > 1 ? fmt::format("{}, {} rows", name_of(order), rows) : name_of(order);
+}
+
+std::string text_of(const PhaseEntry& phase) { return name_of(phase); }
+
+std::string text_of(const MarkEntry& mark) { return mark.id; }
+
+std::string text_of(const Question& question) {
+  switch (question.kind) {
+    case QuestionKind::likert:
+      return fmt::format("{} ({} to {})", question.id, question.minimum, question.maximum);
+    case QuestionKind::number:
+      return fmt::format("{} (a number from {} to {})", question.id, question.minimum,
+                         question.maximum);
+    case QuestionKind::choice:
+      return fmt::format("{} ({} options)", question.id, question.options.size());
+    case QuestionKind::text:
+      break;
+  }
+  return fmt::format("{} (words)", question.id);
+}
+
+/// The texts of all things, with commas between them.
+template <typename Things>
+std::string texts_of(const Things& things) {
+  std::vector<std::string> texts;
+  for (const auto& thing : things) {
+    texts.push_back(text_of(thing));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string text_of(const FilmSettings& film) {
+  return fmt::format("{} x {} pixels, {} surface vertices", film.width, film.height,
+                     film.max_depth);
+}
+
+std::string text_of(const TrialSettings& settings) {
+  return fmt::format("{}; marks within {} s, looking around for {} s{}", text_of(settings.film),
+                     settings.timing.mark_timeout_s, settings.timing.rating_s,
+                     settings.fill_unsampled ? "; holes filled" : "");
+}
+
+void add_procedure(std::vector<Row>& rows, const Protocol& protocol) {
+  rows.push_back({"phases", texts_of(protocol.phases)});
+  rows.push_back({"scenes", orders_of(protocol.scene_order, protocol.scenes.size())});
+  rows.push_back({"methods", orders_of(protocol.method_order, protocol.methods.size()) +
+                                 " within each scene"});
+  rows.push_back({"object", protocol.object_choice == ObjectChoice::per_scene
+                                ? "one for each scene"
+                                : "one for each trial"});
+  rows.push_back({"marks", texts_of(protocol.marks)});
+  rows.push_back({"ratings", texts_of(protocol.ratings)});
+  for (const PracticeEntry& entry : protocol.practice) {
+    rows.push_back({"practice", fmt::format("{} with {}", entry.scene, entry.method)});
+  }
+  if (const CatchTrials& trials = protocol.catch_trials; trials.count > 0) {
+    rows.push_back({"catch trials", fmt::format("{}, {} s each", trials.count, trials.timeout_s)});
+  }
+  if (const auto& reaction = protocol.reaction) {
+    rows.push_back({"reaction", fmt::format("{} presses after {} to {} s", reaction->presses,
+                                            reaction->shortest_wait_s, reaction->longest_wait_s)});
+  }
+  for (const Questionnaire& questionnaire : protocol.questionnaires) {
+    rows.push_back(
+        {"questions", fmt::format("{}: {}", questionnaire.id, texts_of(questionnaire.questions))});
+  }
+}
+
+void add_settings(std::vector<Row>& rows, const Protocol& protocol) {
+  rows.push_back({"trial", text_of(settings_of(protocol, "", ""))});
+  for (const auto& [cell, settings] : protocol.cells) {
+    rows.push_back({"", fmt::format("{} with {}: {}", cell.first, cell.second, text_of(settings))});
+  }
+}
+
+void add_analysis(std::vector<Row>& rows, const Protocol& protocol) {
+  const AnalysisPlan& plan = protocol.analysis;
+  if (plan.participants) {
+    rows.push_back({"planned", fmt::format("{} participants", *plan.participants)});
+  }
+  for (const PlannedComparison& comparison : plan.primary) {
+    rows.push_back({"primary", fmt::format("{}: {} against {}, alpha {}", comparison.measure,
+                                           comparison.method, comparison.baseline, plan.alpha)});
+  }
+  for (const auto& [measure, margin] : plan.equivalence_margins) {
+    rows.push_back({"equivalent", fmt::format("{} within {}", measure, margin)});
+  }
+}
+
 }  // namespace
 
 std::string protocol_table(const Protocol& protocol, const std::vector<SceneSource>& sources) {
@@ -46,6 +139,8 @@ std::string protocol_table(const Protocol& protocol, const std::vector<SceneSour
       {"protocol", protocol.name},
       {"title", protocol.title},
       {"sha256", protocol.sha256},
+      {"language",
+       fmt::format("{}, {} screen texts of its own", protocol.language, protocol.texts.size())},
       {"methods", fmt::format("{} (baseline {})", fmt::join(protocol.methods, ", "),
                               protocol.methods.front())},
       {"trials", fmt::format("{} per participant", sources.size() * protocol.methods.size())},
@@ -56,33 +151,18 @@ std::string protocol_table(const Protocol& protocol, const std::vector<SceneSour
                    protocol.display.view_height, protocol.display.horizontal_fov_deg,
                    protocol.display.vertical_fov_deg, in_brackets(protocol.display.profile))},
       {"tracker", text_of(protocol.tracker)},
-      {"film", fmt::format("{} x {} pixels, {} surface vertices", protocol.film.width,
-                           protocol.film.height, protocol.film.max_depth)},
-      {"questions", fmt::format("{}", protocol.background.size())},
   };
+  add_settings(rows, protocol);
+  add_procedure(rows, protocol);
   if (protocol.tracker.validation) {
     rows.push_back({"validation", text_of(*protocol.tracker.validation)});
   }
   for (const MethodFile& file : protocol.method_files) {
     rows.push_back({"file", fmt::format("{} of {}: {}", file.file, file.method, file.sha256)});
   }
+  add_analysis(rows, protocol);
   for (const SceneSource& source : sources) {
     rows.push_back({"scene", fmt::format("{}: {}", source.name, objects_of(source))});
-  }
-  return aligned(rows);
-}
-
-std::string plan_table(const std::vector<Plan>& plans) {
-  std::vector<Row> rows = {{"participant", "position", "scene", "methods"}};
-  for (std::size_t index = 0; index < plans.size(); ++index) {
-    for (const PlannedTrial& trial : plans[index]) {
-      if (trial.method_position == 0) {
-        rows.push_back({participant_code(static_cast<int>(index)),
-                        fmt::format("{}", trial.scene_position + 1), trial.scene, trial.method});
-      } else {
-        rows.back().back() += ", " + trial.method;
-      }
-    }
   }
   return aligned(rows);
 }

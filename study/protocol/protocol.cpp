@@ -74,6 +74,36 @@ Protocol read_protocol(const std::string& text, const fs::path& path) {
 
 fs::path folder_of(const Protocol& protocol) { return fs::absolute(protocol.path).parent_path(); }
 
+std::string name_of(Order order) {
+  switch (order) {
+    case Order::fixed:
+      return "fixed";
+    case Order::latin:
+      return "latin";
+    case Order::williams:
+      return "williams";
+    case Order::random:
+      break;
+  }
+  return "random";
+}
+
+std::string name_of(const PhaseEntry& phase) {
+  switch (phase.kind) {
+    case PhaseEntry::Kind::consent:
+      return "consent";
+    case PhaseEntry::Kind::questionnaire:
+      return phase.questionnaire;
+    case PhaseEntry::Kind::validation:
+      return "validation";
+    case PhaseEntry::Kind::reaction:
+      return "reaction";
+    case PhaseEntry::Kind::trials:
+      break;
+  }
+  return "trials";
+}
+
 TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
                           const std::string& method) {
   const auto cell = protocol.cells.find({scene, method});

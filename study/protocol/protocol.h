@@ -203,6 +203,10 @@ Protocol read_protocol(const std::string& text, const std::filesystem::path& pat
 /// Where the files lie that the protocol names by their paths.
 std::filesystem::path folder_of(const Protocol& protocol);
 
+/// As the protocol writes them: "latin"; "trials", or a questionnaire's id.
+std::string name_of(Order order);
+std::string name_of(const PhaseEntry& phase);
+
 /// What a trial of this scene and method is shown with: the protocol's settings, then the scene's,
 /// then the method's, then those of both, each of them only where it says something.
 TrialSettings settings_of(const Protocol& protocol, const std::string& scene,

@@ -141,51 +141,38 @@ bool has_questionnaire(const Protocol& protocol, const std::string& id) {
                      [&](const Questionnaire& known) { return known.id == id; });
 }
 
-/// What may be a phase of this protocol, by its name.
-struct PossiblePhase {
-  std::string name;
-  PhaseEntry::Kind kind = PhaseEntry::Kind::questionnaire;
-};
-
-/// All, in the order that they have if the protocol does not say: questionnaires come last but for
-/// "background", which precedes the trials.
-std::vector<PossiblePhase> possible_phases(const Protocol& protocol) {
+/// All that may be phases of this protocol, in the order that they have if it does not say:
+/// questionnaires come last but for "background", which precedes the trials.
+std::vector<PhaseEntry> possible_phases(const Protocol& protocol) {
   using Kind = PhaseEntry::Kind;
-  std::vector<PossiblePhase> phases;
-  const auto add_if = [&](bool is_possible, const char* name, Kind kind) {
+  std::vector<PhaseEntry> phases;
+  const auto add_if = [&](bool is_possible, const PhaseEntry& phase) {
     if (is_possible) {
-      phases.push_back({name, kind});
+      phases.push_back(phase);
     }
   };
-  add_if(has_consent(protocol), "consent", Kind::consent);
-  add_if(has_questionnaire(protocol, "background"), "background", Kind::questionnaire);
-  add_if(protocol.tracker.validation.has_value(), "validation", Kind::validation);
-  add_if(protocol.reaction.has_value(), "reaction", Kind::reaction);
-  add_if(true, "trials", Kind::trials);
-  add_if(has_questionnaire(protocol, "debrief"), "debrief", Kind::questionnaire);
+  add_if(has_consent(protocol), {Kind::consent});
+  add_if(has_questionnaire(protocol, "background"), {Kind::questionnaire, "background"});
+  add_if(protocol.tracker.validation.has_value(), {Kind::validation});
+  add_if(protocol.reaction.has_value(), {Kind::reaction});
+  add_if(true, {Kind::trials});
+  add_if(has_questionnaire(protocol, "debrief"), {Kind::questionnaire, "debrief"});
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
-    if (questionnaire.id != "background" && questionnaire.id != "debrief") {
-      phases.push_back({questionnaire.id, Kind::questionnaire});
-    }
+    add_if(questionnaire.id != "background" && questionnaire.id != "debrief",
+           {Kind::questionnaire, questionnaire.id});
   }
   return phases;
 }
 
-PhaseEntry entry_of(const PossiblePhase& phase) {
-  const bool asks = phase.kind == PhaseEntry::Kind::questionnaire;
-  return {.kind = phase.kind, .questionnaire = asks ? phase.name : ""};
-}
-
-std::vector<std::string> names_of(const std::vector<PossiblePhase>& phases) {
+std::vector<std::string> names_of(const std::vector<PhaseEntry>& phases) {
   std::vector<std::string> names;
-  names.reserve(phases.size());
-  for (const PossiblePhase& phase : phases) {
-    names.push_back(phase.name);
+  for (const PhaseEntry& phase : phases) {
+    names.push_back(name_of(phase));
   }
   return names;
 }
 
-std::string remedy_for(const std::string& phase, const std::vector<PossiblePhase>& possible) {
+std::string remedy_for(const std::string& phase, const std::vector<PhaseEntry>& possible) {
   if (phase == "consent") {
     return "say in [texts] what the consent is to: consent = \"...\"";
   }
@@ -197,20 +184,20 @@ std::string remedy_for(const std::string& phase, const std::vector<PossiblePhase
 }
 
 PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
-                        const std::vector<PossiblePhase>& possible) {
-  const auto found =
-      std::find_if(possible.begin(), possible.end(),
-                   [&](const PossiblePhase& phase) { return phase.name == name.value; });
+                        const std::vector<PhaseEntry>& possible) {
+  const auto found = std::find_if(possible.begin(), possible.end(), [&](const PhaseEntry& phase) {
+    return name_of(phase) == name.value;
+  });
   if (found == possible.end()) {
     reader.fail(name.source, fmt::format("the protocol has nothing for a phase '{}'", name.value),
                 remedy_for(name.value, possible));
   }
-  return entry_of(*found);
+  return *found;
 }
 
 /// Throws Error for what the protocol describes and no phase uses.
 void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::Text>& chosen,
-                        const std::vector<PossiblePhase>& possible) {
+                        const std::vector<PhaseEntry>& possible) {
   for (const std::string& name : names_of(possible)) {
     if (std::none_of(chosen.begin(), chosen.end(),
                      [&](const TomlReader::Text& text) { return text.value == name; })) {
@@ -250,7 +237,7 @@ void read_procedure(TomlReader& reader, Protocol& protocol) {
 }
 
 void read_phases(TomlReader& reader, Protocol& protocol) {
-  const std::vector<PossiblePhase> possible = possible_phases(protocol);
+  const std::vector<PhaseEntry> possible = possible_phases(protocol);
   const std::vector<TomlReader::Text> chosen = reader.texts("phases");
   for (const TomlReader::Text& name : chosen) {
     protocol.phases.push_back(chosen_phase(reader, name, possible));
@@ -259,9 +246,7 @@ void read_phases(TomlReader& reader, Protocol& protocol) {
     require_all_chosen(reader, chosen, possible);
     return;
   }
-  for (const PossiblePhase& phase : possible) {
-    protocol.phases.push_back(entry_of(phase));
-  }
+  protocol.phases = possible;
 }
 
 }  // namespace foveola::study

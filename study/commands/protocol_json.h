@@ -1,0 +1,21 @@
+// What a protocol and its plans mean, for machines.
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "study/design/balance.h"
+#include "study/design/duration.h"
+#include "study/design/plan.h"
+
+namespace foveola::study {
+
+nlohmann::json json_of(const Protocol& protocol);
+nlohmann::json json_of(const Protocol& protocol, const Balance& balance);
+nlohmann::json json_of(const std::vector<SessionPart>& parts);
+
+/// Of one participant.
+nlohmann::json json_of(const Plan& plan);
+
+}  // namespace foveola::study
