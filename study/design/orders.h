@@ -30,10 +30,10 @@ Permutation row_of(Order order, int n, int row);
 
 /// The order of n methods in scene `scene` for a participant's row: scenes begin at other rows, and
 /// call the methods otherwise, so that what one scene's rows still lack when participants run out
-/// is not lacked by the next one too. Of any number of consecutive rows, each method stands at each
-/// position in each scene equally often but for one; over all scenes it does so too for 3 methods.
-/// Five scenes and three methods begin at rows 0, 0, 0, 3, 3 and rename by 0, 1, 2, 0, 1. Not for
-/// random orders.
+/// is not lacked by the next one too. Of the first so many rows, however many, each method stands
+/// at each position in each scene equally often but for one; over all scenes together it does so
+/// too if there are three methods. Five scenes and three methods of a Williams square begin at rows
+/// 0, 0, 0, 3, 3 and rename by 0, 1, 2, 0, 1. Not for random orders. scene, row >= 0.
 Permutation crossed_row_of(Order order, int n, int scene, int row);
 
 }  // namespace foveola::study

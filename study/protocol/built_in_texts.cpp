@@ -6,63 +6,116 @@ namespace foveola::study {
 namespace {
 
 constexpr std::array built_in{
-    BuiltInText{"welcome_title", "Welcome"},
+    // What every form says.
+    BuiltInText{"form_title", "{title} ({question} of {questions})"},
+    BuiltInText{"form_optional", "(You may leave this out.)"},
     BuiltInText{
-        "welcome",
-        "Everything here is done with the keyboard; each screen says with which keys. "
-        "You may pause at any time with Escape, and stop for good without giving a reason."},
-    // Consent is the study's own matter: no built-in words could say what it is to.
-    BuiltInText{"consent_title", "Consent"},
-    BuiltInText{"consent", ""},
-    BuiltInText{"consent_key", "I agree: press Y"},
-    BuiltInText{"refuse_key", "I do not agree: press N"},
-    BuiltInText{"continue_key", "Continue: press Enter"},
-    BuiltInText{"back_key", "Back: press Backspace"},
-    BuiltInText{"question_progress", "Question {question} of {questions}"},
-    BuiltInText{"optional", "You may leave this out."},
-    BuiltInText{"confirm_answers", "Are these your answers? Press Enter again to hand them in."},
+        "form_confirm",
+        "That was the last question. Once you hand in your answers, they stay as they are."},
+    BuiltInText{"form_left_out", "You left out {count} of the questions."},
+    BuiltInText{"form_scale_keys", "[←] [→] or a digit: choose    [Enter] next"},
+    BuiltInText{"form_choice_keys", "[↑] [↓] or a digit: choose    [Enter] next"},
+    BuiltInText{"form_typing_keys", "[Enter] next"},
+    BuiltInText{"form_reading_keys", "[Enter] next"},
+    BuiltInText{"form_confirm_keys", "[Enter] hand in"},
+    BuiltInText{"form_back_up", "[↑] back"},
+    BuiltInText{"form_back_left", "[←] back"},
     BuiltInText{"fault_missing", "Please answer this question."},
     BuiltInText{"fault_not_a_number", "Please type a number."},
     BuiltInText{"fault_not_whole", "Please give a whole number."},
     BuiltInText{"fault_out_of_range", "Please give a number from {minimum} to {maximum}."},
     BuiltInText{"fault_no_option", "Please choose one of the options."},
+
+    // Before the trials.
+    BuiltInText{"welcome_title", "Welcome"},
+    BuiltInText{
+        "welcome",
+        "Everything here is done with the keyboard; each screen says with which keys.\n\n"
+        "You may pause at any time with Escape, and stop for good without giving a reason."},
+    BuiltInText{"welcome_keys", "[Enter] begin"},
+    BuiltInText{"loading_title", "One moment"},
+    BuiltInText{"loading", "The next scene is being prepared."},
+    BuiltInText{"loading_keys", ""},
+    // Consent is the study's own matter: no built-in words could say what it is to.
+    BuiltInText{"consent_title", "Consent"},
+    BuiltInText{"consent", ""},
+    BuiltInText{"consent_confirm", "Do you agree to take part?"},
+    BuiltInText{"consent_keys", "[Y] I agree    [N] I do not agree"},
     BuiltInText{"validation_title", "Where you look"},
     BuiltInText{"validation",
-                "Dots will appear one after the other. Look at the middle of each until it goes. "
-                "Keep your head still."},
-    BuiltInText{"validation_again", "That was not precise enough yet. Let us try once more."},
+                "Dots will appear one after the other. Look at the middle of each until it goes, "
+                "and keep your head still."},
+    BuiltInText{"validation_keys", "[Enter] begin"},
+    BuiltInText{"validation_again_title", "Once more"},
+    BuiltInText{"validation_again",
+                "The eye tracker did not see well enough where you looked. Let us try again: look "
+                "at the middle of each dot until it goes, and keep your head still."},
+    BuiltInText{"validation_again_keys", "[Enter] begin"},
+    BuiltInText{"refused_title", "We have to stop here"},
+    BuiltInText{
+        "refused",
+        "The eye tracker does not see your eyes well enough for this study. You did nothing "
+        "wrong. Thank you for coming!"},
+    BuiltInText{"refused_keys", ""},
     BuiltInText{"reaction_title", "How fast you press"},
     BuiltInText{"reaction",
-                "The screen will change {presses} times, each time after another wait. Press Space "
-                "as soon as it does."},
-    BuiltInText{"reaction_wait", "Wait ..."},
+                "The screen will turn bright {presses} times, each time after another wait. Press "
+                "Space as soon as it does."},
+    BuiltInText{"reaction_keys", "[Enter] begin"},
+    BuiltInText{"reaction_wait", "Wait …"},
+    BuiltInText{"reaction_early", "Too early: wait until the screen turns bright."},
     BuiltInText{"reaction_now", "NOW"},
-    BuiltInText{"reaction_early", "Too early: wait until the screen changes."},
+    BuiltInText{"reaction_now_keys", "[Space]"},
+
+    // The trials.
     BuiltInText{"practice_title", "Practice"},
     BuiltInText{"practice", "The next part is only to get used to it. It does not count."},
-    BuiltInText{"scene_title", "Scene {scene} of {scenes}"},
-    BuiltInText{
-        "choose_object",
-        "Imagine that you have just changed one of the objects in this scene. Choose which: "
-        "Tab or the arrows go from one to the next, Enter chooses."},
-    BuiltInText{"ready_title", "Are you ready?"},
+    BuiltInText{"practice_keys", "[Enter] go on"},
+    BuiltInText{"first_trial_title", "That was the practice"},
+    BuiltInText{"first_trial", "From now on it counts. Ask now if anything is unclear."},
+    BuiltInText{"first_trial_keys", "[Enter] go on"},
+    BuiltInText{"next_scene_title", "The next scene"},
+    BuiltInText{"next_scene", "Rest your eyes if you like."},
+    BuiltInText{"next_scene_keys", "[Enter] go on"},
+    BuiltInText{"choosing_title", "Choose an object"},
+    BuiltInText{"choosing", "Imagine that you have just changed one of the objects in this scene."},
+    BuiltInText{"choosing_keys",
+                "[Tab] another one    [Enter] choose it    arrow keys: look around"},
+    BuiltInText{"ready_title", "Are you ready? ({trial} of {trials})"},
     BuiltInText{"ready",
-                "Turn to your object. When you press Space, the picture starts anew and becomes "
-                "clearer with time. Take every time at the same quality."},
-    BuiltInText{"trial_progress", "Part {trial} of {trials}"},
-    BuiltInText{"mark_instruction", "{mark}. {instruction} Press Space."},
-    BuiltInText{"mark_taken", "Taken"},
-    BuiltInText{"retime_key", "If a time went wrong: press R to do this part again"},
-    BuiltInText{"retime_confirm", "Do this part again? Press R once more, or Backspace to go on."},
-    BuiltInText{"rating_title", "Look around"},
-    BuiltInText{"rating", "Look at the other areas of the picture, then answer."},
+                "Turn to your object. The picture starts as noise and becomes clearer. Press Space "
+                "at each of these moments, at a similar quality every time:"},
+    BuiltInText{"ready_again", "The same once more, from the beginning."},
+    BuiltInText{"ready_mark", "{mark}. {instruction}"},
+    BuiltInText{"ready_keys", "[Space] start"},
+    BuiltInText{"mark_taken", "Taken: {mark} of {marks}"},
+    BuiltInText{"look_around_title", "Look around"},
+    BuiltInText{"look_around", "Now look at the other areas of the picture."},
+    BuiltInText{"look_around_keys", "[Enter] answer    [R] a time went wrong: once more"},
+    BuiltInText{"rating_confirm", "Your answer: {answers}"},
+    BuiltInText{"rating_keys", "[Enter] yes, that is it"},
+    BuiltInText{"retiming_title", "Do this part once more?"},
+    BuiltInText{"retiming", "It starts again as noise, and you press Space at each moment anew."},
+    BuiltInText{"retiming_keys", "[R] once more    [Backspace] no, go on"},
+
+    // At any time, and at the end.
     BuiltInText{"pause_title", "Pause"},
-    BuiltInText{"pause", "Rest as long as you like. Press Space to go on."},
-    BuiltInText{"break_title", "The next scene"},
-    BuiltInText{"break", "Rest your eyes if you like. Press Space to go on."},
-    BuiltInText{"goodbye_title", "Thank you"},
-    BuiltInText{"goodbye", "That was all. You may take the headset off."},
-    BuiltInText{"stopped", "The session has ended. Thank you for your time."},
+    BuiltInText{"pause", "Rest as long as you like."},
+    BuiltInText{"pause_keys", "[Enter] go on    [Backspace] stop taking part"},
+    BuiltInText{"stopping_title", "Stop taking part?"},
+    BuiltInText{"stopping",
+                "You need not say why. If what was recorded of you shall be deleted, tell the "
+                "experimenter."},
+    BuiltInText{"stopping_keys", "[Y] stop taking part    [N] go on"},
+    BuiltInText{"withdrawn_title", "The session has ended"},
+    BuiltInText{"withdrawn", "Thank you for your time!"},
+    BuiltInText{"withdrawn_keys", ""},
+    BuiltInText{"interrupted_title", "One moment"},
+    BuiltInText{"interrupted", "The experimenter will be with you."},
+    BuiltInText{"interrupted_keys", ""},
+    BuiltInText{"goodbye_title", "Thank you!"},
+    BuiltInText{"goodbye", "That was everything. You may tell the experimenter now."},
+    BuiltInText{"goodbye_keys", ""},
 };
 
 }  // namespace

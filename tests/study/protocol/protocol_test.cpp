@@ -1,6 +1,7 @@
 #include "study/protocol/protocol.h"
 
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,6 +28,14 @@ title = "A small one"
 scenes = ["arcade", "room"]
 methods = ["od", "fv"]
 )";
+
+std::vector<std::string> phases_of(const Protocol& protocol) {
+  std::vector<std::string> names;
+  for (const PhaseEntry& phase : protocol.phases) {
+    names.push_back(name_of(phase));
+  }
+  return names;
+}
 
 class ProtocolFile : public testing::Test {
  protected:
@@ -57,13 +66,30 @@ TEST_F(ProtocolFile, NeedsOnlyANameATitleScenesAndMethods) {
   EXPECT_EQ(protocol.text, minimal);
   EXPECT_EQ(protocol.sha256, sha256(std::string_view(minimal)));
   EXPECT_EQ(protocol.machine.frame_rate_hz, MachineModel{}.frame_rate_hz);
-  EXPECT_TRUE(protocol.background.empty());
+  EXPECT_EQ(protocol.language, "en");
+  EXPECT_EQ(protocol.scene_order, Order::random);
+  EXPECT_EQ(protocol.method_order, Order::random);
+  EXPECT_EQ(protocol.object_choice, ObjectChoice::per_scene);
+  ASSERT_EQ(protocol.marks.size(), 2U);
+  EXPECT_EQ(protocol.marks[0].id, "outline");
+  EXPECT_EQ(protocol.marks[1].id, "material");
+  ASSERT_EQ(protocol.ratings.size(), 1U);
+  EXPECT_EQ(protocol.ratings[0].id, "artifacts");
+  EXPECT_EQ(protocol.ratings[0].minimum, 1.0);
+  EXPECT_EQ(protocol.ratings[0].maximum, 5.0);
+  EXPECT_THAT(protocol.ratings[0].labels, ElementsAre("none", "not discernible at all"));
+  EXPECT_TRUE(protocol.practice.empty());
+  EXPECT_EQ(protocol.catch_trials.count, 0);
+  EXPECT_FALSE(protocol.reaction);
+  EXPECT_TRUE(protocol.questionnaires.empty());
+  EXPECT_THAT(phases_of(protocol), ElementsAre("trials"));
+  EXPECT_FALSE(protocol.analysis.participants);
   EXPECT_FALSE(protocol.display.profile);
   EXPECT_FALSE(protocol.tracker.profile);
   EXPECT_FALSE(protocol.tracker.validation);
 }
 
-TEST_F(ProtocolFile, EveryKeyIsRead) {
+TEST_F(ProtocolFile, EveryKeyOfItsSettingsIsRead) {
   const Protocol protocol = load(minimal + R"(
 [machine]
 samples_per_second = 5000
@@ -99,14 +125,6 @@ rating_s = 2
 [reference]
 samples_per_pixel = 9
 samples_per_object = 10
-[[background]]
-id = "age"
-text = "How old?"
-minimum = 18
-maximum = 99
-[[background]]
-id = "vr"
-text = "Used to it?"
 )");
   EXPECT_EQ(protocol.machine.samples_per_second, 5000.0);
   EXPECT_EQ(protocol.machine.frame_rate_hz, 90.5);
@@ -134,10 +152,178 @@ text = "Used to it?"
   EXPECT_EQ(protocol.timing.rating_s, 2.0);
   EXPECT_EQ(protocol.reference.samples_per_pixel, 9);
   EXPECT_EQ(protocol.reference.samples_per_object, 10);
-  ASSERT_EQ(protocol.background.size(), 2U);
-  EXPECT_EQ(protocol.background[0].maximum, 99);
-  EXPECT_EQ(protocol.background[1].minimum, 1);
-  EXPECT_EQ(protocol.background[1].maximum, 5);
+}
+
+TEST_F(ProtocolFile, EveryKeyOfItsProcedureIsRead) {
+  const Protocol protocol = load(R"(language = "fi"
+scene_order = "latin"
+method_order = "williams"
+object = "per method"
+phases = ["after", "consent", "reaction", "trials"]
+)" + minimal + R"(
+[texts]
+consent = "Suostun."
+ready_title = "Valmiina {trial}?"
+[[mark]]
+id = "shape"
+instruction = "Press at its shape."
+[[rating]]
+id = "noise"
+text = "How noisy?"
+minimum = 0
+maximum = 2
+labels = ["not", "some", "very"]
+[[rating]]
+id = "liked"
+text = "Did you like it?"
+kind = "choice"
+options = [{ label = "yes", value = 1 }, { label = "no" }]
+[[practice]]
+scene = "room"
+method = "fv"
+[catch_trials]
+count = 4
+timeout_s = 5.5
+[reaction]
+presses = 3
+shortest_wait_s = 0.5
+longest_wait_s = 0.75
+[[questionnaire]]
+id = "after"
+title = "Afterwards"
+intro = "Two more."
+source = "Somebody 1999"
+[[questionnaire.question]]
+id = "years"
+text = "For how long?"
+kind = "number"
+minimum = 0
+maximum = 80.5
+[[questionnaire.question]]
+id = "words"
+text = "What else?"
+kind = "text"
+required = false
+[analysis]
+participants = 12
+alpha = 0.01
+[[analysis.primary]]
+measure = "shape"
+method = "fv"
+[[analysis.primary]]
+measure = "noise"
+method = "od"
+baseline = "fv"
+[analysis.equivalence_margins]
+shape = 1.25
+noise = 0.5
+)");
+  EXPECT_EQ(protocol.language, "fi");
+  EXPECT_EQ(protocol.scene_order, Order::latin);
+  EXPECT_EQ(protocol.method_order, Order::williams);
+  EXPECT_EQ(protocol.object_choice, ObjectChoice::per_method);
+  EXPECT_THAT(phases_of(protocol), ElementsAre("after", "consent", "reaction", "trials"));
+  EXPECT_EQ(text_of(protocol.texts, "consent"), "Suostun.");
+  EXPECT_EQ(text_of(protocol.texts, "ready_title"), "Valmiina {trial}?");
+  ASSERT_EQ(protocol.marks.size(), 1U);
+  EXPECT_EQ(protocol.marks[0].id, "shape");
+  EXPECT_EQ(protocol.marks[0].instruction, "Press at its shape.");
+  ASSERT_EQ(protocol.ratings.size(), 2U);
+  EXPECT_EQ(protocol.ratings[0].text, "How noisy?");
+  EXPECT_EQ(protocol.ratings[0].maximum, 2.0);
+  EXPECT_THAT(protocol.ratings[0].labels, ElementsAre("not", "some", "very"));
+  EXPECT_EQ(protocol.ratings[1].kind, QuestionKind::choice);
+  ASSERT_EQ(protocol.ratings[1].options.size(), 2U);
+  EXPECT_EQ(protocol.ratings[1].options[0].value, 1.0);
+  EXPECT_EQ(protocol.ratings[1].options[1].label, "no");
+  EXPECT_FALSE(protocol.ratings[1].options[1].value);
+  ASSERT_EQ(protocol.practice.size(), 1U);
+  EXPECT_EQ(protocol.practice[0].scene, "room");
+  EXPECT_EQ(protocol.practice[0].method, "fv");
+  EXPECT_EQ(protocol.catch_trials.count, 4);
+  EXPECT_EQ(protocol.catch_trials.timeout_s, 5.5);
+  ASSERT_TRUE(protocol.reaction);
+  EXPECT_EQ(protocol.reaction->presses, 3);
+  EXPECT_EQ(protocol.reaction->shortest_wait_s, 0.5);
+  EXPECT_EQ(protocol.reaction->longest_wait_s, 0.75);
+  const Questionnaire& after = questionnaire_of(protocol, "after");
+  EXPECT_EQ(after.title, "Afterwards");
+  EXPECT_EQ(after.intro, "Two more.");
+  EXPECT_EQ(after.source, "Somebody 1999");
+  ASSERT_EQ(after.questions.size(), 2U);
+  EXPECT_EQ(after.questions[0].kind, QuestionKind::number);
+  EXPECT_EQ(after.questions[0].maximum, 80.5);
+  EXPECT_TRUE(after.questions[0].required);
+  EXPECT_EQ(after.questions[1].kind, QuestionKind::text);
+  EXPECT_FALSE(after.questions[1].required);
+  EXPECT_EQ(protocol.analysis.participants, 12);
+  EXPECT_EQ(protocol.analysis.alpha, 0.01);
+  ASSERT_EQ(protocol.analysis.primary.size(), 2U);
+  EXPECT_EQ(protocol.analysis.primary[0].measure, "shape");
+  EXPECT_EQ(protocol.analysis.primary[0].baseline, "od") << "the protocol's first";
+  EXPECT_EQ(protocol.analysis.primary[1].method, "od");
+  EXPECT_EQ(protocol.analysis.primary[1].baseline, "fv");
+  EXPECT_THAT(protocol.analysis.equivalence_margins,
+              ElementsAre(testing::Pair("noise", 0.5), testing::Pair("shape", 1.25)));
+}
+
+TEST_F(ProtocolFile, PhasesHaveAnOrderOfTheirOwn) {
+  const auto questionnaire = [](const std::string& id) {
+    return "[[questionnaire]]\nid = \"" + id +
+           "\"\ntitle = \"t\"\n[[questionnaire.question]]\nid = \"q\"\ntext = \"?\"\n";
+  };
+  EXPECT_THAT(
+      phases_of(load(minimal + "[reaction]\n[texts]\nconsent = \"I agree\"\n" +
+                     questionnaire("more") + questionnaire("debrief") +
+                     questionnaire("background") + "[tracker.validation]\n")),
+      ElementsAre("consent", "background", "validation", "reaction", "trials", "debrief", "more"));
+}
+
+// Settings cascade from the protocol to the scene to the method, key by key.
+TEST_F(ProtocolFile, OverridesHoldWhereTheySaySomething) {
+  const Protocol protocol = load(minimal + R"(
+[timing]
+mark_timeout_s = 60
+[film]
+max_depth = 5
+[[override]]
+method = "fv"
+timing.rating_s = 9
+film.max_depth = 7
+[[override]]
+scene = "room"
+method = "fv"
+film.width = 100
+[[override]]
+scene = "room"
+film = { max_depth = 6, height = 99 }
+fill_unsampled = true
+)");
+  const TrialSettings plain = settings_of(protocol, "arcade", "od");
+  EXPECT_EQ(plain.film.max_depth, 5);
+  EXPECT_EQ(plain.film.height, FilmSettings{}.height);
+  EXPECT_EQ(plain.timing.mark_timeout_s, 60.0);
+  EXPECT_FALSE(plain.fill_unsampled);
+  const TrialSettings scene = settings_of(protocol, "room", "od");
+  EXPECT_EQ(scene.film.max_depth, 6);
+  EXPECT_EQ(scene.film.height, 99);
+  EXPECT_TRUE(scene.fill_unsampled);
+  const TrialSettings method = settings_of(protocol, "arcade", "fv");
+  EXPECT_EQ(method.film.max_depth, 7);
+  EXPECT_EQ(method.timing.rating_s, 9.0);
+  EXPECT_EQ(method.timing.mark_timeout_s, 60.0);
+  const TrialSettings both = settings_of(protocol, "room", "fv");
+  EXPECT_EQ(both.film.max_depth, 7) << "the method comes after the scene";
+  EXPECT_EQ(both.film.height, 99);
+  EXPECT_EQ(both.film.width, 100);
+  EXPECT_TRUE(both.fill_unsampled);
+}
+
+TEST_F(ProtocolFile, ATextThatWasKeptIsReadLikeItsFile) {
+  const Protocol protocol = read_protocol(minimal, "/nowhere/p.toml");
+  EXPECT_EQ(protocol.title, "A small one");
+  EXPECT_EQ(protocol.path, "/nowhere/p.toml");
+  EXPECT_EQ(protocol.sha256, load(minimal).sha256);
 }
 
 // Square pixels: at twice the width of its height, tan(45 degrees) / 2 = tan(26.565 degrees).
@@ -245,8 +431,35 @@ TEST_F(ProtocolWithFiles, BadFilesAreRefusedWithTheirPlace) {
 }
 
 TEST_F(ProtocolFile, EveryShippedProtocolLoads) {
-  for (const char* name : {"demo", "real-scenes"}) {
+  for (const char* name : {"demo", "koskela2018", "real-scenes"}) {
     EXPECT_EQ(load_protocol(find_protocol(name)).name, name);
+  }
+}
+
+// What the issue of re-creating the published study says of it.
+TEST_F(ProtocolFile, ThePublishedStudyIsTheOneThatWasPublished) {
+  const Protocol protocol = load_protocol(find_protocol("koskela2018"));
+  EXPECT_EQ(protocol.scenes.size(), 5U);
+  EXPECT_THAT(protocol.methods, ElementsAre("od", "vp", "fv"));
+  EXPECT_EQ(protocol.scene_order, Order::random);
+  EXPECT_EQ(protocol.method_order, Order::random);
+  EXPECT_EQ(protocol.object_choice, ObjectChoice::per_scene);
+  EXPECT_THAT(phases_of(protocol), ElementsAre("background", "trials", "debrief"));
+  EXPECT_EQ(protocol.film.width, 4096);
+  EXPECT_EQ(protocol.film.height, 2048);
+  EXPECT_EQ(protocol.machine.samples_per_second, 7e6);
+  EXPECT_EQ(protocol.display.profile->name, "fove0");
+  EXPECT_EQ(protocol.tracker.profile->name, "fove0");
+  EXPECT_EQ(protocol.analysis.participants, 16);
+  const std::vector<Question>& background = questionnaire_of(protocol, "background").questions;
+  ASSERT_EQ(background.size(), 6U);
+  EXPECT_EQ(background[1].options[0].label, "female");
+  EXPECT_EQ(background[1].options[0].value, 5.0);
+  EXPECT_EQ(background[1].options[1].label, "male");
+  EXPECT_EQ(background[1].options[1].value, 1.0);
+  for (std::size_t i = 2; i < 6; ++i) {
+    EXPECT_EQ(background[i].kind, QuestionKind::likert);
+    EXPECT_EQ(background[i].maximum - background[i].minimum, 4.0) << "five points";
   }
 }
 
@@ -254,85 +467,6 @@ TEST_F(ProtocolFile, AnUnknownNameListsTheKnownOnes) {
   EXPECT_THAT([] { find_protocol("no-such-study"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("no-such-study"), HasSubstr("demo"))));
 }
-
-/// What is wrong, at which line and column, and what the message must say.
-struct Fault {
-  const char* name;
-  std::string text;
-  std::string place;
-  std::string says;
-};
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
-
-/// A protocol whose second method is a mask of `file`.
-Fault with_mask(const char* name, const std::string& file, const char* says) {
-  return {name,
-          "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"mask:file=" + file +
-              "\"]\n",
-          "4:18", says};
-}
-
-class ProtocolFault : public testing::TestWithParam<Fault> {};
-
-TEST_P(ProtocolFault, IsRefusedWithItsPlace) {
-  const fs::path path = fs::path(testing::TempDir()) / (std::string("fault_") + GetParam().name);
-  write_file(path, GetParam().text);
-  EXPECT_THAT([&] { load_protocol(path); },
-              ThrowsMessage<Error>(AllOf(HasSubstr(path.string() + ":" + GetParam().place + ":"),
-                                         HasSubstr(GetParam().says))));
-  fs::remove(path);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Faults, ProtocolFault,
-    testing::Values(
-        Fault{"no_toml", "name = \n", "1:8", ""},
-        Fault{"unknown_key", minimal + "colour = 3\n", "5:1", "colour"},
-        Fault{"unknown_table", minimal + "[lens]\nk = 1\n", "5:2", "lens"},
-        Fault{"unknown_key_in_table", minimal + "[film]\ndepth = 3\n", "6:1", "film.depth"},
-        Fault{"unknown_method",
-              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"xx\"]\n", "4:18",
-              "xx"},
-        Fault{"method_twice",
-              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"od\"]\n", "4:18",
-              "twice"},
-        with_mask("mask_that_is_missing", "no_such.png", "a file that does not exist"),
-        with_mask("mask_by_an_absolute_path", "/etc/passwd", "an absolute path"),
-        with_mask("mask_out_of_the_folder", "../x.png", "leads out of the folder"),
-        with_mask("mask_that_is_a_folder", ".", "not a regular file"),
-        Fault{"method_with_a_pointer",
-              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n"
-              "methods = [\"od\", \"hybrid:1*od+1*pointer:radius=5\"]\n",
-              "4:18", "follows a pointer"},
-        Fault{"third_eye", minimal + "[display.lens]\neye = \"third\"\n", "6:7", "no eye"},
-        Fault{"no_scenes", "name = \"a\"\ntitle = \"b\"\nscenes = []\nmethods = [\"od\"]\n", "3:10",
-              "scenes"},
-        Fault{"scene_is_a_number",
-              "name = \"a\"\ntitle = \"b\"\nscenes = [3]\nmethods = [\"od\"]\n", "3:10", "scenes"},
-        Fault{"missing_methods", "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n", "1:1",
-              "methods"},
-        Fault{"text_for_number", minimal + "[film]\nwidth = \"wide\"\n", "6:9", "film.width"},
-        Fault{"fraction_for_integer", minimal + "[film]\nwidth = 64.5\n", "6:9", "film.width"},
-        Fault{"negative_size", minimal + "[film]\nwidth = -64\n", "6:9", "film.width"},
-        Fault{"nan_rate", minimal + "[machine]\nframe_rate_hz = nan\n", "6:17", "frame_rate_hz"},
-        Fault{"infinite_rate", minimal + "[machine]\nframe_rate_hz = inf\n", "6:17",
-              "frame_rate_hz"},
-        Fault{"flat_view", minimal + "[display]\nfov_deg = 180\n", "6:11", "fov_deg"},
-        Fault{"folding_lens", minimal + "[display]\n[display.lens]\nk1 = -3\n", "6:1", "fold"},
-        Fault{"profile_of_no_tracker", minimal + "[tracker]\nprofile = \"fove1\"\n", "6:11",
-              "fove0, hid"},
-        Fault{"seven_points", minimal + "[tracker.validation]\npoints = 7\n", "6:10", "5 or 9"},
-        Fault{"no_attempts", minimal + "[tracker.validation]\nattempts = 0\n", "6:12",
-              "tracker.validation.attempts"},
-        Fault{"unknown_gate", minimal + "[tracker.validation]\nmax_error = 1\n", "6:1",
-              "tracker.validation.max_error"},
-        Fault{"table_is_a_number", minimal + "film = 3\n", "5:8", "film"},
-        Fault{"question_without_text", minimal + "[[background]]\nid = \"age\"\n", "5:1", "text"},
-        Fault{"question_twice",
-              minimal + "[[background]]\nid = \"a\"\ntext = \"b\"\n[[background]]\nid = \"a\"\n"
-                        "text = \"c\"\n",
-              "8:1", "twice"}),
-    [](const testing::TestParamInfo<Fault>& test) { return test.param.name; });
 
 TEST_F(ProtocolFile, ScenesAreFoundInOrder) {
   const Protocol protocol = load(minimal);

@@ -1,0 +1,23 @@
+// A protocol of so many scenes and methods, named by letters.
+#pragma once
+
+#include "study/protocol/protocol.h"
+
+namespace foveola::study::test {
+
+/// Scenes a, b, ...; methods x, y, z and no more; the phase of trials.
+inline Protocol small_protocol(int scenes, int methods, Order scene_order, Order method_order) {
+  Protocol protocol;
+  for (int i = 0; i < scenes; ++i) {
+    protocol.scenes.push_back({.name = std::string(1, static_cast<char>('a' + i))});
+  }
+  for (int i = 0; i < methods; ++i) {
+    protocol.methods.emplace_back(1, static_cast<char>('x' + i));
+  }
+  protocol.scene_order = scene_order;
+  protocol.method_order = method_order;
+  protocol.phases = {{PhaseEntry::Kind::trials}};
+  return protocol;
+}
+
+}  // namespace foveola::study::test

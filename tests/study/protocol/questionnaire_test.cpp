@@ -1,0 +1,164 @@
+// What an answer may be, and the questionnaires that come with Foveola.
+#include "study/protocol/questionnaire.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "study/protocol/protocol.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+
+const Question scale{.id = "q", .minimum = 1.0, .maximum = 5.0};
+const Question number{.id = "q", .kind = QuestionKind::number, .minimum = 18.0, .maximum = 99.5};
+const Question choice{.id = "q",
+                      .kind = QuestionKind::choice,
+                      .options = {{"yes", 1.0}, {"no", 0.0}, {"perhaps", {}}}};
+const Question words{.id = "q", .kind = QuestionKind::text};
+
+TEST(FaultOf, AScaleTakesItsPoints) {
+  for (const double point : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    EXPECT_EQ(fault_of(scale, point), "") << point;
+  }
+  EXPECT_THAT(fault_of(scale, 2.5), HasSubstr("whole"));
+  EXPECT_THAT(fault_of(scale, 0.0), AllOf(HasSubstr("1"), HasSubstr("5")));
+  EXPECT_THAT(fault_of(scale, 6.0), AllOf(HasSubstr("1"), HasSubstr("5")));
+  EXPECT_NE(fault_of(scale, std::nan("")), "");
+  EXPECT_THAT(fault_of(scale, "three"), HasSubstr("number"));
+}
+
+TEST(FaultOf, ANumberLiesInItsRange) {
+  EXPECT_EQ(fault_of(number, 18.0), "");
+  EXPECT_EQ(fault_of(number, 40.25), "");
+  EXPECT_EQ(fault_of(number, 99.5), "");
+  EXPECT_THAT(fault_of(number, 17.9), AllOf(HasSubstr("18"), HasSubstr("99.5")));
+  EXPECT_NE(fault_of(number, HUGE_VAL), "");
+  EXPECT_NE(fault_of(number, "40"), "");
+}
+
+TEST(FaultOf, AChoiceIsOneOfItsOptionsByValueOrElseByLabel) {
+  EXPECT_EQ(fault_of(choice, 1.0), "");
+  EXPECT_EQ(fault_of(choice, 0.0), "");
+  EXPECT_EQ(fault_of(choice, "perhaps"), "");
+  EXPECT_NE(fault_of(choice, "yes"), "") << "is recorded as 1";
+  EXPECT_NE(fault_of(choice, 2.0), "");
+}
+
+TEST(FaultOf, OnlyARequiredQuestionNeedsAnAnswer) {
+  for (Question question : {scale, number, choice, words}) {
+    EXPECT_NE(fault_of(question, ""), "");
+    question.required = false;
+    EXPECT_EQ(fault_of(question, ""), "");
+  }
+  EXPECT_EQ(fault_of(words, "It flickered."), "");
+  EXPECT_NE(fault_of(words, 3.0), "");
+}
+
+TEST(FaultOf, SpeaksTheProtocolsLanguage) {
+  EXPECT_EQ(fault_of(number, 3.0, {{"fault_out_of_range", "{minimum}-{maximum}!"}}), "18-99.5!");
+}
+
+Questionnaire ready(const std::string& file) {
+  const test::TemporaryFolder folder;
+  const Protocol protocol = load_protocol(
+      folder.write("p.toml",
+                   "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\"]\n"
+                   "[[questionnaire]]\nid = \"ready\"\nfile = \"" +
+                       file + "\"\n"));
+  return questionnaire_of(protocol, "ready");
+}
+
+// Kennedy et al. 1993: sixteen symptoms on four points.
+TEST(ReadyQuestionnaires, TheSimulatorSicknessQuestionnaire) {
+  const Questionnaire ssq = ready("ssq");
+  EXPECT_EQ(ssq.file, "ssq");
+  EXPECT_THAT(ssq.source, HasSubstr("Kennedy"));
+  EXPECT_EQ(ssq.questions.size(), 16U);
+  EXPECT_THAT(ssq.questions, Each(Field(&Question::minimum, 0.0)));
+  EXPECT_THAT(ssq.questions, Each(Field(&Question::maximum, 3.0)));
+  EXPECT_THAT(ssq.questions,
+              Each(Field(&Question::labels, ElementsAre("none", "slight", "moderate", "severe"))));
+}
+
+// Hart, Staveland 1988: six scales of twenty steps.
+TEST(ReadyQuestionnaires, TheTaskLoadIndex) {
+  const Questionnaire tlx = ready("nasa-tlx");
+  EXPECT_THAT(tlx.source, HasSubstr("Hart"));
+  EXPECT_EQ(tlx.questions.size(), 6U);
+  EXPECT_THAT(tlx.questions, Each(Field(&Question::minimum, 0.0)));
+  EXPECT_THAT(tlx.questions, Each(Field(&Question::maximum, 20.0)));
+  EXPECT_THAT(tlx.questions[3].labels, ElementsAre("Perfect", "Failure"));
+}
+
+// Brooke 1996: ten items on five points.
+TEST(ReadyQuestionnaires, TheSystemUsabilityScale) {
+  const Questionnaire sus = ready("sus");
+  EXPECT_THAT(sus.source, HasSubstr("Brooke"));
+  EXPECT_EQ(sus.questions.size(), 10U);
+  EXPECT_THAT(sus.questions, Each(Field(&Question::minimum, 1.0)));
+  EXPECT_THAT(sus.questions, Each(Field(&Question::maximum, 5.0)));
+}
+
+class QuestionnairesOfFiles : public testing::Test {
+ protected:
+  Protocol load(const std::string& tables) const {
+    return load_protocol(folder_.write(
+        "p.toml", "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\"]\n" + tables));
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+const std::string own = R"(title = "Mine"
+source = "Me"
+[[question]]
+id = "one"
+text = "One?"
+)";
+
+TEST_F(QuestionnairesOfFiles, LieInTheProtocolsFolder) {
+  folder_.write("forms/mine.toml", own);
+  const Protocol protocol =
+      load("[[questionnaire]]\nid = \"a\"\nfile = \"forms/mine.toml\"\nintro = \"Please.\"\n");
+  const Questionnaire& mine = questionnaire_of(protocol, "a");
+  EXPECT_EQ(mine.title, "Mine");
+  EXPECT_EQ(mine.intro, "Please.") << "the protocol's word over the file's";
+  ASSERT_EQ(mine.questions.size(), 1U);
+  EXPECT_EQ(mine.questions[0].id, "one");
+  EXPECT_EQ(mine.toml, own);
+}
+
+// Sickness is asked before and after; the record keeps the file once.
+TEST_F(QuestionnairesOfFiles, CanBeAskedTwiceUnderTwoNames) {
+  const Protocol protocol = load(
+      "phases = [\"before\", \"trials\", \"after\"]\n"
+      "[[questionnaire]]\nid = \"before\"\nfile = \"ssq\"\n"
+      "[[questionnaire]]\nid = \"after\"\nfile = \"ssq\"\n");
+  EXPECT_EQ(questionnaire_of(protocol, "before").questions.size(), 16U);
+  const std::vector<NamedProfile> named = named_profiles(protocol);
+  ASSERT_EQ(named.size(), 1U);
+  EXPECT_EQ(named[0].device, "questionnaire");
+  EXPECT_EQ(named[0].name, "ssq");
+  EXPECT_EQ(named[0].toml, questionnaire_of(protocol, "after").toml);
+}
+
+TEST_F(QuestionnairesOfFiles, ThatAreBadAreRefusedWithBothPlaces) {
+  folder_.write("bad.toml", own + "colour = 3\n");
+  EXPECT_THAT([&] { load("[[questionnaire]]\nid = \"a\"\nfile = \"bad.toml\"\n"); },
+              testing::ThrowsMessage<Error>(
+                  AllOf(HasSubstr((folder_ / "p.toml").string() + ":7:8: "),
+                        HasSubstr("bad.toml:6:1"), HasSubstr("question.colour"))));
+}
+
+}  // namespace
+}  // namespace foveola::study
