@@ -87,9 +87,9 @@ std::string text_of(const TrialSettings& settings) {
 
 void add_procedure(std::vector<Row>& rows, const Protocol& protocol) {
   rows.push_back({"phases", texts_of(protocol.phases)});
-  rows.push_back({"scenes", orders_of(protocol.scene_order, protocol.scenes.size())});
-  rows.push_back({"methods", orders_of(protocol.method_order, protocol.methods.size()) +
-                                 " within each scene"});
+  rows.push_back({"scene order", orders_of(protocol.scene_order, protocol.scenes.size())});
+  rows.push_back({"method order", orders_of(protocol.method_order, protocol.methods.size()) +
+                                      " within each scene"});
   rows.push_back({"object", protocol.object_choice == ObjectChoice::per_scene
                                 ? "one for each scene"
                                 : "one for each trial"});

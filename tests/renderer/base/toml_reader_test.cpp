@@ -1,10 +1,12 @@
 #include "renderer/base/toml_reader.h"
 
+#include <array>
 #include <functional>
 
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
+#include "tests/temporary_folder.h"
 
 namespace foveola {
 namespace {
@@ -67,6 +69,41 @@ TEST(TomlReader, SaysWhereAVectorIsWrong) {
   EXPECT_THAT(complaint("place = [0, nan, 1]\n", read), HasSubstr("a.toml:1:13"));
   EXPECT_THAT(complaint("place = [0, true, 1]\n", read), HasSubstr("a.toml:1:13"));
   EXPECT_THAT(complaint("place = 1\n", read), HasSubstr("a.toml:1:9"));
+}
+
+TEST(TomlReader, TextsMayBeAbsentAndComeWithTheirPlaces) {
+  std::vector<TomlReader::Text> texts;
+  const auto read = [&](TomlReader& reader) { texts = reader.texts("names"); };
+  EXPECT_EQ(complaint("", read), "");
+  EXPECT_TRUE(texts.empty());
+  EXPECT_EQ(complaint("names = [\"a\", \"b\"]\n", read), "");
+  ASSERT_EQ(texts.size(), 2U);
+  EXPECT_EQ(texts[1].value, "b");
+  EXPECT_EQ(texts[1].source.begin.column, 15U);
+  EXPECT_THAT(complaint("names = []\n", read), HasSubstr("a.toml:1:9"));
+  EXPECT_THAT(complaint("names = [\"a\", \"a\"]\n", read), HasSubstr("a.toml:1:15"));
+}
+
+TEST(TomlReader, AWordStandsForItsValue) {
+  constexpr std::array words{Word<int>{"one", 1}, Word<int>{"two", 2}};
+  int number = 0;
+  const auto read = [&](TomlReader& reader) { reader.read("count", number, words); };
+  EXPECT_EQ(complaint("", read), "");
+  EXPECT_EQ(number, 0);
+  EXPECT_EQ(complaint("count = \"two\"\n", read), "");
+  EXPECT_EQ(number, 2);
+  EXPECT_THAT(complaint("count = \"three\"\n", read),
+              AllOf(HasSubstr("a.toml:1:9"), HasSubstr("three"), HasSubstr("one, two")));
+  EXPECT_THAT(complaint("count = 2\n", read), HasSubstr("a.toml:1:9"));
+}
+
+TEST(TomlNames, AreThoseOfTheTomlFilesInOrder) {
+  const test::TemporaryFolder folder;
+  folder.write("b.toml", "");
+  folder.write("a.toml", "");
+  folder.write("c.txt", "");
+  EXPECT_THAT(toml_names_in(folder.path()), ::testing::ElementsAre("a", "b"));
+  EXPECT_THROW(toml_names_in(folder / "none"), Error);
 }
 
 TEST(TomlReader, KeysOfTablesAreNamedWithTheirTable) {
