@@ -1,12 +1,10 @@
 #include "study/record/database.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <system_error>
 
+#include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <unistd.h>
@@ -14,7 +12,10 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "study/record/migration.h"
+#include "study/record/question_json.h"
 #include "study/record/schema.h"
+#include "study/record/temporary_database.h"
 
 namespace fs = std::filesystem;
 
@@ -77,48 +78,11 @@ void require_regular_file(const fs::path& path) {
   }
 }
 
-/// From the header alone, which is final since the file was made.
-void require_study(const fs::path& path) {
-  SQLite::Database database = open_immutable(path);
-  const int application_id = database.execAndGet("PRAGMA application_id").getInt();
-  const int version = database.execAndGet("PRAGMA user_version").getInt();
-  if (application_id != study_application_id) {
-    throw Error(path.string(), "is no study of Foveola",
-                "name a study that foveola has written, or a new file");
-  }
-  if (version != study_schema_version) {
-    throw Error(
-        path.string(),
-        fmt::format("has schema {}, and this program knows only {}", version, study_schema_version),
-        version > study_schema_version ? "use a newer Foveola"
-        : version > 0 ? "go on with the Foveola that began it, or begin a new study"
-                      : damage_remedy);
-  }
-}
-
-/// Every table, view and trigger must be the known one: so a stranger's file cannot make a query do
-/// anything else, and a file whose guards were removed is not trusted. Others may stand beside.
-void require_schema(SQLite::Database& database, const fs::path& path) {
-  SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
-  known.exec(study_schema());
-  SQLite::Statement objects(known, "SELECT type, name, sql FROM sqlite_schema");
-  SQLite::Statement same(database,
-                         "SELECT 1 FROM sqlite_schema WHERE type = ? AND name = ? AND sql IS ?");
-  while (objects.executeStep()) {
-    same.reset();
-    same.clearBindings();
-    same.bind(1, objects.getColumn(0).getString());
-    same.bind(2, objects.getColumn(1).getString());
-    if (!objects.isColumnNull(2)) {
-      same.bind(3, objects.getColumn(2).getString());
-    }
-    if (!same.executeStep()) {
-      throw Error(path.string(),
-                  fmt::format("its {} {} is missing or was changed",
-                              objects.getColumn(0).getString(), objects.getColumn(1).getString()),
-                  damage_remedy);
-    }
-  }
+/// A file of an older schema, as one of this one that lies in memory.
+SQLite::Database in_this_schema(SQLite::Database& older) {
+  SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  bring_to_this_schema(older, database);
+  return database;
 }
 
 void require_sound(SQLite::Database& database, const fs::path& path) {
@@ -126,33 +90,7 @@ void require_sound(SQLite::Database& database, const fs::path& path) {
   if (finding != "ok") {
     throw Error(path.string(), fmt::format("is damaged ({})", finding), damage_remedy);
   }
-  require_schema(database, path);
 }
-
-/// A database beside its final path; what is left of it, or of one that a kill left there under
-/// the same name, goes.
-class TemporaryDatabase {
- public:
-  explicit TemporaryDatabase(const fs::path& final_path)
-      : path_(final_path.parent_path() /
-              fmt::format(".{}.{}.partial", final_path.filename().string(), ::getpid())) {
-    remove();
-  }
-  ~TemporaryDatabase() { remove(); }
-  TemporaryDatabase(const TemporaryDatabase&) = delete;
-  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  void remove() const {
-    std::error_code ignored;
-    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
-      fs::remove(path_.string() + suffix, ignored);
-    }
-  }
-
-  fs::path path_;
-};
 
 void insert_study(SQLite::Database& database, const Protocol& protocol) {
   SQLite::Statement study(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?)");
@@ -178,6 +116,17 @@ void insert_study(SQLite::Database& database, const Protocol& protocol) {
     SQLite::bind(row, profile.device, profile.name, profile.toml, sha256(profile.toml));
     row.exec();
   }
+  for (std::size_t i = 0; i < protocol.marks.size(); ++i) {
+    SQLite::Statement mark(database, "INSERT INTO study_mark VALUES (?, ?)");
+    SQLite::bind(mark, static_cast<std::int64_t>(i), protocol.marks[i].id);
+    mark.exec();
+  }
+  for (std::size_t i = 0; i < protocol.ratings.size(); ++i) {
+    SQLite::Statement rating(database, "INSERT INTO study_rating VALUES (?, ?, ?)");
+    SQLite::bind(rating, static_cast<std::int64_t>(i), protocol.ratings[i].id,
+                 question_json(protocol.ratings[i]));
+    rating.exec();
+  }
 }
 
 void write_new_study(const fs::path& path, const Protocol& protocol) {
@@ -200,36 +149,116 @@ void with_clear_errors(const fs::path& path, const std::function<void()>& work) 
   }
 }
 
-SQLite::Database open_study_to_read(const fs::path& path) {
+void require_schema(SQLite::Database& database, const fs::path& path) {
+  SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
+  known.exec(study_schema());
+  SQLite::Statement objects(known, "SELECT type, name, sql FROM sqlite_schema");
+  SQLite::Statement same(database,
+                         "SELECT 1 FROM sqlite_schema WHERE type = ? AND name = ? AND sql IS ?");
+  while (objects.executeStep()) {
+    same.reset();
+    same.clearBindings();
+    same.bind(1, objects.getColumn(0).getString());
+    same.bind(2, objects.getColumn(1).getString());
+    if (!objects.isColumnNull(2)) {
+      same.bind(3, objects.getColumn(2).getString());
+    }
+    if (!same.executeStep()) {
+      throw Error(path.string(),
+                  fmt::format("its {} {} is missing or was changed",
+                              objects.getColumn(0).getString(), objects.getColumn(1).getString()),
+                  damage_remedy);
+    }
+  }
+}
+
+int schema_of_study(const fs::path& path) {
   require_regular_file(path);
+  SQLite::Database database = open_immutable(fs::canonical(path));
+  const int application_id = database.execAndGet("PRAGMA application_id").getInt();
+  const int version = database.execAndGet("PRAGMA user_version").getInt();
+  if (application_id != study_application_id) {
+    throw Error(path.string(), "is no study of Foveola",
+                "name a study that foveola has written, or a new file");
+  }
+  if (version > study_schema_version || version < oldest_study_schema_version) {
+    throw Error(path.string(),
+                fmt::format("has schema {}, and this program knows only {} and {}", version,
+                            oldest_study_schema_version, study_schema_version),
+                version > study_schema_version ? "use a newer Foveola"
+                : version > 0 ? "go on with the Foveola that began it, or begin a new study"
+                              : damage_remedy);
+  }
+  return version;
+}
+
+SQLite::Database open_as_it_is(const fs::path& path) {
   const fs::path file = fs::canonical(path);
-  require_study(file);
   // Without a log nobody writes, and SQLite would leave an empty one behind if it took part.
-  SQLite::Database database = has_write_ahead_log(file)
-                                  ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
-                                  : open_immutable(file);
+  return has_write_ahead_log(file)
+             ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
+             : open_immutable(file);
+}
+
+SQLite::Database open_study_to_read(const fs::path& path) {
+  const int version = schema_of_study(path);
+  SQLite::Database database = open_as_it_is(path);
   require_sound(database, path);
+  if (version != study_schema_version) {
+    return in_this_schema(database);
+  }
+  require_schema(database, path);
   return database;
 }
 
 void create_study(const fs::path& path, const Protocol& protocol) {
   const TemporaryDatabase temporary(path);
   write_new_study(temporary.path(), protocol);
-  // SQLite syncs the folder, and with it the new name, before the first commit to the log.
-  if (::renameat2(AT_FDCWD, temporary.path().c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) !=
-          0 &&
-      errno != EEXIST) {
-    throw Error(path.string(),
-                fmt::format("cannot be made: {}",
-                            std::error_code(errno, std::generic_category()).message()),
-                "choose another path");
+  temporary.take_free_name();
+}
+
+void require_intact(SQLite::Database& database, const fs::path& path) {
+  for (const char* check : {"integrity_check(1)", "foreign_key_check"}) {
+    SQLite::Statement findings(database, fmt::format("PRAGMA {}", check));
+    if (findings.executeStep() && findings.getColumn(0).getString() != "ok") {
+      throw Error(path.string(),
+                  fmt::format("its copy is damaged ({}: {})", check,
+                              findings.getColumn(0).getString()),
+                  "check the disk");
+    }
+  }
+}
+
+void fold_in_log(const fs::path& path) {
+  if (!has_write_ahead_log(path)) {
+    return;
+  }
+  SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
+  database.execAndGet("PRAGMA journal_mode = DELETE");
+  if (has_write_ahead_log(path)) {
+    throw Error(path.string(), "is in use by another program", "let that finish and try again");
+  }
+}
+
+void copy_checked(SQLite::Database& database, const fs::path& path) {
+  const TemporaryDatabase temporary(path);
+  {
+    SQLite::Database copy(temporary.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Backup(copy, database).executeStep();
+  }
+  SQLite::Database copy = open_immutable(temporary.path());
+  require_intact(copy, path);
+  temporary.replace_final();
+}
+
+void require_writable_file(const fs::path& path) {
+  if (::access(path.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "cannot be written", "check its permissions");
   }
 }
 
 SQLite::Database open_study_to_write(const fs::path& path) {
-  if (::access(path.c_str(), W_OK) != 0) {
-    throw Error(path.string(), "cannot be written", "check its permissions");
-  }
+  require_writable_file(path);
   SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
   database.exec("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();

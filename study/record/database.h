@@ -1,5 +1,5 @@
-// Study files as SQLite databases: making, opening and checking them, and SQLite's faults in the
-// user's words.
+// Study files as SQLite databases: making, opening, copying and checking them, and SQLite's faults
+// in the user's words.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,45 @@ namespace foveola::study {
 /// Runs `work` and turns what SQLite throws into Error about the file at `path`.
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 
-/// The study at `path`, checked, to read only. Nothing beside it is made, even in a folder that
-/// cannot be written. Throws Error or what SQLite throws if it is missing, no study, damaged or of
-/// another schema.
+/// The version of the schema that the study at `path` has, one that this program knows. Throws Error
+/// or what SQLite throws if it is missing, no study or of another schema.
+int schema_of_study(const std::filesystem::path& path);
+
+/// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a
+/// query do anything else, and a file whose guards were removed is not trusted. Others may stand
+/// beside. Throws Error.
+void require_schema(SQLite::Database& database, const std::filesystem::path& path);
+
+/// The file at `path`, which exists, unchecked, to read only. Nothing beside it is made, even in a
+/// folder that cannot be written. Throws what SQLite throws.
+SQLite::Database open_as_it_is(const std::filesystem::path& path);
+
+/// The study at `path`, checked, to read only; nothing is made either. What a file of an older
+/// schema says comes in this schema. Throws Error or what SQLite throws if it is missing, no study,
+/// damaged or of a schema that this program does not know.
 SQLite::Database open_study_to_read(const std::filesystem::path& path);
 
 /// Makes the study of `protocol` at `path` in one step: it is there whole or not at all. A file
 /// that another program puts there at the same time stays.
 void create_study(const std::filesystem::path& path, const Protocol& protocol);
 
+/// Throws Error if the file at `path`, which exists, must not be written.
+void require_writable_file(const std::filesystem::path& path);
+
 /// The study at `path`, which exists and was checked, to write: a commit is on the disk when it
 /// returns.
 SQLite::Database open_study_to_write(const std::filesystem::path& path);
+
+/// Throws Error if `database`, a copy that is to lie at `path`, is not whole: by SQLite's own checks
+/// of integrity and foreign keys.
+void require_intact(SQLite::Database& database, const std::filesystem::path& path);
+
+/// Leaves the database at `path` as one self-contained file, so that another can take its place.
+/// Throws Error if another program reads or writes it.
+void fold_in_log(const std::filesystem::path& path);
+
+/// Copies `database` to `path` in one step and checks the copy; a file that is there is replaced.
+/// Throws Error or what SQLite throws.
+void copy_checked(SQLite::Database& database, const std::filesystem::path& path);
 
 }  // namespace foveola::study

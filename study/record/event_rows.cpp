@@ -1,131 +1,151 @@
 #include "study/record/event_rows.h"
 
 #include <cassert>
+#include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <variant>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
-#include <nlohmann/json.hpp>
 
+#include "study/record/event_json.h"
 #include "study/record/gaze_rows.h"
+#include "study/record/hash_chain.h"
 
 namespace foveola::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
+bool is_in_attempt(const SessionState& state) {
+  return state.phase == Phase::armed || state.phase == Phase::marking ||
+         state.phase == Phase::rating;
+}
 
-Json payload_of(const SessionStarted& event) { return {{"validations", event.validations}}; }
-Json payload_of(const GazeValidated& event) { return {{"passed", event.passed}}; }
+/// Whether both are in one attempt at a trial.
+bool is_same_attempt(const SessionState& a, const SessionState& b) {
+  return is_in_attempt(a) && is_in_attempt(b) && a.step == b.step && a.attempt == b.attempt;
+}
 
-Json payload_of(const BackgroundAnswered& event) {
-  Json answers = Json::array();
-  for (const Answer& answer : event.answers) {
-    answers.push_back({{"question", answer.question}, {"value", answer.value}});
+/// How an attempt ends, by the event that ends it.
+struct Outcome {
+  const char* operator()(const Rated& /*event*/) const { return "rated"; }
+  const char* operator()(const RetimeRequested& /*event*/) const { return "retimed"; }
+  const char* operator()(const PauseRequested& /*event*/) const { return "paused"; }
+  const char* operator()(const Interrupted& /*event*/) const { return "interrupted"; }
+  const char* operator()(const Withdrawn& /*event*/) const { return "withdrawn"; }
+  const char* operator()(const Excluded& /*event*/) const { return "excluded"; }
+  const char* operator()(const auto& /*event*/) const {
+    throw std::logic_error("no attempt ends with this event");
   }
-  return {{"answers", std::move(answers)}};
-}
-Json payload_of(const ObjectChosen& event) { return {{"object", event.object}}; }
-Json payload_of(const ArtifactsRated& event) { return {{"rating", event.rating}}; }
+};
 
-template <typename TimedEvent>
-requires requires(TimedEvent event) { event.time; }
-Json payload_of(const TimedEvent& event) { return {{"time_ns", event.time.count()}}; }
-template <typename BareEvent>
-requires std::is_empty_v<BareEvent> Json payload_of(const BareEvent& /*event*/) {
-  return Json::object();
-}
-
-std::string payload_text(const Event& event) {
-  const Json payload = std::visit([](const auto& e) { return payload_of(e); }, event);
-  constexpr int on_one_line = -1;
-  return payload.dump(on_one_line, ' ', false, Json::error_handler_t::replace);
+/// The event as the next line of a session's log.
+LogLine next_line(SQLite::Database& database, std::int64_t session, const LoggedEvent& logged) {
+  SQLite::Statement last(database, "SELECT coalesce(max(sequence), 0) FROM event WHERE session = ?");
+  last.bind(1, session);
+  last.executeStep();
+  return {.sequence = last.getColumn(0).getInt64() + 1,
+          .time_ns = logged.time.count(),
+          .utc = logged.utc,
+          .type = name_of(logged.event),
+          .payload = payload_of(logged.event)};
 }
 
-bool is_timing(Phase phase) {
-  return phase == Phase::armed || phase == Phase::outline || phase == Phase::material ||
-         phase == Phase::rating;
-}
-
-/// Whether the state waits for the first frame of an attempt that `before` did not know.
-bool begins_attempt(const SessionState& before, const SessionState& after) {
-  return after.phase == Phase::armed &&
-         (before.phase != Phase::armed || before.attempt != after.attempt);
+std::string hash_before(SQLite::Database& database, std::int64_t session, const LogLine& line) {
+  SQLite::Statement event(database, "SELECT hash FROM event WHERE session = ? AND sequence = ?");
+  SQLite::bind(event, session, line.sequence - 1);
+  return event.executeStep() ? event.getColumn(0).getString()
+                             : hash_before_events(database, session);
 }
 
 /// What follows from one event of a session.
 class EventRows {
  public:
-  EventRows(SQLite::Database& database, std::int64_t session, const SessionState& before)
-      : database_(database), session_(session), before_(before) {}
+  EventRows(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+            const SessionState& before)
+      : database_(database), session_(session), procedure_(procedure), before_(before) {}
 
-  void append_to_log(Nanoseconds time, const Event& event) const {
-    insert(
-        "INSERT INTO event VALUES"
-        " (?1, (SELECT coalesce(max(sequence), 0) + 1 FROM event WHERE session = ?1), ?, ?, ?, ?)",
-        session_, time.count(), utc_now(), name_of(event), payload_text(event));
+  void append_to_log(const LoggedEvent& logged) const {
+    const LogLine line = next_line(database_, session_, logged);
+    const std::string hash = hash_of(hash_before(database_, session_, line), line);
+    insert("INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?)", session_, line.sequence, line.time_ns,
+           line.utc, line.type, line.payload, hash);
   }
 
   void begin_attempt(const SessionState& after) const {
     insert("INSERT INTO attempt (session, trial, attempt, object) VALUES (?, ?, ?, ?)", session_,
-           static_cast<std::int64_t>(after.trial), after.attempt, after.object);
+           trial(after), after.attempt, unicode(after.object));
+  }
+
+  void end_attempt(const char* outcome) const {
+    update("UPDATE attempt SET outcome = ? WHERE session = ? AND trial = ? AND attempt = ?",
+           outcome, session_, trial(before_), before_.attempt);
   }
 
   void set_state(Phase phase) const {
     update("UPDATE session SET state = ? WHERE id = ?", name_of(phase), session_);
   }
 
-  void operator()(const SessionStarted& /*event*/) const {}
+  void operator()(const QuestionnaireAnswered& event) const {
+    for (const Answer& answer : event.answers) {
+      const auto* number = std::get_if<double>(&answer.value);
+      SQLite::Statement row(database_,
+                            number != nullptr
+                                ? "INSERT INTO questionnaire_answer VALUES (?, ?, ?, ?, ?, NULL)"
+                                : "INSERT INTO questionnaire_answer VALUES (?, ?, ?, ?, NULL, ?)");
+      SQLite::bind(row, session_, static_cast<std::int64_t>(before_.step), event.questionnaire,
+                   answer.question);
+      bind_value(row, 5, answer);
+      row.exec();
+    }
+  }
 
   void operator()(const GazeValidated& event) const {
     insert_gaze_runs(database_, session_, event.runs);
   }
 
-  void operator()(const BackgroundAnswered& event) const {
-    for (const Answer& answer : event.answers) {
-      insert("INSERT INTO background_answer VALUES (?, ?, ?)", session_, answer.question,
-             answer.value);
-    }
+  void operator()(const ReactionPressed& event) const {
+    insert("INSERT INTO reaction (session, shown_ns, pressed_ns, early, number) VALUES (?1, ?, ?,"
+           " ?, (SELECT count(*) + 1 FROM reaction WHERE session = ?1))",
+           session_, event.shown.count(), event.time.count(), event.time < event.shown ? 1 : 0);
   }
-
-  void operator()(const ObjectChosen& /*event*/) const {}
 
   void operator()(const FirstFramePresented& event) const {
     update("UPDATE attempt SET first_frame_ns = ? WHERE session = ? AND trial = ? AND attempt = ?",
-           event.time.count(), session_, trial(), before_.attempt);
+           event.time.count(), session_, trial(before_), before_.attempt);
   }
 
-  void operator()(const OutlineMarked& event) const { insert_mark("outline", event.time, false); }
+  void operator()(const Marked& event) const { insert_mark(event.time, false); }
+  void operator()(const TimedOut& event) const { insert_mark(event.time, true); }
 
-  void operator()(const MaterialMarked& event) const { insert_mark("material", event.time, false); }
-
-  void operator()(const TimedOut& event) const {
-    insert_mark(before_.phase == Phase::outline ? "outline" : "material", event.time, true);
+  void operator()(const Rated& event) const {
+    for (const Answer& answer : event.answers) {
+      SQLite::Statement row(database_, "INSERT INTO rating VALUES (?, ?, ?, ?, ?)");
+      SQLite::bind(row, session_, trial(before_), before_.attempt, answer.question);
+      bind_value(row, 5, answer);
+      row.exec();
+    }
   }
 
-  void operator()(const ArtifactsRated& event) const {
-    insert("INSERT INTO rating VALUES (?, ?, ?, ?)", session_, trial(), before_.attempt,
-           event.rating);
-    end_attempt("rated");
-  }
-
-  void operator()(const RetimeRequested& /*event*/) const { end_attempt("retimed"); }
-  void operator()(const Interrupted& /*event*/) const { end_attempt("interrupted"); }
-  void operator()(const Withdrawn& /*event*/) const { end_attempt("withdrawn"); }
+  /// All that follows from the others is the session's state and the attempt's outcome.
+  void operator()(const auto& /*event*/) const {}
 
  private:
-  std::int64_t trial() const { return static_cast<std::int64_t>(before_.trial); }
+  std::int64_t trial(const SessionState& state) const {
+    return static_cast<std::int64_t>(trial_of(procedure_, state).value());
+  }
 
-  void insert_mark(const char* kind, Nanoseconds time, bool is_censored) const {
-    insert("INSERT INTO mark VALUES (?, ?, ?, ?, ?, ?)", session_, trial(), before_.attempt, kind,
+  void insert_mark(Nanoseconds time, bool is_censored) const {
+    insert("INSERT INTO mark VALUES (?, ?, ?, (SELECT mark FROM study_mark WHERE position = ?), ?,"
+           " ?)",
+           session_, trial(before_), before_.attempt, static_cast<std::int64_t>(before_.mark),
            (time - before_.first_frame).count(), is_censored ? 1 : 0);
   }
 
-  void end_attempt(const char* outcome) const {
-    if (is_timing(before_.phase)) {
-      update("UPDATE attempt SET outcome = ? WHERE session = ? AND trial = ? AND attempt = ?",
-             outcome, session_, trial(), before_.attempt);
+  static void bind_value(SQLite::Statement& row, int index, const Answer& answer) {
+    if (const auto* number = std::get_if<double>(&answer.value)) {
+      row.bind(index, *number);
+    } else {
+      row.bind(index, unicode(std::get<std::string>(answer.value)));
     }
   }
 
@@ -146,17 +166,22 @@ class EventRows {
 
   SQLite::Database& database_;
   std::int64_t session_;
+  const Procedure& procedure_;
   const SessionState& before_;
 };
 
 }  // namespace
 
-void insert_event_rows(SQLite::Database& database, std::int64_t session, Nanoseconds time,
-                       const Event& event, const SessionState& before, const SessionState& after) {
-  const EventRows rows(database, session, before);
-  rows.append_to_log(time, event);
-  std::visit(rows, event);
-  if (begins_attempt(before, after)) {
+void insert_event_rows(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+                       const LoggedEvent& logged, const SessionState& before,
+                       const SessionState& after) {
+  const EventRows rows(database, session, procedure, before);
+  rows.append_to_log(logged);
+  std::visit(rows, logged.event);
+  if (is_in_attempt(before) && !is_same_attempt(before, after)) {
+    rows.end_attempt(std::visit(Outcome{}, logged.event));
+  }
+  if (is_in_attempt(after) && !is_same_attempt(before, after)) {
     rows.begin_attempt(after);
   }
   rows.set_state(after.phase);

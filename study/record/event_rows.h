@@ -3,8 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/base/clock.h"
-#include "study/session/session.h"
+#include "study/record/study_store.h"
 
 namespace SQLite {
 class Database;
@@ -12,9 +11,10 @@ class Database;
 
 namespace foveola::study {
 
-/// Appends `event`, which took the session from `before` to `after`, to the log, and writes what
-/// follows from it. Call it inside a transaction. Throws what SQLite throws.
-void insert_event_rows(SQLite::Database& database, std::int64_t session, Nanoseconds time,
-                       const Event& event, const SessionState& before, const SessionState& after);
+/// Appends `logged`, whose event took the session from `before` to `after`, to the log and its hash
+/// chain, and writes what follows from it. Call it inside a transaction. Throws what SQLite throws.
+void insert_event_rows(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+                       const LoggedEvent& logged, const SessionState& before,
+                       const SessionState& after);
 
 }  // namespace foveola::study

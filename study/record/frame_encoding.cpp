@@ -5,27 +5,70 @@
 namespace foveola::study {
 namespace {
 
-constexpr std::size_t frame_bytes = 44;
+constexpr const char* encoding_without_presentation = "frames-2";
+constexpr std::uint32_t gaze_valid_bit = 1;
+constexpr std::uint32_t gaze_held_bit = 2;
+constexpr std::uint32_t late_bit = 4;
+
+bool tells_presentation(const std::string& encoding) {
+  return encoding != encoding_without_presentation;
+}
+
+std::uint32_t flags_of(const FrameRow& frame) {
+  return (frame.gaze_valid ? gaze_valid_bit : 0U) | (frame.gaze_held ? gaze_held_bit : 0U) |
+         (frame.is_late ? late_bit : 0U);
+}
 
 void append_frame(std::string& bytes, const FrameRow& frame) {
   append(bytes, frame.time);
+  append(bytes, frame.presented);
   append(bytes, frame.head_azimuth_rad);
   append(bytes, frame.head_elevation_rad);
   append(bytes, frame.gaze);
   append(bytes, frame.gaze_age);
   append(bytes, frame.samples);
-  append(bytes, (frame.gaze_valid ? 1U : 0U) | (frame.gaze_held ? 2U : 0U));
+  append(bytes, flags_of(frame));
+}
+
+FrameRow take_frame(std::string_view& bytes, bool tells_presentation) {
+  FrameRow frame;
+  frame.time = take_nanoseconds(bytes);
+  frame.presented = tells_presentation ? take_nanoseconds(bytes) : frame.time;
+  frame.head_azimuth_rad = take_float(bytes);
+  frame.head_elevation_rad = take_float(bytes);
+  for (int axis = 0; axis < 3; ++axis) {
+    frame.gaze[axis] = take_float(bytes);
+  }
+  frame.gaze_age = take_nanoseconds(bytes);
+  frame.samples = take<std::uint32_t>(bytes);
+  const auto flags = take<std::uint32_t>(bytes);
+  frame.gaze_valid = (flags & gaze_valid_bit) != 0;
+  frame.gaze_held = (flags & gaze_held_bit) != 0;
+  frame.is_late = (flags & late_bit) != 0;
+  return frame;
 }
 
 }  // namespace
 
+std::int64_t bytes_per_frame(const std::string& encoding) {
+  return tells_presentation(encoding) ? 52 : 44;
+}
+
 std::string encode_frames(const std::vector<FrameRow>& frames) {
   std::string bytes;
-  bytes.reserve(frames.size() * frame_bytes);
+  bytes.reserve(frames.size() * bytes_per_frame(frame_encoding_name));
   for (const FrameRow& frame : frames) {
     append_frame(bytes, frame);
   }
   return bytes;
+}
+
+std::vector<FrameRow> decode_frames(const std::string& encoding, std::string_view bytes) {
+  std::vector<FrameRow> frames;
+  while (std::ssize(bytes) >= bytes_per_frame(encoding)) {
+    frames.push_back(take_frame(bytes, tells_presentation(encoding)));
+  }
+  return frames;
 }
 
 }  // namespace foveola::study

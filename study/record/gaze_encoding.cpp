@@ -5,7 +5,6 @@
 namespace foveola::study {
 namespace {
 
-constexpr std::size_t sample_bytes = 24;
 constexpr std::uint32_t valid_bit = 1;
 constexpr std::uint32_t mark_shift = 1;
 constexpr std::uint32_t mark_mask = 3;
@@ -32,7 +31,7 @@ GazeSample take_sample(std::string_view& bytes) {
 
 std::string encode_gaze(const std::vector<GazeSample>& samples) {
   std::string bytes;
-  bytes.reserve(samples.size() * sample_bytes);
+  bytes.reserve(samples.size() * bytes_per_gaze_sample);
   for (const GazeSample& sample : samples) {
     append_sample(bytes, sample);
   }
@@ -41,7 +40,7 @@ std::string encode_gaze(const std::vector<GazeSample>& samples) {
 
 std::vector<GazeSample> decode_gaze(std::string_view bytes) {
   std::vector<GazeSample> samples;
-  while (bytes.size() >= sample_bytes) {
+  while (std::ssize(bytes) >= bytes_per_gaze_sample) {
     samples.push_back(take_sample(bytes));
   }
   return samples;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/angles.h"
+#include "study/record/gaze_json.h"
 
 namespace foveola::study {
 namespace {
@@ -21,15 +22,6 @@ void bind_figures(SQLite::Statement& row, int index, const std::optional<GazeFig
   }
 }
 
-std::string json_text(const GazeCorrection& correction) {
-  const auto row = [](const DVec3& weights) {
-    return nlohmann::ordered_json::array({weights.x, weights.y, weights.z});
-  };
-  return nlohmann::ordered_json{{"azimuth", row(correction.azimuth)},
-                                {"elevation", row(correction.elevation)}}
-      .dump();
-}
-
 void insert_run(SQLite::Database& database, std::int64_t session, const GazeRun& run) {
   SQLite::Statement row(
       database,
@@ -41,7 +33,7 @@ void insert_run(SQLite::Database& database, std::int64_t session, const GazeRun&
   SQLite::bind(row, session, run.quality.data_loss, run.passed ? 1 : 0);
   bind_figures(row, 4, run.quality.figures);
   if (run.correction) {
-    row.bind(7, json_text(*run.correction));
+    row.bind(7, json_of(*run.correction).dump());
   }
   row.exec();
 }

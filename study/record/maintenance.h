@@ -40,14 +40,22 @@ Merge merge_studies(const std::vector<std::filesystem::path>& sources,
                     const std::filesystem::path& target);
 
 struct Forgotten {
-  std::size_t files = 0;  ///< rebuilt: the study and its backups
+  std::size_t files = 0;  ///< rebuilt: the study and its copies
 };
 
 /// Rebuilds the study and all of its backups without one participant's session, and checks that
-/// nothing of it is left in the files. Throws Error if there is no such participant.
+/// nothing of it is left in the files; copies of older schemas are among them. What a kill leaves
+/// undone is done by calling it again. Throws Error if there is no such participant, or if anything
+/// is left.
 Forgotten forget_participant(const std::filesystem::path& path, const std::string& code);
 
 /// Where a study's backups lie: beside it, STUDY.sqlite.backups.
 std::filesystem::path backup_folder(const std::filesystem::path& study);
+
+/// A free name in it, by the time of now; the folder is made. Throws Error if it cannot be.
+std::filesystem::path new_backup(const std::filesystem::path& study);
+
+/// Copies the study to new_backup and checks the copy. Returns its path. Throws Error.
+std::filesystem::path back_up_study(const std::filesystem::path& study);
 
 }  // namespace foveola::study

@@ -1,11 +1,13 @@
 #include "study/record/recorded_gaze.h"
 
+#include <stdexcept>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "study/record/chunk.h"
 #include "study/record/database.h"
 #include "study/record/gaze_encoding.h"
 
@@ -17,13 +19,14 @@ namespace {
 std::vector<GazeSample> samples_of(SQLite::Statement& chunks, const fs::path& path) {
   std::vector<GazeSample> samples;
   while (chunks.executeStep()) {
-    const std::string data = chunks.getColumn("data").getString();
-    if (sha256(data) != chunks.getColumn("data_sha256").getString()) {
+    try {
+      const std::vector<GazeSample> more = decode_gaze(
+          chunk_bytes(chunks, chunks.getColumn("sample_count").getInt64() * bytes_per_gaze_sample));
+      samples.insert(samples.end(), more.begin(), more.end());
+    } catch (const std::invalid_argument&) {
       throw Error(path.string(), "its gaze samples are not those that were written",
                   "restore it from a copy");
     }
-    const std::vector<GazeSample> more = decode_gaze(data);
-    samples.insert(samples.end(), more.begin(), more.end());
   }
   return samples;
 }
@@ -37,7 +40,7 @@ std::vector<GazeSample> read_gaze(const fs::path& path, const std::string& parti
     SQLite::Database database = open_study_to_read(path);
     SQLite::Statement chunks(
         database,
-        "SELECT data, data_sha256 FROM gaze_chunk AS chunk"
+        "SELECT data, data_sha256, sample_count FROM gaze_chunk AS chunk"
         " JOIN session ON session.id = chunk.session"
         " WHERE participant = ? AND trial = ? AND attempt = (SELECT max(attempt) FROM attempt"
         "  WHERE attempt.session = chunk.session AND attempt.trial = chunk.trial)"

@@ -1,18 +1,21 @@
--- The file of a study, schema version 3.
+-- The file of a study, schema version 4.
 --
 -- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
 -- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. What was measured is only ever
 -- added: triggers refuse to change or remove it.
 --
 -- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
--- outside the statements, and whoever changes a statement raises user_version. A program reads and
--- writes only the version that it knows.
+-- outside the statements, and whoever changes a statement raises user_version. A program writes
+-- only the version that it knows, and brings files of the one before it to this one.
 --
 -- Version 2: study_method_file; session_scene.shown_as; frames-2, which tell a held gaze.
 -- Version 3: study_profile; gaze_run, gaze_target and the state refused; gaze_chunk.
+-- Version 4: marks, ratings and questionnaires as the protocol names them; practice and catch
+--            trials; planned_step, design_row, devices, migrated_from; reactions, notes, pauses,
+--            exclusions; the hash chain; film_hash; compressed chunks, and frames-3.
 
 PRAGMA application_id = 1181709932; -- "Fovl"
-PRAGMA user_version = 3;
+PRAGMA user_version = 4;
 
 -- What is studied: exactly one row. protocol_text is the researcher's file, to the letter.
 CREATE TABLE study (
@@ -47,17 +50,36 @@ CREATE TABLE study_method_file (
   PRIMARY KEY (method, file_name)
 ) STRICT;
 
--- The profiles that the protocol names, to the letter; the session's display and tracker.
+-- The files that the protocol names, to the letter: the profiles of the session's display and
+-- tracker, and ready questionnaires.
 CREATE TABLE study_profile (
-  device TEXT PRIMARY KEY CHECK (device IN ('display', 'tracker')),
+  device TEXT NOT NULL CHECK (device IN ('display', 'tracker', 'questionnaire')),
   name TEXT NOT NULL,
   toml TEXT NOT NULL,
   toml_sha256 TEXT NOT NULL
-    CHECK (length(toml_sha256) = 64 AND toml_sha256 NOT GLOB '*[^0-9a-f]*')
+    CHECK (length(toml_sha256) = 64 AND toml_sha256 NOT GLOB '*[^0-9a-f]*'),
+  PRIMARY KEY (device, name)
+) STRICT;
+
+-- What participants mark in each trial, in the protocol's order; position 0 comes first.
+CREATE TABLE study_mark (
+  position INTEGER PRIMARY KEY CHECK (position >= 0),
+  mark TEXT NOT NULL UNIQUE
+) STRICT;
+
+-- What they are asked after the marks, in the protocol's order. question is a JSON object: text,
+-- kind (likert, number, choice, text), minimum, maximum, labels, options (label, value), required.
+CREATE TABLE study_rating (
+  position INTEGER PRIMARY KEY CHECK (position >= 0),
+  rating TEXT NOT NULL UNIQUE,
+  question TEXT NOT NULL CHECK (json_type(question) = 'object')
 ) STRICT;
 
 -- One participant's visit, with all that is needed to repeat it. participant is a code, never a
 -- name. seed is an unsigned 64-bit number in decimal digits, more than SQLite's integers hold.
+-- design_row is that of the protocol's design which the plan was made of. devices is a JSON object:
+-- what the display and the eye tracker turned out to be; {} of a simulated session. migrated_from is
+-- the schema that the session was recorded in, if it was another; such a session has no design_row.
 -- state is the phase that the session is in, or ended in; nothing else of the row ever changes.
 CREATE TABLE session (
   id INTEGER PRIMARY KEY,
@@ -65,6 +87,7 @@ CREATE TABLE session (
   participant TEXT NOT NULL UNIQUE CHECK (participant <> ''),
   kind TEXT NOT NULL CHECK (kind IN ('human', 'pilot', 'simulated')),
   seed TEXT NOT NULL CHECK (seed <> '' AND seed NOT GLOB '*[^0-9]*'),
+  design_row INTEGER CHECK (design_row >= 0),
   started_utc TEXT NOT NULL,
   program_version TEXT NOT NULL,
   compiler TEXT NOT NULL,
@@ -72,9 +95,12 @@ CREATE TABLE session (
   processor TEXT NOT NULL,
   cores INTEGER NOT NULL,
   operating_system TEXT NOT NULL,
+  devices TEXT NOT NULL CHECK (json_type(devices) = 'object'),
+  migrated_from INTEGER CHECK (migrated_from < 4),
   state TEXT NOT NULL CHECK (
-    state IN ('created', 'validation', 'background', 'choosing_object', 'armed', 'outline',
-              'material', 'rating', 'completed', 'interrupted', 'withdrawn', 'refused'))
+    state IN ('created', 'consent', 'questionnaire', 'validation', 'reaction', 'choosing_object',
+              'ready', 'armed', 'marking', 'rating', 'paused', 'interrupted', 'completed',
+              'withdrawn', 'excluded', 'refused'))
 ) STRICT;
 
 -- The file of each scene that this session really showed, and how: with file_sha256, the protocol
@@ -98,33 +124,79 @@ CREATE TABLE session_scene (
   PRIMARY KEY (session, scene)
 ) STRICT;
 
--- What the session set out to do, written before anything happened in it; trial 0 is the first.
+-- What the session set out to do, written before anything happened in it; trial 0 is the first. A
+-- method stands once with each scene in the test trials; practice and catch trials, in which nothing
+-- is rendered, are never analysed, and their positions say nothing.
 CREATE TABLE planned_trial (
   session INTEGER NOT NULL REFERENCES session (id),
   trial INTEGER NOT NULL CHECK (trial >= 0),
+  kind TEXT NOT NULL CHECK (kind IN ('test', 'practice', 'catch')),
   scene TEXT NOT NULL REFERENCES study_scene (name),
   method TEXT NOT NULL REFERENCES study_method (name),
   scene_position INTEGER NOT NULL CHECK (scene_position >= 0),
   method_position INTEGER NOT NULL CHECK (method_position >= 0),
-  PRIMARY KEY (session, trial),
-  UNIQUE (session, scene, method)
+  PRIMARY KEY (session, trial)
+) STRICT;
+CREATE UNIQUE INDEX planned_test_trial ON planned_trial (session, scene, method)
+WHERE kind = 'test';
+
+-- All steps of the session in their order, the trials among them; step 0 is the first. times: as
+-- often may the gaze be validated, or is a key to be pressed. chooses_object: otherwise the trial
+-- keeps the object that was chosen last.
+CREATE TABLE planned_step (
+  session INTEGER NOT NULL REFERENCES session (id),
+  step INTEGER NOT NULL CHECK (step >= 0),
+  kind TEXT NOT NULL
+    CHECK (kind IN ('consent', 'questionnaire', 'validation', 'reaction', 'trial')),
+  questionnaire TEXT CHECK ((questionnaire IS NOT NULL) = (kind = 'questionnaire')),
+  times INTEGER CHECK ((times IS NOT NULL) = (kind IN ('validation', 'reaction'))),
+  trial INTEGER CHECK ((trial IS NOT NULL) = (kind = 'trial')),
+  chooses_object INTEGER CHECK ((chooses_object IS NOT NULL) = (kind = 'trial')),
+  PRIMARY KEY (session, step),
+  FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
 ) STRICT;
 
 -- Everything that happened, in order; sequence 1 is a session's first event. payload is a JSON
--- object with the event's values. The tables below follow from this log and the plan, but for what
--- was measured meanwhile: runs, frames and gaze samples.
+-- object with the event's values, on one line. The tables below follow from this log and the plan,
+-- but for what was measured meanwhile: frames, gaze samples and films.
+--
+-- hash chains a session's events. It is the SHA-256 of six lines in UTF-8, joined by line feeds,
+-- without one at the end: the hash of the event before, then sequence, time_ns, utc, type and
+-- payload as they are here. What stands for the hash before the first event is the SHA-256, in the
+-- same form, of the lines below: each is a row as a JSON array of the named columns, without spaces
+-- and with every character beyond ASCII as it is (Python: json.dumps(row, separators=(',', ':'),
+-- ensure_ascii=False)).
+--   study              protocol_name, protocol_title, protocol_text, protocol_sha256
+--   study_scene        position, name; by position
+--   study_method       position, name; by position
+--   study_method_file  method, file_name, file_sha256; by the first two
+--   study_profile      device, name, toml, toml_sha256; by the first two
+--   study_mark         position, mark; by position
+--   study_rating       position, rating, question; by position
+--   session            all but id and state, of this session, as are the tables below
+--   session_scene      all but session; by scene
+--   planned_trial      all but session; by trial
+--   planned_step       all but session; by step
 CREATE TABLE event (
   session INTEGER NOT NULL REFERENCES session (id),
   sequence INTEGER NOT NULL CHECK (sequence >= 1),
   time_ns INTEGER NOT NULL,
   utc TEXT NOT NULL,
   type TEXT NOT NULL CHECK (
-    type IN ('session_started', 'gaze_validated', 'background_answered', 'object_chosen',
-             'first_frame_presented', 'outline_marked', 'material_marked', 'timed_out',
-             'artifacts_rated', 'retime_requested', 'interrupted', 'withdrawn')),
+    type IN ('session_started', 'consent_given', 'questionnaire_answered', 'gaze_validated',
+             'reaction_pressed', 'object_chosen', 'trial_started', 'first_frame_presented',
+             'marked', 'timed_out', 'rated', 'retime_requested', 'pause_requested', 'interrupted',
+             'resumed', 'note_written', 'withdrawn', 'excluded')),
   payload TEXT NOT NULL CHECK (json_type(payload) = 'object'),
+  hash TEXT NOT NULL CHECK (length(hash) = 64 AND hash NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, sequence)
 ) STRICT;
+
+-- What the experimenter wrote down, and when.
+CREATE VIEW note AS
+SELECT session, sequence, time_ns, utc, payload ->> 'text' AS text
+FROM event
+WHERE type = 'note_written';
 
 -- One look at all of a validation's targets, in the order of time; sequence is of the event that
 -- tells of it. Runs of one event belong together: if the protocol asks for a correction, the first
@@ -170,12 +242,27 @@ CREATE TABLE gaze_target (
   FOREIGN KEY (session, run) REFERENCES gaze_run (session, run)
 ) STRICT;
 
--- Answers of the background questionnaire, by the question's id in the protocol.
-CREATE TABLE background_answer (
-  session INTEGER NOT NULL REFERENCES session (id),
+-- Answers to questionnaires, by the ids in the protocol; step is of the plan, since one may be asked
+-- twice. An answer is a number or a text.
+CREATE TABLE questionnaire_answer (
+  session INTEGER NOT NULL,
+  step INTEGER NOT NULL,
+  questionnaire TEXT NOT NULL,
   question TEXT NOT NULL,
-  value INTEGER NOT NULL,
-  PRIMARY KEY (session, question)
+  number REAL,
+  text TEXT CHECK ((text IS NULL) <> (number IS NULL)),
+  PRIMARY KEY (session, step, question),
+  FOREIGN KEY (session, step) REFERENCES planned_step (session, step)
+) STRICT;
+
+-- Key presses at something that appeared at shown_ns; number 1 is the first. early: a false start.
+CREATE TABLE reaction (
+  session INTEGER NOT NULL REFERENCES session (id),
+  number INTEGER NOT NULL CHECK (number >= 1),
+  shown_ns INTEGER NOT NULL,
+  pressed_ns INTEGER NOT NULL,
+  early INTEGER NOT NULL CHECK (early = (pressed_ns < shown_ns)),
+  PRIMARY KEY (session, number)
 ) STRICT;
 
 -- One timing of a planned trial; attempt 1 is the first, and the last one counts. first_frame_ns is
@@ -186,56 +273,63 @@ CREATE TABLE attempt (
   attempt INTEGER NOT NULL CHECK (attempt >= 1),
   object TEXT NOT NULL,
   first_frame_ns INTEGER,
-  outcome TEXT NOT NULL DEFAULT 'open'
-    CHECK (outcome IN ('open', 'rated', 'retimed', 'interrupted', 'withdrawn')),
+  outcome TEXT NOT NULL DEFAULT 'open' CHECK (
+    outcome IN ('open', 'rated', 'retimed', 'paused', 'interrupted', 'withdrawn', 'excluded')),
   PRIMARY KEY (session, trial, attempt),
   FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
 ) STRICT;
 
--- When the participant saw the outline or the material well enough. time_ns counts from the
--- attempt's first presented frame. Censored: no mark came until then, so it is a lower bound.
+-- When the participant made one of the protocol's marks: saw the outline well enough, for instance.
+-- time_ns counts from the attempt's first presented frame. Censored: no mark came until then, so it
+-- is a lower bound.
 CREATE TABLE mark (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
   attempt INTEGER NOT NULL,
-  kind TEXT NOT NULL CHECK (kind IN ('outline', 'material')),
+  kind TEXT NOT NULL REFERENCES study_mark (mark),
   time_ns INTEGER NOT NULL CHECK (time_ns >= 0),
   censored INTEGER NOT NULL CHECK (censored IN (0, 1)),
   PRIMARY KEY (session, trial, attempt, kind),
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;
 
--- How much the artifacts disturbed: 1 none ... 5 not discernible at all.
+-- Answers to the protocol's ratings: numbers, or texts where words were asked for.
 CREATE TABLE rating (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
   attempt INTEGER NOT NULL,
-  artifacts INTEGER NOT NULL CHECK (artifacts BETWEEN 1 AND 5),
-  PRIMARY KEY (session, trial, attempt),
+  question TEXT NOT NULL REFERENCES study_rating (rating),
+  value ANY NOT NULL CHECK (typeof(value) IN ('real', 'text')),
+  PRIMARY KEY (session, trial, attempt, question),
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;
 
--- Consecutive rendered frames of an attempt; first_frame counts from the attempt's start.
+-- Consecutive rendered frames of an attempt; first_frame counts from the attempt's start. data is a
+-- zlib stream (RFC 1950); data_sha256 is of what it holds.
 --
--- Encoding 'frames-2' is frame_count records of 44 bytes without gaps, all little-endian:
---   offset  0  int64    time, session clock, ns
---   offset  8  float32  head azimuth, rad, from -Z towards +X
---   offset 12  float32  head elevation, rad
---   offset 16  float32  gaze direction x, world, as it was used
---   offset 20  float32  gaze direction y
---   offset 24  float32  gaze direction z
---   offset 28  int64    age of that gaze, ns
---   offset 36  uint32   samples traced for this frame
---   offset 40  uint32   flags: bit 0 is set if the tracker's newest gaze was valid, bit 1 if the
---                       gaze above was one that is held; the others are 0
+-- Encoding 'frames-3' is frame_count records of 52 bytes without gaps, all little-endian:
+--   offset  0  int64    time when head and gaze were polled, session clock, ns
+--   offset  8  int64    time when it was on the display, session clock, ns
+--   offset 16  float32  head azimuth, rad, from -Z towards +X
+--   offset 20  float32  head elevation, rad
+--   offset 24  float32  gaze direction x, world, as it was used
+--   offset 28  float32  gaze direction y
+--   offset 32  float32  gaze direction z
+--   offset 36  int64    age of that gaze, ns
+--   offset 44  uint32   samples traced for this frame
+--   offset 48  uint32   flags: bit 0 is set if the tracker's newest gaze was valid, bit 1 if the
+--                       gaze above was one that is held, bit 2 if the frame missed its refresh; the
+--                       others are 0
+-- Encoding 'frames-2', of sessions that were recorded in schema 2 or 3, is the same in 44 bytes:
+-- without the second time, and without bit 2.
 CREATE TABLE frame_chunk (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
   attempt INTEGER NOT NULL,
   first_frame INTEGER NOT NULL CHECK (first_frame >= 0),
   frame_count INTEGER NOT NULL CHECK (frame_count >= 1),
-  encoding TEXT NOT NULL CHECK (encoding = 'frames-2'),
-  data BLOB NOT NULL CHECK (length(data) = 44 * frame_count),
+  encoding TEXT NOT NULL CHECK (encoding IN ('frames-2', 'frames-3')),
+  data BLOB NOT NULL,
   data_sha256 TEXT NOT NULL
     CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, trial, attempt, first_frame),
@@ -244,7 +338,7 @@ CREATE TABLE frame_chunk (
 
 -- Consecutive gaze samples that arrived during an attempt, all of them, in the order of their
 -- arrival; first_sample counts from the attempt's start. Where a session's gaze is corrected, so are
--- these.
+-- these. data is a zlib stream (RFC 1950); data_sha256 is of what it holds.
 --
 -- Encoding 'gaze-1' is sample_count records of 24 bytes without gaps, all little-endian:
 --   offset  0  int64    time when the eye was there, session clock, ns
@@ -261,14 +355,30 @@ CREATE TABLE gaze_chunk (
   first_sample INTEGER NOT NULL CHECK (first_sample >= 0),
   sample_count INTEGER NOT NULL CHECK (sample_count >= 1),
   encoding TEXT NOT NULL CHECK (encoding = 'gaze-1'),
-  data BLOB NOT NULL CHECK (length(data) = 24 * sample_count),
+  data BLOB NOT NULL,
   data_sha256 TEXT NOT NULL
     CHECK (length(data_sha256) = 64 AND data_sha256 NOT GLOB '*[^0-9a-f]*'),
   PRIMARY KEY (session, trial, attempt, first_sample),
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;
 
--- One row per planned trial with its last attempt's values; attempts is 0 if it was never begun.
+-- What an attempt's film was after a frame, for checking a replay; frame counts from the attempt's
+-- start. row_sha256 is of trial, attempt, frame and film_sha256 as a JSON array, as at event.
+CREATE TABLE film_hash (
+  session INTEGER NOT NULL,
+  trial INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  frame INTEGER NOT NULL CHECK (frame >= 0),
+  film_sha256 TEXT NOT NULL
+    CHECK (length(film_sha256) = 64 AND film_sha256 NOT GLOB '*[^0-9a-f]*'),
+  row_sha256 TEXT NOT NULL
+    CHECK (length(row_sha256) = 64 AND row_sha256 NOT GLOB '*[^0-9a-f]*'),
+  PRIMARY KEY (session, trial, attempt, frame),
+  FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
+) STRICT;
+
+-- One row per planned test trial with its last attempt's values, as far as the protocol has them;
+-- attempts is 0 if it was never begun.
 CREATE VIEW trial_result AS
 SELECT
   session.participant,
@@ -282,7 +392,7 @@ SELECT
   outline.censored AS outline_censored,
   material.time_ns / 1e9 AS material_s,
   material.censored AS material_censored,
-  rating.artifacts
+  CASE typeof(rating.value) WHEN 'real' THEN rating.value END AS artifacts
 FROM planned_trial
 JOIN session ON session.id = planned_trial.session
 LEFT JOIN attempt AS last
@@ -298,15 +408,16 @@ LEFT JOIN mark AS material
   AND material.attempt = last.attempt AND material.kind = 'material'
 LEFT JOIN rating
   ON rating.session = last.session AND rating.trial = last.trial
-  AND rating.attempt = last.attempt;
+  AND rating.attempt = last.attempt AND rating.question = 'artifacts'
+WHERE planned_trial.kind = 'test';
 
 -- Two tables change after their rows are made, in these ways only.
 CREATE TRIGGER session_changes_state_only
-BEFORE UPDATE OF id, uuid, participant, kind, seed, started_utc, program_version, compiler,
-  build_type, processor, cores, operating_system ON session
+BEFORE UPDATE OF id, uuid, participant, kind, seed, design_row, started_utc, program_version,
+  compiler, build_type, processor, cores, operating_system, devices, migrated_from ON session
 BEGIN SELECT raise(ABORT, 'only a session''s state changes'); END;
 CREATE TRIGGER session_ends_once BEFORE UPDATE ON session
-WHEN OLD.state IN ('completed', 'interrupted', 'withdrawn', 'refused')
+WHEN OLD.state IN ('completed', 'withdrawn', 'excluded', 'refused')
 BEGIN SELECT raise(ABORT, 'the session is over'); END;
 CREATE TRIGGER session_stays BEFORE DELETE ON session
 BEGIN SELECT raise(ABORT, 'sessions are never removed'); END;
@@ -343,6 +454,14 @@ CREATE TRIGGER study_profile_is_fixed BEFORE UPDATE ON study_profile
 BEGIN SELECT raise(ABORT, 'study_profile is only added to'); END;
 CREATE TRIGGER study_profile_stays BEFORE DELETE ON study_profile
 BEGIN SELECT raise(ABORT, 'study_profile is only added to'); END;
+CREATE TRIGGER study_mark_is_fixed BEFORE UPDATE ON study_mark
+BEGIN SELECT raise(ABORT, 'study_mark is only added to'); END;
+CREATE TRIGGER study_mark_stays BEFORE DELETE ON study_mark
+BEGIN SELECT raise(ABORT, 'study_mark is only added to'); END;
+CREATE TRIGGER study_rating_is_fixed BEFORE UPDATE ON study_rating
+BEGIN SELECT raise(ABORT, 'study_rating is only added to'); END;
+CREATE TRIGGER study_rating_stays BEFORE DELETE ON study_rating
+BEGIN SELECT raise(ABORT, 'study_rating is only added to'); END;
 CREATE TRIGGER session_scene_is_fixed BEFORE UPDATE ON session_scene
 BEGIN SELECT raise(ABORT, 'session_scene is only added to'); END;
 CREATE TRIGGER session_scene_stays BEFORE DELETE ON session_scene
@@ -351,6 +470,10 @@ CREATE TRIGGER planned_trial_is_fixed BEFORE UPDATE ON planned_trial
 BEGIN SELECT raise(ABORT, 'planned_trial is only added to'); END;
 CREATE TRIGGER planned_trial_stays BEFORE DELETE ON planned_trial
 BEGIN SELECT raise(ABORT, 'planned_trial is only added to'); END;
+CREATE TRIGGER planned_step_is_fixed BEFORE UPDATE ON planned_step
+BEGIN SELECT raise(ABORT, 'planned_step is only added to'); END;
+CREATE TRIGGER planned_step_stays BEFORE DELETE ON planned_step
+BEGIN SELECT raise(ABORT, 'planned_step is only added to'); END;
 CREATE TRIGGER event_is_fixed BEFORE UPDATE ON event
 BEGIN SELECT raise(ABORT, 'event is only added to'); END;
 CREATE TRIGGER event_stays BEFORE DELETE ON event
@@ -363,10 +486,14 @@ CREATE TRIGGER gaze_target_is_fixed BEFORE UPDATE ON gaze_target
 BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END;
 CREATE TRIGGER gaze_target_stays BEFORE DELETE ON gaze_target
 BEGIN SELECT raise(ABORT, 'gaze_target is only added to'); END;
-CREATE TRIGGER background_answer_is_fixed BEFORE UPDATE ON background_answer
-BEGIN SELECT raise(ABORT, 'background_answer is only added to'); END;
-CREATE TRIGGER background_answer_stays BEFORE DELETE ON background_answer
-BEGIN SELECT raise(ABORT, 'background_answer is only added to'); END;
+CREATE TRIGGER questionnaire_answer_is_fixed BEFORE UPDATE ON questionnaire_answer
+BEGIN SELECT raise(ABORT, 'questionnaire_answer is only added to'); END;
+CREATE TRIGGER questionnaire_answer_stays BEFORE DELETE ON questionnaire_answer
+BEGIN SELECT raise(ABORT, 'questionnaire_answer is only added to'); END;
+CREATE TRIGGER reaction_is_fixed BEFORE UPDATE ON reaction
+BEGIN SELECT raise(ABORT, 'reaction is only added to'); END;
+CREATE TRIGGER reaction_stays BEFORE DELETE ON reaction
+BEGIN SELECT raise(ABORT, 'reaction is only added to'); END;
 CREATE TRIGGER mark_is_fixed BEFORE UPDATE ON mark
 BEGIN SELECT raise(ABORT, 'mark is only added to'); END;
 CREATE TRIGGER mark_stays BEFORE DELETE ON mark
@@ -383,3 +510,7 @@ CREATE TRIGGER gaze_chunk_is_fixed BEFORE UPDATE ON gaze_chunk
 BEGIN SELECT raise(ABORT, 'gaze_chunk is only added to'); END;
 CREATE TRIGGER gaze_chunk_stays BEFORE DELETE ON gaze_chunk
 BEGIN SELECT raise(ABORT, 'gaze_chunk is only added to'); END;
+CREATE TRIGGER film_hash_is_fixed BEFORE UPDATE ON film_hash
+BEGIN SELECT raise(ABORT, 'film_hash is only added to'); END;
+CREATE TRIGGER film_hash_stays BEFORE DELETE ON film_hash
+BEGIN SELECT raise(ABORT, 'film_hash is only added to'); END;

@@ -31,17 +31,6 @@ void read_protocol(SQLite::Database& database, StudyRecords& records) {
   records.methods = read_names(database, "SELECT name FROM study_method ORDER BY position");
 }
 
-std::vector<SessionRow> read_sessions(SQLite::Database& database) {
-  std::vector<SessionRow> sessions;
-  SQLite::Statement rows(database, "SELECT participant, kind, state FROM session ORDER BY id");
-  while (rows.executeStep()) {
-    sessions.push_back({.participant = rows.getColumn("participant").getString(),
-                        .kind = rows.getColumn("kind").getString(),
-                        .state = rows.getColumn("state").getString()});
-  }
-  return sessions;
-}
-
 std::optional<double> optional_number(SQLite::Statement& row, const char* column) {
   const SQLite::Column value = row.getColumn(column);
   return value.isNull() ? std::nullopt : std::optional(value.getDouble());
@@ -50,6 +39,23 @@ std::optional<double> optional_number(SQLite::Statement& row, const char* column
 std::optional<int> optional_integer(SQLite::Statement& row, const char* column) {
   const SQLite::Column value = row.getColumn(column);
   return value.isNull() ? std::nullopt : std::optional(value.getInt());
+}
+
+std::vector<SessionRow> read_sessions(SQLite::Database& database) {
+  std::vector<SessionRow> sessions;
+  SQLite::Statement rows(
+      database,
+      "SELECT participant, kind, state, design_row, coalesce(payload ->> 'reason', '') AS reason"
+      " FROM session LEFT JOIN event ON event.session = session.id AND type = 'excluded'"
+      " ORDER BY id");
+  while (rows.executeStep()) {
+    sessions.push_back({.participant = rows.getColumn("participant").getString(),
+                        .kind = rows.getColumn("kind").getString(),
+                        .state = rows.getColumn("state").getString(),
+                        .design_row = optional_integer(rows, "design_row"),
+                        .reason = rows.getColumn("reason").getString()});
+  }
+  return sessions;
 }
 
 TrialRow read_trial(SQLite::Statement& row) {
@@ -80,13 +86,14 @@ std::vector<TrialRow> read_trials(SQLite::Database& database) {
 std::vector<BackgroundRow> read_background(SQLite::Database& database) {
   std::vector<BackgroundRow> background;
   SQLite::Statement rows(database,
-                         "SELECT participant, question, value"
-                         " FROM background_answer JOIN session ON session.id = session"
-                         " WHERE state <> 'withdrawn' ORDER BY background_answer.rowid");
+                         "SELECT participant, question, number"
+                         " FROM questionnaire_answer JOIN session ON session.id = session"
+                         " WHERE questionnaire = 'background' AND number IS NOT NULL"
+                         "  AND state <> 'withdrawn' ORDER BY questionnaire_answer.rowid");
   while (rows.executeStep()) {
     background.push_back({.participant = rows.getColumn("participant").getString(),
                           .question = rows.getColumn("question").getString(),
-                          .value = rows.getColumn("value").getDouble()});
+                          .value = rows.getColumn("number").getDouble()});
   }
   return background;
 }

@@ -8,7 +8,8 @@
 
 namespace foveola::study {
 
-/// One method in one scene by one participant; the last attempt's values.
+/// One method in one scene by one participant, practice and catch trials left out; the last
+/// attempt's values.
 struct TrialRow {
   std::string participant;  ///< code
   std::string scene;
@@ -23,7 +24,7 @@ struct TrialRow {
   std::optional<int> artifact_rating;  ///< 1 none ... 5 not discernible at all
 };
 
-/// One answer of the background questionnaire.
+/// One answer of the questionnaire "background" that is a number.
 struct BackgroundRow {
   std::string participant;
   std::string question;  ///< its id in the protocol
@@ -34,6 +35,8 @@ struct SessionRow {
   std::string participant;
   std::string kind;   ///< "human", "pilot" or "simulated"
   std::string state;  ///< name_of(Phase); not an end's if the program died in it or still runs
+  std::optional<int> design_row;  ///< of the protocol's design; empty of sessions of older schemas
+  std::string reason;             ///< of an exclusion
 };
 
 struct StudyRecords {

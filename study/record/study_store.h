@@ -54,8 +54,9 @@ struct KnownSession {
 };
 
 struct LoggedEvent {
-  Nanoseconds time{0};
+  Nanoseconds time{0};  ///< session clock
   Event event;
+  std::string utc;
 };
 
 /// One rendered frame, as it is kept.

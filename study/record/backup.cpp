@@ -1,0 +1,40 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/error.h"
+#include "study/record/database.h"
+#include "study/record/maintenance.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+
+fs::path backup_folder(const fs::path& study) { return study.string() + ".backups"; }
+
+fs::path new_backup(const fs::path& study) {
+  const fs::path folder = backup_folder(study);
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    throw Error(folder.string(), "cannot be made: " + failure.message(),
+                "check the permissions of the folder above it");
+  }
+  fs::path path;
+  do {
+    path = folder / (utc_now() + ".sqlite");
+  } while (fs::exists(path));
+  return path;
+}
+
+fs::path back_up_study(const fs::path& study) {
+  fs::path path;
+  with_clear_errors(study, [&] {
+    schema_of_study(study);
+    SQLite::Database database = open_as_it_is(study);
+    path = new_backup(study);
+    copy_checked(database, path);
+  });
+  return path;
+}
+
+}  // namespace foveola::study

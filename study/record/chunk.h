@@ -1,0 +1,32 @@
+// What is kept of an attempt in large numbers, compressed and with a checksum.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace SQLite {
+class Database;
+class Statement;
+}  // namespace SQLite
+
+namespace foveola::study {
+
+/// Where a chunk belongs.
+struct ChunkPlace {
+  std::int64_t session = 0;
+  std::int64_t trial = 0;
+  int attempt = 1;
+  std::int64_t first = 0;  ///< frame or sample, counted from the attempt's start
+  std::int64_t count = 0;  ///< of frames or samples
+};
+
+/// Appends a row to `table`, frame_chunk or gaze_chunk. bytes: encoded, not yet compressed. Call it
+/// inside a transaction. Throws what SQLite throws.
+void insert_chunk(SQLite::Database& database, const std::string& table, const ChunkPlace& place,
+                  const std::string& encoding, const std::string& bytes);
+
+/// What the columns data and data_sha256 of a row keep, uncompressed, which has to be `size` bytes.
+/// Throws std::invalid_argument if it is not what was written.
+std::string chunk_bytes(SQLite::Statement& row, std::int64_t size);
+
+}  // namespace foveola::study

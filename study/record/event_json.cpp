@@ -1,0 +1,144 @@
+#include "study/record/event_json.h"
+
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "study/record/gaze_json.h"
+
+namespace foveola::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string on_one_line(const Json& json) {
+  constexpr int no_indent = -1;
+  return json.dump(no_indent, ' ', false, Json::error_handler_t::replace);
+}
+
+Json json_of(const std::vector<Answer>& answers) {
+  Json list = Json::array();
+  for (const Answer& answer : answers) {
+    const Json value = std::visit([](const auto& v) { return Json(v); }, answer.value);
+    list.push_back({{"question", answer.question}, {"value", value}});
+  }
+  return list;
+}
+
+std::vector<Answer> answers_from(const Json& list) {
+  std::vector<Answer> answers;
+  for (const Json& json : list) {
+    const Json& value = json.at("value");
+    Answer answer{.question = json.at("question"), .value = {}};
+    if (value.is_string()) {
+      answer.value = value.get<std::string>();
+    } else {
+      answer.value = value.get<double>();
+    }
+    answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
+Nanoseconds nanoseconds_from(const Json& json) { return Nanoseconds(json.get<std::int64_t>()); }
+
+// Each event's values as JSON, and back.
+
+Json values_of(const QuestionnaireAnswered& event) {
+  return {{"questionnaire", event.questionnaire}, {"answers", json_of(event.answers)}};
+}
+void read_values(const Json& json, QuestionnaireAnswered& event) {
+  event.questionnaire = json.at("questionnaire");
+  event.answers = answers_from(json.at("answers"));
+}
+
+Json values_of(const GazeValidated& event) {
+  Json runs = Json::array();
+  for (const GazeRun& run : event.runs) {
+    runs.push_back(study::json_of(run));
+  }
+  return {{"passed", event.passed}, {"runs", std::move(runs)}};
+}
+void read_values(const Json& json, GazeValidated& event) {
+  event.passed = json.at("passed");
+  const Json& runs = json.at("runs");
+  for (const Json& run : runs) {
+    event.runs.push_back(gaze_run_from(run));
+  }
+}
+
+Json values_of(const ReactionPressed& event) {
+  return {{"shown_ns", event.shown.count()}, {"time_ns", event.time.count()}};
+}
+void read_values(const Json& json, ReactionPressed& event) {
+  event.shown = nanoseconds_from(json.at("shown_ns"));
+  event.time = nanoseconds_from(json.at("time_ns"));
+}
+
+Json values_of(const ObjectChosen& event) { return {{"object", event.object}}; }
+void read_values(const Json& json, ObjectChosen& event) { event.object = json.at("object"); }
+
+Json values_of(const Rated& event) { return {{"answers", json_of(event.answers)}}; }
+void read_values(const Json& json, Rated& event) {
+  event.answers = answers_from(json.at("answers"));
+}
+
+Json values_of(const NoteWritten& event) { return {{"text", event.text}}; }
+void read_values(const Json& json, NoteWritten& event) { event.text = json.at("text"); }
+
+Json values_of(const Excluded& event) { return {{"reason", event.reason}}; }
+void read_values(const Json& json, Excluded& event) { event.reason = json.at("reason"); }
+
+template <typename TimedEvent>
+requires requires(TimedEvent event) { event.time; }
+Json values_of(const TimedEvent& event) { return {{"time_ns", event.time.count()}}; }
+template <typename TimedEvent>
+requires requires(TimedEvent event) { event.time; }
+void read_values(const Json& json, TimedEvent& event) {
+  event.time = nanoseconds_from(json.at("time_ns"));
+}
+
+template <typename BareEvent>
+requires std::is_empty_v<BareEvent> Json values_of(const BareEvent& /*event*/) {
+  return Json::object();
+}
+template <typename BareEvent>
+requires std::is_empty_v<BareEvent>
+void read_values(const Json& /*json*/, BareEvent& /*event*/) {}
+
+/// Tries the events from the one at `index` of the variant on.
+template <std::size_t index = 0>
+Event event_of_type(const std::string& type, const Json& values) {
+  if constexpr (index < std::variant_size_v<Event>) {
+    std::variant_alternative_t<index, Event> event;
+    if (type != name_of(Event(event))) {
+      return event_of_type<index + 1>(type, values);
+    }
+    read_values(values, event);
+    return event;
+  } else {
+    throw std::invalid_argument("there is no event " + type);
+  }
+}
+
+}  // namespace
+
+std::string payload_of(const Event& event) {
+  return on_one_line(std::visit([](const auto& e) { return values_of(e); }, event));
+}
+
+Event event_from(const std::string& type, const std::string& payload) {
+  try {
+    return event_of_type(type, Json::parse(payload));
+  } catch (const Json::exception& fault) {
+    throw std::invalid_argument(fault.what());
+  }
+}
+
+std::string unicode(const std::string& text) {
+  return Json::parse(on_one_line(text)).get<std::string>();
+}
+
+}  // namespace foveola::study

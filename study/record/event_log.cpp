@@ -1,0 +1,57 @@
+#include "study/record/event_log.h"
+
+#include <stdexcept>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "study/record/event_json.h"
+#include "study/record/event_rows.h"
+
+namespace foveola::study {
+namespace {
+
+Error bad_event(std::int64_t session, std::int64_t sequence, const std::string& what) {
+  return {fmt::format("session {}, event {}", session, sequence), what, "restore it from a copy"};
+}
+
+}  // namespace
+
+std::vector<LoggedEvent> events_of(SQLite::Database& database, std::int64_t session) {
+  std::vector<LoggedEvent> events;
+  SQLite::Statement rows(database,
+                         "SELECT sequence, time_ns, utc, type, payload FROM event"
+                         " WHERE session = ? ORDER BY sequence");
+  rows.bind(1, session);
+  while (rows.executeStep()) {
+    try {
+      events.push_back({.time = Nanoseconds(rows.getColumn("time_ns").getInt64()),
+                        .event = event_from(rows.getColumn("type").getString(),
+                                            rows.getColumn("payload").getString()),
+                        .utc = rows.getColumn("utc").getString()});
+    } catch (const std::invalid_argument& fault) {
+      throw bad_event(session, rows.getColumn("sequence").getInt64(),
+                      fmt::format("cannot be read ({})", fault.what()));
+    }
+  }
+  return events;
+}
+
+void replay_events(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+                   const std::vector<LoggedEvent>& events) {
+  SessionState state;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const LoggedEvent& logged = events[i];
+    const std::optional<Transition> next = step(procedure, state, logged.event);
+    if (!next) {
+      throw bad_event(session, static_cast<std::int64_t>(i) + 1,
+                      fmt::format("is {} in the state {}, which cannot be", name_of(logged.event),
+                                  name_of(state.phase)));
+    }
+    insert_event_rows(database, session, procedure, logged, state, next->state);
+    state = next->state;
+  }
+}
+
+}  // namespace foveola::study

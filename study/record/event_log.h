@@ -1,0 +1,25 @@
+// What happened in a session, read back from its record.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "study/record/study_store.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace foveola::study {
+
+/// A session's events in their order, with all that they said. Throws Error, whose place is the
+/// session, for one that this program cannot read; and what SQLite throws.
+std::vector<LoggedEvent> events_of(SQLite::Database& database, std::int64_t session);
+
+/// Makes everything that follows from `events` in a database that holds the session and its plan,
+/// but nothing that happened yet. Throws Error for an event that cannot follow those before it.
+void replay_events(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+                   const std::vector<LoggedEvent>& events);
+
+}  // namespace foveola::study

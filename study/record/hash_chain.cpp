@@ -1,0 +1,54 @@
+#include "study/record/hash_chain.h"
+
+#include <array>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "renderer/base/digest.h"
+
+namespace foveola::study {
+namespace {
+
+/// Every row as a JSON array, in the order that schema.sql gives; ?1 is the session.
+constexpr std::array facts = {
+    "SELECT json_array(protocol_name, protocol_title, protocol_text, protocol_sha256) FROM study",
+    "SELECT json_array(position, name) FROM study_scene ORDER BY position",
+    "SELECT json_array(position, name) FROM study_method ORDER BY position",
+    "SELECT json_array(method, file_name, file_sha256) FROM study_method_file"
+    " ORDER BY method, file_name",
+    "SELECT json_array(device, name, toml, toml_sha256) FROM study_profile ORDER BY device, name",
+    "SELECT json_array(position, mark) FROM study_mark ORDER BY position",
+    "SELECT json_array(position, rating, question) FROM study_rating ORDER BY position",
+    "SELECT json_array(uuid, participant, kind, seed, design_row, started_utc, program_version,"
+    "  compiler, build_type, processor, cores, operating_system, devices, migrated_from)"
+    " FROM session WHERE id = ?1",
+    "SELECT json_array(scene, file_name, file_sha256, shown_as) FROM session_scene"
+    " WHERE session = ?1 ORDER BY scene",
+    "SELECT json_array(trial, kind, scene, method, scene_position, method_position)"
+    " FROM planned_trial WHERE session = ?1 ORDER BY trial",
+    "SELECT json_array(step, kind, questionnaire, times, trial, chooses_object)"
+    " FROM planned_step WHERE session = ?1 ORDER BY step"};
+
+}  // namespace
+
+std::string hash_before_events(SQLite::Database& database, std::int64_t session) {
+  std::string lines;
+  for (const char* sql : facts) {
+    SQLite::Statement rows(database, sql);
+    if (rows.getBindParameterCount() > 0) {
+      rows.bind(1, session);
+    }
+    while (rows.executeStep()) {
+      lines += fmt::format("{}{}", lines.empty() ? "" : "\n", rows.getColumn(0).getString());
+    }
+  }
+  return sha256(lines);
+}
+
+std::string hash_of(const std::string& previous, const LogLine& line) {
+  return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", previous, line.sequence, line.time_ns,
+                            line.utc, line.type, line.payload));
+}
+
+}  // namespace foveola::study

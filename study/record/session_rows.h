@@ -1,0 +1,47 @@
+// A session's facts and plan as rows of the record, and back.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/record/study_store.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace foveola::study {
+
+/// The name that records use: "human", "pilot", "simulated".
+const char* name_of(SessionKind kind);
+
+/// Where a session comes from.
+struct SessionOrigin {
+  std::string uuid;
+  std::string started_utc;
+  std::optional<int> migrated_from;  ///< the schema; facts then have no design row
+};
+
+/// A random UUID (RFC 4122, section 4.4), so that the records of several sites can be merged.
+std::string random_uuid();
+
+/// Writes a session in which nothing has happened yet. Returns its row id. Call it inside a
+/// transaction. Throws what SQLite throws.
+std::int64_t insert_session(SQLite::Database& database, const SessionFacts& facts,
+                            const SessionOrigin& origin, const Plan& plan, const Agenda& agenda);
+
+bool has_session_of(SQLite::Database& database, const std::string& participant);
+
+/// In the order in which they were begun.
+std::vector<KnownSession> sessions_of(SQLite::Database& database);
+
+/// As it was recorded before anything happened.
+Plan plan_of(SQLite::Database& database, std::int64_t session);
+
+/// What the machine needs to go through the session's events again. Throws Error if the record does
+/// not tell.
+Procedure recorded_procedure_of(SQLite::Database& database, std::int64_t session);
+
+}  // namespace foveola::study

@@ -1,0 +1,47 @@
+// Rows of any table, copied from one study to another or compared with those of another.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace SQLite {
+class Database;
+}
+
+namespace foveola::study {
+
+/// SQL that stands for a column's own value, by the column's name: {"state", "'created'"}.
+using Replacements = std::map<std::string, std::string>;
+
+/// The tables of the study itself, each behind those that it refers to, as are the others.
+inline constexpr std::array study_tables = {
+    "study",         "study_scene", "study_method", "study_method_file",
+    "study_profile", "study_mark",  "study_rating"};
+
+/// The tables of what a session set out to do; as in those below, the column session says whose.
+inline constexpr std::array plan_tables = {"session_scene", "planned_trial", "planned_step"};
+
+/// The tables that follow from a session's events and its plan, and the log itself.
+inline constexpr std::array event_tables = {"event",    "gaze_run", "gaze_target",
+                                            "questionnaire_answer", "reaction", "attempt",
+                                            "mark",     "rating"};
+
+/// The tables of what was measured meanwhile.
+inline constexpr std::array measured_tables = {"frame_chunk", "gaze_chunk", "film_hash"};
+
+/// Appends the rows of `source`'s table for which `condition`, in SQL, holds to that of `target`.
+/// Throws what SQLite throws.
+void copy_rows(SQLite::Database& source, SQLite::Database& target, const std::string& table,
+               const std::string& condition = "true", const Replacements& replacements = {});
+
+/// The same for the same rows, in whatever order they were written.
+std::string digest_of_rows(SQLite::Database& database, const std::string& table,
+                           const std::string& condition = "true",
+                           const Replacements& replacements = {});
+
+/// "session = 3"
+std::string is_of_session(std::int64_t session);
+
+}  // namespace foveola::study

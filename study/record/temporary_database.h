@@ -1,0 +1,40 @@
+// New study files beside the names that they will have: there whole, or not at all.
+#pragma once
+
+#include <filesystem>
+
+namespace foveola::study {
+
+/// A place for a database beside its final path, on the same file system. What lies there at the
+/// end of the scope goes, and what a kill left there goes at the beginning.
+class TemporaryDatabase {
+ public:
+  explicit TemporaryDatabase(const std::filesystem::path& final_path);
+  ~TemporaryDatabase();
+  TemporaryDatabase(const TemporaryDatabase&) = delete;
+  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Takes the place of whatever is at the final path, in one step that is on the disk when this
+  /// returns. The database must be closed. Throws Error if it cannot.
+  void replace_final() const;
+
+  /// Likewise, but a file that is there already stays. Returns whether there was none.
+  bool take_free_name() const;
+
+ private:
+  void sync() const;
+  void remove() const;
+
+  std::filesystem::path final_path_;
+  std::filesystem::path path_;
+};
+
+/// Whether a file of this name is one that a killed program may have left of `final_path`.
+bool is_temporary_of(const std::filesystem::path& final_path, const std::string& file_name);
+
+/// The folder that a file is in; "." for a bare name.
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
+}  // namespace foveola::study
