@@ -67,11 +67,16 @@ std::vector<std::string> participants_of(const StudyRecords& records, const std:
   return {codes.begin(), codes.end()};
 }
 
+std::string why_not_analysed(const SessionRow& row) {
+  return row.reason.empty() ? fmt::format("session {}", row.state)
+                            : fmt::format("session {}: {}", row.state, row.reason);
+}
+
 std::vector<Exclusion> excluded_sessions(const StudyRecords& records, const std::string& kind) {
   std::vector<Exclusion> exclusions;
   for (const SessionRow& row : records.sessions) {
     if (row.state != "completed") {
-      exclusions.push_back({row.participant, "", "", "", "session " + row.state});
+      exclusions.push_back({row.participant, "", "", "", why_not_analysed(row)});
     } else if (row.kind != kind) {
       exclusions.push_back(
           {row.participant, "", "", "",

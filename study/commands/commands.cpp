@@ -14,6 +14,10 @@ void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_
   add_simulate(*study, find_scene, stop);
   add_status(*study);
   add_gaze(*study);
+  add_verify(*study);
+  add_backup(*study);
+  add_merge(*study);
+  add_forget(*study);
 }
 
 }  // namespace foveola::study

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/error.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
 #include "study/commands/record_tables.h"
+#include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/study_records.h"
 
@@ -17,17 +19,37 @@ namespace {
 
 struct Arguments {
   std::string database;
+  std::vector<std::string> sources;
   std::string participant;
   int trial = 0;
   std::string output;
+  bool yes = false;
   bool json = false;
 };
+
+nlohmann::json json_kind(const KindStatus& kind) {
+  nlohmann::json rows = nlohmann::json::object();
+  for (const auto& [row, count] : kind.design_rows) {
+    rows[std::to_string(row)] = count;
+  }
+  return {{"sessions", kind.sessions},
+          {"design_rows", rows},
+          {"method_positions", kind.method_positions}};
+}
 
 nlohmann::json json_status(const StudyRecords& records, const StudyStatus& status) {
   nlohmann::json sessions = nlohmann::json::array();
   for (const SessionRow& session : records.sessions) {
-    sessions.push_back(
-        {{"participant", session.participant}, {"kind", session.kind}, {"state", session.state}});
+    sessions.push_back({{"participant", session.participant},
+                        {"kind", session.kind},
+                        {"state", session.state},
+                        {"design_row", session.design_row ? nlohmann::json(*session.design_row)
+                                                          : nlohmann::json()},
+                        {"reason", session.reason}});
+  }
+  nlohmann::json kinds = nlohmann::json::object();
+  for (const auto& [name, kind] : status.kinds) {
+    kinds[name] = json_kind(kind);
   }
   return {{"protocol", records.protocol_name},
           {"title", records.protocol_title},
@@ -35,6 +57,7 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
           {"scenes", records.scenes},
           {"methods", records.methods},
           {"sessions", sessions},
+          {"kinds", kinds},
           {"trials_planned", records.trials.size()},
           {"trials_done", status.trials_done}};
 }
@@ -47,6 +70,56 @@ void run_status(const Arguments& arguments) {
   } else {
     fmt::print("{}", status_table(records, status));
   }
+}
+
+nlohmann::json json_faults(const std::vector<RecordFault>& faults) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const RecordFault& fault : faults) {
+    list.push_back({{"participant", fault.participant}, {"what", fault.what}});
+  }
+  return list;
+}
+
+void run_verify(const Arguments& arguments) {
+  const Verification found = verify_study(arguments.database);
+  if (arguments.json) {
+    const nlohmann::json json = {{"sessions", found.sessions},
+                                 {"events", found.events},
+                                 {"chunks", found.chunks},
+                                 {"faults", json_faults(found.faults)},
+                                 {"gaps", json_faults(found.gaps)}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}", verification_table(found));
+  }
+  if (!found.faults.empty()) {
+    throw Error(arguments.database, "is not what was written: see the faults above",
+                "restore it from a backup");
+  }
+}
+
+void run_backup(const Arguments& arguments) {
+  fmt::print("{}\n", back_up_study(arguments.database).string());
+}
+
+void run_merge(const Arguments& arguments) {
+  const Merge merge =
+      merge_studies({arguments.sources.begin(), arguments.sources.end()}, arguments.output);
+  fmt::print("{}: {} sessions, {} of them in several files\n", arguments.output,
+             merge.sessions_added, merge.sessions_known);
+}
+
+void run_forget(const Arguments& arguments) {
+  if (!arguments.yes) {
+    throw UsageError("--yes",
+                     fmt::format("is missing: all that {} and its backups hold of participant {} "
+                                 "would be gone for good",
+                                 arguments.database, arguments.participant),
+                     "add it if this is meant");
+  }
+  const Forgotten forgotten = forget_participant(arguments.database, arguments.participant);
+  fmt::print("{}: participant {} is gone, from {} files\n", arguments.database,
+             arguments.participant, forgotten.files);
 }
 
 void run_gaze(const Arguments& arguments) {
@@ -65,6 +138,45 @@ void add_status(CLI::App& study) {
   add_database(command, arguments->database);
   add_json(command, arguments->json);
   command->callback([arguments] { run_status(*arguments); });
+}
+
+void add_verify(CLI::App& study) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      add_command(study, "verify", "Whether a study's file is what was written, and complete",
+                  "verify study.sqlite");
+  add_database(command, arguments->database);
+  add_json(command, arguments->json);
+  command->callback([arguments] { run_verify(*arguments); });
+}
+
+void add_backup(CLI::App& study) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = add_command(
+      study, "backup", "A checked copy in the folder beside a study's file", "backup study.sqlite");
+  add_database(command, arguments->database);
+  command->callback([arguments] { run_backup(*arguments); });
+}
+
+void add_merge(CLI::App& study) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = add_command(study, "merge", "One file of several sites' sessions",
+                                  "merge helsinki.sqlite tampere.sqlite -o study.sqlite");
+  command->add_option("DB", arguments->sources, "Files of one protocol")->required()->expected(1, -1);
+  command->add_option("-o,--output", arguments->output, "A new file")->required();
+  command->callback([arguments] { run_merge(*arguments); });
+}
+
+void add_forget(CLI::App& study) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      add_command(study, "forget",
+                  "Rebuilds a study's file and its backups without one participant, who withdrew",
+                  "forget study.sqlite P007 --yes");
+  add_database(command, arguments->database);
+  command->add_option("CODE", arguments->participant, "The participant's code")->required();
+  command->add_flag("--yes", arguments->yes, "It cannot be undone, so it has to be said");
+  command->callback([arguments] { run_forget(*arguments); });
 }
 
 void add_gaze(CLI::App& study) {

@@ -1,4 +1,5 @@
-// foveola study status and gaze: what a study's file holds.
+// foveola study status, gaze, verify, backup, merge and forget: what a study's file holds, and its
+// care.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,5 +8,9 @@ namespace foveola::study {
 
 void add_status(CLI::App& study);
 void add_gaze(CLI::App& study);
+void add_verify(CLI::App& study);
+void add_backup(CLI::App& study);
+void add_merge(CLI::App& study);
+void add_forget(CLI::App& study);
 
 }  // namespace foveola::study

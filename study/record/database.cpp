@@ -79,9 +79,13 @@ void require_regular_file(const fs::path& path) {
 }
 
 /// A file of an older schema, as one of this one that lies in memory.
-SQLite::Database in_this_schema(SQLite::Database& older) {
+SQLite::Database in_this_schema(SQLite::Database& older, const fs::path& path) {
   SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  bring_to_this_schema(older, database);
+  try {
+    bring_to_this_schema(older, database);
+  } catch (const Error& error) {
+    throw Error(path.string(), error.what());
+  }
   return database;
 }
 
@@ -205,7 +209,7 @@ SQLite::Database open_study_to_read(const fs::path& path) {
   SQLite::Database database = open_as_it_is(path);
   require_sound(database, path);
   if (version != study_schema_version) {
-    return in_this_schema(database);
+    return in_this_schema(database, path);
   }
   require_schema(database, path);
   return database;
@@ -245,6 +249,8 @@ void copy_checked(SQLite::Database& database, const fs::path& path) {
   {
     SQLite::Database copy(temporary.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Backup(copy, database).executeStep();
+    // So that reading it makes no files beside it.
+    copy.execAndGet("PRAGMA journal_mode = DELETE");
   }
   SQLite::Database copy = open_immutable(temporary.path());
   require_intact(copy, path);

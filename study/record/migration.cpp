@@ -1,5 +1,7 @@
 #include "study/record/migration.h"
 
+#include <stdexcept>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
@@ -185,7 +187,10 @@ class OlderSession {
     if (type == "interrupted") {
       return {Interrupted{}};
     }
-    return {Withdrawn{}};
+    if (type == "withdrawn") {
+      return {Withdrawn{}};
+    }
+    throw std::invalid_argument(fmt::format("schema 3 has no event {}", type));
   }
 
   static QuestionnaireAnswered background(const nlohmann::json& values) {
@@ -272,6 +277,11 @@ class OlderSession {
   std::int64_t id_;
 };
 
+Error unreadable(std::int64_t session, const std::string& why) {
+  return {fmt::format("session {}", session), fmt::format("cannot be read ({})", why),
+          "restore it from a copy"};
+}
+
 /// A view in a table's place could make reading it do anything.
 void require_tables(SQLite::Database& older) {
   SQLite::Statement strange(
@@ -295,8 +305,9 @@ void bring_to_this_schema(SQLite::Database& older, SQLite::Database& target) {
     try {
       OlderSession(older, id).bring_to(target);
     } catch (const nlohmann::json::exception& fault) {
-      throw Error(fmt::format("session {}", id), fmt::format("cannot be read ({})", fault.what()),
-                  "restore it from a copy");
+      throw unreadable(id, fault.what());
+    } catch (const std::logic_error& fault) {  // of numbers and names that cannot be
+      throw unreadable(id, fault.what());
     }
   }
   transaction.commit();

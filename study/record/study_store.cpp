@@ -8,7 +8,6 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 
-#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/chunk.h"
@@ -20,6 +19,7 @@
 #include "study/record/gaze_encoding.h"
 #include "study/record/migration.h"
 #include "study/record/recorded_frames.h"
+#include "study/record/same_protocol.h"
 #include "study/record/schema.h"
 #include "study/record/session_rows.h"
 
@@ -28,48 +28,6 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-void require_protocol(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
-  if (database.execAndGet("SELECT protocol_sha256 FROM study").getString() != protocol.sha256) {
-    throw Error(path.string(),
-                fmt::format("was begun with another protocol than {}", protocol.path.string()),
-                "use the protocol it was begun with, or a new file");
-  }
-}
-
-/// One file a method for the whole of a study: results on two would be taken for one.
-void require_method_files(SQLite::Database& database, const fs::path& path,
-                          const Protocol& protocol) {
-  SQLite::Statement known(
-      database, "SELECT file_sha256 FROM study_method_file WHERE method = ? AND file_name = ?");
-  for (const MethodFile& file : protocol.method_files) {
-    known.reset();
-    SQLite::bind(known, file.method, file.file);
-    const std::string begun_with = known.executeStep() ? known.getColumn(0).getString() : "none";
-    if (begun_with != file.sha256) {
-      throw Error(path.string(),
-                  fmt::format("was begun with another file as {} (SHA-256 {}, now {})", file.file,
-                              begun_with, file.sha256),
-                  "go on with that file, or begin a new database");
-    }
-  }
-}
-
-/// Likewise, one display and one tracker, and the same questions.
-void require_profiles(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
-  SQLite::Statement known(database,
-                          "SELECT toml_sha256 FROM study_profile WHERE device = ? AND name = ?");
-  for (const NamedProfile& profile : named_profiles(protocol)) {
-    known.reset();
-    SQLite::bind(known, profile.device, profile.name);
-    if (!known.executeStep() || known.getColumn(0).getString() != sha256(profile.toml)) {
-      throw Error(path.string(),
-                  fmt::format("was begun with another {} than {}, as its profile is now",
-                              profile.device, profile.name),
-                  "go on with that profile, or begin a new database");
-    }
-  }
-}
-
 /// The study at `path`, made or checked, and of this schema, to write.
 SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
   if (!fs::exists(path)) {
@@ -77,9 +35,7 @@ SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
   }
   {
     SQLite::Database checked = open_study_to_read(path);
-    require_protocol(checked, path, protocol);
-    require_method_files(checked, path, protocol);
-    require_profiles(checked, path, protocol);
+    require_same_protocol(checked, path, protocol);
   }
   require_writable_file(path);
   if (schema_of_study(path) != study_schema_version) {

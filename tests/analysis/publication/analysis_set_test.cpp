@@ -75,6 +75,19 @@ TEST(AnalysisSet, KindsOfSessionsAreNeverMixed) {
   EXPECT_THAT(select_for_analysis(records).participants, ElementsAre("P1"));
 }
 
+TEST(AnalysisSet, SessionsThatAreNotCompletedAreListedWithWhy) {
+  StudyRecords records = complete_study(5);
+  records.sessions[0].state = "paused";
+  records.sessions[1].state = "interrupted";
+  records.sessions[2].state = "excluded";
+  records.sessions[2].reason = "asleep";
+  records.sessions[3].state = "withdrawn";
+  EXPECT_THAT(select_for_analysis(records).participants, ElementsAre("P5"));
+  EXPECT_THAT(exclusions_of(records),
+              ElementsAre("P1///: session paused", "P2///: session interrupted",
+                          "P3///: session excluded: asleep", "P4///: session withdrawn"));
+}
+
 TEST(AnalysisSet, RowsOutsideTheProtocolAreListed) {
   StudyRecords records = complete_study(1);
   records.trials.push_back(records.trials.front());

@@ -103,15 +103,15 @@ std::vector<BadFile> bad_files() {
       {"NewerSchema",
        [](const fs::path& path) {
          write_small_study(path);
-         overwrite(path, 63, "\x04");
+         overwrite(path, 63, "\x05");
        },
-       "has schema 4, and this program knows only 3; use a newer Foveola"},
+       "has schema 5, and this program knows only 3 and 4; use a newer Foveola"},
       {"OlderSchema",
        [](const fs::path& path) {
          write_small_study(path);
          overwrite(path, 63, "\x02");
        },
-       "has schema 2, and this program knows only 3; go on with the Foveola that began it"},
+       "has schema 2, and this program knows only 3 and 4; go on with the Foveola that began it"},
       {"Truncated",
        [](const fs::path& path) {
          write_small_study(path);
@@ -130,6 +130,12 @@ std::vector<BadFile> bad_files() {
          run_sql(path, "DROP TRIGGER event_stays");
        },
        "its trigger event_stays is missing or was changed"},
+      {"NoOlderSchemaInside",
+       [](const fs::path& path) {
+         write_small_study(path);
+         overwrite(path, 63, "\x03");
+       },
+       "has views that are not Foveola's"},
       {"EndlessView",
        [](const fs::path& path) {
          write_small_study(path);

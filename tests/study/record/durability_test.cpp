@@ -2,6 +2,7 @@
 // cuts.
 #include <atomic>
 #include <csignal>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,14 +47,16 @@ TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
   StudyStore store(folder / "study.sqlite", small_protocol());
   std::int64_t session = 0;
   EXPECT_GE(syncs_during([&] { session = store.begin_session(facts_of("P01"), small_plan()); }), 1);
-  const SessionState armed{.phase = Phase::armed, .object = "vase"};
-  EXPECT_GE(syncs_during([&] {
-              store.record_event(session, ms(1), ObjectChosen{"vase"},
-                                 {.phase = Phase::choosing_object}, armed);
-            }),
-            1);
+  const SessionState ready{.phase = Phase::ready, .step = 1, .object = "vase"};
+  const SessionState armed{.phase = Phase::armed, .step = 1, .object = "vase"};
+  EXPECT_GE(
+      syncs_during([&] { store.record_event(session, ms(1), TrialStarted{}, ready, armed); }), 1);
   EXPECT_GE(syncs_during([&] { store.record_frames(session, 0, 1, 0, {FrameRow{}}); }), 1);
   EXPECT_GE(syncs_during([&] { store.record_gaze(session, 0, 1, 0, {GazeSample{}}); }), 1);
+  EXPECT_GE(syncs_during([&] {
+              store.record_film_hash(session, 0, 1, {.frame = 0, .sha256 = std::string(64, '0')});
+            }),
+            1);
 }
 
 /// Times one method again and again, with one byte on `acknowledgements` for each recorded event.
@@ -67,11 +70,12 @@ TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
     }
   };
   acknowledge(SessionStarted{});
-  acknowledge(BackgroundAnswered{});
+  acknowledge(QuestionnaireAnswered{.questionnaire = "background", .answers = {}});
   acknowledge(ObjectChosen{"vase"});
   while (true) {
+    acknowledge(TrialStarted{});
     acknowledge(FirstFramePresented{ms(1)});
-    acknowledge(OutlineMarked{ms(1)});
+    acknowledge(Marked{ms(1)});
     acknowledge(RetimeRequested{});
   }
 }
@@ -139,6 +143,18 @@ class FileSizeLimit {
   rlimit original_{};
 };
 
+/// Frames that compression makes no smaller.
+std::vector<FrameRow> noisy_frames(std::uint64_t count) {
+  std::mt19937 noise(1);
+  std::vector<FrameRow> frames(count);
+  for (FrameRow& frame : frames) {
+    frame.time = Nanoseconds(noise());
+    frame.gaze_age = Nanoseconds(noise());
+    frame.samples = static_cast<std::uint32_t>(noise());
+  }
+  return frames;
+}
+
 TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
@@ -148,8 +164,8 @@ TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
     StudyStore store(path, small_protocol());
     RecordedSession session(store, facts_of("P01"), small_plan());
     session.begin();
-    session.happen(ms(20), ObjectChosen{"vase"});
-    const std::vector<FrameRow> frames(frames_per_chunk);
+    session.choose_and_start(ms(20));
+    const std::vector<FrameRow> frames = noisy_frames(frames_per_chunk);
     const auto record_chunk = [&] {
       store.record_frames(session.id(), 0, 1, acknowledged * frames_per_chunk, frames);
       ++acknowledged;
@@ -157,7 +173,7 @@ TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
     {
       const FileSizeLimit limit(1'000'000);
       const std::string message = refusal([&] {
-        while (acknowledged < 100) {
+        while (acknowledged < 1000) {
           record_chunk();
         }
       });

@@ -1,6 +1,5 @@
 #include "study/record/recorded_gaze.h"
 
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,16 +28,17 @@ class RecordedGaze : public testing::Test {
     StudyStore store(path_, small_protocol());
     RecordedSession first(store, facts_of("P01"), small_plan());
     first.begin();
-    first.happen(ms(20), ObjectChosen{"vase"});
+    first.choose_and_start(ms(20));
     store.record_gaze(first.id(), 0, 1, 0, {{.time = ms(1)}, {.time = ms(2)}});
     first.happen(ms(30), FirstFramePresented{ms(30)});
-    first.happen(ms(40), OutlineMarked{ms(40)});
+    first.happen(ms(40), Marked{ms(40)});
     first.happen(ms(50), RetimeRequested{});
+    first.choose_and_start(ms(55));
     store.record_gaze(first.id(), 0, 2, 0, {{.time = ms(60)}, {.time = ms(61)}});
     store.record_gaze(first.id(), 0, 2, 2, {{.time = ms(62), .mark = GazeMark::saccade}});
     RecordedSession second(store, facts_of("P02"), small_plan());
     second.begin();
-    second.happen(ms(20), ObjectChosen{"vase"});
+    second.choose_and_start(ms(20));
     store.record_gaze(second.id(), 0, 1, 0, {{.time = ms(7), .valid = true}});
   }
 
@@ -65,16 +65,8 @@ TEST_F(RecordedGaze, ThatIsNotThereIsRefused) {
   EXPECT_THAT(refusal([&] { read_gaze(folder_ / "none", "P01", 0); }), HasSubstr("no such file"));
 }
 
-// The guards are taken away and put back, as by somebody who means to hide it.
 TEST_F(RecordedGaze, ThatWasChangedIsRefused) {
-  {
-    SQLite::Database database(path_, SQLite::OPEN_READWRITE);
-    const std::string guard =
-        database.execAndGet("SELECT sql FROM sqlite_schema WHERE name = 'gaze_chunk_is_fixed'");
-    database.exec("DROP TRIGGER gaze_chunk_is_fixed");
-    database.exec("UPDATE gaze_chunk SET data = zeroblob(24) WHERE sample_count = 1");
-    database.exec(guard);
-  }
+  tamper(path_, "UPDATE gaze_chunk SET data = zeroblob(24) WHERE sample_count = 1");
   EXPECT_THAT(refusal([&] { read_gaze(path_, "P02", 0); }),
               HasSubstr("its gaze samples are not those that were written"));
 }

@@ -1,5 +1,7 @@
 #include "study/record/schema.h"
 
+#include <regex>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,18 +12,15 @@
 namespace foveola::study {
 namespace {
 
-/// A study in which every table has a row: one trial rated, the next begun.
+/// A study in which every table has a row: P01's session is over, P02's goes on in its first trial.
 class Schema : public testing::Test {
  protected:
   Schema() {
-    StudyStore store(folder_ / "study.sqlite", small_protocol());
-    RecordedSession session(store, facts_of("P01"), small_plan());
-    session.begin_validated();
-    session.run_trial(ms(100), ms(2000), ms(3000), 2);
-    session.happen(ms(4000), ObjectChosen{"door"});
-    store.record_frames(session.id(), 0, 1, 0, {FrameRow{}});
-    store.record_gaze(session.id(), 0, 1, 0, {GazeSample{}});
-    RecordedSession(store, facts_of("P02"), small_plan()).begin();
+    StudyStore store(folder_ / "study.sqlite", thorough_protocol());
+    run_thorough_session(store, "P01");
+    RecordedSession second(store, facts_of("P02"), thorough_plan(), thorough_protocol());
+    second.begin_thoroughly();
+    second.choose_and_start(ms(100));
   }
 
   /// What SQLite says to the statement; empty if it allows it.
@@ -43,9 +42,9 @@ TEST_F(Schema, IdentifiesTheFile) {
   const std::string bytes = folder_.content().at("study.sqlite");
   // The SQLite file format, section 1.3: application id at offset 68, user version at 60.
   EXPECT_EQ(bytes.substr(68, 4), "Fovl");
-  EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\3", 4));
+  EXPECT_EQ(bytes.substr(60, 4), std::string("\0\0\0\4", 4));
   EXPECT_EQ(study_application_id, 'F' << 24 | 'o' << 16 | 'v' << 8 | 'l');
-  EXPECT_EQ(study_schema_version, 3);
+  EXPECT_EQ(study_schema_version, 4);
 }
 
 TEST_F(Schema, EveryTableIsStrict) {
@@ -54,17 +53,19 @@ TEST_F(Schema, EveryTableIsStrict) {
                   " WHERE type = 'table' AND schema = 'main' AND NOT strict"
                   " AND name NOT LIKE 'sqlite%'"),
             "");
-  EXPECT_THAT(answer("INSERT INTO event VALUES (1, 99, 'soon', 'now', 'withdrawn', '{}')"),
+  EXPECT_THAT(answer("INSERT INTO event VALUES (1, 99, 'soon', 'now', 'withdrawn', '{}', '')"),
               testing::HasSubstr("cannot store TEXT value in INTEGER column"));
 }
 
 TEST_F(Schema, RecordsAreOnlyAddedTo) {
   const std::vector<std::string> column_of_each_table = {
-      "study.protocol_text",     "study_scene.name",     "study_method.name",
-      "session_scene.scene",     "planned_trial.method", "event.payload",
-      "background_answer.value", "mark.time_ns",         "rating.artifacts",
-      "frame_chunk.data",        "gaze_chunk.data",      "gaze_run.passed",
-      "gaze_target.samples",     "study_profile.toml",   "study_method_file.file_sha256"};
+      "study.protocol_text",   "study_scene.name",       "study_method.name",
+      "study_profile.toml",    "study_mark.mark",        "study_rating.question",
+      "session_scene.scene",   "planned_trial.method",   "planned_step.kind",
+      "event.payload",         "event.hash",             "questionnaire_answer.number",
+      "reaction.pressed_ns",   "mark.time_ns",           "rating.value",
+      "frame_chunk.data",      "gaze_chunk.data",        "film_hash.film_sha256",
+      "gaze_run.passed",       "gaze_target.samples",    "study_method_file.file_sha256"};
   for (const std::string& place : column_of_each_table) {
     const std::string table = place.substr(0, place.find('.'));
     const std::string column = place.substr(place.find('.') + 1);
@@ -75,41 +76,80 @@ TEST_F(Schema, RecordsAreOnlyAddedTo) {
   }
 }
 
+TEST_F(Schema, EveryTableIsGuarded) {
+  EXPECT_EQ(query(folder_ / "study.sqlite",
+                  "SELECT coalesce(group_concat(name), '') FROM sqlite_schema AS t"
+                  " WHERE type = 'table' AND NOT EXISTS (SELECT 1 FROM sqlite_schema"
+                  "  WHERE type = 'trigger' AND tbl_name = t.name AND sql LIKE '%BEFORE DELETE%')"),
+            "");
+}
+
 TEST_F(Schema, SessionsAndAttemptsOnlyMoveOn) {
-  EXPECT_EQ(answer("UPDATE session SET participant = 'P99'"), "only a session's state changes");
+  EXPECT_EQ(answer("UPDATE session SET participant = 'P99' WHERE id = 2"), "only a session's state changes");
+  EXPECT_EQ(answer("UPDATE session SET devices = '{}' WHERE id = 2"), "only a session's state changes");
   EXPECT_EQ(answer("DELETE FROM session"), "sessions are never removed");
-  EXPECT_EQ(answer("UPDATE attempt SET object = 'x' WHERE trial = 1"),
+  EXPECT_EQ(answer("UPDATE attempt SET object = 'x' WHERE session = 2"),
             "only an attempt's first frame and outcome change");
-  EXPECT_EQ(answer("UPDATE attempt SET outcome = 'open' WHERE trial = 0"), "the attempt is over");
+  EXPECT_EQ(answer("UPDATE attempt SET outcome = 'open' WHERE session = 1 AND trial = 0"),
+            "the attempt is over");
   EXPECT_EQ(answer("DELETE FROM attempt"), "attempts are never removed");
-  EXPECT_EQ(answer("UPDATE attempt SET first_frame_ns = 5 WHERE trial = 1"), "");
-  EXPECT_EQ(answer("UPDATE attempt SET first_frame_ns = 6 WHERE trial = 1"),
+  EXPECT_EQ(answer("UPDATE attempt SET first_frame_ns = 5 WHERE session = 2"), "");
+  EXPECT_EQ(answer("UPDATE attempt SET first_frame_ns = 6 WHERE session = 2"),
             "the attempt has its first frame");
-  EXPECT_EQ(answer("UPDATE session SET state = 'withdrawn' WHERE id = 1"), "");
+}
+
+TEST_F(Schema, SessionsThatAreOverStayOver) {
   EXPECT_EQ(answer("UPDATE session SET state = 'completed' WHERE id = 1"), "the session is over");
-  EXPECT_EQ(answer("UPDATE session SET state = 'refused' WHERE id = 2"), "");
-  EXPECT_EQ(answer("UPDATE session SET state = 'completed' WHERE id = 2"), "the session is over");
+  for (const char* state : {"paused", "interrupted", "marking"}) {
+    EXPECT_EQ(answer(fmt::format("UPDATE session SET state = '{}' WHERE id = 2", state)), "");
+  }
+  for (const char* state : {"completed", "withdrawn", "excluded", "refused"}) {
+    StudyStore(folder_ / state, small_protocol()).begin_session(facts_of("P03"), small_plan());
+    SQLite::Database database(folder_ / state, SQLite::OPEN_READWRITE);
+    database.exec(fmt::format("UPDATE session SET state = '{}'", state));
+    EXPECT_THROW(database.exec("UPDATE session SET state = 'marking'"), SQLite::Exception) << state;
+  }
+}
+
+TEST_F(Schema, AMethodStandsOnceWithASceneInTestTrialsOnly) {
+  EXPECT_THAT(answer("INSERT INTO planned_trial VALUES (1, 9, 'test', 'box', 'od', 0, 0)"),
+              testing::HasSubstr("UNIQUE constraint failed"));
+  EXPECT_EQ(answer("INSERT INTO planned_trial VALUES (1, 9, 'practice', 'box', 'od', 0, 0)"), "");
+  EXPECT_EQ(answer("INSERT INTO planned_trial VALUES (1, 10, 'catch', 'box', 'od', 0, 0)"), "");
 }
 
 TEST_F(Schema, RefusesImpossibleValues) {
   const std::string check = "CHECK constraint failed";
   const std::string foreign = "FOREIGN KEY constraint failed";
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"INSERT INTO rating VALUES (1, 1, 1, 6)", check},
-      {"INSERT INTO rating VALUES (1, 1, 1, 0)", check},
-      {"INSERT INTO mark VALUES (1, 1, 1, 'outline', -1, 0)", check},
-      {"INSERT INTO mark VALUES (1, 1, 1, 'colour', 1, 0)", check},
-      {"INSERT INTO mark VALUES (1, 2, 1, 'outline', 1, 0)", foreign},
-      {"INSERT INTO attempt VALUES (1, 4, 1, 'vase', NULL, 'open')", foreign},
-      {"INSERT INTO planned_trial VALUES (1, 4, 'box', 'vp', 0, 0)", foreign},
-      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '[]')", check},
-      {"INSERT INTO event VALUES (1, 99, 0, '', 'sneezed', '{}')", check},
-      {"INSERT INTO event VALUES (3, 1, 0, '', 'withdrawn', '{}')", foreign},
-      {"INSERT INTO frame_chunk SELECT 1, 0, 1, 1, 2, encoding, data, data_sha256"
+      {"INSERT INTO rating VALUES (2, 0, 1, 'artifacts', 6)", check},
+      {"INSERT INTO rating VALUES (2, 0, 1, 'artifacts', x'00')", check},
+      {"INSERT INTO rating VALUES (2, 0, 1, 'beauty', 1.0)", foreign},
+      {"INSERT INTO mark VALUES (2, 0, 1, 'outline', -1, 0)", check},
+      {"INSERT INTO mark VALUES (2, 0, 1, 'colour', 1, 0)", foreign},
+      {"INSERT INTO mark VALUES (2, 3, 1, 'outline', 1, 0)", foreign},
+      {"INSERT INTO attempt VALUES (2, 9, 1, 'vase', NULL, 'open')", foreign},
+      {"INSERT INTO attempt VALUES (2, 3, 1, 'vase', NULL, 'lost')", check},
+      {"INSERT INTO planned_trial VALUES (1, 9, 'test', 'box', 'vp', 0, 0)", foreign},
+      {"INSERT INTO planned_trial VALUES (1, 9, 'exam', 'box', 'fv', 0, 0)", check},
+      {"INSERT INTO planned_step VALUES (1, 20, 'consent', 'background', NULL, NULL, NULL)", check},
+      {"INSERT INTO planned_step VALUES (1, 20, 'reaction', NULL, NULL, NULL, NULL)", check},
+      {"INSERT INTO planned_step VALUES (1, 20, 'trial', NULL, NULL, 99, 1)", foreign},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '[]', event_hash)", check},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'sneezed', '{}', event_hash)", check},
+      {"INSERT INTO event VALUES (1, 99, 0, '', 'withdrawn', '{}', 'ABC')", check},
+      {"INSERT INTO event VALUES (3, 1, 0, '', 'withdrawn', '{}', event_hash)", foreign},
+      {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', 1.0, 'one')", check},
+      {"INSERT INTO questionnaire_answer VALUES (1, 3, 'a', 'b', NULL, NULL)", check},
+      {"INSERT INTO questionnaire_answer VALUES (1, 99, 'a', 'b', 1.0, NULL)", foreign},
+      {"INSERT INTO reaction VALUES (1, 9, 10, 9, 0)", check},
+      {"UPDATE session SET state = 'asleep' WHERE id = 2", check},
+      {"INSERT INTO frame_chunk SELECT 1, 0, 1, 1, 0, encoding, data, data_sha256"
        " FROM frame_chunk",
        check},
-      {"INSERT INTO gaze_chunk SELECT 1, 0, 1, 1, 2, encoding, data, data_sha256 FROM gaze_chunk",
+      {"INSERT INTO gaze_chunk SELECT 1, 0, 1, 1, 1, 'gaze-9', data, data_sha256 FROM gaze_chunk",
        check},
+      {"INSERT INTO film_hash VALUES (1, 0, 1, 1, 'abc', 'abc')", check},
       {"INSERT INTO gaze_run VALUES (1, 9, 1, 1, 1, 1, 1.5, NULL, 1)", check},
       {"INSERT INTO gaze_run VALUES (1, 9, 1, 1, 1, 1, 0.5, '[]', 1)", check},
       {"INSERT INTO gaze_run VALUES (1, 9, 99, 1, 1, 1, 0.5, NULL, 1)", foreign},
@@ -123,7 +163,9 @@ TEST_F(Schema, RefusesImpossibleValues) {
       {"INSERT INTO study_method_file VALUES ('fv', 'a.png', 'ABCD')", check},
       {"INSERT INTO study SELECT 2, 'a', 'b', 'c', protocol_sha256, 'd' FROM study", check},
   };
-  for (const auto& [sql, message] : cases) {
+  const std::string a_hash = "'" + std::string(64, 'a') + "'";
+  for (const auto& [pattern, message] : cases) {
+    const std::string sql = std::regex_replace(pattern, std::regex("event_hash"), a_hash);
     EXPECT_THAT(answer(sql), testing::HasSubstr(message)) << sql;
   }
 }

@@ -3,6 +3,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 
 namespace fs = std::filesystem;
@@ -20,16 +21,24 @@ Protocol small_protocol() {
                             .weights = nullptr}};
   protocol.display.profile = DisplayProfile{.name = "goggles", .toml = "kind = \"headset\"\n"};
   protocol.tracker.profile = TrackerProfile{.name = "camera", .toml = "rate_hz = 120\n"};
+  protocol.marks = {{.id = "outline"}, {.id = "material"}};
+  protocol.ratings = {{.id = "artifacts", .minimum = 1.0, .maximum = 5.0}};
+  protocol.questionnaires = {
+      {.id = "background",
+       .questions = {{.id = "age", .kind = QuestionKind::number, .maximum = 99.0},
+                     {.id = "cg_experience"}}}};
+  protocol.phases = {{.kind = PhaseEntry::Kind::questionnaire, .questionnaire = "background"},
+                     {.kind = PhaseEntry::Kind::trials}};
   protocol.path = "small.toml";
   protocol.text = "name = \"small\"\n";
-  protocol.sha256 = std::string(64, 'a');
+  protocol.sha256 = sha256(protocol.text);
   return protocol;
 }
 
 Protocol other_protocol() {
   Protocol protocol = small_protocol();
   protocol.text += "# changed\n";
-  protocol.sha256 = std::string(64, 'b');
+  protocol.sha256 = sha256(protocol.text);
   protocol.path = "other.toml";
   return protocol;
 }
@@ -43,6 +52,23 @@ Protocol protocol_with_another_file() {
 Protocol protocol_with_another_tracker() {
   Protocol protocol = small_protocol();
   protocol.tracker.profile->toml = "rate_hz = 60\n";
+  return protocol;
+}
+
+Protocol thorough_protocol() {
+  Protocol protocol = small_protocol();
+  protocol.tracker.validation = ValidationSettings{.attempts = 2};
+  protocol.reaction = ReactionSettings{.presses = 2};
+  protocol.questionnaires.push_back(
+      {.id = "debrief",
+       .questions = {{.id = "sickness"}, {.id = "comments", .kind = QuestionKind::text}}});
+  using Kind = PhaseEntry::Kind;
+  protocol.phases = {{.kind = Kind::consent},
+                     {.kind = Kind::validation},
+                     {.kind = Kind::reaction},
+                     {.kind = Kind::questionnaire, .questionnaire = "background"},
+                     {.kind = Kind::trials},
+                     {.kind = Kind::questionnaire, .questionnaire = "debrief"}};
   return protocol;
 }
 
@@ -78,11 +104,19 @@ Plan small_plan() {
           {.scene = "box", .method = "fv", .scene_position = 1, .method_position = 1}};
 }
 
+Plan thorough_plan() {
+  Plan plan = small_plan();
+  plan.insert(plan.begin() + 1, {.scene = "hall", .method = "fv", .kind = TrialKind::catch_trial});
+  plan.insert(plan.begin(), {.scene = "box", .method = "od", .kind = TrialKind::practice});
+  return plan;
+}
+
 SessionFacts facts_of(const std::string& participant) {
   return {
       .participant = participant,
       .kind = SessionKind::simulated,
       .seed = 18'446'744'073'709'551'615U,
+      .design_row = 7,
       .build = {.version = "0.1.0", .compiler = "GNU 12.2.0", .build_type = "Release"},
       .machine = {.processor = "A processor", .cores = 2, .system = "Linux 6.1"},
       .scenes = {
@@ -93,11 +127,14 @@ SessionFacts facts_of(const std::string& participant) {
            .shown_as = R"({"exposure_stops":1.5})"}}};
 }
 
-RecordedSession::RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan)
-    : store_(store), plan_(plan), id_(store.begin_session(facts, plan)) {}
+RecordedSession::RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan,
+                                 const Protocol& protocol)
+    : store_(store),
+      procedure_(procedure_of(protocol, plan)),
+      id_(store.begin_session(facts, plan)) {}
 
 void RecordedSession::happen(Nanoseconds time, const Event& event) {
-  const std::optional<Transition> transition = step(plan_, state_, event);
+  const std::optional<Transition> transition = step(procedure_, state_, event);
   ASSERT_TRUE(transition) << name_of(event) << " in " << name_of(state_.phase);
   store_.record_event(id_, time, event, state_, transition->state);
   state_ = transition->state;
@@ -105,29 +142,124 @@ void RecordedSession::happen(Nanoseconds time, const Event& event) {
 
 void RecordedSession::begin() {
   happen(ms(0), SessionStarted{});
-  happen(ms(10), BackgroundAnswered{{{.question = "age", .value = 31},
-                                     {.question = "cg_experience", .value = 4}}});
+  happen(ms(10), QuestionnaireAnswered{.questionnaire = "background",
+                                       .answers = {{.question = "age", .value = 31.0},
+                                                   {.question = "cg_experience", .value = 4.0}}});
 }
 
-void RecordedSession::begin_validated() {
-  happen(ms(0), SessionStarted{.validations = 2});
-  happen(ms(1), GazeValidated{.runs = {bad_run()}});
-  happen(ms(2), GazeValidated{.runs = {bad_run(), good_run()}, .passed = true});
-  happen(ms(3), BackgroundAnswered{});
+void RecordedSession::begin_thoroughly() {
+  happen(ms(0), SessionStarted{});
+  happen(ms(1), ConsentGiven{});
+  happen(ms(2), GazeValidated{.runs = {bad_run()}});
+  happen(ms(3), GazeValidated{.runs = {bad_run(), good_run()}, .passed = true});
+  happen(ms(4), ReactionPressed{.shown = ms(6), .time = ms(4)});
+  happen(ms(7), ReactionPressed{.shown = ms(6), .time = ms(7)});
+  happen(ms(9), ReactionPressed{.shown = ms(8), .time = ms(9)});
+  happen(ms(10), QuestionnaireAnswered{.questionnaire = "background",
+                                       .answers = {{.question = "age", .value = 31.0},
+                                                   {.question = "cg_experience", .value = 4.0}}});
+}
+
+void RecordedSession::choose_and_start(Nanoseconds time, const std::string& object) {
+  if (state_.phase == Phase::choosing_object) {
+    happen(time, ObjectChosen{object});
+  }
+  happen(time, TrialStarted{});
 }
 
 void RecordedSession::run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material,
                                 int rating) {
-  happen(first_frame - ms(1), ObjectChosen{"vase"});
+  choose_and_start(first_frame - ms(1));
   happen(first_frame, FirstFramePresented{first_frame});
-  happen(first_frame + outline, OutlineMarked{first_frame + outline});
-  happen(first_frame + material, MaterialMarked{first_frame + material});
-  happen(first_frame + material + ms(1), ArtifactsRated{rating});
+  happen(first_frame + outline, Marked{first_frame + outline});
+  happen(first_frame + material, Marked{first_frame + material});
+  happen(first_frame + material + ms(1), rated(rating));
+}
+
+Rated rated(int artifacts) {
+  return {{{.question = "artifacts", .value = static_cast<double>(artifacts)}}};
+}
+
+void run_thorough_session(StudyStore& store, const std::string& participant, const Event& last) {
+  RecordedSession session(store, facts_of(participant), thorough_plan(), thorough_protocol());
+  session.begin_thoroughly();
+  session.run_trial(ms(1000), ms(100), ms(200), 5);
+  session.happen(ms(1500), NoteWritten{.text = "glasses"});
+  session.choose_and_start(ms(2000));
+  session.happen(ms(2001), FirstFramePresented{ms(2001)});
+  session.happen(ms(2100), TimedOut{ms(2100)});
+  session.happen(ms(2200), RetimeRequested{});
+  store.record_frames(session.id(), 1, 1, 0, plausible_frames(50));
+  store.record_gaze(session.id(), 1, 1, 0, plausible_gaze(80));
+  session.choose_and_start(ms(3000));
+  session.happen(ms(3001), FirstFramePresented{ms(3001)});
+  session.happen(ms(3100), PauseRequested{});
+  session.happen(ms(3200), Resumed{});
+  session.run_trial(ms(4000), ms(300), ms(400), 4);
+  session.choose_and_start(ms(5000));
+  session.happen(ms(5100), Interrupted{});
+  session.happen(ms(5200), Resumed{});
+  for (int trial = 2; trial < 6; ++trial) {
+    session.run_trial(ms(5000 + 1000 * trial), ms(500), ms(600), 3);
+  }
+  store.record_film_hash(session.id(), 5, 1, {.frame = 12, .sha256 = std::string(64, '2')});
+  session.happen(ms(20'000), last);
+}
+
+std::vector<FrameRow> plausible_frames(int count) {
+  std::vector<FrameRow> frames;
+  for (int i = 0; i < count; ++i) {
+    frames.push_back({.time = ms(14 * i),
+                      .presented = ms(14 * i + 9),
+                      .head_azimuth_rad = 0.01F * static_cast<float>(i),
+                      .gaze = {0.0F, 0.6F, -0.8F},
+                      .gaze_valid = i % 7 != 0,
+                      .is_late = i % 50 == 49,
+                      .gaze_age = ms(i % 9),
+                      .samples = static_cast<std::uint32_t>(600 + i)});
+  }
+  return frames;
+}
+
+std::vector<GazeSample> plausible_gaze(int count) {
+  std::vector<GazeSample> samples;
+  for (int i = 0; i < count; ++i) {
+    samples.push_back({.time = ms(8 * i), .valid = i % 11 != 0, .mark = GazeMark::fixation});
+  }
+  return samples;
 }
 
 std::string query(const fs::path& path, const std::string& sql) {
   SQLite::Database database(path, SQLite::OPEN_READONLY);
   return database.execAndGet(sql).getString();
+}
+
+std::vector<std::string> query_column(const fs::path& path, const std::string& sql) {
+  SQLite::Database database(path, SQLite::OPEN_READONLY);
+  SQLite::Statement rows(database, sql);
+  std::vector<std::string> values;
+  while (rows.executeStep()) {
+    values.push_back(rows.getColumn(0).getString());
+  }
+  return values;
+}
+
+void tamper(const fs::path& path, const std::string& sql) {
+  SQLite::Database database(path, SQLite::OPEN_READWRITE);
+  std::map<std::string, std::string> guards;
+  {
+    SQLite::Statement rows(database, "SELECT name, sql FROM sqlite_schema WHERE type = 'trigger'");
+    while (rows.executeStep()) {
+      guards[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+    }
+  }
+  for (const auto& [name, guard] : guards) {
+    database.exec("DROP TRIGGER " + name);
+  }
+  database.exec(sql);
+  for (const auto& [name, guard] : guards) {
+    database.exec(guard);
+  }
 }
 
 std::string refusal(const std::function<void()>& work) {

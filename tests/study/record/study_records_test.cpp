@@ -39,7 +39,7 @@ TEST_F(Records, OfACompletedSession) {
   EXPECT_EQ(records.protocol_sha256, small_protocol().sha256);
   EXPECT_THAT(records.scenes, ElementsAre("box", "hall"));
   EXPECT_THAT(records.methods, ElementsAre("od", "fv", "mask:file=a.png"));
-  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "completed")));
+  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "completed", 7, "")));
   EXPECT_THAT(records.trials,
               ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 1, 0.5, 1.5, false, false, 1),
                           FieldsAre("P01", "hall", "od", 0, 1, 1, 4.0, 9.25, false, false, 4),
@@ -51,17 +51,18 @@ TEST_F(Records, OfACompletedSession) {
 
 TEST_F(Records, GiveTheLastAttempt) {
   RecordedSession session = session_of("P01");
-  session.happen(ms(20), ObjectChosen{"vase"});
+  session.choose_and_start(ms(20));
   session.happen(ms(1000), FirstFramePresented{ms(1000)});
-  session.happen(ms(2000), OutlineMarked{ms(2000)});
-  session.happen(ms(3000), MaterialMarked{ms(3000)});
+  session.happen(ms(2000), Marked{ms(2000)});
+  session.happen(ms(3000), Marked{ms(3000)});
   session.happen(ms(3100), RetimeRequested{});
+  session.choose_and_start(ms(4000));
   session.happen(ms(5000), FirstFramePresented{ms(5000)});
-  session.happen(ms(5250), OutlineMarked{ms(5250)});
+  session.happen(ms(5250), Marked{ms(5250)});
   EXPECT_THAT(read_study(path_).trials.at(0), FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25,
                                                         std::nullopt, false, false, std::nullopt));
-  session.happen(ms(5500), MaterialMarked{ms(5500)});
-  session.happen(ms(5600), ArtifactsRated{2});
+  session.happen(ms(5500), Marked{ms(5500)});
+  session.happen(ms(5600), rated(2));
   EXPECT_THAT(read_study(path_).trials.at(0),
               FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25, 0.5, false, false, 2));
   EXPECT_EQ(query(path_, "SELECT group_concat(time_ns) FROM mark"),
@@ -70,14 +71,14 @@ TEST_F(Records, GiveTheLastAttempt) {
 
 TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
   RecordedSession session = session_of("P01");
-  session.happen(ms(20), ObjectChosen{"vase"});
+  session.choose_and_start(ms(20));
   session.happen(ms(1000), FirstFramePresented{ms(1000)});
   session.happen(ms(121'000), TimedOut{ms(121'000)});
-  session.happen(ms(121'500), MaterialMarked{ms(121'500)});
-  session.happen(ms(121'600), ArtifactsRated{5});
-  session.happen(ms(121'700), ObjectChosen{"vase"});
+  session.happen(ms(121'500), Marked{ms(121'500)});
+  session.happen(ms(121'600), rated(5));
+  session.choose_and_start(ms(121'700));
   session.happen(ms(122'000), FirstFramePresented{ms(122'000)});
-  session.happen(ms(123'000), OutlineMarked{ms(123'000)});
+  session.happen(ms(123'000), Marked{ms(123'000)});
   session.happen(ms(243'000), TimedOut{ms(243'000)});
   const StudyRecords records = read_study(path_);
   EXPECT_THAT(records.trials.at(0),
@@ -89,7 +90,7 @@ TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
 TEST_F(Records, HoldInterruptedSessionsWithWhatTheyReached) {
   RecordedSession session = session_of("P01");
   session.run_trial(ms(1000), ms(500), ms(1500), 1);
-  session.happen(ms(5000), ObjectChosen{"vase"});
+  session.choose_and_start(ms(5000));
   session.happen(ms(6000), FirstFramePresented{ms(6000)});
   session.happen(ms(7000), Interrupted{});
   const StudyRecords records = read_study(path_);
@@ -107,12 +108,36 @@ TEST_F(Records, LeaveOutWhatAParticipantTookBack) {
   withdrawn.happen(ms(5000), Withdrawn{});
   session_of("P02");
   const StudyRecords records = read_study(path_);
-  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "withdrawn"),
-                                            FieldsAre("P02", "simulated", "choosing_object")));
+  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "withdrawn", 7, ""),
+                          FieldsAre("P02", "simulated", "choosing_object", 7, "")));
   EXPECT_THAT(records.trials, testing::Each(testing::Field(&TrialRow::participant, "P02")));
   EXPECT_THAT(records.trials, testing::SizeIs(4));
   EXPECT_THAT(records.background,
               testing::Each(testing::Field(&BackgroundRow::participant, "P02")));
+}
+
+TEST_F(Records, HoldTestTrialsOnly) {
+  const fs::path path = folder_ / "thorough.sqlite";
+  StudyStore store(path, thorough_protocol());
+  run_thorough_session(store, "P01");
+  const StudyRecords records = read_study(path);
+  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "excluded", 7,
+                                                      "the tracker was lost")));
+  EXPECT_THAT(records.trials,
+              ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 3, 0.3, 0.4, false, false, 4),
+                          FieldsAre("P01", "hall", "od", 0, 1, 1, 0.5, 0.6, false, false, 3),
+                          FieldsAre("P01", "box", "od", 1, 0, 1, 0.5, 0.6, false, false, 3),
+                          FieldsAre("P01", "box", "fv", 1, 1, 1, 0.5, 0.6, false, false, 3)));
+}
+
+TEST_F(Records, HoldNumbersOfTheBackgroundOnly) {
+  const fs::path path = folder_ / "thorough.sqlite";
+  StudyStore store(path, thorough_protocol());
+  run_thorough_session(store, "P01",
+                       QuestionnaireAnswered{.questionnaire = "debrief",
+                                             .answers = {{.question = "sickness", .value = 2.0}}});
+  EXPECT_THAT(read_study(path).background,
+              ElementsAre(FieldsAre("P01", "age", 31.0), FieldsAre("P01", "cg_experience", 4.0)));
 }
 
 TEST_F(Records, SayWhetherAnySessionWasSimulated) {
@@ -123,8 +148,8 @@ TEST_F(Records, SayWhetherAnySessionWasSimulated) {
   store_.begin_session(human, small_plan());
   store_.begin_session(pilot, small_plan());
   EXPECT_FALSE(read_study(path_).has_simulated());
-  EXPECT_THAT(read_study(path_).sessions, ElementsAre(FieldsAre("P01", "human", "created"),
-                                                      FieldsAre("P02", "pilot", "created")));
+  EXPECT_THAT(read_study(path_).sessions, ElementsAre(FieldsAre("P01", "human", "created", 7, ""),
+                          FieldsAre("P02", "pilot", "created", 7, "")));
   store_.begin_session(facts_of("P03"), small_plan());
   EXPECT_TRUE(read_study(path_).has_simulated());
 }

@@ -1,0 +1,66 @@
+#include "study/record/same_protocol.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
+#include <fmt/format.h>
+
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+void require_protocol(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
+  if (database.execAndGet("SELECT protocol_sha256 FROM study").getString() != protocol.sha256) {
+    throw Error(path.string(),
+                fmt::format("was begun with another protocol than {}", protocol.path.string()),
+                "use the protocol it was begun with, or a new file");
+  }
+}
+
+/// One file a method for the whole of a study: results on two would be taken for one.
+void require_method_files(SQLite::Database& database, const fs::path& path,
+                          const Protocol& protocol) {
+  SQLite::Statement known(
+      database, "SELECT file_sha256 FROM study_method_file WHERE method = ? AND file_name = ?");
+  for (const MethodFile& file : protocol.method_files) {
+    known.reset();
+    SQLite::bind(known, file.method, file.file);
+    const std::string begun_with = known.executeStep() ? known.getColumn(0).getString() : "none";
+    if (begun_with != file.sha256) {
+      throw Error(path.string(),
+                  fmt::format("was begun with another file as {} (SHA-256 {}, now {})", file.file,
+                              begun_with, file.sha256),
+                  "go on with that file, or begin a new database");
+    }
+  }
+}
+
+/// Likewise, one display and one tracker, and the same questions.
+void require_profiles(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
+  SQLite::Statement known(database,
+                          "SELECT toml_sha256 FROM study_profile WHERE device = ? AND name = ?");
+  for (const NamedProfile& profile : named_profiles(protocol)) {
+    known.reset();
+    SQLite::bind(known, profile.device, profile.name);
+    if (!known.executeStep() || known.getColumn(0).getString() != sha256(profile.toml)) {
+      throw Error(path.string(),
+                  fmt::format("was begun with another {} than {}, as its profile is now",
+                              profile.device, profile.name),
+                  "go on with that profile, or begin a new database");
+    }
+  }
+}
+
+}  // namespace
+
+void require_same_protocol(SQLite::Database& database, const fs::path& path,
+                           const Protocol& protocol) {
+  require_protocol(database, path, protocol);
+  require_method_files(database, path, protocol);
+  require_profiles(database, path, protocol);
+}
+
+}  // namespace foveola::study

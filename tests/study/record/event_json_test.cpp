@@ -1,0 +1,93 @@
+#include "study/record/event_json.h"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "small_study.h"
+
+namespace foveola::study {
+namespace {
+
+/// One event of every kind, with values that are not their defaults. Payloads by hand.
+const std::vector<std::pair<Event, std::string>> events = {
+    {SessionStarted{}, "{}"},
+    {ConsentGiven{}, "{}"},
+    {QuestionnaireAnswered{.questionnaire = "ssq",
+                           .answers = {{.question = "a", .value = 0.1},
+                                       {.question = "b", .value = "two\nlines, \"so\""}}},
+     R"({"questionnaire":"ssq","answers":[{"question":"a","value":0.1},)"
+     R"({"question":"b","value":"two\nlines, \"so\""}]})"},
+    {ReactionPressed{.shown = ms(5), .time = ms(4)}, R"({"shown_ns":5000000,"time_ns":4000000})"},
+    {ObjectChosen{.object = "Väse"}, R"({"object":"Väse"})"},
+    {TrialStarted{}, "{}"},
+    {FirstFramePresented{.time = Nanoseconds(1)}, R"({"time_ns":1})"},
+    {Marked{.time = Nanoseconds(2)}, R"({"time_ns":2})"},
+    {TimedOut{.time = Nanoseconds(9'007'199'254'740'993)}, R"({"time_ns":9007199254740993})"},
+    {Rated{.answers = {{.question = "artifacts", .value = 3.0}}},
+     R"({"answers":[{"question":"artifacts","value":3.0}]})"},
+    {RetimeRequested{}, "{}"},
+    {PauseRequested{}, "{}"},
+    {Interrupted{}, "{}"},
+    {Resumed{}, "{}"},
+    {NoteWritten{.text = "coughs"}, R"({"text":"coughs"})"},
+    {Withdrawn{}, "{}"},
+    {Excluded{.reason = "asleep"}, R"({"reason":"asleep"})"}};
+
+TEST(EventJson, IsWhatTheSchemaSays) {
+  for (const auto& [event, payload] : events) {
+    EXPECT_EQ(payload_of(event), payload) << name_of(event);
+  }
+}
+
+TEST(EventJson, GivesEveryEventBack) {
+  EXPECT_EQ(events.size() + 1, std::variant_size_v<Event>) << "but for the validation, below";
+  for (const auto& [event, payload] : events) {
+    const Event back = event_from(name_of(event), payload);
+    EXPECT_EQ(back.index(), event.index());
+    EXPECT_EQ(payload_of(back), payload) << name_of(event);
+  }
+  const Event answered = event_from("questionnaire_answered", events[2].second);
+  EXPECT_EQ(std::get<QuestionnaireAnswered>(answered).answers,
+            std::get<QuestionnaireAnswered>(events[2].first).answers);
+}
+
+TEST(EventJson, GivesAValidationBackToTheBit) {
+  GazeRun run = good_run();
+  run.quality.targets[0].direction = {0.1F, 1.0F / 3.0F, -0.9F};
+  run.quality.targets[0].seen->mean_gaze = {0.3F, 1e-30F, -0.7F};
+  run.quality.figures->accuracy_deg = 1.0 / 3.0;
+  run.correction->azimuth = {0.1, 1.0 / 7.0, 1e-300};
+  const GazeValidated validated{.runs = {bad_run(), run}, .passed = true};
+  const Event event = event_from("gaze_validated", payload_of(validated));
+  const auto& back = std::get<GazeValidated>(event);
+  EXPECT_TRUE(back.passed);
+  ASSERT_EQ(back.runs.size(), 2U);
+  const GazeRun& same = back.runs[1];
+  EXPECT_EQ(same.passed, run.passed);
+  EXPECT_EQ(same.correction, run.correction);
+  EXPECT_EQ(same.quality.figures->accuracy_deg, run.quality.figures->accuracy_deg);
+  EXPECT_EQ(same.quality.figures->precision_sd_deg, run.quality.figures->precision_sd_deg);
+  ASSERT_EQ(same.quality.targets.size(), 1U);
+  EXPECT_EQ(same.quality.targets[0].direction, run.quality.targets[0].direction);
+  EXPECT_EQ(same.quality.targets[0].seen->mean_gaze, run.quality.targets[0].seen->mean_gaze);
+  EXPECT_EQ(same.quality.targets[0].seen->samples, 120U);
+  EXPECT_FALSE(back.runs[0].correction);
+  EXPECT_FALSE(back.runs[0].quality.targets[1].seen);
+}
+
+TEST(EventJson, RefusesWhatNoEventSays) {
+  EXPECT_THROW(event_from("sneezed", "{}"), std::invalid_argument);
+  EXPECT_THROW(event_from("marked", "{}"), std::invalid_argument);
+  EXPECT_THROW(event_from("marked", R"({"time_ns":"soon"})"), std::invalid_argument);
+  EXPECT_THROW(event_from("marked", "{"), std::invalid_argument);
+}
+
+TEST(EventJson, ReplacesWhatIsNoUnicode) {
+  EXPECT_EQ(unicode("v\xff"), "v\xEF\xBF\xBD");
+  EXPECT_EQ(payload_of(NoteWritten{.text = "v\xff"}), "{\"text\":\"v\xEF\xBF\xBD\"}");
+  EXPECT_EQ(unicode("Väse"), "Väse");
+}
+
+}  // namespace
+}  // namespace foveola::study

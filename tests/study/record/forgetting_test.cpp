@@ -1,0 +1,150 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/files.h"
+#include "small_study.h"
+#include "study/record/maintenance.h"
+#include "study/record/study_records.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* code = "PERSON-0123";
+
+/// PERSON-0123 between two others, with a backup from before and one from after.
+class Forgetting : public testing::Test {
+ protected:
+  Forgetting() {
+    StudyStore store(path_, thorough_protocol());
+    run_thorough_session(store, "P01");
+    store.back_up(new_backup(path_));
+    run_thorough_session(store, code);
+    run_thorough_session(store, "P03");
+    store.back_up(new_backup(path_));
+    uuid_ = query(path_, std::string("SELECT uuid FROM session WHERE participant = '") + code + "'");
+  }
+
+  /// All bytes of all files of the study.
+  std::string everything() const {
+    std::string bytes;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+      bytes += entry.is_regular_file() ? read_file(entry.path()) : "";
+    }
+    return bytes;
+  }
+
+  std::vector<fs::path> backups() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(backup_folder(path_))) {
+      if (entry.path().extension() == ".sqlite") {
+        files.push_back(entry.path());
+      }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+  std::string uuid_;
+};
+
+TEST_F(Forgetting, LeavesNoByteOfThePerson) {
+  EXPECT_THAT(everything(), AllOf(HasSubstr(code), HasSubstr(uuid_)));
+  const Forgotten forgotten = forget_participant(path_, code);
+  EXPECT_EQ(forgotten.files, 2U) << "the study and the newer backup";
+  EXPECT_THAT(everything(), testing::Not(testing::AnyOf(HasSubstr(code), HasSubstr(uuid_))));
+}
+
+TEST_F(Forgetting, KeepsEverybodyElse) {
+  const std::string others =
+      "SELECT group_concat(participant || uuid || hash) FROM event JOIN session"
+      " ON session.id = session WHERE participant <> 'PERSON-0123' AND type = 'excluded'";
+  const std::string before = query(path_, others);
+  forget_participant(path_, code);
+  EXPECT_EQ(query(path_, others), before);
+  EXPECT_THAT(query_column(path_, "SELECT participant FROM session ORDER BY id"),
+              ElementsAre("P01", "P03"));
+  EXPECT_THAT(verify_study(path_).faults, IsEmpty());
+  EXPECT_THAT(query_column(backups().at(0), "SELECT participant FROM session"),
+              ElementsAre("P01"));
+  EXPECT_THAT(query_column(backups().at(1), "SELECT participant FROM session ORDER BY id"),
+              ElementsAre("P01", "P03"));
+  EXPECT_THAT(verify_study(backups().at(1)).faults, IsEmpty());
+  StudyStore store(path_, thorough_protocol());
+  EXPECT_FALSE(store.has_participant(code));
+  run_thorough_session(store, "P04");
+}
+
+TEST_F(Forgetting, ReachesWhatACrashLeft) {
+  const TemporaryFolder crashed;
+  const fs::path path = crashed / "study.sqlite";
+  {
+    StudyStore store(path_, thorough_protocol());
+    run_thorough_session(store, "PERSON-0999");
+    fs::copy(path_, path);
+    fs::copy(path_.string() + "-wal", path.string() + "-wal");
+  }
+  crashed.write(".study.sqlite.1.partial", "half of PERSON-0999");
+  forget_participant(path, "PERSON-0999");
+  EXPECT_THAT(crashed.entries(), ElementsAre("study.sqlite"));
+  EXPECT_THAT(crashed.content().at("study.sqlite"), testing::Not(HasSubstr("PERSON-0999")));
+  EXPECT_THAT(verify_study(path).faults, IsEmpty());
+}
+
+TEST_F(Forgetting, CanBeDoneAgainAfterAKill) {
+  const fs::path newer = backups().at(1);
+  const std::string with_the_person = read_file(newer);
+  forget_participant(path_, code);
+  write_file(newer, with_the_person);  // as if it had not been reached
+  EXPECT_EQ(forget_participant(path_, code).files, 1U);
+  EXPECT_THAT(everything(), testing::Not(HasSubstr(uuid_)));
+}
+
+TEST_F(Forgetting, RefusesWhoeverIsNotThere) {
+  const std::string before = everything();
+  EXPECT_THAT(refusal([&] { forget_participant(path_, "P99"); }),
+              AllOf(HasSubstr("has no participant P99"), HasSubstr("foveola study status")));
+  EXPECT_EQ(everything(), before);
+}
+
+TEST_F(Forgetting, SaysWhatStillHoldsThePerson) {
+  folder_.write("old study.sqlite copy", "... " + uuid_ + " ...");
+  EXPECT_THAT(refusal([&] { forget_participant(path_, code); }),
+              AllOf(HasSubstr("old study.sqlite copy: still holds " + uuid_),
+                    HasSubstr("remove it if it is an old copy")));
+}
+
+TEST_F(Forgetting, WaitsForNoController) {
+  const StudyStore controller(path_, thorough_protocol());
+  EXPECT_THAT(refusal([&] { forget_participant(path_, code); }), HasSubstr("is being written by"));
+}
+
+TEST(ForgettingOlderSchemas, ReachesTheirCopies) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  {
+    SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    for (const char* name : {"schema-3.sql", "schema-3-study.sql"}) {
+      database.exec(read_file(fs::path(TEST_DATA_DIR) / "records" / name));
+    }
+  }
+  { const StudyStore migrated(path, small_protocol()); }
+  EXPECT_EQ(forget_participant(path, "P01").files, 2U);
+  for (const auto& [name, bytes] : folder.content()) {
+    EXPECT_THAT(bytes, testing::Not(HasSubstr("11111111-1111-4111-8111-111111111111"))) << name;
+    EXPECT_EQ(read_study(folder / name).sessions.size(), 4U) << name;
+    EXPECT_THAT(verify_study(folder / name).faults, IsEmpty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace foveola::study

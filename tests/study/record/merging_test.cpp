@@ -1,0 +1,125 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "small_study.h"
+#include "study/record/maintenance.h"
+#include "study/record/study_records.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+/// Two sites: a.sqlite has P01 and P02, b.sqlite P03.
+class Merging : public testing::Test {
+ protected:
+  Merging() {
+    {
+      StudyStore store(a_, thorough_protocol());
+      run_thorough_session(store, "P01");
+      run_session(store, "P02");
+    }
+    StudyStore store(b_, thorough_protocol());
+    run_thorough_session(store, "P03");
+  }
+
+  static void run_session(StudyStore& store, const std::string& participant) {
+    RecordedSession session(store, facts_of(participant), small_plan(), thorough_protocol());
+    session.begin_thoroughly();
+    session.run_trial(ms(100), ms(2000), ms(3000), 2);
+    store.record_frames(session.id(), 0, 1, 0, plausible_frames(10));
+  }
+
+  std::vector<std::string> participants(const fs::path& path) {
+    return query_column(path, "SELECT participant FROM session ORDER BY participant");
+  }
+
+  TemporaryFolder folder_;
+  fs::path a_ = folder_ / "a.sqlite";
+  fs::path b_ = folder_ / "b.sqlite";
+  fs::path all_ = folder_ / "all.sqlite";
+};
+
+TEST_F(Merging, HoldsTheSessionsOfAll) {
+  const Merge merge = merge_studies({a_, b_}, all_);
+  EXPECT_EQ(merge.sessions_added, 3U);
+  EXPECT_EQ(merge.sessions_known, 0U);
+  EXPECT_THAT(participants(all_), ElementsAre("P01", "P02", "P03"));
+  const Verification found = verify_study(all_);
+  EXPECT_THAT(found.faults, IsEmpty());
+  EXPECT_EQ(found.chunks, 2U + 1U + 2U);
+  for (const auto& [site, code] : {std::pair(a_, "P01"), {a_, "P02"}, {b_, "P03"}}) {
+    const std::string last =
+        std::string("SELECT uuid || hash FROM event JOIN session ON session.id = session"
+                    " WHERE participant = '") +
+        code + "' ORDER BY sequence DESC";
+    EXPECT_EQ(query(all_, last), query(site, last));
+  }
+  EXPECT_EQ(read_study(all_).trials.size(), 12U);
+  const StudyStore goes_on(all_, thorough_protocol());
+}
+
+TEST_F(Merging, TakesEachSessionOnce) {
+  merge_studies({a_, b_}, all_);
+  const Merge merge = merge_studies({all_, a_, b_}, folder_ / "again.sqlite");
+  EXPECT_EQ(merge.sessions_added, 3U);
+  EXPECT_EQ(merge.sessions_known, 3U);
+}
+
+TEST_F(Merging, RefusesASessionThatDiffers) {
+  fs::copy(a_, folder_ / "older.sqlite");
+  {
+    StudyStore store(a_, thorough_protocol());
+    store.record_frames(2, 0, 1, 10, plausible_frames(10));
+  }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, folder_ / "older.sqlite"}, all_); }),
+              AllOf(StartsWith((folder_ / "older.sqlite").string()),
+                    HasSubstr("its session of participant P02 differs")));
+  EXPECT_FALSE(fs::exists(all_));
+}
+
+TEST_F(Merging, RefusesTwoPeopleOfOneCode) {
+  const fs::path c = folder_ / "c.sqlite";
+  {
+    StudyStore store(c, thorough_protocol());
+    run_session(store, "P02");
+  }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_, c}, all_); }),
+              AllOf(StartsWith(c.string()), HasSubstr("participant P02 is another person")));
+  EXPECT_THAT(folder_.entries(), ElementsAre("a.sqlite", "b.sqlite", "c.sqlite"));
+}
+
+TEST_F(Merging, RefusesAnotherStudy) {
+  const fs::path c = folder_ / "c.sqlite";
+  { const StudyStore store(c, other_protocol()); }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, c}, all_); }),
+              AllOf(StartsWith(c.string()), HasSubstr("is another study than " + a_.string())));
+  const fs::path d = folder_ / "d.sqlite";
+  { const StudyStore store(d, protocol_with_another_tracker()); }
+  EXPECT_THAT(refusal([&] { merge_studies({a_, d}, all_); }),
+              HasSubstr("its study_profile differs"));
+}
+
+TEST_F(Merging, RefusesADamagedSource) {
+  tamper(b_, "UPDATE mark SET time_ns = 5");
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, all_); }),
+              AllOf(StartsWith(b_.string()), HasSubstr("participant P03: its rows in mark")));
+  EXPECT_FALSE(fs::exists(all_));
+}
+
+TEST_F(Merging, OverwritesNothing) {
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, a_); }), HasSubstr("exists already"));
+  EXPECT_THAT(refusal([&] { merge_studies({a_, b_}, folder_ / "none/x.sqlite"); }),
+              HasSubstr("does not exist"));
+}
+
+}  // namespace
+}  // namespace foveola::study

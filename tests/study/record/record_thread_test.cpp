@@ -1,0 +1,88 @@
+#include "study/record/record_thread.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "small_study.h"
+#include "study/record/maintenance.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Recording : public testing::Test {
+ protected:
+  /// A session in an attempt at its first trial.
+  Recording() {
+    RecordedSession session(store_, facts_of("P01"), small_plan());
+    session.begin();
+    session.choose_and_start(ms(20));
+    id_ = session.id();
+    state_ = session.state();
+  }
+
+  std::future<void> happen(RecordThread& thread, Nanoseconds time, const Event& event) {
+    const Transition next = step(procedure_, state_, event).value();
+    std::future<void> done = thread.event(id_, time, event, state_, next.state);
+    state_ = next.state;
+    return done;
+  }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+  StudyStore store_{path_, small_protocol()};
+  Procedure procedure_ = procedure_of(small_protocol(), small_plan());
+  std::int64_t id_ = 0;
+  SessionState state_;
+};
+
+TEST_F(Recording, WhatTheFutureSaysIsOnTheDisk) {
+  RecordThread thread(store_);
+  happen(thread, ms(30), FirstFramePresented{ms(30)}).get();
+  EXPECT_EQ(query(path_, "SELECT state FROM session"), "marking");
+  happen(thread, ms(40), Marked{ms(40)}).get();
+  EXPECT_EQ(query(path_, "SELECT time_ns FROM mark"), "10000000");
+}
+
+TEST_F(Recording, KeepsTheOrderAndWritesAllBeforeItEnds) {
+  {
+    RecordThread thread(store_);
+    happen(thread, ms(30), FirstFramePresented{ms(30)});
+    for (int chunk = 0; chunk < 20; ++chunk) {
+      const auto first = static_cast<std::uint64_t>(chunk) * 10;
+      thread.frames(id_, 0, 1, first, plausible_frames(10));
+      thread.gaze(id_, 0, 1, first, plausible_gaze(10));
+      happen(thread, ms(31 + chunk), NoteWritten{.text = std::to_string(chunk)});
+    }
+    thread.film_hash(id_, 0, 1, {.frame = 199, .sha256 = std::string(64, 'f')});
+  }
+  EXPECT_EQ(query(path_, "SELECT group_concat(text) FROM (SELECT text FROM note ORDER BY sequence)"),
+            "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19");
+  EXPECT_EQ(query(path_, "SELECT sum(frame_count) FROM frame_chunk"), "200");
+  EXPECT_EQ(query(path_, "SELECT sum(sample_count) FROM gaze_chunk"), "200");
+  EXPECT_EQ(query(path_, "SELECT frame FROM film_hash"), "199");
+  EXPECT_THAT(verify_study(path_).faults, IsEmpty());
+}
+
+TEST_F(Recording, AfterAFaultNothingIsWrittenAndAllSayWhy) {
+  RecordThread thread(store_);
+  happen(thread, ms(30), FirstFramePresented{ms(30)}).get();
+  // No attempt 9 was begun.
+  std::future<void> fault = thread.frames(id_, 0, 9, 0, plausible_frames(1));
+  std::future<void> after = happen(thread, ms(40), Marked{ms(40)});
+  std::future<void> later = thread.gaze(id_, 0, 1, 0, plausible_gaze(1));
+  const std::string why = refusal([&] { fault.get(); });
+  EXPECT_THAT(why, HasSubstr("FOREIGN KEY"));
+  EXPECT_EQ(refusal([&] { after.get(); }), why);
+  EXPECT_EQ(refusal([&] { later.get(); }), why);
+  EXPECT_EQ(query(path_, "SELECT count(*) FROM mark"), "0");
+  EXPECT_EQ(query(path_, "SELECT count(*) FROM gaze_chunk"), "0");
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,204 @@
+#include <map>
+#include <random>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "renderer/base/error.h"
+#include "small_study.h"
+#include "study/record/maintenance.h"
+#include "study/record/table_rows.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::FieldsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// P01's session is complete, P02's was excluded, P03's goes on.
+class VerifiedStudy : public testing::Test {
+ protected:
+  VerifiedStudy() {
+    StudyStore store(path_, thorough_protocol());
+    run_whole_session(store);
+    run_thorough_session(store, "P02");
+    RecordedSession third(store, facts_of("P03"), thorough_plan(), thorough_protocol());
+    third.begin_thoroughly();
+  }
+
+  static void run_whole_session(StudyStore& store) {
+    RecordedSession session(store, facts_of("P01"), small_plan(), thorough_protocol());
+    session.begin_thoroughly();
+    for (std::size_t trial = 0; trial < small_plan().size(); ++trial) {
+      session.run_trial(ms(1000 + 10'000 * static_cast<int>(trial)), ms(2000), ms(3000), 2);
+      store.record_frames(session.id(), trial, 1, 0, plausible_frames(60));
+      store.record_frames(session.id(), trial, 1, 60, plausible_frames(40));
+      store.record_gaze(session.id(), trial, 1, 0, plausible_gaze(100));
+      store.record_film_hash(session.id(), trial, 1, {.frame = 99, .sha256 = std::string(64, '1')});
+    }
+    session.happen(ms(60'000), QuestionnaireAnswered{.questionnaire = "debrief",
+                                                     .answers = {{.question = "comments",
+                                                                  .value = "none"}}});
+  }
+
+  std::vector<RecordFault> faults_after(const std::string& sql) {
+    tamper(path_, sql);
+    return verify_study(path_).faults;
+  }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+};
+
+TEST_F(VerifiedStudy, IsWhole) {
+  const auto before = folder_.content();
+  const Verification found = verify_study(path_);
+  EXPECT_THAT(found.faults, IsEmpty());
+  EXPECT_EQ(found.sessions, 3U);
+  EXPECT_EQ(found.chunks, 4U * 3U + 2U);
+  EXPECT_EQ(folder_.content(), before);
+  EXPECT_EQ(std::to_string(found.events), query(path_, "SELECT count(*) FROM event"));
+}
+
+TEST_F(VerifiedStudy, TellsWhatIsNotComplete) {
+  const std::vector<RecordFault> gaps = verify_study(path_).gaps;
+  EXPECT_THAT(gaps, Contains(FieldsAre("P03", "is not over: choosing_object")));
+  EXPECT_THAT(gaps, Contains(FieldsAre("P02", "trial 1, attempt 2 has no frames")));
+  EXPECT_THAT(gaps, testing::Not(Contains(FieldsAre("P02", "trial 1, attempt 1 has no frames"))));
+  EXPECT_THAT(gaps, testing::Not(Contains(testing::Field(&RecordFault::participant, "P01"))));
+}
+
+TEST_F(VerifiedStudy, NamesTheFirstEventThatWasChanged) {
+  EXPECT_THAT(faults_after("UPDATE event SET payload = '{\"time_ns\":5}'"
+                           " WHERE session = 2 AND type = 'marked' AND sequence < 14"),
+              ElementsAre(FieldsAre("P02", "event 12 is not what was written")));
+}
+
+TEST_F(VerifiedStudy, NamesAnEventThatWasTakenOut) {
+  tamper(path_, "DELETE FROM event WHERE session = 2 AND sequence = 9");
+  EXPECT_THAT(verify_study(path_).faults, Contains(FieldsAre("P02", HasSubstr("event 9 "))));
+}
+
+/// Of what follows from the log alone, and of what was measured.
+TEST_F(VerifiedStudy, FindsWhateverElseWasChanged) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"UPDATE mark SET time_ns = time_ns - 1 WHERE session = 1 AND trial = 2", "rows in mark"},
+      {"DELETE FROM mark WHERE session = 1 AND trial = 2 AND kind = 'material'", "rows in mark"},
+      {"UPDATE mark SET censored = 1 WHERE session = 1 AND trial = 0", "rows in mark"},
+      {"UPDATE rating SET value = 5.0 WHERE session = 1 AND trial = 3", "rows in rating"},
+      {"UPDATE attempt SET outcome = 'retimed' WHERE session = 1 AND trial = 0", "rows in attempt"},
+      {"UPDATE attempt SET object = 'x' WHERE session = 1 AND trial = 0", "rows in attempt"},
+      {"UPDATE questionnaire_answer SET number = 32 WHERE session = 1 AND question = 'age'",
+       "rows in questionnaire_answer"},
+      {"UPDATE reaction SET pressed_ns = pressed_ns + 1 WHERE session = 1", "rows in reaction"},
+      {"UPDATE gaze_run SET accuracy_deg = 0.1 WHERE session = 1", "rows in gaze_run"},
+      {"UPDATE gaze_target SET samples = 999 WHERE session = 1", "rows in gaze_target"},
+      {"UPDATE session SET state = 'withdrawn' WHERE id = 1",
+       "its state is withdrawn, and its events lead to completed"},
+      {"UPDATE session SET seed = '2' WHERE id = 1", "event 1, the study, the session or its plan"},
+      {"UPDATE planned_trial SET method = 'mask:file=a.png' WHERE session = 1 AND trial = 0",
+       "event 1, the study, the session or its plan"},
+      {"UPDATE study SET protocol_text = 'x'", "the protocol is not the one"},
+      {"UPDATE study_profile SET toml = 'x' WHERE device = 'tracker'", "tracker camera is not"},
+      {"UPDATE frame_chunk SET data = x'00' WHERE session = 1 AND trial = 0 AND first_frame = 0",
+       "trial 0, attempt 1: frame_chunk from 0 on is missing or not what was written"},
+      {"DELETE FROM frame_chunk WHERE session = 1 AND trial = 0 AND first_frame = 0",
+       "trial 0, attempt 1: frame_chunk from 0 on"},
+      {"UPDATE frame_chunk SET frame_count = 61 WHERE session = 1 AND trial = 1"
+       " AND first_frame = 0",
+       "trial 1, attempt 1: frame_chunk from 0 on"},
+      {"UPDATE frame_chunk SET data_sha256 = '" + std::string(64, '0') + "' WHERE first_frame = 60",
+       "frame_chunk from 60 on"},
+      {"UPDATE gaze_chunk SET first_sample = 1 WHERE session = 1 AND trial = 3",
+       "trial 3, attempt 1: gaze_chunk from 0 on"},
+      {"UPDATE film_hash SET film_sha256 = '" + std::string(64, '3') + "'",
+       "its film hashes are not those that were written"},
+      {"UPDATE film_hash SET frame = 98", "its film hashes are not those that were written"}};
+  const std::string whole = folder_.content().at("study.sqlite");
+  for (const auto& [sql, words] : cases) {
+    folder_.write("study.sqlite", whole);
+    EXPECT_THAT(faults_after(sql), Contains(testing::Field(&RecordFault::what, HasSubstr(words))))
+        << sql;
+  }
+}
+
+TEST_F(VerifiedStudy, FindsReferencesToWhatIsNotThere) {
+  EXPECT_THAT(faults_after("PRAGMA foreign_keys = OFF; DELETE FROM attempt WHERE session = 1"),
+              Contains(FieldsAre("", HasSubstr("a row of mark refers to one of attempt"))));
+}
+
+TEST_F(VerifiedStudy, RefusesAFileWithoutItsGuards) {
+  SQLite::Database(path_, SQLite::OPEN_READWRITE).exec("DROP TRIGGER event_stays");
+  EXPECT_THAT(refusal([&] { verify_study(path_); }), HasSubstr("trigger event_stays is missing"));
+}
+
+TEST_F(VerifiedStudy, RefusesWhatIsNoStudy) {
+  EXPECT_THAT(refusal([&] { verify_study(folder_ / "none"); }), HasSubstr("no such file"));
+  const fs::path text = folder_.write("text", std::string(5000, 'x'));
+  EXPECT_THAT(refusal([&] { verify_study(text); }), HasSubstr("is no database"));
+}
+
+/// What a chunk's compressed data say; another stream may say the same.
+std::string uncompressed(const std::string& data) {
+  std::string bytes(1'000'000, '\0');
+  uLongf length = bytes.size();
+  const int result = ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                                  reinterpret_cast<const Bytef*>(data.data()), data.size());
+  return result == Z_OK ? bytes.substr(0, length) : "damaged " + data;
+}
+
+/// Everything that the file says by its tables, but for when it was made, which nothing depends on.
+std::map<std::string, std::string> content_of(const fs::path& path) {
+  SQLite::Database study(path, SQLite::OPEN_READONLY);
+  std::map<std::string, std::string> content;
+  SQLite::Statement tables(study, "SELECT name FROM sqlite_schema WHERE type = 'table'");
+  while (tables.executeStep()) {
+    const std::string table = tables.getColumn(0).getString();
+    content[table] = digest_of_rows(study, table, "true", {{"created_utc", "0"}, {"data", "0"}});
+  }
+  for (const char* table : {"frame_chunk", "gaze_chunk"}) {
+    SQLite::Statement chunks(study, fmt::format("SELECT data FROM {} ORDER BY rowid", table));
+    while (chunks.executeStep()) {
+      content[table] += uncompressed(chunks.getColumn(0).getString());
+    }
+  }
+  return content;
+}
+
+// Either it says the same as before, or the damage is told.
+TEST_F(VerifiedStudy, NoFlippedBitGoesUnnoticed) {
+  const std::string whole = folder_.content().at("study.sqlite");
+  const std::map<std::string, std::string> content = content_of(path_);
+  std::mt19937 random(2018);
+  int told = 0;
+  int harmless = 0;
+  for (int flip = 0; flip < 200; ++flip) {
+    std::string bytes = whole;
+    const std::size_t place = random() % bytes.size();
+    const unsigned bit = random() % 8;
+    bytes[place] = static_cast<char>(bytes[place] ^ (1U << bit));
+    folder_.write("study.sqlite", bytes);
+    try {
+      if (verify_study(path_).faults.empty()) {
+        EXPECT_TRUE(content_of(path_) == content) << "byte " << place << ", bit " << bit;
+        ++harmless;
+        continue;
+      }
+    } catch (const Error&) {
+    }
+    ++told;
+  }
+  EXPECT_GT(told, 20);
+  EXPECT_GT(harmless, 0) << "free space in pages says nothing";
+}
+
+}  // namespace
+}  // namespace foveola::study
