@@ -102,21 +102,23 @@ void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace)
 }
 
 FrameReport Preview::begin_frame(Nanoseconds now) {
-  assert(sampler_ != nullptr);
-  const HeadPose head = head_->pose(now);
+  const AzimuthElevation heading = head_->pose(now).heading;
   poll_gaze(now);
   const GazeSample used = last_valid_gaze_.value_or(GazeSample{.time = now});
-  viewport_ = viewport_for(settings_, head.heading);
-  const Vec3 gaze = held_gaze_.value_or(glm::normalize(viewport_.head() * used.direction));
+  const Vec3 gaze = held_gaze_.value_or(glm::normalize(head_orientation(heading) * used.direction));
+  FrameReport report = begin_frame(now, heading, gaze);
+  report.gaze_valid = newest_gaze_is_valid_;
+  report.gaze_held = held_gaze_.has_value();
+  report.gaze_age = now - used.time;
+  return report;
+}
+
+FrameReport Preview::begin_frame(Nanoseconds now, const AzimuthElevation& head, const Vec3& gaze) {
+  assert(sampler_ != nullptr);
+  viewport_ = viewport_for(settings_, head);
   last_gaze_ = gaze;
   sampler_->aim({.viewport = viewport_, .gaze = gaze, .pointer = pointer_});
-  return {.frame = next_frame_++,
-          .time = now,
-          .head = head.heading,
-          .gaze = gaze,
-          .gaze_valid = newest_gaze_is_valid_,
-          .gaze_held = held_gaze_.has_value(),
-          .gaze_age = now - used.time};
+  return {.frame = next_frame_++, .time = now, .head = head, .gaze = gaze};
 }
 
 void Preview::set_view(const PreviewView& view) {

@@ -79,6 +79,8 @@ class Preview {
 
   /// The same in pieces: polls, and traces nothing yet.
   FrameReport begin_frame(Nanoseconds now);
+  /// Likewise, but polls nothing: head and gaze (unit length, world) are known, as in a recording.
+  FrameReport begin_frame(Nanoseconds now, const AzimuthElevation& head, const Vec3& gaze);
   /// Traces so many samples more in the frame that `report` is of.
   void trace(std::uint64_t samples, FrameReport& report);
 

@@ -90,8 +90,4 @@ std::optional<GazeValidated> validate_gaze(const Protocol& protocol, Participant
   return validated;
 }
 
-std::optional<GazeCorrection> correction_after(const GazeValidated& validation) {
-  return validation.passed ? validation.runs.back().correction : std::nullopt;
-}
-
 }  // namespace foveola::study

@@ -6,7 +6,6 @@
 #include <stop_token>
 
 #include "renderer/base/clock.h"
-#include "renderer/gaze/gaze_correction.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/session/session.h"
@@ -19,8 +18,5 @@ namespace foveola::study {
 std::optional<GazeValidated> validate_gaze(const Protocol& protocol, Participant& participant,
                                            std::uint32_t tracker_seed, VirtualClock& clock,
                                            const std::stop_token& stop);
-
-/// What the gaze goes through from now on: what the last run went through, if it passed.
-std::optional<GazeCorrection> correction_after(const GazeValidated& validation);
 
 }  // namespace foveola::study

@@ -1,19 +1,21 @@
-// The controller of a session: it waits for what the session waits for, records each event, and
-// only then lets it have its effects.
+// The controller of a simulated session: it waits for what the session waits for, records each
+// event, and only then lets it have its effects.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "renderer/base/clock.h"
-#include "study/commands/attempt_log.h"
-#include "study/commands/scene_stage.h"
 #include "study/commands/virtual_preview.h"
 #include "study/design/plan.h"
 #include "study/participant/participant.h"
 #include "study/session/session.h"
+#include "study/stage/attempt_log.h"
+#include "study/stage/scene_stage.h"
+#include "study/stage/seeds.h"
 
 namespace foveola::study {
 
@@ -23,9 +25,7 @@ struct SessionSetting {
   const SceneStages& stages;
   StudyStore& store;
   const Workers& workers;
-  /// The seeds for an attempt at a trial.
-  std::function<AttemptSeeds(const PlannedTrial&, int attempt)> seeds;
-  std::uint32_t validation_seed = 0;  ///< of the tracker while the gaze is validated
+  SessionSeed seed;
   /// Called when a trial begins, with its index.
   std::function<void(std::size_t trial)> on_trial;
   std::stop_token stop;
@@ -33,55 +33,82 @@ struct SessionSetting {
 
 struct SessionOutcome {
   Phase phase = Phase::created;  ///< completed, refused or interrupted
-  std::size_t trials = 0;        ///< completed ones
-  Nanoseconds duration{0};       ///< session clock
+  std::size_t trials = 0;        ///< completed in this run
+  Nanoseconds duration{0};       ///< of this run, session clock
   std::uint64_t samples = 0;
   std::uint64_t non_finite = 0;
 };
 
-/// Runs one session in virtual time, from its start until it is completed, refused by the
-/// protocol's gate, or interrupted because a stop was requested.
+/// Runs one session in virtual time, from its start or from where it broke off, until it is
+/// completed, refused by the protocol's gate, or interrupted because a stop was requested.
 class SessionRunner {
  public:
-  /// session: the row that StudyStore::begin_session returned for `plan`.
+  /// session: the row of the store, of `plan`.
   SessionRunner(const SessionSetting& setting, const Plan& plan, std::int64_t session,
                 Participant& participant);
+
+  /// Before run(): goes to where what happened so far leaves the session, which is not over, and
+  /// resumes it there. Throws Error if one of the events does not follow from those before.
+  void resume_after(const std::vector<LoggedEvent>& events);
 
   SessionOutcome run();
 
  private:
+  /// An attempt at a trial.
+  struct Attempt {
+    std::size_t trial = 0;
+    int number = 1;
+  };
+
   // What the session waits for, as an event; a stop request comes first.
   Event next_event();
-  Event start() const;
+  Event answer_questionnaire();
   Event validate();
-  Event answer_background();
+  Event press();
   Event choose_object();
+  Event start_trial();
   Event present_first_frame();
   Event wait_for_mark();
   Event rate();
 
-  /// Records the event, takes the session's step, and carries out the effects.
+  /// Records the event and takes the session's step. Returns what is to be done now.
+  std::vector<Effect> record(const Event& event);
+  /// Likewise, and does it.
   void feed(const Event& event);
   void carry_out(const Effect& effect);
   void start_rendering();
   void stop_rendering();
 
+  /// Begins an occasion: its clock starts anew.
+  void begin_occasion(std::uint32_t conduct);
   /// Renders and presents one frame; every few frames shows it to the participant, whose key press
-  /// it returns.
+  /// it returns: a time of the occasion.
   std::optional<Nanoseconds> show_frame();
-  const PlannedTrial& trial() const { return plan_[state_.trial]; }
+
+  Nanoseconds now() const { return occasion_start_ + clock_.now(); }
+  std::size_t trial_index() const { return *trial_of(procedure_, state_); }
+  const PlannedTrial& trial() const { return plan_[trial_index()]; }
   const SceneStage& stage() const { return *setting_.stages.at(trial().scene); }
+  Task task_of_mark() const;
+  /// The seed for `purpose` in this timing of the trial.
+  std::uint32_t seed_of_trial(SeedPurpose purpose) const;
+  /// The seed for `purpose` the next time that this step is tried.
+  std::uint32_t seed_of_step(SeedPurpose purpose) const;
 
   SessionSetting setting_;
   const Plan& plan_;
+  Procedure procedure_;
   std::int64_t session_;
   Participant& participant_;
+  /// The session's clock is at occasion_start_ when the occasion's, clock_, is at 0. What a
+  /// participant sees and does is a matter of the latter, to the last bit.
+  Nanoseconds occasion_start_{0};
   VirtualClock clock_;
   SessionState state_;
   std::optional<GazeCorrection> correction_;
+  Attempt attempt_;  ///< that is rendered now
   std::optional<VirtualPreview> preview_;
   std::optional<AttemptLog> log_;
-  std::uint64_t frames_shown_ = 0;
   SessionOutcome outcome_;
 };
 

@@ -8,6 +8,7 @@
 #include "renderer/base/progress.h"
 #include "study/commands/command_line.h"
 #include "study/commands/simulate_study.h"
+#include "study/protocol/protocol.h"
 
 namespace foveola::study {
 namespace {
@@ -20,12 +21,14 @@ struct Arguments {
   int participants = 0;
   std::uint64_t seed = 0;
   int threads = 0;
+  bool resume = false;
   bool json = false;
 };
 
 nlohmann::json json_report(const Arguments& arguments, const SimulateReport& report) {
   return {{"database", arguments.database},
           {"seed", arguments.seed},
+          {"sessions_before", report.sessions_before},
           {"sessions_completed", report.sessions_completed},
           {"sessions_refused", report.sessions_refused},
           {"trials", report.trials},
@@ -41,7 +44,8 @@ void run_simulate(const Arguments& arguments, const SceneFinder& find_scene,
                                                 .database = arguments.database,
                                                 .participants = arguments.participants,
                                                 .seed = arguments.seed,
-                                                .threads = arguments.threads},
+                                                .threads = arguments.threads,
+                                                .resume = arguments.resume},
                                                find_scene, stop);
   if (arguments.json) {
     fmt::print("{}\n", json_report(arguments, report).dump(2));
@@ -50,9 +54,15 @@ void run_simulate(const Arguments& arguments, const SceneFinder& find_scene,
   fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of virtual time)\n",
              arguments.database, report.sessions_completed, arguments.participants, report.trials,
              human_duration(report.wall_s), human_duration(report.simulated_s));
+  if (report.sessions_before > 0) {
+    fmt::print("{} were over before\n", report.sessions_before);
+  }
   if (report.sessions_refused > 0) {
     fmt::print("{} refused: the tracker did not see the gaze well enough for the protocol\n",
                report.sessions_refused);
+  }
+  if (stop.stop_requested()) {
+    fmt::print("Stopped. The same command with --resume goes on.\n");
   }
 }
 
@@ -71,6 +81,8 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::sto
   command->add_option("--threads", arguments->threads, "0: every core")
       ->check(CLI::Range(0, most_threads))
       ->capture_default_str();
+  command->add_flag("--resume", arguments->resume,
+                    "Go on where the same command was stopped or killed");
   add_json(command, arguments->json);
   command->callback([arguments, find_scene, stop] { run_simulate(*arguments, find_scene, stop); });
 }

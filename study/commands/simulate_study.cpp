@@ -1,6 +1,5 @@
 #include "study/commands/simulate_study.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,14 +8,12 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
-#include "renderer/scene/load_scene.h"
 #include "study/commands/participant_code.h"
 #include "study/commands/same_scenes.h"
-#include "study/commands/scene_stage.h"
-#include "study/commands/seeds.h"
 #include "study/commands/session_runner.h"
 #include "study/participant/simulated_participant.h"
-#include "study/record/shown_scene.h"
+#include "study/stage/scene_stage.h"
+#include "study/stage/seeds.h"
 
 namespace fs = std::filesystem;
 
@@ -32,21 +29,48 @@ int first_new_participant(const StudyStore& store) {
   return index;
 }
 
-/// Refuses a bad database before minutes of work instead of after them.
-void require_usable(const fs::path& database, const Protocol& protocol) {
-  require_writable(database);
-  if (fs::exists(database)) {
-    const StudyStore checked(database, protocol);
+bool is_over(const KnownSession& session) { return SessionState{.phase = session.phase}.is_over(); }
+
+std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
+  std::vector<KnownSession> sessions = store.sessions();
+  std::erase_if(sessions,
+                [](const KnownSession& session) { return session.kind != SessionKind::simulated; });
+  return sessions;
+}
+
+/// Throws Error unless this program with this seed can go on with `session`.
+void require_resumable(const SimulateSettings& settings, const KnownSession& session) {
+  const auto refused = [&](const std::string& what, const std::string& remedy) {
+    return Error(
+        settings.database.string(),
+        fmt::format("the unfinished session of {} was begun with {}", session.participant, what),
+        remedy);
+  };
+  if (session.seed != settings.seed) {
+    throw refused(fmt::format("seed {}, not {}", session.seed, settings.seed),
+                  fmt::format("finish it with --seed {}", session.seed));
+  }
+  const std::string version = build_info().version;
+  if (session.program_version != version) {
+    throw refused(fmt::format("Foveola {}, which is now {}", session.program_version, version),
+                  "finish it with the program it was begun with");
   }
 }
 
-SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
-                        const Workers& workers) {
-  SceneStages stages;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    stages[protocol.scenes[i].name] = std::make_unique<SceneStage>(sources[i], workers);
+/// Refuses a bad database before minutes of work instead of after them.
+void require_usable(const SimulateSettings& settings, const Protocol& protocol) {
+  require_writable(settings.database);
+  if (!fs::exists(settings.database)) {
+    return;
   }
-  return stages;
+  const StudyStore checked(settings.database, protocol);
+  if (settings.resume) {
+    for (const KnownSession& session : simulated_sessions(checked)) {
+      if (!is_over(session)) {
+        require_resumable(settings, session);
+      }
+    }
+  }
 }
 
 /// Renders what each scene converges to, until it is stopped.
@@ -60,7 +84,8 @@ void render_references(const SceneStages& stages, const Protocol& protocol, cons
       progress.update((stages_done + fraction) / static_cast<double>(stages.size()), scene);
     };
     try {
-      stage->render_reference(protocol, workers, show, stop);
+      const TrialSettings baseline = settings_of(protocol, name, protocol.methods.front());
+      stage->render_reference(baseline.film, protocol.reference, workers, show, stop);
     } catch (const Error&) {
       if (stop.stop_requested()) {
         return;
@@ -69,37 +94,6 @@ void render_references(const SceneStages& stages, const Protocol& protocol, cons
     }
     stages_done += 1.0;
   }
-}
-
-std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
-  std::vector<ShownScene> shown;
-  for (const auto& [name, stage] : stages) {
-    shown.push_back({.name = name,
-                     .file_name = stage->source().file.filename().string(),
-                     .sha256 = stage->scene().sha256,
-                     .shown_as = shown_as(stage->source())});
-  }
-  return shown;
-}
-
-/// Whoever runs a study has to know; whoever reads its record can compare the hashes.
-void warn_of_other_files(const SceneStages& stages) {
-  for (const auto& [name, stage] : stages) {
-    if (const auto warning = warning_of_another_file(stage->scene(), stage->source())) {
-      fmt::print(stderr, "foveola: warning: {}: {}\n", name, *warning);
-    }
-  }
-}
-
-int scene_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::find_if(protocol.scenes.begin(), protocol.scenes.end(),
-                                  [&](const SceneEntry& scene) { return scene.name == name; });
-  return static_cast<int>(found - protocol.scenes.begin());
-}
-
-int method_index(const Protocol& protocol, const std::string& name) {
-  const auto found = std::find(protocol.methods.begin(), protocol.methods.end(), name);
-  return static_cast<int>(found - protocol.methods.begin());
 }
 
 /// Runs the participants of one study.
@@ -115,49 +109,67 @@ class StudySimulation {
         store_(settings.database, protocol) {}
 
   SimulateReport run(const std::stop_token& stop) {
-    const int first = first_new_participant(store_);
-    for (int done = 0; done < settings_.participants && !stop.stop_requested(); ++done) {
-      run_participant(first + done, done, stop);
+    int done = settings_.resume ? finish_begun_sessions(stop) : 0;
+    for (int index = first_new_participant(store_);
+         done < settings_.participants && !stop.stop_requested(); ++done, ++index) {
+      const Plan plan = make_plan(protocol_, settings_.seed, index);
+      run_session({.id = store_.begin_session(facts_of(index), plan), .design_row = index}, plan,
+                  done, stop);
     }
     return report_;
   }
 
  private:
-  void run_participant(int index, int done, const std::stop_token& stop) {
-    const Plan plan = random_plan(protocol_, settings_.seed, index);
-    const std::int64_t session = store_.begin_session(facts_of(index), plan);
+  struct BegunSession {
+    std::int64_t id = 0;
+    int design_row = 0;  ///< by which all of its seeds are made
+  };
+
+  /// Returns how many sessions there are of this seed.
+  int finish_begun_sessions(const std::stop_token& stop) {
+    int done = 0;
+    for (const KnownSession& session : simulated_sessions(store_)) {
+      if (session.seed != settings_.seed) {
+        continue;  // of another run, and over
+      }
+      if (is_over(session)) {
+        ++report_.sessions_before;
+      } else if (!stop.stop_requested()) {
+        run_session({.id = session.id, .design_row = session.design_row},
+                    store_.plan_of(session.id), done, stop);
+      }
+      ++done;
+    }
+    return done;
+  }
+
+  /// From its start, or from where it broke off.
+  void run_session(const BegunSession& session, const Plan& plan, int done,
+                   const std::stop_token& stop) {
+    const SessionSeed seed{.seed = settings_.seed, .design_row = session.design_row};
     SimulatedParticipant participant(
         Population{}, [this](const std::string& scene) { return knowledge_of(scene); },
-        derive_seed(settings_.seed, SeedPurpose::participant, {index}));
-    const SessionSetting setting{
-        .protocol = protocol_,
-        .stages = stages_,
-        .store = store_,
-        .workers = workers_,
-        .seeds = [&](const PlannedTrial& trial,
-                     int attempt) { return seeds_of(index, trial, attempt); },
-        .validation_seed = derive_seed(settings_.seed, SeedPurpose::tracker, {index}),
-        .on_trial = [&](std::size_t trial) { show(done, trial, plan); },
-        .stop = stop};
-    add(SessionRunner(setting, plan, session, participant).run());
+        derive_seed(seed, SeedPurpose::participant, {}));
+    const SessionSetting setting{.protocol = protocol_,
+                                 .stages = stages_,
+                                 .store = store_,
+                                 .workers = workers_,
+                                 .seed = seed,
+                                 .on_trial = [&](std::size_t trial) { show(done, trial, plan); },
+                                 .stop = stop};
+    SessionRunner runner(setting, plan, session.id, participant);
+    runner.resume_after(store_.events_of(session.id));
+    add(runner.run());
   }
 
   SessionFacts facts_of(int index) const {
     return {.participant = participant_code(index),
             .kind = SessionKind::simulated,
             .seed = settings_.seed,
+            .design_row = index,
             .build = build_info(),
             .machine = machine_info(),
             .scenes = shown_};
-  }
-
-  AttemptSeeds seeds_of(int index, const PlannedTrial& trial, int attempt) const {
-    const auto seed = [&](SeedPurpose purpose) {
-      return derive_seed(settings_.seed, purpose,
-                         {index, scene_index(protocol_, trial.scene),
-                          method_index(protocol_, trial.method), attempt});
-    };
-    return {.tracker = seed(SeedPurpose::tracker), .rendering = seed(SeedPurpose::rendering)};
   }
 
   void show(int sessions_done, std::size_t trial, const Plan& plan) {
@@ -203,7 +215,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const Nanoseconds start = clock.now();
   const Protocol protocol = load_protocol(settings.protocol);
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
-  require_usable(settings.database, protocol);
+  require_usable(settings, protocol);
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
   const std::vector<ShownScene> shown = shown_scenes(stages);

@@ -15,9 +15,13 @@ struct SimulateSettings {
   int participants = 0;
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0: every core
+  /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
+  /// until there are so many participants in all. Otherwise they are added to those in the file.
+  bool resume = false;
 };
 
 struct SimulateReport {
+  int sessions_before = 0;  ///< over before, of those that were resumed
   int sessions_completed = 0;
   int sessions_refused = 0;  ///< by the protocol's gate
   int trials = 0;
@@ -28,8 +32,10 @@ struct SimulateReport {
 };
 
 /// Runs the participants one after the other, each through a real session in virtual time, and
-/// shows progress with the time left. Same settings, same records. When `stop` is requested the
-/// running session is recorded as interrupted and the report says how many were completed.
+/// shows progress with the time left. Same settings, same results: also of a study that was stopped
+/// or killed and resumed. When `stop` is requested the running session is recorded as interrupted
+/// and the report says how many were completed. Throws Error, before anything is rendered, if a
+/// session to be resumed is of another seed or program.
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
                               std::stop_token stop);
 

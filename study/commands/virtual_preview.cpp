@@ -2,47 +2,37 @@
 
 #include <cmath>
 
-#include "renderer/view/equirect.h"
 #include "study/commands/watched_participant.h"
+#include "study/stage/trial_preview.h"
 
 namespace foveola::study {
 namespace {
 
-PreviewSettings settings_from(const Protocol& protocol, const SceneStage& stage) {
-  PreviewSettings settings;
-  settings.film_width = protocol.film.width;
-  settings.film_height = protocol.film.height;
-  settings.view_width = protocol.display.view_width;
-  settings.view_height = protocol.display.view_height;
-  settings.horizontal_fov_deg = protocol.display.horizontal_fov_deg;
-  settings.vertical_fov_deg = protocol.display.vertical_fov_deg;
-  settings.lens = protocol.display.lens;
-  settings.unsampled =
-      protocol.display.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
-  if (protocol.film.spare_done_contrast > 0.0) {
-    settings.spare_done = VisibleNoise{.contrast = protocol.film.spare_done_contrast};
+MachineModel machine_for(const Protocol& protocol, const PlannedTrial& trial) {
+  MachineModel machine = protocol.machine;
+  if (trial.kind == TrialKind::catch_trial) {
+    machine.samples_per_second = 0.0;
   }
-  settings.viewpoint = stage.viewpoint();
-  settings.exposure_stops = stage.source().exposure_stops;
-  settings.trace.max_depth = protocol.film.max_depth;
-  settings.trace.pixel_angle_rad = pixel_angle_rad(settings.film_width);
-  return settings;
+  return machine;
 }
 
 }  // namespace
 
 VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
-                               const std::string& method, const AttemptSeeds& seeds,
+                               const PlannedTrial& trial, const TrialSeeds& seeds,
                                Participant& participant,
                                const std::optional<GazeCorrection>& correction, VirtualClock& clock,
                                const Workers& workers)
-    : machine_(protocol.machine),
+    : machine_(machine_for(protocol, trial)),
       clock_(clock),
       start_(clock.now()),
       eye_(watch(participant, protocol.tracker, seeds.tracker, correction)),
       head_([&participant](Nanoseconds time) { return participant.head(time); }),
-      preview_(stage.tracer(), settings_from(protocol, stage), *eye_, head_, workers) {
-  preview_.restart(make_sampler(protocol, method), seeds.rendering);
+      preview_(
+          stage.tracer(),
+          trial_preview_settings(protocol, settings_of(protocol, trial.scene, trial.method), stage),
+          *eye_, head_, workers) {
+  preview_.restart(make_sampler(protocol, trial.method), seeds.rendering);
 }
 
 FrameReport VirtualPreview::next_frame() {

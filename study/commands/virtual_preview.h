@@ -10,25 +10,26 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/gaze_correction.h"
 #include "renderer/preview/preview.h"
-#include "study/commands/scene_stage.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
+#include "study/stage/scene_stage.h"
 
 namespace foveola::study {
 
-/// The seeds of one attempt.
-struct AttemptSeeds {
+/// The seeds of one timing of a trial.
+struct TrialSeeds {
   std::uint32_t tracker = 0;
   std::uint32_t rendering = 0;
 };
 
 /// One attempt's rendering, watched by `participant` through the protocol's eye tracker, corrected
-/// if its calibration says so, and a simulated head tracker. It refers to everything it is made of
-/// and advances `clock` by a frame's time a frame.
+/// if its calibration says so, and a simulated head tracker; nothing is traced in a catch trial. It
+/// refers to everything it is made of and advances `clock`, the occasion's, by a frame's time a
+/// frame.
 class VirtualPreview {
  public:
-  VirtualPreview(const SceneStage& stage, const Protocol& protocol, const std::string& method,
-                 const AttemptSeeds& seeds, Participant& participant,
+  VirtualPreview(const SceneStage& stage, const Protocol& protocol, const PlannedTrial& trial,
+                 const TrialSeeds& seeds, Participant& participant,
                  const std::optional<GazeCorrection>& correction, VirtualClock& clock,
                  const Workers& workers);
 
@@ -39,7 +40,7 @@ class VirtualPreview {
   const RgbImage& present() { return preview_.present(); }
   const Viewport& viewport() const { return preview_.viewport(); }
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
-  std::uint64_t samples() const { return preview_.film().total_samples(); }
+  const EquirectFilm& film() const { return preview_.film(); }
   std::uint64_t non_finite() const { return preview_.dropped().size(); }
 
  private:

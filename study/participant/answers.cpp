@@ -1,19 +1,49 @@
 #include "study/participant/answers.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace foveola::study {
 namespace {
 
-int draw_answer(const Question& question, Pcg32& random) {
-  if (question.id == "gender") {
-    return random.uniform() < 0.5 ? question.minimum : question.maximum;
-  }
+double draw_number(const Question& question, Pcg32& random) {
   const double range = question.maximum - question.minimum;
   const double center = question.minimum + range / 3.0;
   const double drawn = center + range / 5.0 * random.normal();
-  return std::clamp(static_cast<int>(std::lround(drawn)), question.minimum, question.maximum);
+  return std::clamp(std::round(drawn), question.minimum, question.maximum);
+}
+
+std::variant<double, std::string> value_of(const Option& option) {
+  if (option.value) {
+    return *option.value;
+  }
+  return option.label;
+}
+
+std::variant<double, std::string> draw_choice(const Question& question, Pcg32& random) {
+  assert(!question.options.empty());
+  if (question.id == "gender" && question.options.size() > 1) {
+    return value_of(question.options[random.uniform() < 0.5 ? 1 : 0]);
+  }
+  const auto options = static_cast<std::uint32_t>(question.options.size());
+  return value_of(question.options[random.below(options)]);
+}
+
+std::optional<std::variant<double, std::string>> draw_answer(const Question& question,
+                                                             Pcg32& random) {
+  switch (question.kind) {
+    case QuestionKind::likert:
+    case QuestionKind::number:
+      return draw_number(question, random);
+    case QuestionKind::choice:
+      return draw_choice(question, random);
+    case QuestionKind::text:
+      break;
+  }
+  return question.required ? std::optional<std::variant<double, std::string>>("no comment")
+                           : std::nullopt;
 }
 
 }  // namespace
@@ -22,7 +52,9 @@ std::vector<Answer> draw_answers(const std::vector<Question>& questions, Pcg32& 
   std::vector<Answer> answers;
   answers.reserve(questions.size());
   for (const Question& question : questions) {
-    answers.push_back({.question = question.id, .value = draw_answer(question, random)});
+    if (auto value = draw_answer(question, random)) {
+      answers.push_back({.question = question.id, .value = std::move(*value)});
+    }
   }
   return answers;
 }

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "renderer/base/random.h"
-#include "study/protocol/protocol.h"
-#include "study/session/session.h"
+#include "study/protocol/questionnaire.h"
 
 namespace foveola::study {
 
-/// One answer to each question, within its range: a bell around a third of the range, since most
-/// people have little experience with most things (assumed). "gender" is answered with either end
-/// of its scale, as published codings have it.
+/// An answer to each question that needs one, within its range. Numbers and points of a scale: a
+/// bell around a third of the range, since most people have little experience with most things
+/// (assumed). Choices: any option, but for "gender" the first or the second alone, as published
+/// codings have it. Words: the same few, and none where none are required.
 std::vector<Answer> draw_answers(const std::vector<Question>& questions, Pcg32& random);
 
 }  // namespace foveola::study

@@ -2,6 +2,7 @@
 // see.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ struct Percept {
   const RgbImage& image;     ///< the presented pixels: sRGB-encoded, in [0, 1]
   const Viewport& viewport;  ///< the view that they were shown through
   Vec3 gaze{0.0F};           ///< unit length, world: where the participant's own eye pointed
-  Nanoseconds presented{0};  ///< session clock
+  Nanoseconds presented{0};  ///< of the occasion
 };
 
 /// What a participant is to do from now on.
@@ -37,16 +38,30 @@ enum class Task {
   look_around,    ///< and afterwards rate the artifacts
 };
 
+/// Times are those of an occasion: of an attempt at a trial, or of one look at all targets. What
+/// happens in it depends on nothing that was before, so that it can be had again after a crash.
 class Participant {
  public:
   virtual ~Participant() = default;
 
-  /// One answer to each question, within its range.
-  virtual std::vector<Answer> answer(const std::vector<Question>& questions) = 0;
+  /// The answers to a form's questions, within their ranges; none to a question that may be left
+  /// out. The same to the same form.
+  virtual std::vector<Answer> answer(const std::string& form,
+                                     const std::vector<Question>& questions) = 0;
 
-  /// Turns to one of the objects of `scene` and returns its index. offered is not empty.
+  /// How long after something appears the key is pressed; occasion: a number for each.
+  virtual Nanoseconds react(std::uint32_t occasion) = 0;
+
+  /// One of the objects of `scene`: its index. offered is not empty.
   virtual std::size_t choose_object(const std::string& scene,
-                                    const std::vector<OfferedObject>& offered, Nanoseconds now) = 0;
+                                    const std::vector<OfferedObject>& offered) = 0;
+
+  /// From now on, time 0, it is another occasion: head and eye are straight ahead. conduct: a
+  /// number for each; all that is left to chance follows from it.
+  virtual void begin_occasion(std::uint32_t conduct) = 0;
+
+  /// Turns to the object of `scene` that the next tasks are about.
+  virtual void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) = 0;
 
   /// Moves the eye to a target that appears, and keeps it there; the head stays as it is. target:
   /// of unit length, world.
@@ -55,7 +70,7 @@ class Participant {
   virtual void begin(Task task, Nanoseconds now) = 0;
 
   /// Where the head points and, in world axes, the eye. Times may go back by a tracker's latency,
-  /// but not before the participant's last begin(), choice or target: there the pose is that of the
+  /// but not before the participant's last begin(), turn or target: there the pose is that of the
   /// start.
   virtual AzimuthElevation head(Nanoseconds time) = 0;
   virtual Vec3 gaze(Nanoseconds time) = 0;
@@ -64,8 +79,8 @@ class Participant {
   /// than the percept, once the mark that the task asks for is made.
   virtual std::optional<Nanoseconds> see(const Percept& percept) = 0;
 
-  /// How much artifacts disturbed while looking around: 1 none ... 5 not discernible at all.
-  virtual int rate_artifacts() = 0;
+  /// The answers to the ratings of what was seen while looking around.
+  virtual std::vector<Answer> rate(const std::vector<Question>& ratings) = 0;
 };
 
 }  // namespace foveola::study

@@ -57,8 +57,8 @@ struct ObserverModel {
   double reaction_deviation_s = 0.030;
   double reaction_tail_s = 0.070;
 
-  /// The just noticeable differences at which ratings 2, 3, 4 and 5 begin: one doubling after
-  /// another (assumed).
+  /// The just noticeable differences at which a scale's second point begins (2 of 1 to 5), and the
+  /// factor to that of each next one: one doubling after another (assumed).
   double rating_2_jnd = 1.0;
   double rating_step = 2.0;
 };

@@ -10,8 +10,21 @@
 namespace foveola::study {
 namespace {
 
-// Independent streams of one person's seed.
-constexpr std::uint64_t decisions_stream = 1;
+/// Independent streams of one person's seed.
+enum class Stream : std::uint64_t { traits = 1, answers = 2, choices = 3, reactions = 4 };
+
+Pcg32 stream(std::uint64_t seed, Stream purpose, std::uint32_t key = 0) {
+  return Pcg32(seed, static_cast<std::uint64_t>(purpose) | std::uint64_t{key} << 32U);
+}
+
+/// A number for a text, the same everywhere.
+std::uint32_t key_of(const std::string& text) {
+  std::uint32_t key = 0;
+  for (const char character : text) {
+    key = mix(key, static_cast<unsigned char>(character));
+  }
+  return key;
+}
 
 /// A factor that is 1 in the median, its logarithm normal with deviation `spread`.
 double log_normal_factor(double spread, Pcg32& random) {
@@ -23,8 +36,10 @@ double log_normal_factor(double spread, Pcg32& random) {
 SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKnowledge knowledge,
                                            std::uint64_t seed)
     : observer_(population.observer),
+      habits_(population.gaze),
       knowledge_(std::move(knowledge)),
-      random_(seed, decisions_stream),
+      seed_(seed),
+      random_(stream(seed, Stream::traits)),
       path_(population.gaze, seed),
       outline_criterion_(observer_.outline_signal_to_noise *
                          log_normal_factor(observer_.criterion_spread, random_)),
@@ -32,22 +47,35 @@ SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKn
                           log_normal_factor(observer_.criterion_spread, random_)),
       rating_bias_(log_normal_factor(observer_.criterion_spread, random_)) {}
 
-std::vector<Answer> SimulatedParticipant::answer(const std::vector<Question>& questions) {
-  return draw_answers(questions, random_);
+std::vector<Answer> SimulatedParticipant::answer(const std::string& form,
+                                                 const std::vector<Question>& questions) {
+  Pcg32 random = stream(seed_, Stream::answers, key_of(form));
+  return draw_answers(questions, random);
+}
+
+Nanoseconds SimulatedParticipant::react(std::uint32_t occasion) {
+  Pcg32 random = stream(seed_, Stream::reactions, occasion);
+  return reaction_time(random);
 }
 
 std::size_t SimulatedParticipant::choose_object(const std::string& scene,
-                                                const std::vector<OfferedObject>& offered,
-                                                Nanoseconds now) {
-  if (!choices_.contains(scene)) {
-    choices_[scene] = random_.below(static_cast<std::uint32_t>(offered.size()));
-  }
-  const std::size_t choice = choices_[scene];
+                                                const std::vector<OfferedObject>& offered) {
+  Pcg32 random = stream(seed_, Stream::choices, key_of(scene));
+  return random.below(static_cast<std::uint32_t>(offered.size()));
+}
+
+void SimulatedParticipant::begin_occasion(std::uint32_t conduct) {
+  random_ = Pcg32(conduct);
+  path_ = ScanPath(habits_, mix(conduct));
+  task_.reset();
+}
+
+void SimulatedParticipant::turn_to(const std::string& scene, const OfferedObject& object,
+                                   Nanoseconds now) {
   scene_ = knowledge_(scene);
-  object_ = offered[choice];
+  object_ = object;
   expectation_.reset();
   path_.examine(object_.direction, object_.radius_deg, now);
-  return choice;
 }
 
 void SimulatedParticipant::begin(Task task, Nanoseconds now) {
@@ -81,16 +109,29 @@ std::optional<Nanoseconds> SimulatedParticipant::see(const Percept& percept) {
     return std::nullopt;
   }
   task_.reset();
-  return percept.presented + nanoseconds_from_seconds(reaction_time_s());
+  return percept.presented + reaction_time(random_);
 }
 
-int SimulatedParticipant::rate_artifacts() {
+std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& ratings) {
   task_.reset();
+  std::vector<Answer> answers = draw_answers(ratings, random_);
+  for (Answer& answer : answers) {
+    const auto asked = std::find_if(ratings.begin(), ratings.end(), [&](const Question& question) {
+      return question.id == answer.question;
+    });
+    if (asked->id == "artifacts" && asked->kind == QuestionKind::likert) {
+      answer.value = judge_artifacts(*asked);
+    }
+  }
+  return answers;
+}
+
+double SimulatedParticipant::judge_artifacts(const Question& scale) const {
   const double mean_jnd = looks_ > 0 ? noticed_jnd_ / looks_ : 0.0;
-  int rating = 1;
+  double rating = scale.minimum;
   double threshold_jnd = observer_.rating_2_jnd;
-  while (rating < 5 && rating_bias_ * mean_jnd >= threshold_jnd) {
-    ++rating;
+  while (rating < scale.maximum && rating_bias_ * mean_jnd >= threshold_jnd) {
+    rating += 1.0;
     threshold_jnd *= observer_.rating_step;
   }
   return rating;
@@ -139,10 +180,11 @@ void SimulatedParticipant::notice_artifacts(const Percept& percept) {
   ++looks_;
 }
 
-double SimulatedParticipant::reaction_time_s() {
+Nanoseconds SimulatedParticipant::reaction_time(Pcg32& random) const {
   const double normal_part =
-      observer_.reaction_mean_s + observer_.reaction_deviation_s * random_.normal();
-  return std::max(0.0, normal_part) + observer_.reaction_tail_s * random_.exponential();
+      observer_.reaction_mean_s + observer_.reaction_deviation_s * random.normal();
+  const double tail = observer_.reaction_tail_s * random.exponential();
+  return nanoseconds_from_seconds(std::max(0.0, normal_part) + tail);
 }
 
 }  // namespace foveola::study

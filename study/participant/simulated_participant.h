@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 
 #include "study/participant/participant.h"
 #include "study/participant/population.h"
@@ -25,16 +24,21 @@ class SimulatedParticipant final : public Participant {
  public:
   SimulatedParticipant(const Population& population, SceneKnowledge knowledge, std::uint64_t seed);
 
-  std::vector<Answer> answer(const std::vector<Question>& questions) override;
+  std::vector<Answer> answer(const std::string& form,
+                             const std::vector<Question>& questions) override;
+  Nanoseconds react(std::uint32_t occasion) override;
   /// Stays with one object per scene, so that methods are compared on the same one.
-  std::size_t choose_object(const std::string& scene, const std::vector<OfferedObject>& offered,
-                            Nanoseconds now) override;
+  std::size_t choose_object(const std::string& scene,
+                            const std::vector<OfferedObject>& offered) override;
+  void begin_occasion(std::uint32_t conduct) override;
+  void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override;
   void look_at(const Vec3& target, Nanoseconds now) override { path_.fixate(target, now); }
   void begin(Task task, Nanoseconds now) override;
   AzimuthElevation head(Nanoseconds time) override { return path_.head(time); }
   Vec3 gaze(Nanoseconds time) override { return path_.gaze(time); }
   std::optional<Nanoseconds> see(const Percept& percept) override;
-  int rate_artifacts() override;
+  /// "artifacts" by what was noticed, others as if it were asked on a form.
+  std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
  private:
   /// What a view should look like, and where in it to look.
@@ -50,16 +54,18 @@ class SimulatedParticipant final : public Participant {
   bool outline_stands_out(const Percept& percept);
   bool material_is_right(const Percept& percept);
   void notice_artifacts(const Percept& percept);
-  double reaction_time_s();
+  double judge_artifacts(const Question& scale) const;
+  Nanoseconds reaction_time(Pcg32& random) const;
 
   ObserverModel observer_;
+  GazeHabits habits_;
   SceneKnowledge knowledge_;
-  Pcg32 random_;
+  std::uint64_t seed_;
+  Pcg32 random_;  ///< of the occasion
   ScanPath path_;
   double outline_criterion_;   ///< individual
   double material_criterion_;  ///< individual, in just noticeable differences
   double rating_bias_;         ///< individual; multiplies what is noticed
-  std::map<std::string, std::size_t> choices_;
   KnownScene scene_;
   OfferedObject object_;
   std::optional<Expectation> expectation_;

@@ -1,6 +1,8 @@
 #include "study/session/session.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace foveola::study {
 namespace {
@@ -15,165 +17,349 @@ Overloaded(Functions...)->Overloaded<Functions...>;
 
 using Result = std::optional<Transition>;
 
-SessionState at(Phase phase, std::size_t trial) {
+/// Whether an attempt at a trial is going on.
+bool is_rendering(Phase phase) {
+  return phase == Phase::armed || phase == Phase::marking || phase == Phase::rating;
+}
+
+bool is_left_off(Phase phase) { return phase == Phase::paused || phase == Phase::interrupted; }
+
+/// The state in which a step of the agenda begins; behind the last, the session is completed.
+SessionState at_step(const Procedure& procedure, std::size_t step, const std::string& object) {
   SessionState state;
-  state.phase = phase;
-  state.trial = trial;
+  state.step = step;
+  state.object = object;
+  if (step == procedure.agenda.size()) {
+    state.phase = Phase::completed;
+    return state;
+  }
+  std::visit(Overloaded{
+                 [&](const ConsentStep&) { state.phase = Phase::consent; },
+                 [&](const QuestionnaireStep&) { state.phase = Phase::questionnaire; },
+                 [&](const ValidationStep& validation) {
+                   state.phase = Phase::validation;
+                   state.validations_left = validation.attempts;
+                 },
+                 [&](const ReactionStep& reaction) {
+                   state.phase = Phase::reaction;
+                   state.presses_left = reaction.presses;
+                 },
+                 [&](const TrialStep& trial) {
+                   state.phase = trial.chooses_object ? Phase::choosing_object : Phase::ready;
+                 },
+             },
+             procedure.agenda[step]);
   return state;
 }
 
-/// The next trial, or the end.
-Transition begin_trial(const Plan& plan, std::size_t trial) {
-  if (trial == plan.size()) {
-    return {.state = at(Phase::completed, trial), .effects = {EndSession{}}};
+const std::string& questionnaire_at(const Procedure& procedure, const SessionState& state) {
+  return std::get<QuestionnaireStep>(procedure.agenda[state.step]).questionnaire;
+}
+
+/// What is asked of the participant in a state that waits for an answer.
+std::vector<Effect> asking(const Procedure& procedure, const SessionState& state) {
+  switch (state.phase) {
+    case Phase::consent:
+      return {AskForConsent{}};
+    case Phase::questionnaire:
+      return {AskQuestionnaire{questionnaire_at(procedure, state)}};
+    case Phase::validation:
+      return {ValidateGaze{}};
+    case Phase::reaction:
+      return {AskForPress{}};
+    case Phase::choosing_object:
+      return {AskForObject{}};
+    case Phase::ready:
+      return {AskWhetherReady{}};
+    case Phase::completed:
+      return {EndSession{}};
+    default:
+      return {};
   }
-  return {.state = at(Phase::choosing_object, trial), .effects = {AskForObject{}}};
+}
+
+Transition ask(const Procedure& procedure, SessionState state) {
+  std::vector<Effect> effects = asking(procedure, state);
+  return {.state = std::move(state), .effects = std::move(effects)};
+}
+
+Transition next_step(const Procedure& procedure, const SessionState& state) {
+  return ask(procedure, at_step(procedure, state.step + 1, state.object));
+}
+
+/// The same trial, not yet begun again.
+SessionState before_next_attempt(const Procedure& procedure, const SessionState& state) {
+  SessionState again = at_step(procedure, state.step, state.object);
+  again.phase = Phase::ready;
+  again.attempt = state.attempt + 1;
+  again.timing = state.timing;
+  return again;
+}
+
+/// What an attempt that goes on has to end with.
+std::vector<Effect> stop_rendering(Phase phase) {
+  return is_rendering(phase) ? std::vector<Effect>{StopRendering{}} : std::vector<Effect>{};
 }
 
 Transition end(SessionState state, Phase phase) {
-  std::vector<Effect> effects;
-  if (state.phase == Phase::outline || state.phase == Phase::material ||
-      state.phase == Phase::rating || state.phase == Phase::armed) {
-    effects.emplace_back(StopRendering{});
-  }
+  std::vector<Effect> effects = stop_rendering(state.phase);
   effects.emplace_back(EndSession{});
   state.phase = phase;
   return {.state = std::move(state), .effects = std::move(effects)};
 }
 
-Transition ask_background() {
-  return {.state = at(Phase::background, 0), .effects = {AskBackground{}}};
+/// A pause, or the end of the program: the session can go on from here.
+Transition leave_off(const Procedure& procedure, SessionState state, Phase phase,
+                     const Effect& last) {
+  std::vector<Effect> effects = stop_rendering(state.phase);
+  effects.push_back(last);
+  if (is_rendering(state.phase)) {
+    state = before_next_attempt(procedure, state);
+  }
+  if (!is_left_off(state.phase)) {
+    state.resumes_at = state.phase;
+  }
+  state.phase = phase;
+  return {.state = std::move(state), .effects = std::move(effects)};
 }
 
-Result start(const SessionState& state, const SessionStarted& event) {
-  if (state.phase != Phase::created) {
-    return std::nullopt;
+bool all_answered(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
+  const auto answers_to = [&](const Question& question) {
+    return std::count_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+      return answer.question == question.id && fault_of(question, answer.value).empty();
+    });
+  };
+  std::ptrdiff_t good_answers = 0;
+  for (const Question& question : questions) {
+    const std::ptrdiff_t count = answers_to(question);
+    if (count > 1 || (count == 0 && question.required)) {
+      return false;
+    }
+    good_answers += count;
   }
-  if (event.validations == 0) {
-    return ask_background();
-  }
-  SessionState validation = at(Phase::validation, 0);
-  validation.validations_left = event.validations;
-  return Transition{.state = std::move(validation), .effects = {ValidateGaze{}}};
+  return good_answers == static_cast<std::ptrdiff_t>(answers.size());
 }
 
-Result validate_gaze(SessionState state, const GazeValidated& event) {
-  if (state.phase != Phase::validation) {
-    return std::nullopt;
-  }
-  if (event.passed) {
-    return ask_background();
-  }
-  if (--state.validations_left == 0) {
-    return end(std::move(state), Phase::refused);
-  }
-  return Transition{.state = std::move(state), .effects = {ValidateGaze{}}};
-}
+/// What each event does in a state that is not over.
+class Step {
+ public:
+  Step(const Procedure& procedure, const SessionState& state)
+      : procedure_(procedure), state_(state) {}
 
-Result answer_background(const Plan& plan, const SessionState& state) {
-  return state.phase == Phase::background ? Result(begin_trial(plan, 0)) : std::nullopt;
-}
-
-Result choose_object(SessionState state, const ObjectChosen& event) {
-  if (state.phase != Phase::choosing_object || event.object.empty()) {
-    return std::nullopt;
+  Result operator()(const SessionStarted& /*event*/) const {
+    return in(Phase::created, [&] { return ask(procedure_, at_step(procedure_, 0, {})); });
   }
-  state.phase = Phase::armed;
-  state.object = event.object;
-  return Transition{.state = std::move(state), .effects = {StartRendering{}}};
-}
 
-Result present_first_frame(SessionState state, const FirstFramePresented& event) {
-  if (state.phase != Phase::armed) {
-    return std::nullopt;
+  Result operator()(const ConsentGiven& /*event*/) const {
+    return in(Phase::consent, [&] { return next_step(procedure_, state_); });
   }
-  state.phase = Phase::outline;
-  state.first_frame = event.time;
-  return Transition{.state = std::move(state), .effects = {}};
-}
 
-/// The outline mark, or its time-out.
-Result end_outline(SessionState state, Nanoseconds time, std::vector<Effect> effects) {
-  if (state.phase != Phase::outline || time < state.first_frame) {
-    return std::nullopt;
+  Result operator()(const QuestionnaireAnswered& event) const {
+    return in(Phase::questionnaire, [&]() -> Result {
+      if (event.questionnaire != questionnaire_at(procedure_, state_)) {
+        return std::nullopt;
+      }
+      return next_step(procedure_, state_);
+    });
   }
-  state.phase = Phase::material;
-  state.outline = time;
-  return Transition{.state = std::move(state), .effects = std::move(effects)};
-}
 
-/// The material mark, or its time-out.
-Result end_material(SessionState state, Nanoseconds time, std::vector<Effect> effects) {
-  if (state.phase != Phase::material || time < state.outline) {
-    return std::nullopt;
+  Result operator()(const GazeValidated& event) const {
+    return in(Phase::validation, [&] {
+      if (event.passed) {
+        return next_step(procedure_, state_);
+      }
+      SessionState again = state_;
+      --again.validations_left;
+      return again.validations_left == 0 ? end(again, Phase::refused) : ask(procedure_, again);
+    });
   }
-  state.phase = Phase::rating;
-  effects.emplace_back(AskForRating{});
-  return Transition{.state = std::move(state), .effects = std::move(effects)};
-}
 
-Result time_out(const SessionState& state, const TimedOut& event) {
-  return state.phase == Phase::outline ? end_outline(state, event.time, {})
-                                       : end_material(state, event.time, {});
-}
-
-Result rate(const Plan& plan, const SessionState& state, const ArtifactsRated& event) {
-  if (state.phase != Phase::rating || event.rating < 1 || event.rating > 5) {
-    return std::nullopt;
+  Result operator()(const ReactionPressed& event) const {
+    return in(Phase::reaction, [&] {
+      SessionState again = state_;
+      again.presses_left -= event.time < event.shown ? 0 : 1;
+      return again.presses_left == 0 ? next_step(procedure_, state_) : ask(procedure_, again);
+    });
   }
-  Transition next = begin_trial(plan, state.trial + 1);
-  next.effects.insert(next.effects.begin(), StopRendering{});
-  return next;
-}
 
-Result retime(const SessionState& state) {
-  if (state.phase != Phase::material && state.phase != Phase::rating) {
-    return std::nullopt;
+  Result operator()(const ObjectChosen& event) const {
+    return in(Phase::choosing_object, [&]() -> Result {
+      if (event.object.empty()) {
+        return std::nullopt;
+      }
+      SessionState ready = state_;
+      ready.phase = Phase::ready;
+      ready.object = event.object;
+      return ask(procedure_, ready);
+    });
   }
-  SessionState again = at(Phase::armed, state.trial);
-  again.attempt = state.attempt + 1;
-  again.object = state.object;
-  return Transition{.state = std::move(again), .effects = {StopRendering{}, StartRendering{}}};
-}
+
+  Result operator()(const TrialStarted& /*event*/) const {
+    return in(Phase::ready, [&] {
+      SessionState armed = state_;
+      armed.phase = Phase::armed;
+      return Transition{.state = armed, .effects = {StartRendering{}}};
+    });
+  }
+
+  Result operator()(const FirstFramePresented& event) const {
+    return in(Phase::armed, [&] {
+      SessionState marking = state_;
+      marking.phase = Phase::marking;
+      marking.first_frame = event.time;
+      marking.last_mark = event.time;
+      return Transition{.state = marking, .effects = {}};
+    });
+  }
+
+  Result operator()(const Marked& event) const { return mark(event.time, {AcknowledgeMark{}}); }
+  Result operator()(const TimedOut& event) const { return mark(event.time, {}); }
+
+  Result operator()(const Rated& event) const {
+    return in(Phase::rating, [&]() -> Result {
+      if (!all_answered(procedure_.ratings, event.answers)) {
+        return std::nullopt;
+      }
+      Transition next = next_step(procedure_, state_);
+      next.effects.insert(next.effects.begin(), StopRendering{});
+      return next;
+    });
+  }
+
+  Result operator()(const RetimeRequested& /*event*/) const {
+    if (state_.phase != Phase::marking && state_.phase != Phase::rating) {
+      return std::nullopt;
+    }
+    SessionState again = before_next_attempt(procedure_, state_);
+    ++again.timing;
+    return Transition{.state = again, .effects = {StopRendering{}, AskWhetherReady{}}};
+  }
+
+  Result operator()(const PauseRequested& /*event*/) const {
+    if (state_.phase == Phase::created || is_left_off(state_.phase)) {
+      return std::nullopt;
+    }
+    return leave_off(procedure_, state_, Phase::paused, ShowPause{});
+  }
+
+  Result operator()(const Interrupted& /*event*/) const {
+    return leave_off(procedure_, state_, Phase::interrupted, EndSession{});
+  }
+
+  Result operator()(const Resumed& /*event*/) const {
+    if (!is_left_off(state_.phase)) {
+      return std::nullopt;
+    }
+    SessionState resumed = state_;
+    resumed.phase = state_.resumes_at;
+    resumed.resumes_at = Phase::created;
+    return ask(procedure_, resumed);
+  }
+
+  Result operator()(const NoteWritten& /*event*/) const {
+    return Transition{.state = state_, .effects = {}};
+  }
+
+  Result operator()(const Withdrawn& /*event*/) const { return end(state_, Phase::withdrawn); }
+  Result operator()(const Excluded& /*event*/) const { return end(state_, Phase::excluded); }
+
+ private:
+  /// The event is of this phase alone.
+  template <typename Work>
+  Result in(Phase phase, const Work& work) const {
+    return state_.phase == phase ? Result(work()) : std::nullopt;
+  }
+
+  /// The mark that is waited for, or its time-out.
+  Result mark(Nanoseconds time, std::vector<Effect> effects) const {
+    return in(Phase::marking, [&]() -> Result {
+      if (time < state_.last_mark) {
+        return std::nullopt;
+      }
+      SessionState marked = state_;
+      marked.last_mark = time;
+      ++marked.mark;
+      if (marked.mark == procedure_.marks) {
+        marked.phase = Phase::rating;
+        effects.emplace_back(AskForRating{});
+      }
+      return Transition{.state = marked, .effects = effects};
+    });
+  }
+
+  const Procedure& procedure_;
+  const SessionState& state_;
+};
 
 }  // namespace
 
 const char* name_of(Phase phase) {
-  constexpr std::array names = {"created",   "validation",  "background", "choosing_object",
-                                "armed",     "outline",     "material",   "rating",
-                                "completed", "interrupted", "withdrawn",  "refused"};
+  constexpr std::array names = {"created",   "consent",         "questionnaire", "validation",
+                                "reaction",  "choosing_object", "ready",         "armed",
+                                "marking",   "rating",          "paused",        "interrupted",
+                                "completed", "withdrawn",       "excluded",      "refused"};
   return names.at(static_cast<std::size_t>(phase));
 }
 
 const char* name_of(const Event& event) {
-  constexpr std::array names = {
-      "session_started",       "gaze_validated",   "background_answered", "object_chosen",
-      "first_frame_presented", "outline_marked",   "material_marked",     "timed_out",
-      "artifacts_rated",       "retime_requested", "interrupted",         "withdrawn"};
+  constexpr std::array names = {"session_started",
+                                "consent_given",
+                                "questionnaire_answered",
+                                "gaze_validated",
+                                "reaction_pressed",
+                                "object_chosen",
+                                "trial_started",
+                                "first_frame_presented",
+                                "marked",
+                                "timed_out",
+                                "rated",
+                                "retime_requested",
+                                "pause_requested",
+                                "interrupted",
+                                "resumed",
+                                "note_written",
+                                "withdrawn",
+                                "excluded"};
   static_assert(names.size() == std::variant_size_v<Event>);
   return names.at(event.index());
 }
 
-std::optional<Transition> step(const Plan& plan, const SessionState& state, const Event& event) {
-  if (state.is_over()) {
+std::optional<GazeCorrection> correction_after(const GazeValidated& validation) {
+  return validation.passed ? validation.runs.back().correction : std::nullopt;
+}
+
+Procedure procedure_of(const Protocol& protocol, const Plan& plan) {
+  return {.agenda = agenda_of(protocol, plan),
+          .marks = protocol.marks.size(),
+          .ratings = protocol.ratings};
+}
+
+std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
+                               const Event& event) {
+  assert(!procedure.agenda.empty() && procedure.marks > 0);
+  return state.is_over() ? std::nullopt : std::visit(Step(procedure, state), event);
+}
+
+std::optional<SessionState> state_after(const Procedure& procedure,
+                                        const std::vector<Event>& events) {
+  SessionState state;
+  for (const Event& event : events) {
+    std::optional<Transition> next = step(procedure, state, event);
+    if (!next) {
+      return std::nullopt;
+    }
+    state = std::move(next->state);
+  }
+  return state;
+}
+
+std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state) {
+  const Phase phase = is_left_off(state.phase) ? state.resumes_at : state.phase;
+  if (phase == Phase::created || state.is_over()) {
     return std::nullopt;
   }
-  return std::visit(
-      Overloaded{
-          [&](const SessionStarted& e) { return start(state, e); },
-          [&](const GazeValidated& e) { return validate_gaze(state, e); },
-          [&](const BackgroundAnswered&) { return answer_background(plan, state); },
-          [&](const ObjectChosen& e) { return choose_object(state, e); },
-          [&](const FirstFramePresented& e) { return present_first_frame(state, e); },
-          [&](const OutlineMarked& e) { return end_outline(state, e.time, {AcknowledgeMark{}}); },
-          [&](const MaterialMarked& e) { return end_material(state, e.time, {AcknowledgeMark{}}); },
-          [&](const TimedOut& e) { return time_out(state, e); },
-          [&](const ArtifactsRated& e) { return rate(plan, state, e); },
-          [&](const RetimeRequested&) { return retime(state); },
-          [&](const Interrupted&) { return Result(end(state, Phase::interrupted)); },
-          [&](const Withdrawn&) { return Result(end(state, Phase::withdrawn)); },
-      },
-      event);
+  const auto* trial = std::get_if<TrialStep>(&procedure.agenda[state.step]);
+  return trial != nullptr ? std::optional(trial->trial) : std::nullopt;
 }
 
 }  // namespace foveola::study

@@ -52,6 +52,9 @@ struct GazeValidated {
   std::vector<GazeRun> runs;  ///< in the order of time
   bool passed = false;
 };
+/// What the gaze goes through from now on: what the last run went through, if it passed.
+std::optional<GazeCorrection> correction_after(const GazeValidated& validation);
+
 /// A press at what appeared at `shown`. One before that is a false start: kept, and asked for
 /// again.
 struct ReactionPressed {
@@ -129,8 +132,8 @@ struct SessionState {
   std::size_t step = 0;        ///< index into the agenda; its size once completed
   int validations_left = 0;    ///< of this step, the next one included
   int presses_left = 0;        ///< of this step, the next one included
-  int attempt = 1;             ///< of the trial; counts up with each that has to be done again
-  int timing = 1;              ///< likewise, but only with each that was asked to be retimed
+  int attempt = 1;             ///< of the trial; counts up when one ends that has to be done again
+  int timing = 1;              ///< likewise, but only when one was asked to be retimed
   std::size_t mark = 0;        ///< index of the one that is waited for
   std::string object;          ///< chosen last
   Nanoseconds first_frame{0};  ///< of the attempt
@@ -148,7 +151,8 @@ struct SessionState {
 /// What the machine knows of a protocol.
 struct Procedure {
   Agenda agenda;
-  std::size_t marks = 2;  ///< in a trial
+  std::size_t marks = 2;  ///< in a trial, at least one
+  std::vector<Question> ratings;
 };
 
 Procedure procedure_of(const Protocol& protocol, const Plan& plan);
@@ -159,11 +163,17 @@ struct Transition {
 };
 
 /// The state after `event`. Empty if the event is not allowed in this state: a mark skipped, a
-/// second rating, a mark earlier than what came before it, another questionnaire than was asked.
+/// second rating, a mark earlier than what came before it, another questionnaire than was asked,
+/// ratings that do not answer what was asked.
 std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
                                const Event& event);
 
-/// The index in the plan of the trial that the state is in; empty if it is in none.
+/// The state that a session's events lead to from its beginning. Empty if one of them is not
+/// allowed.
+std::optional<SessionState> state_after(const Procedure& procedure,
+                                        const std::vector<Event>& events);
+
+/// The index in the plan of the trial that the state is in; empty if it is in none, or over.
 std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state);
 
 }  // namespace foveola::study

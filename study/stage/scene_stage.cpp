@@ -1,6 +1,8 @@
-#include "study/commands/scene_stage.h"
+#include "study/stage/scene_stage.h"
 
 #include <cassert>
+
+#include <fmt/format.h>
 
 #include "renderer/base/files.h"
 #include "renderer/measure/reference.h"
@@ -35,22 +37,51 @@ SceneStage::SceneStage(SceneSource source, const Workers& workers)
   assert(source_.camera_position && !objects_.empty());
 }
 
-void SceneStage::render_reference(const Protocol& protocol, const Workers& workers,
+void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuality& quality,
+                                  const Workers& workers,
                                   const std::function<void(double)>& progress,
                                   const std::stop_token& stop) {
   ReferenceSettings settings;
   settings.viewpoint = viewpoint();
-  settings.width = protocol.film.width;
-  settings.height = protocol.film.height;
-  settings.max_depth = protocol.film.max_depth;
-  settings.samples_per_pixel = protocol.reference.samples_per_pixel;
-  settings.samples_per_interest = static_cast<std::uint64_t>(protocol.reference.samples_per_object);
+  settings.width = film.width;
+  settings.height = film.height;
+  settings.max_depth = film.max_depth;
+  settings.samples_per_pixel = quality.samples_per_pixel;
+  settings.samples_per_interest = static_cast<std::uint64_t>(quality.samples_per_object);
   for (const OfferedObject& object : objects_) {
     settings.interests.push_back(object.direction);
   }
   reference_ = reference_image(tracer_, scene_key(scene_, source_), settings, workers,
                                cache_folder() / "references", progress, stop)
                    .color;
+}
+
+SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
+                        const Workers& workers) {
+  SceneStages stages;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    stages[protocol.scenes[i].name] = std::make_unique<SceneStage>(sources[i], workers);
+  }
+  return stages;
+}
+
+std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
+  std::vector<ShownScene> shown;
+  for (const auto& [name, stage] : stages) {
+    shown.push_back({.name = name,
+                     .file_name = stage->source().file.filename().string(),
+                     .sha256 = stage->scene().sha256,
+                     .shown_as = shown_as(stage->source())});
+  }
+  return shown;
+}
+
+void warn_of_other_files(const SceneStages& stages) {
+  for (const auto& [name, stage] : stages) {
+    if (const auto warning = warning_of_another_file(stage->scene(), stage->source())) {
+      fmt::print(stderr, "foveola: warning: {}: {}\n", name, *warning);
+    }
+  }
 }
 
 }  // namespace foveola::study

@@ -16,6 +16,7 @@
 #include "renderer/trace/path_tracer.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
+#include "study/record/study_store.h"
 
 namespace foveola::study {
 
@@ -27,9 +28,11 @@ class SceneStage {
   SceneStage(const SceneStage&) = delete;
   SceneStage& operator=(const SceneStage&) = delete;
 
-  /// Renders what the scene converges to, or takes it from the cache. Throws Error if stopped.
-  void render_reference(const Protocol& protocol, const Workers& workers,
-                        const std::function<void(double)>& progress, const std::stop_token& stop);
+  /// Renders what the scene converges to on such a film, or takes it from the cache. Throws Error
+  /// if stopped.
+  void render_reference(const FilmSettings& film, const ReferenceQuality& quality,
+                        const Workers& workers, const std::function<void(double)>& progress,
+                        const std::stop_token& stop);
 
   const SceneSource& source() const { return source_; }
   const Scene& scene() const { return scene_; }
@@ -49,5 +52,15 @@ class SceneStage {
 
 /// A protocol's scenes by name.
 using SceneStages = std::map<std::string, std::unique_ptr<SceneStage>>;
+
+/// sources: the protocol's scenes, in its order (see find_scenes). Throws Error for a bad file.
+SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
+                        const Workers& workers);
+
+/// What the record keeps of them.
+std::vector<ShownScene> shown_scenes(const SceneStages& stages);
+
+/// Tells, on standard error, of every file that is not the one its descriptor was written for.
+void warn_of_other_files(const SceneStages& stages);
 
 }  // namespace foveola::study

@@ -1,0 +1,65 @@
+#include "study/stage/attempt_log.h"
+
+#include <utility>
+
+namespace foveola::study {
+
+AttemptSink sink_to(StudyStore& store, std::int64_t session, std::size_t trial, int attempt) {
+  return {
+      .frames =
+          [&store, session, trial, attempt](std::uint64_t first, std::vector<FrameRow> frames) {
+            store.record_frames(session, trial, attempt, first, frames);
+          },
+      .gaze =
+          [&store, session, trial, attempt](std::uint64_t first, std::vector<GazeSample> samples) {
+            store.record_gaze(session, trial, attempt, first, samples);
+          }};
+}
+
+FrameRow frame_row(const FrameReport& report) {
+  return {.time = report.time,
+          .head_azimuth_rad = static_cast<float>(report.head.azimuth_rad),
+          .head_elevation_rad = static_cast<float>(report.head.elevation_rad),
+          .gaze = report.gaze,
+          .gaze_valid = report.gaze_valid,
+          .gaze_held = report.gaze_held,
+          .gaze_age = report.gaze_age,
+          .samples = static_cast<std::uint32_t>(report.samples)};
+}
+
+void AttemptLog::add(const FrameRow& frame, std::span<const GazeSample> arrived) {
+  frames_.push_back(frame);
+  for (const GazeSample& sample : arrived) {
+    marker_.push(sample, gaze_);
+  }
+  if (frames_.size() >= rows_per_chunk) {
+    write_frames();
+  }
+  if (gaze_.size() >= rows_per_chunk) {
+    write_gaze();
+  }
+}
+
+void AttemptLog::finish() {
+  marker_.finish(gaze_);
+  write_frames();
+  write_gaze();
+}
+
+void AttemptLog::write_frames() {
+  if (!frames_.empty()) {
+    const std::size_t count = frames_.size();
+    sink_.frames(frames_written_, std::exchange(frames_, {}));
+    frames_written_ += count;
+  }
+}
+
+void AttemptLog::write_gaze() {
+  if (!gaze_.empty()) {
+    const std::size_t count = gaze_.size();
+    sink_.gaze(gaze_written_, std::exchange(gaze_, {}));
+    gaze_written_ += count;
+  }
+}
+
+}  // namespace foveola::study
