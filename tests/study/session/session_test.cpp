@@ -1,225 +1,213 @@
 #include "study/session/session.h"
 
-#include <functional>
 #include <map>
-#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/study/session/whole_procedure.h"
+
 namespace foveola::study {
 namespace {
 
-constexpr Nanoseconds at(int milliseconds) { return std::chrono::milliseconds(milliseconds); }
+using testing::ElementsAre;
 
-Plan two_trials() {
-  return {{.scene = "a", .method = "od", .scene_position = 0, .method_position = 0},
-          {.scene = "a", .method = "fv", .scene_position = 0, .method_position = 1}};
+SessionState after(const std::vector<Event>& events) {
+  const auto state = state_after(whole_procedure(), events);
+  EXPECT_TRUE(state) << "an event was refused";
+  return state.value_or(SessionState{});
 }
 
-/// One legal event of each kind, late enough for any state here.
-std::vector<Event> every_event() {
-  return {SessionStarted{},
-          GazeValidated{.passed = true},
-          BackgroundAnswered{},
-          ObjectChosen{"vase"},
-          FirstFramePresented{at(1000)},
-          OutlineMarked{at(2000)},
-          MaterialMarked{at(3000)},
-          TimedOut{at(4000)},
-          ArtifactsRated{3},
-          RetimeRequested{},
-          Interrupted{},
-          Withdrawn{}};
+/// The first events of `all_events`, until the session is in this phase.
+std::vector<Event> until(Phase phase) {
+  std::vector<Event> events;
+  for (const Event& event : all_events()) {
+    if (after(events).phase == phase) {
+      break;
+    }
+    events.push_back(event);
+  }
+  EXPECT_EQ(after(events).phase, phase);
+  return events;
 }
 
-SessionState after(const Plan& plan, const std::vector<Event>& events) {
+std::vector<Event> operator+(std::vector<Event> events, const Event& event) {
+  events.push_back(event);
+  return events;
+}
+
+Transition last_step(const std::vector<Event>& before, const Event& event) {
+  const auto transition = step(whole_procedure(), after(before), event);
+  EXPECT_TRUE(transition) << name_of(event);
+  return transition.value_or(Transition{});
+}
+
+bool is_refused(const std::vector<Event>& before, const Event& event) {
+  return !step(whole_procedure(), after(before), event);
+}
+
+TEST(Session, GoesThroughItsAgenda) {
+  std::vector<Phase> phases;
   SessionState state;
-  for (const Event& event : events) {
-    const auto transition = step(plan, state, event);
-    if (!transition) {
-      ADD_FAILURE() << name_of(event) << " was refused in " << name_of(state.phase);
-      return state;
+  for (const Event& event : all_events()) {
+    const auto transition = step(whole_procedure(), state, event);
+    ASSERT_TRUE(transition) << name_of(event) << " in " << name_of(state.phase);
+    if (transition->state.phase != state.phase) {
+      phases.push_back(transition->state.phase);
     }
     state = transition->state;
   }
-  return state;
+  using enum Phase;
+  EXPECT_THAT(phases, ElementsAre(consent, questionnaire, validation, reaction, choosing_object,
+                                  ready, armed, marking, rating, ready, armed, marking, rating,
+                                  questionnaire, completed));
+  EXPECT_TRUE(state.is_over());
+  EXPECT_EQ(state.step, whole_procedure().agenda.size());
 }
 
-const std::vector<Event> to_rating = {SessionStarted{},        BackgroundAnswered{},
-                                      ObjectChosen{"vase"},    FirstFramePresented{at(1000)},
-                                      OutlineMarked{at(2000)}, MaterialMarked{at(3000)}};
-
-// The procedure as a table: what each phase accepts, and what follows. Written from the protocol of
-// the study, not from the code.
-TEST(Session, EveryEventInEveryPhase) {
-  const std::map<Phase, std::map<std::string, Phase>> accepted = {
-      {Phase::created, {{"session_started", Phase::background}}},
-      {Phase::validation, {{"gaze_validated", Phase::background}}},
-      {Phase::background, {{"background_answered", Phase::choosing_object}}},
-      {Phase::choosing_object, {{"object_chosen", Phase::armed}}},
-      {Phase::armed, {{"first_frame_presented", Phase::outline}}},
-      {Phase::outline, {{"outline_marked", Phase::material}, {"timed_out", Phase::material}}},
-      {Phase::material,
-       {{"material_marked", Phase::rating},
-        {"timed_out", Phase::rating},
-        {"retime_requested", Phase::armed}}},
-      {Phase::rating,
-       {{"artifacts_rated", Phase::choosing_object}, {"retime_requested", Phase::armed}}},
-      {Phase::completed, {}},
-      {Phase::interrupted, {}},
-      {Phase::withdrawn, {}},
-      {Phase::refused, {}}};
-  const Plan plan = two_trials();
-  for (const auto& [phase, follows] : accepted) {
-    SessionState state;
-    state.phase = phase;
-    for (const Event& event : every_event()) {
-      const auto transition = step(plan, state, event);
-      const std::string name = name_of(event);
-      const bool ends_anywhere = (name == "interrupted" || name == "withdrawn") && !state.is_over();
-      if (ends_anywhere) {
-        ASSERT_TRUE(transition) << name << " in " << name_of(phase);
-        EXPECT_STREQ(name_of(transition->state.phase), name.c_str());
-      } else if (follows.contains(name)) {
-        ASSERT_TRUE(transition) << name << " in " << name_of(phase);
-        EXPECT_EQ(transition->state.phase, follows.at(name)) << name << " in " << name_of(phase);
-      } else {
-        EXPECT_FALSE(transition) << name << " in " << name_of(phase);
-      }
-    }
-  }
-}
-
-// From every state that can be reached there is a way to the end.
-TEST(Session, HasNoDeadEnds) {
-  const Plan plan = two_trials();
-  const std::function<bool(const SessionState&, int)> can_complete = [&](const SessionState& state,
-                                                                         int steps) {
-    if (state.phase == Phase::completed) {
-      return true;
-    }
-    for (const Event& event : every_event()) {
-      const auto next = step(plan, state, event);
-      const bool ends_early = std::holds_alternative<Interrupted>(event) ||
-                              std::holds_alternative<Withdrawn>(event) ||
-                              std::holds_alternative<RetimeRequested>(event);
-      if (next && !ends_early && steps > 0 && can_complete(next->state, steps - 1)) {
-        return true;
-      }
-    }
-    return false;
-  };
-  SessionState state;
-  for (const Event& event : to_rating) {
-    EXPECT_TRUE(can_complete(state, 20)) << name_of(state.phase);
-    state = step(plan, state, event)->state;
-  }
-  EXPECT_TRUE(can_complete(step(plan, state, RetimeRequested{})->state, 20));
-  EXPECT_TRUE(can_complete(after(plan, {SessionStarted{.validations = 1}}), 20));
-}
-
-TEST(Session, ValidatesTheGazeFirstIfItMust) {
-  const Plan plan = two_trials();
-  const auto started = step(plan, {}, SessionStarted{.validations = 2});
-  ASSERT_TRUE(started);
-  EXPECT_EQ(started->state.phase, Phase::validation);
-  ASSERT_EQ(started->effects.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ValidateGaze>(started->effects[0]));
-  EXPECT_FALSE(step(plan, started->state, BackgroundAnswered{})) << "not before it passed";
-  const auto passed = step(plan, started->state, GazeValidated{.passed = true});
-  EXPECT_EQ(passed->state, after(plan, {SessionStarted{}})) << "as if there had been none";
-  EXPECT_TRUE(std::holds_alternative<AskBackground>(passed->effects.at(0)));
+TEST(Session, AnotherQuestionnaireThanWasAskedIsRefused) {
+  EXPECT_TRUE(is_refused(until(Phase::questionnaire), QuestionnaireAnswered{"debrief", {}}));
 }
 
 TEST(Session, AGazeThatDoesNotPassIsValidatedAgainAndThenRefused) {
-  const Plan plan = two_trials();
-  const SessionState started = after(plan, {SessionStarted{.validations = 2}});
-  const auto again = step(plan, started, GazeValidated{});
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->state.phase, Phase::validation);
-  EXPECT_TRUE(std::holds_alternative<ValidateGaze>(again->effects.at(0)));
-  EXPECT_EQ(step(plan, again->state, GazeValidated{.passed = true})->state.phase,
-            Phase::background);
-  const auto refused = step(plan, again->state, GazeValidated{});
-  ASSERT_TRUE(refused);
-  EXPECT_EQ(refused->state.phase, Phase::refused);
-  EXPECT_TRUE(refused->state.is_over());
-  ASSERT_EQ(refused->effects.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<EndSession>(refused->effects[0]));
+  const std::vector<Event> validating = until(Phase::validation);
+  const Transition again = last_step(validating, GazeValidated{});
+  EXPECT_EQ(again.state.phase, Phase::validation);
+  EXPECT_THAT(names_of(again.effects), ElementsAre("ValidateGaze"));
+  const std::vector<Event> failed_once = validating + GazeValidated{};
+  EXPECT_EQ(last_step(failed_once, GazeValidated{.passed = true}).state.phase, Phase::reaction);
+  const Transition refused = last_step(failed_once, GazeValidated{});
+  EXPECT_EQ(refused.state.phase, Phase::refused);
+  EXPECT_TRUE(refused.state.is_over());
+  EXPECT_THAT(names_of(refused.effects), ElementsAre("EndSession"));
 }
 
-TEST(Session, GoesThroughEveryTrialAndEnds) {
-  const Plan plan = two_trials();
-  std::vector<Event> events = to_rating;
-  events.insert(events.end(),
-                {ArtifactsRated{4}, ObjectChosen{"lamp"}, FirstFramePresented{at(5000)},
-                 OutlineMarked{at(5100)}, MaterialMarked{at(5200)}, ArtifactsRated{1}});
-  const SessionState end = after(plan, events);
-  EXPECT_EQ(end.phase, Phase::completed);
-  EXPECT_EQ(end.trial, 2U);
+TEST(Session, AFalseStartIsAskedForAgain) {
+  const std::vector<Event> waiting = until(Phase::reaction);
+  const Transition early = last_step(waiting, ReactionPressed{.shown = at(20), .time = at(10)});
+  EXPECT_EQ(early.state, after(waiting));
+  EXPECT_THAT(names_of(early.effects), ElementsAre("AskForPress"));
+  const Event good = ReactionPressed{.shown = at(20), .time = at(20)};
+  EXPECT_EQ(last_step(waiting, good).state.phase, Phase::reaction) << "one of two";
+  EXPECT_EQ(last_step(waiting + good, good).state.phase, Phase::choosing_object);
 }
 
-TEST(Session, RetimingStartsANewAttemptWithTheSameObject) {
-  std::vector<Event> events = to_rating;
-  events.emplace_back(RetimeRequested{});
-  const SessionState state = after(two_trials(), events);
-  EXPECT_EQ(state.phase, Phase::armed);
-  EXPECT_EQ(state.attempt, 2);
-  EXPECT_EQ(state.trial, 0U);
-  EXPECT_EQ(state.object, "vase");
-  EXPECT_EQ(state.first_frame, Nanoseconds(0));
-  EXPECT_EQ(state.outline, Nanoseconds(0));
+TEST(Session, AnObjectMustBeNamedAndStaysForTheSceneIfTheAgendaSaysSo) {
+  EXPECT_TRUE(is_refused(until(Phase::choosing_object), ObjectChosen{""}));
+  const SessionState second = after(events_of_first_trial() + all_events()[11]);
+  EXPECT_EQ(trial_of(whole_procedure(), second), 1U);
+  EXPECT_EQ(second.phase, Phase::ready);
+  EXPECT_EQ(second.object, "vase");
 }
 
 TEST(Session, MarksCannotPrecedeWhatTheyFollow) {
-  const Plan plan = two_trials();
-  const SessionState rendering = after(plan, {SessionStarted{}, BackgroundAnswered{},
-                                              ObjectChosen{"x"}, FirstFramePresented{at(9)}});
-  EXPECT_FALSE(step(plan, rendering, OutlineMarked{at(8)}));
-  const SessionState marked = step(plan, rendering, OutlineMarked{at(20)})->state;
-  EXPECT_FALSE(step(plan, marked, MaterialMarked{at(19)}));
-  EXPECT_TRUE(step(plan, marked, MaterialMarked{at(20)}));
-}
-
-TEST(Session, RatingsLieBetweenOneAndFive) {
-  const Plan plan = two_trials();
-  const SessionState rating = after(plan, to_rating);
-  for (const int value : {-1, 0, 6}) {
-    EXPECT_FALSE(step(plan, rating, ArtifactsRated{value}));
-  }
-  for (const int value : {1, 5}) {
-    EXPECT_TRUE(step(plan, rating, ArtifactsRated{value}));
-  }
-}
-
-TEST(Session, AnObjectMustBeNamed) {
-  const Plan plan = two_trials();
-  const SessionState choosing = after(plan, {SessionStarted{}, BackgroundAnswered{}});
-  EXPECT_FALSE(step(plan, choosing, ObjectChosen{""}));
+  const std::vector<Event> marking = until(Phase::armed) + FirstFramePresented{at(9)};
+  EXPECT_TRUE(is_refused(marking, Marked{at(8)}));
+  EXPECT_TRUE(is_refused(marking, TimedOut{at(8)}));
+  EXPECT_TRUE(is_refused(marking + Marked{at(20)}, Marked{at(19)}));
+  EXPECT_EQ(last_step(marking + Marked{at(20)}, Marked{at(20)}).state.phase, Phase::rating);
 }
 
 TEST(Session, MarksAreAcknowledgedAndTimeOutsAreNot) {
-  const Plan plan = two_trials();
-  const SessionState rendering = after(plan, {SessionStarted{}, BackgroundAnswered{},
-                                              ObjectChosen{"x"}, FirstFramePresented{at(0)}});
-  const auto marked = step(plan, rendering, OutlineMarked{at(1)});
-  ASSERT_EQ(marked->effects.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<AcknowledgeMark>(marked->effects[0]));
-  EXPECT_TRUE(step(plan, rendering, TimedOut{at(1)})->effects.empty());
+  const std::vector<Event> marking = until(Phase::marking);
+  EXPECT_THAT(names_of(last_step(marking, Marked{at(100)}).effects),
+              ElementsAre("AcknowledgeMark"));
+  EXPECT_THAT(names_of(last_step(marking, TimedOut{at(100)}).effects), ElementsAre());
+  EXPECT_THAT(names_of(last_step(marking + Marked{at(100)}, Marked{at(100)}).effects),
+              ElementsAre("AcknowledgeMark", "AskForRating"));
+  EXPECT_THAT(names_of(last_step(marking + Marked{at(100)}, TimedOut{at(100)}).effects),
+              ElementsAre("AskForRating"));
 }
 
-TEST(Session, RenderingIsStoppedWheneverItEnds) {
-  const Plan plan = two_trials();
-  const SessionState rating = after(plan, to_rating);
-  for (const Event& event :
-       std::vector<Event>{ArtifactsRated{3}, RetimeRequested{}, Interrupted{}, Withdrawn{}}) {
-    const auto transition = step(plan, rating, event);
-    ASSERT_TRUE(transition);
-    ASSERT_FALSE(transition->effects.empty());
-    EXPECT_TRUE(std::holds_alternative<StopRendering>(transition->effects.front()))
-        << name_of(event);
+TEST(Session, RatingsMustAnswerWhatIsAsked) {
+  const std::vector<Event> rating = until(Phase::rating);
+  const Answer three{"artifacts", 3.0};
+  for (const std::vector<Answer>& bad :
+       std::vector<std::vector<Answer>>{{},
+                                        {{"artifacts", 0.0}},
+                                        {{"artifacts", 6.0}},
+                                        {{"artifacts", 2.5}},
+                                        {{"artifacts", std::string("three")}},
+                                        {{"other", 3.0}},
+                                        {three, {"other", 3.0}},
+                                        {three, three},
+                                        {{"comment", std::string("fine")}}}) {
+    EXPECT_TRUE(is_refused(rating, Rated{bad})) << testing::PrintToString(bad.size());
   }
+  EXPECT_FALSE(is_refused(rating, Rated{{three}}));
+  EXPECT_FALSE(is_refused(rating, Rated{{three, {"comment", std::string("fine")}}}));
+}
+
+TEST(Session, RetimingTakesTheWholeMethodAnewWithTheSameObject) {
+  for (const std::vector<Event>& events :
+       {until(Phase::marking), until(Phase::marking) + Marked{at(100)}, until(Phase::rating)}) {
+    const Transition again = last_step(events, RetimeRequested{});
+    EXPECT_THAT(names_of(again.effects), ElementsAre("StopRendering", "AskWhetherReady"));
+    SessionState expected = after(until(Phase::ready));
+    expected.attempt = 2;
+    expected.timing = 2;
+    EXPECT_EQ(again.state, expected);
+  }
+}
+
+TEST(Session, APauseEndsAnAttemptButIsNoTiming) {
+  for (const Phase phase : {Phase::armed, Phase::marking, Phase::rating}) {
+    const Transition paused = last_step(until(phase), PauseRequested{});
+    EXPECT_EQ(paused.state.phase, Phase::paused);
+    EXPECT_THAT(names_of(paused.effects), ElementsAre("StopRendering", "ShowPause"));
+    const Transition resumed = last_step(until(phase) + PauseRequested{}, Resumed{});
+    EXPECT_THAT(names_of(resumed.effects), ElementsAre("AskWhetherReady"));
+    SessionState expected = after(until(Phase::ready));
+    expected.attempt = 2;
+    EXPECT_EQ(resumed.state, expected);
+  }
+}
+
+TEST(Session, ElsewhereAPauseLeadsBackToWhereItWas) {
+  for (const Phase phase : {Phase::consent, Phase::questionnaire, Phase::validation,
+                            Phase::reaction, Phase::choosing_object, Phase::ready}) {
+    const std::vector<Event> before = until(phase);
+    EXPECT_EQ(last_step(before + PauseRequested{}, Resumed{}).state, after(before));
+    EXPECT_EQ(last_step(before + Interrupted{}, Resumed{}).state, after(before));
+    EXPECT_EQ(last_step(before + PauseRequested{} + Interrupted{} + Interrupted{}, Resumed{}).state,
+              after(before))
+        << "the program died in the pause";
+  }
+  EXPECT_EQ(last_step({Interrupted{}}, Resumed{}).state, SessionState{});
+}
+
+TEST(Session, TellsWhichTrialItIsIn) {
+  const Procedure procedure = whole_procedure();
+  EXPECT_EQ(trial_of(procedure, {}), std::nullopt);
+  EXPECT_EQ(trial_of(procedure, after(until(Phase::reaction))), std::nullopt);
+  EXPECT_EQ(trial_of(procedure, after(until(Phase::choosing_object))), 0U);
+  EXPECT_EQ(trial_of(procedure, after(until(Phase::marking))), 0U);
+  EXPECT_EQ(trial_of(procedure, after(until(Phase::marking) + PauseRequested{})), 0U);
+  EXPECT_EQ(trial_of(procedure, after(until(Phase::reaction) + Interrupted{})), std::nullopt);
+  EXPECT_EQ(trial_of(procedure, after(until(Phase::marking) + Withdrawn{})), std::nullopt);
+}
+
+TEST(Session, TakesWhatItKnowsFromTheProtocol) {
+  Protocol protocol;
+  protocol.marks = {{.id = "outline"}, {.id = "material"}, {.id = "shadow"}};
+  protocol.ratings = {{.id = "artifacts"}};
+  protocol.phases = {{.kind = PhaseEntry::Kind::consent}, {.kind = PhaseEntry::Kind::trials}};
+  const Procedure procedure =
+      procedure_of(protocol, {{.scene = "a", .method = "od"}, {.scene = "a", .method = "fv"}});
+  EXPECT_EQ(procedure.marks, 3U);
+  ASSERT_EQ(procedure.ratings.size(), 1U);
+  EXPECT_EQ(procedure.ratings[0].id, "artifacts");
+  EXPECT_EQ(procedure.agenda.size(), 3U);
+}
+
+TEST(Session, TheGazeGoesThroughTheCorrectionThatPassed) {
+  const GazeCorrection correction{.azimuth = {1.0, 1.0, 0.0}};
+  GazeValidated validated{.runs = {GazeRun{}, GazeRun{.correction = correction, .passed = true}},
+                          .passed = true};
+  ASSERT_TRUE(correction_after(validated));
+  EXPECT_EQ(correction_after(validated)->azimuth, correction.azimuth);
+  validated.passed = false;
+  EXPECT_FALSE(correction_after(validated));
 }
 
 }  // namespace
