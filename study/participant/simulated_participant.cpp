@@ -11,7 +11,7 @@ namespace foveola::study {
 namespace {
 
 /// Independent streams of one person's seed.
-enum class Stream : std::uint64_t { traits = 1, answers = 2, choices = 3, reactions = 4 };
+enum class Stream : std::uint64_t { traits, answers, choices, reactions, decisions };
 
 Pcg32 stream(std::uint64_t seed, Stream purpose, std::uint32_t key = 0) {
   return Pcg32(seed, static_cast<std::uint64_t>(purpose) | std::uint64_t{key} << 32U);
@@ -65,8 +65,8 @@ std::size_t SimulatedParticipant::choose_object(const std::string& scene,
 }
 
 void SimulatedParticipant::begin_occasion(std::uint32_t conduct) {
-  random_ = Pcg32(conduct);
-  path_ = ScanPath(habits_, mix(conduct));
+  random_ = stream(seed_, Stream::decisions, conduct);
+  path_ = ScanPath(habits_, seed_ ^ std::uint64_t{conduct} << 32U);
   task_.reset();
 }
 

@@ -1,5 +1,6 @@
 #include "study/participant/answers.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -8,34 +9,44 @@ namespace foveola::study {
 namespace {
 
 const std::vector<Question> questions = {
-    {.id = "age", .text = "How old are you?", .minimum = 18, .maximum = 99},
-    {.id = "gender", .text = "Coded 1 or 5", .minimum = 1, .maximum = 5},
-    {.id = "games", .text = "How often do you play?", .minimum = 1, .maximum = 5}};
+    {.id = "age", .kind = QuestionKind::number, .minimum = 18, .maximum = 99},
+    {.id = "gender",
+     .kind = QuestionKind::choice,
+     .options = {{"female", 5.0}, {"male", 1.0}, {"another", std::nullopt}}},
+    {.id = "games", .kind = QuestionKind::likert, .minimum = 1, .maximum = 5},
+    {.id = "hand", .kind = QuestionKind::choice, .options = {{"left", 0.0}, {"right", {}}}},
+    {.id = "name_a_colour", .kind = QuestionKind::text},
+    {.id = "comments", .kind = QuestionKind::text, .required = false}};
 
-TEST(Answers, AreOneToEachQuestionWithinItsRange) {
+/// Everything that so many people answered to the question of this index.
+std::set<std::variant<double, std::string>> given_answers(std::size_t question) {
+  Pcg32 random(2);
+  std::set<std::variant<double, std::string>> given;
+  for (int person = 0; person < 1000; ++person) {
+    given.insert(draw_answers(questions, random).at(question).value);
+  }
+  return given;
+}
+
+TEST(Answers, AreGoodOnesToEachQuestionThatNeedsOne) {
   Pcg32 random(1);
   for (int person = 0; person < 1000; ++person) {
     const std::vector<Answer> answers = draw_answers(questions, random);
-    ASSERT_EQ(answers.size(), questions.size());
+    ASSERT_EQ(answers.size(), 5U);
     for (std::size_t i = 0; i < answers.size(); ++i) {
       EXPECT_EQ(answers[i].question, questions[i].id);
-      EXPECT_GE(answers[i].value, questions[i].minimum);
-      EXPECT_LE(answers[i].value, questions[i].maximum);
+      EXPECT_EQ(fault_of(questions[i], answers[i].value), "");
     }
   }
 }
 
-TEST(Answers, UseTheWholeScaleButOnlyTheEndsOfGender) {
-  Pcg32 random(2);
-  std::set<int> genders;
-  std::set<int> games;
-  for (int person = 0; person < 1000; ++person) {
-    const std::vector<Answer> answers = draw_answers(questions, random);
-    genders.insert(answers[1].value);
-    games.insert(answers[2].value);
-  }
-  EXPECT_EQ(genders, (std::set<int>{1, 5}));
-  EXPECT_EQ(games, (std::set<int>{1, 2, 3, 4, 5}));
+using Values = std::set<std::variant<double, std::string>>;
+
+TEST(Answers, UseTheWholeScaleAndEveryOptionButOnlyTwoOfGender) {
+  EXPECT_EQ(given_answers(1), (Values{1.0, 5.0}));
+  EXPECT_EQ(given_answers(2), (Values{1.0, 2.0, 3.0, 4.0, 5.0}));
+  EXPECT_EQ(given_answers(3), (Values{0.0, "right"}));
+  EXPECT_GT(given_answers(0).size(), 50U);
 }
 
 }  // namespace

@@ -49,6 +49,12 @@ RgbImage scrambled(RgbImage image) {
   return image;
 }
 
+/// Sits down for a trial at an object of "scene".
+void sit_down(SimulatedParticipant& person, std::size_t object, std::uint32_t conduct = 7) {
+  person.begin_occasion(conduct);
+  person.turn_to("scene", offered[object], Nanoseconds(0));
+}
+
 struct Marks {
   std::optional<double> outline_s;  ///< after the first frame
   std::optional<double> material_s;
@@ -96,10 +102,11 @@ class SimulatedParticipantTest : public ::testing::Test {
     return std::nullopt;
   }
 
-  Marks marks(SimulatedParticipant person, const Display& display, double limit_s = 40.0) const {
-    Nanoseconds now{0};
-    person.choose_object("scene", offered, now);
-    now = nanoseconds_from_seconds(first_presented_s);
+  Marks marks(SimulatedParticipant person, const Display& display,
+              std::uint32_t conduct = 7) const {
+    constexpr double limit_s = 40.0;
+    sit_down(person, person.choose_object("scene", offered), conduct);
+    Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
     const auto after_first_frame = [](std::optional<Nanoseconds> mark) {
       return mark ? std::optional(seconds(*mark) - first_presented_s) : std::nullopt;
     };
@@ -112,12 +119,14 @@ class SimulatedParticipantTest : public ::testing::Test {
     return result;
   }
 
-  int rating(SimulatedParticipant person, const Display& display) const {
-    Nanoseconds now{0};
-    person.choose_object("scene", offered, now);
-    now = nanoseconds_from_seconds(first_presented_s);
+  double rating(SimulatedParticipant person, const Display& display, double points = 5.0) const {
+    sit_down(person, 0);
+    Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
     wait(person, Task::look_around, now, display, 3.0);
-    return person.rate_artifacts();
+    const std::vector<Answer> answers =
+        person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = points}});
+    EXPECT_EQ(answers.size(), 1U);
+    return std::get<double>(answers.at(0).value);
   }
 
   RgbImage panorama_ = made_up_panorama();
@@ -179,7 +188,7 @@ TEST_F(SimulatedParticipantTest, LooksAtTheChosenObjectOnly) {
     return half;
   };
   SimulatedParticipant person = participant(3);
-  chosen_ = person.choose_object("scene", offered, Nanoseconds(0));
+  chosen_ = person.choose_object("scene", offered);
   EXPECT_TRUE(marks(person, finished_at_object).material_s);
 }
 
@@ -193,7 +202,7 @@ TEST_F(SimulatedParticipantTest, IsAlwaysTheSamePersonForASeedAndAnotherForAnoth
 
 TEST_F(SimulatedParticipantTest, LosesInterestAfterAMark) {
   SimulatedParticipant person = participant(4);
-  person.choose_object("scene", offered, Nanoseconds(0));
+  sit_down(person, 0);
   Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
   ASSERT_TRUE(wait(person, Task::mark_outline, now, finished, 5.0));
   for (int i = 0; i < 20; ++i) {
@@ -206,9 +215,9 @@ TEST_F(SimulatedParticipantTest, StaysWithOneObjectPerSceneAndDiffersInItsChoice
   std::vector<int> chosen(offered.size());
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SimulatedParticipant person = participant(seed);
-    const std::size_t first = person.choose_object("scene", offered, Nanoseconds(0));
-    person.choose_object("another scene", offered, Nanoseconds(1));
-    EXPECT_EQ(person.choose_object("scene", offered, Nanoseconds(2)), first);
+    const std::size_t first = person.choose_object("scene", offered);
+    person.choose_object("another scene", offered);
+    EXPECT_EQ(person.choose_object("scene", offered), first);
     ++chosen.at(first);
   }
   EXPECT_GT(chosen[0], 0);
@@ -222,10 +231,54 @@ TEST_F(SimulatedParticipantTest, RatesByWhatIsWrongWithTheImage) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     EXPECT_EQ(rating(participant(seed), finished), 1);
     EXPECT_EQ(rating(participant(seed), black), 5);
-    const int noisy_rating = rating(participant(seed), slightly_noisy);
+    EXPECT_EQ(rating(participant(seed), black, 3.0), 3) << "of a shorter scale";
+    const double noisy_rating = rating(participant(seed), slightly_noisy);
     EXPECT_GT(noisy_rating, 1);
     EXPECT_LT(noisy_rating, 5);
   }
+}
+
+TEST_F(SimulatedParticipantTest, AnOccasionDependsOnNothingThatWasBefore) {
+  SimulatedParticipant tired = participant(1);
+  sit_down(tired, 1, 99);
+  Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
+  wait(tired, Task::mark_outline, now, rendering, 40.0);
+  wait(tired, Task::look_around, now, rendering, 5.0);
+  tired.rate({{.id = "artifacts"}});
+  tired.answer("background", {{.id = "age"}});
+  tired.react(3);
+  EXPECT_EQ(marks(tired, rendering), marks(participant(1), rendering));
+  EXPECT_NE(marks(participant(1), rendering, 7), marks(participant(1), rendering, 8))
+      << "but on its own chance";
+}
+
+TEST_F(SimulatedParticipantTest, AnswersAFormAlwaysTheSameAndAnotherDifferently) {
+  const std::vector<Question> questions(
+      20, {.id = "q", .kind = QuestionKind::number, .minimum = 0.0, .maximum = 1000.0});
+  SimulatedParticipant person = participant(2);
+  const std::vector<Answer> first = person.answer("background", questions);
+  EXPECT_NE(person.answer("debrief", questions), first);
+  EXPECT_EQ(person.answer("background", questions), first);
+  EXPECT_NE(participant(3).answer("background", questions), first);
+}
+
+// Luce 1986: a normal part of 250 ms and 30 ms, and an exponential one of 70 ms.
+TEST_F(SimulatedParticipantTest, ReactsLikePeople) {
+  SimulatedParticipant person = participant(5);
+  constexpr int presses = 4000;
+  double sum_s = 0.0;
+  double squares = 0.0;
+  for (std::uint32_t press = 0; press < presses; ++press) {
+    const double reaction_s = seconds(person.react(press));
+    EXPECT_GT(reaction_s, 0.1);
+    sum_s += reaction_s;
+    squares += reaction_s * reaction_s;
+  }
+  const double mean_s = sum_s / presses;
+  const double deviation_s = std::sqrt(squares / presses - mean_s * mean_s);
+  EXPECT_NEAR(mean_s, 0.320, 4.0 * 0.0762 / std::sqrt(presses));
+  EXPECT_NEAR(deviation_s, std::hypot(0.030, 0.070), 0.006);
+  EXPECT_EQ(person.react(17), person.react(17));
 }
 
 }  // namespace
