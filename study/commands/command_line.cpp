@@ -27,6 +27,13 @@ void add_participants_and_seed(CLI::App* command, int& participants, std::uint64
       ->capture_default_str();
 }
 
+void add_threads(CLI::App* command, int& threads) {
+  constexpr int most_threads = 1024;
+  command->add_option("--threads", threads, "0: every core")
+      ->check(CLI::Range(0, most_threads))
+      ->capture_default_str();
+}
+
 void add_json(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print the result as JSON");
 }

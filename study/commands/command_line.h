@@ -19,6 +19,7 @@ CLI::App* add_command(CLI::App& study, const std::string& name, const std::strin
 void add_protocol(CLI::App* command, std::string& protocol);
 void add_database(CLI::App* command, std::string& database);  ///< of a study that exists
 void add_participants_and_seed(CLI::App* command, int& participants, std::uint64_t& seed);
+void add_threads(CLI::App* command, int& threads);
 void add_json(CLI::App* command, bool& json);
 
 }  // namespace foveola::study

@@ -13,8 +13,6 @@
 namespace foveola::study {
 namespace {
 
-constexpr int most_threads = 1024;
-
 struct Arguments {
   std::string protocol;
   std::string database;
@@ -78,9 +76,7 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::sto
                    "The study's file; made, or added to if it is of the same protocol")
       ->required();
   add_participants_and_seed(command, arguments->participants, arguments->seed);
-  command->add_option("--threads", arguments->threads, "0: every core")
-      ->check(CLI::Range(0, most_threads))
-      ->capture_default_str();
+  add_threads(command, arguments->threads);
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
   add_json(command, arguments->json);

@@ -1,0 +1,146 @@
+#include "study/commands/replay_command.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "study/commands/command_line.h"
+#include "study/commands/replay.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+struct Arguments {
+  std::string database;
+  std::string participant;
+  std::optional<std::size_t> trial;
+  std::optional<int> attempt;
+  std::string folder;
+  std::string output;
+  int threads = 0;
+  bool json = false;
+};
+
+std::string verdict(const ReplayedAttempt& attempt, bool is_approximate) {
+  if (attempt.frames == 0) {
+    return "none of its frames was kept";
+  }
+  if (attempt.hashes == 0) {
+    return "no film was kept to compare with";
+  }
+  if (!attempt.first_difference) {
+    return "the same, bit for bit";
+  }
+  return fmt::format("{} from frame {} at the latest",
+                     is_approximate ? "alike, but not bit for bit," : "differs",
+                     *attempt.first_difference);
+}
+
+std::string line_of(const ReplayedAttempt& attempt, bool is_approximate) {
+  return fmt::format(
+      "trial {} ({}, {}{}), attempt {}: {} frames, {} samples: {}\n", attempt.trial,
+      attempt.planned.scene, attempt.planned.method,
+      attempt.planned.kind == TrialKind::test ? ""
+                                              : fmt::format(", {}", name_of(attempt.planned.kind)),
+      attempt.attempt, attempt.frames, attempt.samples, verdict(attempt, is_approximate));
+}
+
+nlohmann::json json_of(const ReplayedAttempt& attempt) {
+  nlohmann::json json = {{"trial", attempt.trial},
+                         {"attempt", attempt.attempt},
+                         {"kind", name_of(attempt.planned.kind)},
+                         {"scene", attempt.planned.scene},
+                         {"method", attempt.planned.method},
+                         {"frames", attempt.frames},
+                         {"samples", attempt.samples},
+                         {"films_compared", attempt.hashes},
+                         {"first_difference", nullptr}};
+  if (attempt.first_difference) {
+    json["first_difference"] = *attempt.first_difference;
+  }
+  return json;
+}
+
+void print_json(const ReplayReport& report) {
+  nlohmann::json attempts = nlohmann::json::array();
+  for (const ReplayedAttempt& attempt : report.attempts) {
+    attempts.push_back(json_of(attempt));
+  }
+  const nlohmann::json json = {{"attempts", attempts}, {"approximate", report.approximate}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_lines(const ReplayReport& report) {
+  const bool is_approximate = !report.approximate.empty();
+  if (is_approximate) {
+    fmt::print("Approximate: {}.\n", report.approximate);
+  }
+  for (const ReplayedAttempt& attempt : report.attempts) {
+    fmt::print("{}", line_of(attempt, is_approximate));
+  }
+}
+
+/// Where the same program on the same processor shows another film, something is wrong.
+void require_same(const ReplayReport& report, const std::string& database) {
+  const auto differing =
+      std::count_if(report.attempts.begin(), report.attempts.end(),
+                    [](const ReplayedAttempt& attempt) { return attempt.first_difference; });
+  if (differing > 0 && report.approximate.empty()) {
+    throw Error(database,
+                fmt::format("{} of {} replayed attempts differ from what was shown", differing,
+                            report.attempts.size()),
+                "foveola study verify says whether the record is whole");
+  }
+}
+
+void run_replay(const Arguments& arguments, const SceneFinder& find_scene,
+                const std::stop_token& stop) {
+  if (!arguments.output.empty()) {
+    fs::create_directories(arguments.output);
+  }
+  const fs::path beside = fs::absolute(arguments.database).parent_path();
+  const ReplayReport report =
+      replay_session({.database = arguments.database,
+                      .participant = arguments.participant,
+                      .trial = arguments.trial,
+                      .attempt = arguments.attempt,
+                      .folder = arguments.folder.empty() ? beside : fs::path(arguments.folder),
+                      .pictures = arguments.output,
+                      .threads = arguments.threads},
+                     find_scene, stop);
+  if (arguments.json) {
+    print_json(report);
+  } else {
+    print_lines(report);
+  }
+  require_same(report, arguments.database);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = add_command(study, "replay", "Show a session again from its record",
+                                  "replay study.sqlite --participant P001 --trial 0 -o pictures");
+  add_database(command, arguments->database);
+  command->add_option("--participant", arguments->participant, "The code")->required();
+  command->add_option("--trial", arguments->trial, "0 is the first; without, all")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()));
+  command->add_option("--attempt", arguments->attempt, "1 is a trial's first; without, all")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command->add_option("--folder", arguments->folder,
+                      "Where the files lie that the protocol names; default: the database's");
+  command->add_option("-o,--output", arguments->output,
+                      "A folder for a picture of the last view of each attempt");
+  add_threads(command, arguments->threads);
+  add_json(command, arguments->json);
+  command->callback([arguments, find_scene, stop] { run_replay(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola::study
