@@ -1,4 +1,4 @@
-// The study's part of the command line: study check, plan, simulate, status, gaze.
+// The study's part of the command line: see foveola study --help.
 #pragma once
 
 #include <stop_token>
@@ -11,7 +11,7 @@ class App;
 
 namespace foveola::study {
 
-/// Adds `study check | plan | simulate | status | gaze` to `app`; see add_renderer_commands.
+/// Adds `study` and its commands to `app`; see add_renderer_commands.
 void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop);
 
 }  // namespace foveola::study

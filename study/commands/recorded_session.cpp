@@ -10,6 +10,7 @@
 #include "study/record/database.h"
 #include "study/record/event_log.h"
 #include "study/record/recorded_frames.h"
+#include "study/record/same_protocol.h"
 #include "study/record/session_rows.h"
 
 namespace fs = std::filesystem;

@@ -220,34 +220,32 @@ Event SessionRunner::start_trial() {
 }
 
 Event SessionRunner::present_first_frame() {
-  participant_.begin(task_of_mark(), clock_.now());
+  begin(task_of_mark());
   show_frame();
   return FirstFramePresented{now()};
 }
 
 Event SessionRunner::wait_for_mark() {
   if (state_.mark > 0) {
-    participant_.begin(task_of_mark(), clock_.now());
+    begin(task_of_mark());
   }
   const Nanoseconds deadline =
       state_.first_frame + nanoseconds_from_seconds(mark_timeout_s(setting_.protocol, trial()));
-  std::optional<Nanoseconds> pressed;
-  while (!pressed || clock_.now() < *pressed) {
+  while (!pressed_ || clock_.now() < *pressed_) {
     if (now() >= deadline) {
       return TimedOut{deadline};
     }
     if (setting_.stop.stop_requested()) {
       return Interrupted{};
     }
-    const std::optional<Nanoseconds> press = show_frame();
-    pressed = pressed ? pressed : press;
+    show_frame();
   }
-  const Nanoseconds mark = occasion_start_ + *pressed;
+  const Nanoseconds mark = occasion_start_ + *pressed_;
   return mark <= deadline ? Event(Marked{mark}) : Event(TimedOut{deadline});
 }
 
 Event SessionRunner::rate() {
-  participant_.begin(Task::look_around, clock_.now());
+  begin(Task::look_around);
   const Timing timing = settings_of(setting_.protocol, trial().scene, trial().method).timing;
   const Nanoseconds end = now() + nanoseconds_from_seconds(timing.rating_s);
   while (now() < end) {
@@ -266,8 +264,13 @@ void SessionRunner::begin_occasion(std::uint32_t conduct) {
   participant_.begin_occasion(conduct);
 }
 
-std::optional<Nanoseconds> SessionRunner::show_frame() {
-  const bool glance = log_->frames() % frames_per_glance(setting_.protocol.machine) == 0;
+void SessionRunner::begin(Task task) {
+  pressed_.reset();
+  participant_.begin(task, clock_.now());
+}
+
+void SessionRunner::show_frame() {
+  const bool is_glance = log_->frames() % frames_per_glance(setting_.protocol.machine) == 0;
   FrameRow row = frame_row(preview_->next_frame());
   row.time += occasion_start_;
   row.presented = now();
@@ -276,14 +279,14 @@ std::optional<Nanoseconds> SessionRunner::show_frame() {
     sample.time += occasion_start_;
   }
   log_->add(row, arrived);
-  if (!glance) {
-    return std::nullopt;
+  if (is_glance) {
+    const std::optional<Nanoseconds> press =
+        participant_.see({.image = preview_->present(),
+                          .viewport = preview_->viewport(),
+                          .gaze = participant_.gaze(clock_.now()),
+                          .presented = clock_.now()});
+    pressed_ = pressed_ ? pressed_ : press;
   }
-  const RgbImage& image = preview_->present();
-  return participant_.see({.image = image,
-                           .viewport = preview_->viewport(),
-                           .gaze = participant_.gaze(clock_.now()),
-                           .presented = clock_.now()});
 }
 
 Task SessionRunner::task_of_mark() const {

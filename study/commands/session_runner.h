@@ -81,9 +81,9 @@ class SessionRunner {
 
   /// Begins an occasion: its clock starts anew.
   void begin_occasion(std::uint32_t conduct);
-  /// Renders and presents one frame; every few frames shows it to the participant, whose key press
-  /// it returns: a time of the occasion.
-  std::optional<Nanoseconds> show_frame();
+  void begin(Task task);
+  /// Renders and presents one frame; every few frames shows it to the participant.
+  void show_frame();
 
   Nanoseconds now() const { return occasion_start_ + clock_.now(); }
   std::size_t trial_index() const { return *trial_of(procedure_, state_); }
@@ -106,7 +106,8 @@ class SessionRunner {
   VirtualClock clock_;
   SessionState state_;
   std::optional<GazeCorrection> correction_;
-  Attempt attempt_;  ///< that is rendered now
+  std::optional<Nanoseconds> pressed_;  ///< the key, by the occasion's clock, for the task
+  Attempt attempt_;                     ///< that is rendered now
   std::optional<VirtualPreview> preview_;
   std::optional<AttemptLog> log_;
   SessionOutcome outcome_;

@@ -12,7 +12,9 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/files.h"
+#include "renderer/image/image_file.h"
 #include "study/record/study_records.h"
+#include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/program.h"
 
 namespace fs = std::filesystem;
@@ -114,79 +116,17 @@ TEST(Study, TheSameSeedGivesTheSameMarks) {
   EXPECT_NE(first, marks("c.sqlite", "6", "2"));
 }
 
-const char* const hall_protocol = R"(
-name = "hall"
-title = "A study of a hall"
-scenes = ["hall"]
-methods = ["od"]
-
-[machine]
-samples_per_second = 3845
-
-[film]
-width = 32
-height = 16
-max_depth = 2
-
-[display]
-view_width = 16
-view_height = 16
-
-[timing]
-mark_timeout_s = 5
-
-[reference]
-samples_per_pixel = 4
-samples_per_object = 100
-)";
-
-/// With no SHA-256.
-const char* const hall_descriptor = R"(
-title = "A hall"
-author = "Somebody"
-licence = "CC0"
-file = "hall.glb"
-
-[camera]
-position = [0.0, 1.0, 0.0]
-azimuth_deg = 0.0
-elevation_deg = 0.0
-
-[[object]]
-name = "Wall"
-position = [0.0, 1.0, -1.0]
-radius_deg = 5.0
-)";
-
-/// room_gltf() as a .glb of its JSON alone.
-std::string room_glb() {
-  std::string json = room_gltf();
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto word = [](std::size_t value) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    std::string bytes(4, '\0');
-    std::memcpy(bytes.data(), &bits, 4);
-    return bytes;
-  };
-  return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
-}
-
-class StudyOfAHall : public testing::Test {
+class StudyOfAHall : public testing::Test, protected Hall {
  protected:
   StudyOfAHall() {
-    folder.write("share/protocols/hall.toml", hall_protocol);
-    folder.write("real/hall.glb", room_glb());
     digest = run_program({"sha256sum", (folder / "real/hall.glb").string()}).output.substr(0, 64);
     const std::string top = "sha256 = \"" + digest + "\"\n";
     folder.write("share/scenes/hall.toml", top + hall_descriptor);
   }
 
   ProgramResult simulate(const std::string& database) const {
-    return run_foveola(
-        {"study", "simulate", "hall", "--db", (folder / database).string(), "--participants", "1"},
-        {{"FOVEOLA_RESOURCES", (folder / "share").string()},
-         {"FOVEOLA_SCENE_PATH", (folder / "real").string()},
-         {"XDG_CACHE_HOME", (folder / "cache").string()}});
+    return run(
+        {"study", "simulate", "hall", "--db", (folder / database).string(), "--participants", "1"});
   }
   /// Of the first gaze sample of the only trial, in the head's axes.
   double first_azimuth_deg(const std::string& database) const {
@@ -205,7 +145,6 @@ class StudyOfAHall : public testing::Test {
     return query(folder / database, "SELECT file_sha256 FROM session_scene");
   }
 
-  TemporaryFolder folder;
   std::string digest;  ///< of hall.glb, by coreutils
 };
 
@@ -359,6 +298,76 @@ TEST_F(StudyOfAHall, AnotherMaskIsNotMixedIn) {
   EXPECT_EQ(mixed.exit_code, 1);
   EXPECT_THAT(mixed.errors, HasSubstr("was begun with another file as masks/left.ppm"));
   EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "2");
+}
+
+class ReplayOfAHall : public StudyOfAHall {
+ protected:
+  ReplayOfAHall() { simulate("study.sqlite"); }
+
+  ProgramResult replay(std::vector<std::string> more = {}) const {
+    std::vector<std::string> words = {"study", "replay", (folder / "study.sqlite").string(),
+                                      "--participant", "P001"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+};
+
+TEST_F(ReplayOfAHall, IsTheSameBitForBitAndCanBeSeen) {
+  const ProgramResult replayed = replay({"-o", (folder / "pictures").string()});
+  ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const std::string frames =
+      query(folder / "study.sqlite", "SELECT sum(frame_count) FROM frame_chunk");
+  EXPECT_EQ(replayed.output.find("trial 0 (hall, od), attempt 1: " + frames + " frames, "), 0U)
+      << replayed.output;
+  EXPECT_THAT(replayed.output, HasSubstr("samples: the same, bit for bit\n"));
+  const IVec2 size = image_size(folder / "pictures/P001-trial-00-attempt-1.png");
+  EXPECT_EQ(size, IVec2(16, 16));
+}
+
+TEST_F(ReplayOfAHall, SaysSoInJson) {
+  const ProgramResult replayed = replay({"--json", "--threads", "1"});
+  ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const nlohmann::json json = nlohmann::json::parse(replayed.output);
+  EXPECT_EQ(json.at("approximate"), "");
+  ASSERT_EQ(json.at("attempts").size(), 1U);
+  const nlohmann::json attempt = json.at("attempts").at(0);
+  EXPECT_EQ(attempt.at("films_compared"), 1);
+  EXPECT_TRUE(attempt.at("first_difference").is_null());
+  EXPECT_GT(attempt.at("samples").get<int>(), 0);
+}
+
+// With another seed in the session's row: its guard is put aside for the moment.
+TEST_F(ReplayOfAHall, ThatIsAnotherFilmIsAnError) {
+  const std::string guard = "session_changes_state_only";
+  const std::string statement =
+      query(folder / "study.sqlite", "SELECT sql FROM sqlite_schema WHERE name = '" + guard + "'");
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((folder / "study.sqlite").c_str(), &database), SQLITE_OK);
+  for (const std::string& sql :
+       {"DROP TRIGGER " + guard, std::string("UPDATE session SET seed = '99'"), statement}) {
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
+  }
+  sqlite3_close(database);
+  const ProgramResult replayed = replay();
+  EXPECT_EQ(replayed.exit_code, 1);
+  EXPECT_THAT(replayed.output, HasSubstr("differs from frame"));
+  EXPECT_THAT(replayed.errors, HasSubstr("1 of 1 replayed attempts differ"));
+}
+
+TEST_F(ReplayOfAHall, NeedsTheSceneAsItWas) {
+  std::string other = room_glb();
+  other.replace(other.find("room"), 4, "hall");
+  folder.write("real/hall.glb", other);
+  const ProgramResult refused = replay();
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("another file as hall"));
+}
+
+TEST_F(ReplayOfAHall, NobodyElseHasNoneAndNoTrialIsMadeUp) {
+  EXPECT_THAT(
+      run({"study", "replay", (folder / "study.sqlite").string(), "--participant", "P9"}).errors,
+      HasSubstr("has no session of participant P9"));
+  EXPECT_THAT(replay({"--trial", "7"}).errors, HasSubstr("made no such attempt"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "study/commands/attempt_log.h"
+#include "study/stage/attempt_log.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ class AttemptLogTest : public testing::Test {
  protected:
   AttemptLogTest() {
     session_.begin();
-    session_.happen(ms(20), ObjectChosen{"vase"});
+    session_.choose_and_start(ms(20));
   }
 
   TemporaryFolder folder_;
@@ -26,7 +26,7 @@ class AttemptLogTest : public testing::Test {
 
 // 70 frames and 120 samples a second for two minutes, one saccade in them.
 TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
-  AttemptLog log(store_, session_.id(), 0, 1);
+  AttemptLog log(sink_to(store_, session_.id(), 0, 1));
   constexpr int frame_count = 120 * 70;
   constexpr int samples_before_saccade = 6000;
   int samples = 0;
@@ -40,6 +40,7 @@ TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
     }
     log.add({.time = frame * Nanoseconds(14'285'714)}, arrived);
   }
+  EXPECT_EQ(log.frames(), static_cast<std::uint64_t>(frame_count));
   log.finish();
   const std::vector<GazeSample> kept = read_gaze(path_, "P01", 0);
   ASSERT_EQ(kept.size(), static_cast<std::size_t>(samples));
@@ -60,8 +61,28 @@ TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
             "1");
 }
 
+// What a replay needs is in it to the last bit.
+TEST_F(AttemptLogTest, AFrameIsKeptAsItWasUsed) {
+  const FrameReport report{.time = ms(7),
+                           .head = {.azimuth_rad = 1.0 / 3.0, .elevation_rad = -0.1},
+                           .gaze = {0.6F, 0.0F, -0.8F},
+                           .gaze_valid = true,
+                           .gaze_held = true,
+                           .gaze_age = ms(3),
+                           .samples = 4'000'000'000};
+  const FrameRow row = frame_row(report);
+  EXPECT_EQ(row.time, ms(7));
+  const AzimuthElevation kept{.azimuth_rad = row.head_azimuth_rad,
+                              .elevation_rad = row.head_elevation_rad};
+  EXPECT_EQ(head_orientation(kept), head_orientation(report.head));
+  EXPECT_EQ(row.gaze, report.gaze);
+  EXPECT_TRUE(row.gaze_valid && row.gaze_held);
+  EXPECT_EQ(row.gaze_age, ms(3));
+  EXPECT_EQ(row.samples, 4'000'000'000U);
+}
+
 TEST_F(AttemptLogTest, WithoutFramesNothingIsKept) {
-  AttemptLog log(store_, session_.id(), 0, 1);
+  AttemptLog log(sink_to(store_, session_.id(), 0, 1));
   log.finish();
   EXPECT_EQ(query(path_,
                   "SELECT (SELECT count(*) FROM frame_chunk) +"

@@ -1,0 +1,351 @@
+// A study whose program is killed again and again, and goes on.
+//
+// FOVEOLA_KILLS=1000 kills it so often instead of a few times.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <set>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "renderer/base/files.h"
+#include "tests/end_to_end/hall.h"
+#include "tests/end_to_end/running_program.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Rows = std::vector<std::string>;
+
+/// Every kind of step, each as short as can be.
+const char* const every_step = R"(
+name = "kills"
+title = "A study that is interrupted"
+scenes = ["hall"]
+methods = ["od", "fv"]
+
+[texts]
+consent = "Please agree."
+
+[machine]
+samples_per_second = 3845
+
+[film]
+width = 32
+height = 16
+max_depth = 2
+
+[display]
+view_width = 16
+view_height = 16
+
+[tracker.validation]
+points = 5
+max_accuracy_deg = 5
+
+[timing]
+mark_timeout_s = 3
+rating_s = 0.5
+
+[reference]
+samples_per_pixel = 4
+samples_per_object = 100
+
+[reaction]
+presses = 2
+
+[catch_trials]
+count = 1
+timeout_s = 0.5
+
+[[practice]]
+scene = "hall"
+method = "fv"
+
+[[questionnaire]]
+id = "background"
+title = "You"
+[[questionnaire.question]]
+id = "age"
+text = "How old are you?"
+kind = "number"
+minimum = 18
+maximum = 99
+
+[[questionnaire]]
+id = "debrief"
+title = "Thank you"
+[[questionnaire.question]]
+id = "comment"
+text = "Anything else?"
+kind = "text"
+)";
+
+constexpr int participants = 2;
+
+/// The rows of a query, their columns quoted as SQL does and parted by bars. Empty if the file is
+/// not there yet, or cannot be read at this moment.
+std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
+  sqlite3* connection = nullptr;
+  sqlite3_stmt* statement = nullptr;
+  std::optional<Rows> rows;
+  if (fs::exists(database) &&
+      sqlite3_open_v2(database.c_str(), &connection, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+      sqlite3_prepare_v2(connection, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK) {
+    rows.emplace();
+    int result = sqlite3_step(statement);
+    for (; result == SQLITE_ROW; result = sqlite3_step(statement)) {
+      std::string row;
+      for (int column = 0; column < sqlite3_column_count(statement); ++column) {
+        const unsigned char* text = sqlite3_column_text(statement, column);
+        row += (text != nullptr ? reinterpret_cast<const char*>(text) : "") + std::string("|");
+      }
+      rows->push_back(std::move(row));
+    }
+    if (result != SQLITE_DONE) {
+      rows.reset();
+    }
+  }
+  sqlite3_finalize(statement);
+  sqlite3_close(connection);
+  return rows;
+}
+
+/// What happened so far, with the participant whom it happened to.
+Rows log_of(const fs::path& database) {
+  return rows_of(database,
+                 "SELECT participant, sequence, time_ns, utc, type, payload FROM event"
+                 " JOIN session ON session.id = event.session ORDER BY 1, 2")
+      .value_or(Rows{});
+}
+
+int count_events(const fs::path& database) {
+  const std::optional<Rows> rows = rows_of(database, "SELECT count(*) FROM event");
+  return rows && !rows->empty() ? std::stoi(rows->front()) : 0;
+}
+
+/// Everything that a study is made for, to the last bit: of each trial only its last attempt.
+Rows results_of(const fs::path& database) {
+  const std::string last_attempt =
+      " JOIN session ON session.id = session_of WHERE attempt = (SELECT max(attempt) FROM attempt"
+      " WHERE attempt.session = session_of AND attempt.trial = trial_of) ORDER BY 1, 2, 3, 4, 5";
+  Rows results;
+  for (const std::string& sql : std::vector<std::string>{
+           "SELECT participant, design_row, state FROM session ORDER BY 1",
+           "SELECT participant, trial, planned_trial.kind, scene, method FROM planned_trial"
+           " JOIN session ON session.id = session ORDER BY 1, 2",
+           "SELECT participant, trial_of, object, outcome FROM (SELECT session AS session_of,"
+           " trial AS trial_of, attempt, object, outcome, 0 AS last FROM attempt)" +
+               last_attempt.substr(0, last_attempt.find(" ORDER")) + " ORDER BY 1, 2",
+           "SELECT participant, trial_of, mark, time_ns, censored FROM (SELECT session AS"
+           " session_of, trial AS trial_of, attempt, kind AS mark, time_ns, censored FROM mark)" +
+               last_attempt,
+           "SELECT participant, trial_of, question, quote(value), 0 FROM (SELECT session AS"
+           " session_of, trial AS trial_of, attempt, question, value FROM rating)" +
+               last_attempt,
+           "SELECT participant, trial_of, frame, sha256, 0 FROM (SELECT session AS session_of,"
+           " trial AS trial_of, attempt, frame, sha256 FROM film_hash)" +
+               last_attempt,
+           "SELECT participant, step, questionnaire, question, quote(number), text"
+           " FROM questionnaire_answer JOIN session ON session.id = session ORDER BY 1, 2, 4",
+           "SELECT participant, number, pressed_ns - shown_ns, early FROM reaction"
+           " JOIN session ON session.id = session ORDER BY 1, 2",
+           "SELECT participant, run, quote(accuracy_deg), quote(precision_rms_deg),"
+           " quote(data_loss), passed FROM gaze_run JOIN session ON session.id = session"
+           " ORDER BY 1, 2"}) {
+    const std::optional<Rows> rows = rows_of(database, sql);
+    EXPECT_TRUE(rows && !rows->empty()) << sql;
+    results.insert(results.end(), rows->begin(), rows->end());
+    results.emplace_back("--");
+  }
+  return results;
+}
+
+class Kill : public testing::Test, protected Hall {
+ protected:
+  Kill() {
+    folder.write("share/protocols/kills.toml", every_step);
+    // The scene's reference image and all else that is only made once.
+    const Clock::time_point first = Clock::now();
+    finish("uninterrupted.sqlite");
+    finish("timed.sqlite");
+    run_time_ = (Clock::now() - first) / 2;
+    results_ = results_of(folder / "uninterrupted.sqlite");
+    events_ = count_events(folder / "uninterrupted.sqlite");
+  }
+
+  std::vector<std::string> command(const std::string& database) const {
+    return {
+        "study", "simulate", "kills", "--db",           (folder / database).string(), "--threads",
+        "1",     "--seed",   "11",    "--participants", std::to_string(participants), "--resume"};
+  }
+
+  void finish(const std::string& database) const {
+    const ProgramResult result = run(command(database));
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+  }
+
+  /// Starts the study, or goes on with it, and kills it once `enough` says so; remembers what it
+  /// had acknowledged. Returns whether it was killed before it ended.
+  template <typename Enough>
+  bool run_and_kill(const std::string& database, const Enough& enough) {
+    RunningProgram program(command(database), environment());
+    while (!program.has_ended() && !enough()) {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    const Rows log = log_of(folder / database);
+    program.kill(SIGKILL);
+    acknowledged_.insert(log.begin(), log.end());
+    return program.wait_for_end() == 128 + SIGKILL;
+  }
+
+  /// Finishes the study and holds it against what was acknowledged, and against the one that was
+  /// never interrupted.
+  void finish_and_compare(const std::string& database) {
+    finish(database);
+    const Rows log = log_of(folder / database);
+    for (const std::string& event : acknowledged_) {
+      EXPECT_THAT(log, testing::Contains(event)) << "was lost";
+    }
+    EXPECT_EQ(results_of(folder / database), results_);
+    const ProgramResult verified = run({"study", "verify", (folder / database).string()});
+    EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
+    acknowledged_.clear();
+    for (const std::string& end : {"", "-wal", "-shm"}) {
+      fs::remove(folder / (database + end));
+    }
+  }
+
+  /// So many times in all, a few by default.
+  static int kills() {
+    const char* asked = std::getenv("FOVEOLA_KILLS");
+    return asked != nullptr ? std::stoi(asked) : 12;
+  }
+
+  Clock::duration run_time_{};  ///< of a run that is not interrupted
+  Rows results_;
+  int events_ = 0;
+  std::set<std::string> acknowledged_;
+};
+
+// The first half of the kills: each right after an event, spread over them or at each of them.
+TEST_F(Kill, AfterAnEventNothingIsLost) {
+  ASSERT_GT(events_, 50);
+  const int kills_here = std::min(kills() / 2, events_);
+  int killed = 0;
+  for (int kill = 0; kill < kills_here; ++kill) {
+    const int after = 1 + kill * events_ / kills_here;
+    killed +=
+        run_and_kill("study.sqlite", [&] { return count_events(folder / "study.sqlite") >= after; })
+            ? 1
+            : 0;
+    EXPECT_GE(acknowledged_.size(), static_cast<std::size_t>(after));
+    finish_and_compare("study.sqlite");
+  }
+  EXPECT_GE(killed, kills_here - 1) << "the last event leaves little time";
+  RecordProperty("kills", killed);
+}
+
+// The others: at any moment, several in one study.
+TEST_F(Kill, AtAnyMomentNothingIsLost) {
+  std::mt19937 random(2018);
+  std::uniform_real_distribution<double> moment(0.0, 1.0);
+  const int kills_here = kills() - std::min(kills() / 2, events_);
+  int killed = 0;
+  for (int kill = 0; kill < kills_here; ++kill) {
+    const Clock::time_point end =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(moment(random) * run_time_);
+    killed += run_and_kill("study.sqlite", [&] { return Clock::now() >= end; }) ? 1 : 0;
+    constexpr int kills_per_study = 4;
+    if (kill % kills_per_study == kills_per_study - 1 || kill == kills_here - 1) {
+      finish_and_compare("study.sqlite");
+    }
+  }
+  EXPECT_GT(killed, kills_here / 3);
+  RecordProperty("kills", killed);
+}
+
+/// The content of the tables that an analysis writes.
+std::map<std::string, std::string> tables_in(const fs::path& analysis) {
+  std::map<std::string, std::string> tables;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(analysis)) {
+    if (entry.path().extension() == ".csv") {
+      tables[entry.path().filename().string()] = read_file(entry.path());
+    }
+  }
+  return tables;
+}
+
+TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
+  run_and_kill("study.sqlite",
+               [&] { return count_events(folder / "study.sqlite") >= events_ / 2; });
+  finish("study.sqlite");
+  std::vector<std::map<std::string, std::string>> tables;
+  for (const std::string& study : {"study.sqlite", "uninterrupted.sqlite"}) {
+    const fs::path output = folder / (study + ".analysis");
+    const ProgramResult analysed =
+        run({"analyze", (folder / study).string(), "-o", output.string()});
+    ASSERT_EQ(analysed.exit_code, 0) << analysed.errors;
+    tables.push_back(tables_in(output));
+  }
+  EXPECT_FALSE(tables[0].empty());
+  EXPECT_EQ(tables[0], tables[1]);
+}
+
+// By Ctrl-C, which the program answers itself.
+TEST_F(Kill, AStoppedStudyGoesOnAsWell) {
+  RunningProgram program(command("study.sqlite"), environment());
+  while (!program.has_ended() && count_events(folder / "study.sqlite") < events_ / 3) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  program.kill(SIGINT);
+  EXPECT_EQ(program.wait_for_end(), 130) << program.said();
+  EXPECT_THAT(program.said(), testing::HasSubstr("with --resume goes on"));
+  EXPECT_EQ(
+      rows_of(folder / "study.sqlite", "SELECT state FROM session WHERE state <> 'completed'"),
+      Rows{"interrupted|"});
+  finish_and_compare("study.sqlite");
+}
+
+TEST_F(Kill, EveryAttemptOfAResumedSessionIsReplayedBitForBit) {
+  run_and_kill("study.sqlite",
+               [&] { return count_events(folder / "study.sqlite") >= events_ / 3; });
+  finish("study.sqlite");
+  const ProgramResult replayed =
+      run({"study", "replay", (folder / "study.sqlite").string(), "--participant", "P001"});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.output << replayed.errors;
+  const auto attempts = rows_of(folder / "study.sqlite",
+                                "SELECT trial, attempt FROM film_hash JOIN session ON"
+                                " session.id = session WHERE participant = 'P001'");
+  ASSERT_TRUE(attempts);
+  EXPECT_GE(attempts->size(), 4U) << "practice, two methods and a catch trial";
+  std::size_t same = 0;
+  for (std::size_t at = replayed.output.find("the same, bit for bit"); at != std::string::npos;
+       at = replayed.output.find("the same, bit for bit", at + 1)) {
+    ++same;
+  }
+  EXPECT_EQ(same, attempts->size()) << replayed.output;
+}
+
+TEST_F(Kill, ASessionOfAnotherSeedIsNotResumed) {
+  run_and_kill("study.sqlite", [&] { return count_events(folder / "study.sqlite") >= 5; });
+  std::vector<std::string> other = command("study.sqlite");
+  *(std::find(other.begin(), other.end(), "--seed") + 1) = "12";
+  const ProgramResult refused = run(other);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, testing::AllOf(testing::HasSubstr("unfinished session of P001"),
+                                             testing::HasSubstr("seed 11, not 12"),
+                                             testing::HasSubstr("--seed 11")));
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,118 @@
+#include "tests/end_to_end/running_program.h"
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace foveola::test {
+
+RunningProgram::RunningProgram(std::vector<std::string> arguments, const Environment& environment) {
+  arguments.insert(arguments.begin(), FOVEOLA_PROGRAM);
+  std::array<int, 2> to_it{};
+  std::array<int, 2> from_it{};
+  if (::pipe(to_it.data()) != 0 || ::pipe(from_it.data()) != 0) {
+    throw std::runtime_error("no pipe");
+  }
+  process_ = ::fork();
+  if (process_ == 0) {
+    for (const auto& [name, value] : environment) {
+      ::setenv(name.c_str(), value.c_str(), 1);
+    }
+    ::dup2(to_it[0], STDIN_FILENO);
+    ::dup2(from_it[1], STDOUT_FILENO);
+    ::dup2(from_it[1], STDERR_FILENO);
+    for (const int end : {to_it[0], to_it[1], from_it[0], from_it[1]}) {
+      ::close(end);
+    }
+    std::vector<char*> words;
+    for (std::string& argument : arguments) {
+      words.push_back(argument.data());
+    }
+    words.push_back(nullptr);
+    ::execv(words[0], words.data());
+    ::_exit(127);
+  }
+  ::close(to_it[0]);
+  ::close(from_it[1]);
+  input_ = to_it[1];
+  output_ = from_it[0];
+  reader_ = std::jthread([this] { read(); });
+}
+
+RunningProgram::~RunningProgram() {
+  if (!has_ended()) {
+    kill(SIGKILL);
+    wait_for_end();
+  }
+  ::close(input_);
+  reader_.join();
+  ::close(output_);
+}
+
+void RunningProgram::type_line(const std::string& line) const {
+  const std::string typed = line + "\n";
+  if (::write(input_, typed.data(), typed.size()) != static_cast<ssize_t>(typed.size())) {
+    throw std::runtime_error("the program takes no input");
+  }
+}
+
+std::string RunningProgram::wait_for(const std::string& words) {
+  for (int i = 0; i < 3000; ++i) {
+    {
+      const std::scoped_lock lock(mutex_);
+      const std::size_t found = said_.find(words, waited_for_);
+      const std::size_t end = said_.find('\n', found);
+      if (found != std::string::npos && end != std::string::npos) {
+        const std::size_t begin = said_.rfind('\n', found) + 1;
+        waited_for_ = end;
+        return said_.substr(begin, end - begin);
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  throw std::runtime_error("it has not said '" + words + "' but:\n" + said());
+}
+
+std::string RunningProgram::said() {
+  const std::scoped_lock lock(mutex_);
+  return said_;
+}
+
+void RunningProgram::kill(int signal) const {
+  if (!status_) {  // otherwise its number may be another's by now
+    ::kill(process_, signal);
+  }
+}
+
+bool RunningProgram::has_ended() {
+  int status = 0;
+  if (!status_ && ::waitpid(process_, &status, WNOHANG) == process_) {
+    status_ = status;
+  }
+  return status_.has_value();
+}
+
+int RunningProgram::wait_for_end() {
+  if (!status_) {
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    status_ = status;
+  }
+  return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 128 + WTERMSIG(*status_);
+}
+
+void RunningProgram::read() {
+  std::array<char, 4096> bytes{};
+  for (ssize_t count = ::read(output_, bytes.data(), bytes.size()); count > 0;
+       count = ::read(output_, bytes.data(), bytes.size())) {
+    const std::scoped_lock lock(mutex_);
+    said_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace foveola::test

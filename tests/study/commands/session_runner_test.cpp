@@ -1,0 +1,210 @@
+#include "study/commands/session_runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/study/record/small_study.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr Nanoseconds reaction = std::chrono::milliseconds(300);
+constexpr Nanoseconds thought = std::chrono::milliseconds(150);
+
+/// Marks so long after each first glance, but nothing in blackness; keeps what it was asked.
+class ScriptedParticipant final : public Participant {
+ public:
+  std::vector<Answer> answer(const std::string& form,
+                             const std::vector<Question>& /*questions*/) override {
+    forms.push_back(form);
+    return {};
+  }
+  Nanoseconds react(std::uint32_t /*occasion*/) override { return reaction; }
+  std::size_t choose_object(const std::string& /*scene*/,
+                            const std::vector<OfferedObject>& offered) override {
+    return offered.size() - 1;
+  }
+  void begin_occasion(std::uint32_t conduct) override { occasions.push_back(conduct); }
+  void turn_to(const std::string& /*scene*/, const OfferedObject& object,
+               Nanoseconds now) override {
+    EXPECT_EQ(now, Nanoseconds(0));
+    objects.push_back(object.name);
+  }
+  void look_at(const Vec3& /*target*/, Nanoseconds /*now*/) override {}
+  void begin(Task task, Nanoseconds /*now*/) override {
+    tasks.push_back(task);
+    is_marking_ = task != Task::look_around;
+  }
+  AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
+  Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
+  std::optional<Nanoseconds> see(const Percept& percept) override {
+    const auto is_lit = [](const Rgb& pixel) { return pixel.x > 0.0F; };
+    const bool is_black =
+        std::none_of(percept.image.pixels.begin(), percept.image.pixels.end(), is_lit);
+    if (!is_marking_ || is_black) {
+      return std::nullopt;
+    }
+    is_marking_ = false;
+    return percept.presented + thought;
+  }
+  std::vector<Answer> rate(const std::vector<Question>& ratings) override {
+    std::vector<Answer> answers;
+    for (const Question& question : ratings) {
+      answers.push_back({question.id, question.maximum});
+    }
+    return answers;
+  }
+
+  std::vector<std::string> forms;
+  std::vector<std::uint32_t> occasions;
+  std::vector<std::string> objects;
+  std::vector<Task> tasks;
+
+ private:
+  bool is_marking_ = false;
+};
+
+/// A wall in front of the viewer, by an environment that lights it.
+SceneSource wall(const TemporaryFolder& folder) {
+  SceneSource source;
+  source.name = "box";
+  source.file =
+      folder.write("wall.obj", "v -5 -5 -2\nv 5 -5 -2\nv 5 5 -2\nv -5 5 -2\nf 1 2 3\nf 1 3 4\n");
+  source.camera_position = Vec3(0.0F);
+  source.environment_radiance = Rgb(1.0F);
+  source.objects = {{.name = "corner", .position = {-1.0F, 0.0F, -2.0F}},
+                    {.name = "middle", .position = {0.0F, 0.0F, -2.0F}}};
+  return source;
+}
+
+Protocol wall_protocol() {
+  Protocol protocol = small_protocol();
+  protocol.scenes = {{.name = "box"}};
+  protocol.methods = {"od", "fv"};
+  protocol.method_files.clear();
+  protocol.machine = {.samples_per_second = 20'000.0, .frame_rate_hz = 50.0};
+  protocol.film = {.width = 32, .height = 16, .max_depth = 1};
+  protocol.display.view_width = 8;
+  protocol.display.view_height = 8;
+  protocol.timing = {.mark_timeout_s = 2.0, .rating_s = 0.4};
+  protocol.catch_trials = {.count = 1, .timeout_s = 0.5};
+  protocol.reaction = ReactionSettings{.presses = 2};
+  protocol.marks = {{.id = "outline"}, {.id = "material"}, {.id = "shadow"}};
+  protocol.ratings = {{.id = "artifacts"}};
+  protocol.questionnaires = {{.id = "background", .questions = {}}};
+  protocol.phases = {{.kind = PhaseEntry::Kind::questionnaire, .questionnaire = "background"},
+                     {.kind = PhaseEntry::Kind::reaction},
+                     {.kind = PhaseEntry::Kind::trials}};
+  return protocol;
+}
+
+Plan wall_plan() {
+  return {{.scene = "box", .method = "od"},
+          {.scene = "box", .method = "od", .kind = TrialKind::catch_trial},
+          {.scene = "box", .method = "fv", .method_position = 1}};
+}
+
+class SessionRunnerTest : public testing::Test {
+ protected:
+  SessionRunnerTest() {
+    stages_["box"] = std::make_unique<SceneStage>(wall(folder_), workers_);
+    SessionFacts facts = facts_of("P001");
+    facts.scenes.clear();
+    session_ = store_.begin_session(facts, plan_);
+  }
+
+  SessionOutcome run(ScriptedParticipant& participant) {
+    SessionRunner runner({.protocol = protocol_,
+                          .stages = stages_,
+                          .store = store_,
+                          .workers = workers_,
+                          .seed = {.seed = 5, .design_row = 0},
+                          .on_trial = [this](std::size_t trial) { begin_trial(trial); },
+                          .stop = stop_.get_token()},
+                         plan_, session_, participant);
+    runner.resume_after(store_.events_of(session_));
+    return runner.run();
+  }
+
+  void begin_trial(std::size_t trial) {
+    if (trial == stop_in_trial_) {
+      stop_.request_stop();
+    }
+  }
+
+  std::string value(const std::string& sql) { return query(path_, sql); }
+
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+  Protocol protocol_ = wall_protocol();
+  Plan plan_ = wall_plan();
+  Workers workers_{1};
+  SceneStages stages_;
+  StudyStore store_{path_, protocol_};
+  std::int64_t session_ = 0;
+  std::stop_source stop_;
+  std::optional<std::size_t> stop_in_trial_;
+};
+
+TEST_F(SessionRunnerTest, GoesThroughEveryStep) {
+  ScriptedParticipant participant;
+  const SessionOutcome outcome = run(participant);
+  EXPECT_EQ(outcome.phase, Phase::completed);
+  EXPECT_EQ(outcome.trials, 3U);
+  EXPECT_THAT(participant.forms, ElementsAre("background"));
+  EXPECT_THAT(participant.objects, ElementsAre("middle", "middle", "middle"));
+  using enum Task;
+  EXPECT_THAT(participant.tasks,
+              ElementsAre(mark_outline, mark_material, mark_material, look_around,  //
+                          mark_outline, mark_material, mark_material, look_around,  //
+                          mark_outline, mark_material, mark_material, look_around));
+  EXPECT_EQ(value("SELECT group_concat(pressed_ns - shown_ns) FROM reaction"),
+            "300000000,300000000");
+}
+
+// The first glance is at the first frame, and the next one 0.1 seconds later: the marks come 150 ms
+// after the first glance for each.
+TEST_F(SessionRunnerTest, MarksAreTimedFromTheFirstFrame) {
+  ScriptedParticipant participant;
+  run(participant);
+  EXPECT_EQ(value("SELECT group_concat(time_ns / 1000000) FROM mark WHERE trial = 0"),
+            "150,350,550");
+  EXPECT_EQ(value("SELECT group_concat(kind) FROM mark WHERE trial = 0"),
+            "outline,material,shadow");
+  EXPECT_EQ(value("SELECT sum(censored) FROM mark WHERE trial <> 1"), "0");
+}
+
+TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
+  ScriptedParticipant participant;
+  run(participant);
+  EXPECT_EQ(value("SELECT group_concat(time_ns || ' ' || censored) FROM mark WHERE trial = 1"),
+            "500000000 1,500000000 1,500000000 1");
+  EXPECT_EQ(value("SELECT count(*) FROM film_hash WHERE trial = 1"), "1");
+  EXPECT_EQ(value("SELECT count(DISTINCT sha256) FROM film_hash"), "3");
+}
+
+TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
+  ScriptedParticipant first;
+  stop_in_trial_ = 2;
+  EXPECT_EQ(run(first).phase, Phase::interrupted);
+  stop_ = std::stop_source();
+  stop_in_trial_.reset();
+  ScriptedParticipant second;
+  const SessionOutcome outcome = run(second);
+  EXPECT_EQ(outcome.phase, Phase::completed);
+  EXPECT_EQ(outcome.trials, 1U);
+  EXPECT_TRUE(second.forms.empty()) << "was asked before";
+  EXPECT_EQ(second.occasions.front(), first.occasions.back());
+  EXPECT_EQ(value("SELECT group_concat(attempt) FROM attempt ORDER BY trial"), "1,1,2");
+  EXPECT_EQ(value("SELECT count(*) FROM event AS a JOIN event AS b"
+                  " ON b.sequence = a.sequence + 1 WHERE b.time_ns < a.time_ns"),
+            "0")
+      << "the session's clock goes on";
+}
+
+}  // namespace
+}  // namespace foveola::study
