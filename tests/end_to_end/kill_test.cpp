@@ -15,6 +15,7 @@
 #include <sqlite3.h>
 
 #include "renderer/base/files.h"
+#include "study/record/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
 
@@ -90,8 +91,6 @@ text = "Anything else?"
 kind = "text"
 )";
 
-constexpr int participants = 2;
-
 /// The rows of a query, their columns quoted as SQL does and parted by bars. Empty if the file is
 /// not there yet, or cannot be read at this moment.
 std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
@@ -152,8 +151,8 @@ Rows results_of(const fs::path& database) {
            "SELECT participant, trial_of, question, quote(value), 0 FROM (SELECT session AS"
            " session_of, trial AS trial_of, attempt, question, value FROM rating)" +
                last_attempt,
-           "SELECT participant, trial_of, frame, sha256, 0 FROM (SELECT session AS session_of,"
-           " trial AS trial_of, attempt, frame, sha256 FROM film_hash)" +
+           "SELECT participant, trial_of, frame, film_sha256, 0 FROM (SELECT session AS session_of,"
+           " trial AS trial_of, attempt, frame, film_sha256 FROM film_hash)" +
                last_attempt,
            "SELECT participant, step, questionnaire, question, quote(number), text"
            " FROM questionnaire_answer JOIN session ON session.id = session ORDER BY 1, 2, 4",
@@ -170,39 +169,67 @@ Rows results_of(const fs::path& database) {
   return results;
 }
 
-class Kill : public testing::Test, protected Hall {
- protected:
-  Kill() {
-    folder.write("share/protocols/kills.toml", every_step);
-    // The scene's reference image and all else that is only made once.
-    const Clock::time_point first = Clock::now();
-    finish("uninterrupted.sqlite");
-    finish("timed.sqlite");
-    run_time_ = (Clock::now() - first) / 2;
-    results_ = results_of(folder / "uninterrupted.sqlite");
-    events_ = count_events(folder / "uninterrupted.sqlite");
+std::vector<std::string> command(const fs::path& database) {
+  return {"study",  "simulate", "kills",          "--db", database.string(), "--threads", "1",
+          "--seed", "11",       "--participants", "2",    "--resume"};
+}
+
+/// The hall with a study in it that nothing interrupted.
+struct UninterruptedStudy {
+  UninterruptedStudy() {
+    hall.folder.write("share/protocols/kills.toml", every_step);
+    finish(database);  // and all that is only made once, such as the scene's reference image
+    const Clock::time_point start = Clock::now();
+    finish(hall.folder / "timed.sqlite");
+    run_time = Clock::now() - start;
+    results = results_of(database);
+    events = count_events(database);
   }
 
-  std::vector<std::string> command(const std::string& database) const {
-    return {
-        "study", "simulate", "kills", "--db",           (folder / database).string(), "--threads",
-        "1",     "--seed",   "11",    "--participants", std::to_string(participants), "--resume"};
-  }
-
-  void finish(const std::string& database) const {
-    const ProgramResult result = run(command(database));
+  void finish(const fs::path& study) const {
+    const ProgramResult result = hall.run(command(study));
     ASSERT_EQ(result.exit_code, 0) << result.errors;
   }
+
+  Hall hall;
+  fs::path database = hall.folder / "uninterrupted.sqlite";
+  Clock::duration run_time{};
+  Rows results;
+  int events = 0;
+};
+
+/// So many kills in all, a few by default.
+int kills() {
+  const char* asked = std::getenv("FOVEOLA_KILLS");
+  return asked != nullptr ? std::stoi(asked) : 12;
+}
+
+class Kill : public testing::Test {
+ protected:
+  static const UninterruptedStudy& uninterrupted() {
+    static const UninterruptedStudy study;  // made once for all tests
+    return study;
+  }
+
+  ~Kill() override { remove_study(); }
+
+  void remove_study() const {
+    for (const char* end : {"", "-wal", "-shm", ".controller"}) {
+      fs::remove(study_.string() + end);
+    }
+  }
+
+  bool has_events(int count) const { return count_events(study_) >= count; }
 
   /// Starts the study, or goes on with it, and kills it once `enough` says so; remembers what it
   /// had acknowledged. Returns whether it was killed before it ended.
   template <typename Enough>
-  bool run_and_kill(const std::string& database, const Enough& enough) {
-    RunningProgram program(command(database), environment());
+  bool run_and_kill(const Enough& enough) {
+    RunningProgram program(command(study_), hall_.environment());
     while (!program.has_ended() && !enough()) {
       std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
-    const Rows log = log_of(folder / database);
+    const Rows log = log_of(study_);
     program.kill(SIGKILL);
     acknowledged_.insert(log.begin(), log.end());
     return program.wait_for_end() == 128 + SIGKILL;
@@ -210,30 +237,25 @@ class Kill : public testing::Test, protected Hall {
 
   /// Finishes the study and holds it against what was acknowledged, and against the one that was
   /// never interrupted.
-  void finish_and_compare(const std::string& database) {
-    finish(database);
-    const Rows log = log_of(folder / database);
+  void finish_and_compare() {
+    uninterrupted().finish(study_);
+    const Rows log = log_of(study_);
     for (const std::string& event : acknowledged_) {
       EXPECT_THAT(log, testing::Contains(event)) << "was lost";
     }
-    EXPECT_EQ(results_of(folder / database), results_);
-    const ProgramResult verified = run({"study", "verify", (folder / database).string()});
-    EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
-    acknowledged_.clear();
-    for (const std::string& end : {"", "-wal", "-shm"}) {
-      fs::remove(folder / (database + end));
+    EXPECT_EQ(results_of(study_), uninterrupted().results);
+    const study::Verification verified = study::verify_study(study_);
+    EXPECT_GT(verified.events, 0U);
+    for (const study::RecordFault& fault : verified.faults) {
+      ADD_FAILURE() << fault.participant << ": " << fault.what;
     }
+    acknowledged_.clear();
+    remove_study();
   }
 
-  /// So many times in all, a few by default.
-  static int kills() {
-    const char* asked = std::getenv("FOVEOLA_KILLS");
-    return asked != nullptr ? std::stoi(asked) : 12;
-  }
-
-  Clock::duration run_time_{};  ///< of a run that is not interrupted
-  Rows results_;
-  int events_ = 0;
+  const Hall& hall_ = uninterrupted().hall;
+  const int events_ = uninterrupted().events;
+  const fs::path study_ = hall_.folder / "study.sqlite";
   std::set<std::string> acknowledged_;
 };
 
@@ -244,15 +266,11 @@ TEST_F(Kill, AfterAnEventNothingIsLost) {
   int killed = 0;
   for (int kill = 0; kill < kills_here; ++kill) {
     const int after = 1 + kill * events_ / kills_here;
-    killed +=
-        run_and_kill("study.sqlite", [&] { return count_events(folder / "study.sqlite") >= after; })
-            ? 1
-            : 0;
+    killed += run_and_kill([&] { return has_events(after); }) ? 1 : 0;
     EXPECT_GE(acknowledged_.size(), static_cast<std::size_t>(after));
-    finish_and_compare("study.sqlite");
+    finish_and_compare();
   }
   EXPECT_GE(killed, kills_here - 1) << "the last event leaves little time";
-  RecordProperty("kills", killed);
 }
 
 // The others: at any moment, several in one study.
@@ -260,18 +278,22 @@ TEST_F(Kill, AtAnyMomentNothingIsLost) {
   std::mt19937 random(2018);
   std::uniform_real_distribution<double> moment(0.0, 1.0);
   const int kills_here = kills() - std::min(kills() / 2, events_);
-  int killed = 0;
-  for (int kill = 0; kill < kills_here; ++kill) {
-    const Clock::time_point end =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(moment(random) * run_time_);
-    killed += run_and_kill("study.sqlite", [&] { return Clock::now() >= end; }) ? 1 : 0;
-    constexpr int kills_per_study = 4;
-    if (kill % kills_per_study == kills_per_study - 1 || kill == kills_here - 1) {
-      finish_and_compare("study.sqlite");
+  constexpr int most_in_a_study = 6;
+  int killed_in_study = 0;
+  for (int killed = 0; killed < kills_here;) {
+    const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                     moment(random) * uninterrupted().run_time);
+    if (run_and_kill([&] { return Clock::now() >= end; })) {
+      ++killed;
+      ++killed_in_study;
+    } else {
+      killed_in_study = most_in_a_study;  // it has come to its end
+    }
+    if (killed_in_study == most_in_a_study || killed == kills_here) {
+      finish_and_compare();
+      killed_in_study = 0;
     }
   }
-  EXPECT_GT(killed, kills_here / 3);
-  RecordProperty("kills", killed);
 }
 
 /// The content of the tables that an analysis writes.
@@ -286,14 +308,12 @@ std::map<std::string, std::string> tables_in(const fs::path& analysis) {
 }
 
 TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
-  run_and_kill("study.sqlite",
-               [&] { return count_events(folder / "study.sqlite") >= events_ / 2; });
-  finish("study.sqlite");
+  run_and_kill([&] { return has_events(events_ / 2); });
+  uninterrupted().finish(study_);
   std::vector<std::map<std::string, std::string>> tables;
-  for (const std::string& study : {"study.sqlite", "uninterrupted.sqlite"}) {
-    const fs::path output = folder / (study + ".analysis");
-    const ProgramResult analysed =
-        run({"analyze", (folder / study).string(), "-o", output.string()});
+  for (const fs::path& study : {study_, uninterrupted().database}) {
+    const fs::path output = study.string() + ".analysis";
+    const ProgramResult analysed = run_foveola({"analyze", study.string(), "-o", output.string()});
     ASSERT_EQ(analysed.exit_code, 0) << analysed.errors;
     tables.push_back(tables_in(output));
   }
@@ -303,27 +323,25 @@ TEST_F(Kill, TheAnalysisOfAResumedStudyIsThatOfAnUninterruptedOne) {
 
 // By Ctrl-C, which the program answers itself.
 TEST_F(Kill, AStoppedStudyGoesOnAsWell) {
-  RunningProgram program(command("study.sqlite"), environment());
-  while (!program.has_ended() && count_events(folder / "study.sqlite") < events_ / 3) {
+  RunningProgram program(command(study_), hall_.environment());
+  while (!program.has_ended() && !has_events(events_ / 3)) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   program.kill(SIGINT);
   EXPECT_EQ(program.wait_for_end(), 130) << program.said();
   EXPECT_THAT(program.said(), testing::HasSubstr("with --resume goes on"));
-  EXPECT_EQ(
-      rows_of(folder / "study.sqlite", "SELECT state FROM session WHERE state <> 'completed'"),
-      Rows{"interrupted|"});
-  finish_and_compare("study.sqlite");
+  EXPECT_EQ(rows_of(study_, "SELECT state FROM session WHERE state <> 'completed'"),
+            Rows{"interrupted|"});
+  finish_and_compare();
 }
 
 TEST_F(Kill, EveryAttemptOfAResumedSessionIsReplayedBitForBit) {
-  run_and_kill("study.sqlite",
-               [&] { return count_events(folder / "study.sqlite") >= events_ / 3; });
-  finish("study.sqlite");
+  run_and_kill([&] { return has_events(events_ / 3); });
+  uninterrupted().finish(study_);
   const ProgramResult replayed =
-      run({"study", "replay", (folder / "study.sqlite").string(), "--participant", "P001"});
+      hall_.run({"study", "replay", study_.string(), "--participant", "P001"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.output << replayed.errors;
-  const auto attempts = rows_of(folder / "study.sqlite",
+  const auto attempts = rows_of(study_,
                                 "SELECT trial, attempt FROM film_hash JOIN session ON"
                                 " session.id = session WHERE participant = 'P001'");
   ASSERT_TRUE(attempts);
@@ -337,10 +355,10 @@ TEST_F(Kill, EveryAttemptOfAResumedSessionIsReplayedBitForBit) {
 }
 
 TEST_F(Kill, ASessionOfAnotherSeedIsNotResumed) {
-  run_and_kill("study.sqlite", [&] { return count_events(folder / "study.sqlite") >= 5; });
-  std::vector<std::string> other = command("study.sqlite");
+  run_and_kill([&] { return has_events(5); });
+  std::vector<std::string> other = command(study_);
   *(std::find(other.begin(), other.end(), "--seed") + 1) = "12";
-  const ProgramResult refused = run(other);
+  const ProgramResult refused = hall_.run(other);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.errors, testing::AllOf(testing::HasSubstr("unfinished session of P001"),
                                              testing::HasSubstr("seed 11, not 12"),

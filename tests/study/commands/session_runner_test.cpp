@@ -171,9 +171,11 @@ TEST_F(SessionRunnerTest, GoesThroughEveryStep) {
 TEST_F(SessionRunnerTest, MarksAreTimedFromTheFirstFrame) {
   ScriptedParticipant participant;
   run(participant);
-  EXPECT_EQ(value("SELECT group_concat(time_ns / 1000000) FROM mark WHERE trial = 0"),
+  EXPECT_EQ(value("SELECT group_concat(time_ns / 1000000) FROM (SELECT time_ns FROM mark"
+                  " WHERE trial = 0 ORDER BY time_ns)"),
             "150,350,550");
-  EXPECT_EQ(value("SELECT group_concat(kind) FROM mark WHERE trial = 0"),
+  EXPECT_EQ(value("SELECT group_concat(kind) FROM (SELECT kind FROM mark WHERE trial = 0"
+                  " ORDER BY time_ns)"),
             "outline,material,shadow");
   EXPECT_EQ(value("SELECT sum(censored) FROM mark WHERE trial <> 1"), "0");
 }
@@ -184,7 +186,7 @@ TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
   EXPECT_EQ(value("SELECT group_concat(time_ns || ' ' || censored) FROM mark WHERE trial = 1"),
             "500000000 1,500000000 1,500000000 1");
   EXPECT_EQ(value("SELECT count(*) FROM film_hash WHERE trial = 1"), "1");
-  EXPECT_EQ(value("SELECT count(DISTINCT sha256) FROM film_hash"), "3");
+  EXPECT_EQ(value("SELECT count(DISTINCT film_sha256) FROM film_hash"), "3");
 }
 
 TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
@@ -199,7 +201,11 @@ TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
   EXPECT_EQ(outcome.trials, 1U);
   EXPECT_TRUE(second.forms.empty()) << "was asked before";
   EXPECT_EQ(second.occasions.front(), first.occasions.back());
-  EXPECT_EQ(value("SELECT group_concat(attempt) FROM attempt ORDER BY trial"), "1,1,2");
+  EXPECT_EQ(
+      value("SELECT group_concat(trial || ' ' || attempt) FROM (SELECT trial, attempt FROM attempt"
+            " ORDER BY trial, attempt)"),
+      "0 1,1 1,2 1,2 2")
+      << "it was about to begin";
   EXPECT_EQ(value("SELECT count(*) FROM event AS a JOIN event AS b"
                   " ON b.sequence = a.sequence + 1 WHERE b.time_ns < a.time_ns"),
             "0")
