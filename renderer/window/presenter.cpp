@@ -28,6 +28,16 @@ RgbImage read_picture(const IVec2& size) {
   return picture;
 }
 
+std::vector<ScreenPlace> screen_places(const ShownFrame& frame) {
+  const bool is_headset = frame.views.size() > 1;
+  std::vector<ScreenPlace> places;
+  for (const ShownView& view : frame.views) {
+    places.push_back(
+        screen_place(view.part, frame.framebuffer.y, is_headset, view.viewport.lens().axis));
+  }
+  return places;
+}
+
 }  // namespace
 
 /// What lives on the graphics card.
@@ -39,12 +49,18 @@ struct Presenter::Card {
     if (frame.framebuffer.x <= 0 || frame.framebuffer.y <= 0) {
       return;
     }
+    const bool shows_film = !frame.screen || !frame.screen->covers_picture;
     std::vector<WindowPart> parts;
     for (const ShownView& view : frame.views) {
-      renderer.draw(film, view.viewport, view.part, frame.look, frame.overlays);
+      if (shows_film) {
+        renderer.draw(film, view.viewport, view.part, frame.look, frame.overlays);
+      }
       parts.push_back(view.part);
     }
     glViewport(0, 0, frame.framebuffer.x, frame.framebuffer.y);
+    if (frame.screen) {
+      text.draw(frame.framebuffer, screen_places(frame), *frame.screen);
+    }
     text.draw(frame.framebuffer, parts, frame.panels);
     if (frame.picture) {
       frame.picture->set_value(read_picture(frame.framebuffer));

@@ -32,6 +32,7 @@ struct ShownFrame {
   ViewLook look;
   ViewOverlays overlays;
   std::vector<TextPanel> panels;
+  std::optional<ScreenPage> screen;  ///< over the views, or instead of them
   /// Gets what was drawn, sRGB in [0, 1], top row first.
   std::shared_ptr<std::promise<RgbImage>> picture;
 };

@@ -19,20 +19,31 @@ struct ScreenField {
   };
   Kind kind = Kind::scale;
   std::string question;
-  std::vector<std::string> labels;    ///< of a scale's points or a choice's options
+  /// Of a choice's options. Of a scale's points: what stands in a point and, after a line break,
+  /// the words below it, as in "5\nnot at all".
+  std::vector<std::string> labels;
   std::optional<std::size_t> chosen;  ///< of them
   std::string typed;                  ///< of a line or a text
   std::string fault;                  ///< why it is no answer; empty if there is nothing to say
   bool has_focus = false;
 };
 
-struct Screen {
+/// All text is UTF-8: Latin, Greek or Cyrillic.
+struct ScreenPage {
   std::string title;
   std::vector<std::string> paragraphs;
   std::vector<ScreenField> fields;
   std::string keys;                ///< the line at the bottom: which keys do what
   std::optional<double> progress;  ///< of the session, in [0, 1]
   bool covers_picture = true;      ///< otherwise a band at the bottom, the picture above it
+  bool is_signal = false;          ///< bright instead of dark, for who waits for it to change
 };
+
+/// What a screen that covers the picture has room for in any window and headset, beside a title and
+/// keys of a line each: so many lines of words, a line between paragraphs included. What is longer
+/// goes on more than one screen.
+inline constexpr std::size_t screen_lines = 10;
+/// As many characters of running text fill a line at least.
+inline constexpr std::size_t screen_line_characters = 42;
 
 }  // namespace foveola

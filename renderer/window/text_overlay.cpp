@@ -44,11 +44,84 @@ void draw_panel(const std::string& name, const TextPanel& panel, const WindowPar
   ImGui::End();
 }
 
+ImVec2 im(const Vec2& point) { return {point.x, point.y}; }
+
+ImU32 im(Ink ink) {
+  const Vec3 color = color_of(ink);
+  return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1.0F});
+}
+
+void paint_box(ImDrawList& list, const PlacedShape& shape) {
+  if (shape.outline_px > 0.0F) {
+    const Vec2 inset(0.5F * shape.outline_px);
+    list.AddRect(im(shape.rect.low + inset), im(shape.rect.high - inset), im(shape.ink), 0.0F, 0,
+                 shape.outline_px);
+  } else {
+    list.AddRectFilled(im(shape.rect.low), im(shape.rect.high), im(shape.ink));
+  }
+}
+
+void paint_disc(ImDrawList& list, const PlacedShape& shape) {
+  const Vec2 middle = 0.5F * (shape.rect.low + shape.rect.high);
+  const float radius_px = 0.5F * (shape.rect.size().x - shape.outline_px);
+  if (shape.outline_px > 0.0F) {
+    list.AddCircle(im(middle), radius_px, im(shape.ink), 0, shape.outline_px);
+  } else {
+    list.AddCircleFilled(im(middle), radius_px, im(shape.ink));
+  }
+}
+
+void paint(ImDrawList& list, const PlacedShape& shape) {
+  const Vec2& low = shape.rect.low;
+  const Vec2& high = shape.rect.high;
+  const Vec2 middle = 0.5F * (low + high);
+  switch (shape.kind) {
+    case PlacedShape::Kind::box:
+      paint_box(list, shape);
+      break;
+    case PlacedShape::Kind::disc:
+      paint_disc(list, shape);
+      break;
+    case PlacedShape::Kind::triangle_up:
+      list.AddTriangleFilled({middle.x, low.y}, im(high), {low.x, high.y}, im(shape.ink));
+      break;
+    case PlacedShape::Kind::triangle_down:
+      list.AddTriangleFilled(im(low), {high.x, low.y}, {middle.x, high.y}, im(shape.ink));
+      break;
+    case PlacedShape::Kind::triangle_right:
+      list.AddTriangleFilled(im(low), {high.x, middle.y}, {low.x, high.y}, im(shape.ink));
+      break;
+  }
+}
+
+void paint(ImDrawList& list, const ScreenLayout& layout, const ScreenFonts& fonts) {
+  for (const PlacedShape& shape : layout.shapes) {
+    paint(list, shape);
+  }
+  for (const PlacedText& text : layout.texts) {
+    list.AddText(fonts.face(text.face), fonts.height_px(text.face), im(text.rect.low), im(text.ink),
+                 text.line.data(), text.line.data() + text.line.size());
+  }
+}
+
+void begin_frame(const IVec2& framebuffer) {
+  ImGui::GetIO().DisplaySize = {static_cast<float>(framebuffer.x),
+                                static_cast<float>(framebuffer.y)};
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+}
+
+void end_frame() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
 }  // namespace
 
 TextOverlay::TextOverlay() {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().Fonts->Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -62,17 +135,43 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const WindowPart> par
   if (panels.empty()) {
     return;
   }
-  ImGui::GetIO().DisplaySize = {static_cast<float>(framebuffer.x),
-                                static_cast<float>(framebuffer.y)};
-  ImGui_ImplOpenGL3_NewFrame();
-  ImGui::NewFrame();
+  begin_frame(framebuffer);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t k = 0; k < panels.size(); ++k) {
       draw_panel(fmt::format("panel {} of view {}", k, i), panels[k], parts[i], framebuffer.y);
     }
   }
-  ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  end_frame();
+}
+
+void TextOverlay::draw(const IVec2& framebuffer, std::span<const ScreenPlace> places,
+                       const ScreenPage& screen) {
+  make_letters(text_height_px(places.front()));
+  begin_frame(framebuffer);
+  const TextWidth width_of = [this](TextFace face, std::string_view line) {
+    return fonts_->width_px(face, line);
+  };
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (const ScreenPlace& place : places) {
+    paint(list, lay_out(screen, place, width_of), *fonts_);
+  }
+  end_frame();
+}
+
+void TextOverlay::make_letters(float text_px) {
+  if (text_px == text_px_) {
+    return;
+  }
+  if (!fonts_) {
+    fonts_.emplace();
+  }
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  atlas.AddFontDefault();  // the panels'
+  fonts_->add_to(atlas, text_px);
+  // The next frame makes them again, the letters among them.
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  text_px_ = text_px;
 }
 
 }  // namespace foveola

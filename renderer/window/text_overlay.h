@@ -1,10 +1,13 @@
-// Text over the picture: help, frame times.
+// Text over the picture, or instead of it: help, frame times, screens.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "renderer/window/screen_fonts.h"
+#include "renderer/window/screen_layout.h"
 #include "renderer/window/view_renderer.h"
 
 namespace foveola {
@@ -29,6 +32,17 @@ class TextOverlay {
   /// only measures it.
   void draw(const IVec2& framebuffer, std::span<const WindowPart> parts,
             std::span<const TextPanel> panels);
+  /// Draws the screen at each of the places, which are of one size and inside a window of
+  /// `framebuffer` pixels. Its letters are made when their size changes, which takes longer than a
+  /// frame. Throws Error if the system lacks them.
+  void draw(const IVec2& framebuffer, std::span<const ScreenPlace> places,
+            const ScreenPage& screen);
+
+ private:
+  void make_letters(float text_px);
+
+  std::optional<ScreenFonts> fonts_;
+  float text_px_ = 0.0F;  ///< the size that they were made in; 0: not made yet
 };
 
 }  // namespace foveola

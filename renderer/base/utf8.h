@@ -1,0 +1,23 @@
+// Text as characters: what a byte-wise string of UTF-8 does not know of itself.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace foveola {
+
+/// Appends one character (RFC 3629). Surrogates and numbers beyond U+10FFFF are none: nothing is
+/// appended.
+void append_character(std::string& text, char32_t character);
+
+/// Nothing happens to an empty text.
+void erase_last_character(std::string& text);
+
+/// How many characters (code points) valid UTF-8 has.
+std::size_t count_characters(std::string_view text);
+
+/// The bytes of the first `characters` of a text, or of all of it if it has fewer.
+std::size_t bytes_of_first(std::string_view text, std::size_t characters);
+
+}  // namespace foveola

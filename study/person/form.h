@@ -1,0 +1,70 @@
+// A form on a participant's screen: pages of words, a question a page, and one to hand it in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/person/question_entry.h"
+#include "study/protocol/texts.h"
+
+namespace foveola::study {
+
+struct FormPages {
+  std::string title;
+  std::vector<std::string> intro;  ///< paragraphs; over as many pages as they take
+  std::vector<Question> questions;
+  std::string confirmation;              ///< on the last page; {answers} are filled in
+  std::string confirm_keys;              ///< which keys do what there
+  std::optional<char32_t> confirm_with;  ///< the letter that hands it in; Enter if there is none
+  bool covers_picture = true;
+};
+
+/// Driven by keys alone. A page is left only with an answer that is one; a question that need not
+/// be answered can be left without.
+class Form {
+ public:
+  /// texts: the protocol's.
+  Form(FormPages pages, Texts texts);
+
+  /// Returns whether the key meant something here.
+  bool follow(const FormInput& input);
+
+  /// progress is left to others.
+  ScreenPage screen() const;
+
+  bool is_submitted() const { return is_submitted_; }
+  /// In the questions' order, without those that were left out.
+  std::vector<Answer> answers() const;
+
+ private:
+  bool is_reading() const { return page_ < intro_pages_.size(); }
+  bool is_confirming() const { return page_ == intro_pages_.size() + entries_.size(); }
+  QuestionEntry& entry() { return entries_[page_ - intro_pages_.size()]; }
+  const QuestionEntry& entry() const { return entries_[page_ - intro_pages_.size()]; }
+
+  bool go_on();
+  bool go_back();
+  bool confirm(const FormInput& input);
+  FormKey back_key() const;
+
+  ScreenPage reading_screen() const;
+  ScreenPage question_screen() const;
+  ScreenPage confirming_screen() const;
+  std::string keys_of(std::string_view text) const;
+  std::string shown_answers() const;
+
+  FormPages pages_;
+  Texts texts_;
+  std::vector<std::vector<std::string>> intro_pages_;
+  std::vector<QuestionEntry> entries_;
+  std::size_t page_ = 0;
+  std::string fault_;  ///< of the question on this page
+  bool is_submitted_ = false;
+};
+
+/// Paragraphs over as many pages as a screen of any window needs for them (screen_lines); long ones
+/// are broken between words.
+std::vector<std::vector<std::string>> pages_of(const std::vector<std::string>& paragraphs);
+
+}  // namespace foveola::study

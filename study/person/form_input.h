@@ -1,0 +1,19 @@
+// What a form understands of a keyboard.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "renderer/window/window_event.h"
+
+namespace foveola::study {
+
+enum class FormKey { enter, tab, left, right, up, down, erase };
+
+/// A key, or what was typed.
+using FormInput = std::variant<FormKey, char32_t>;
+
+/// Empty for events that mean nothing to a form, such as keys that are let go.
+std::optional<FormInput> form_input(const WindowEvent& event);
+
+}  // namespace foveola::study

@@ -1,0 +1,52 @@
+// What a participant has answered to one question so far.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "renderer/window/screen.h"
+#include "study/person/form_input.h"
+#include "study/protocol/questionnaire.h"
+
+namespace foveola::study {
+
+class QuestionEntry {
+ public:
+  explicit QuestionEntry(Question question);
+
+  /// Chooses or types. Returns whether the key meant something: on a scale, left, right, digits and
+  /// erase; in a list, up, down, digits and erase; elsewhere, characters and erase.
+  bool follow(const FormInput& input);
+
+  /// Without words on what is wrong, without focus.
+  ScreenField field() const;
+
+  /// A number where one is asked for and typed. An empty text if there is no answer yet.
+  std::variant<double, std::string> value() const;
+  bool is_empty() const;
+
+  /// As the screen shows it.
+  std::string shown_value() const;
+
+  const Question& question() const { return question_; }
+
+  /// Scales with more points than this are typed in as numbers.
+  static constexpr std::size_t most_points = 21;
+
+ private:
+  bool is_listed() const { return !labels_.empty(); }
+  bool move(std::ptrdiff_t by);
+  bool choose_by(char32_t typed);
+  bool type(char32_t typed);
+  bool erase();
+
+  Question question_;
+  ScreenField::Kind kind_;
+  std::vector<std::string> labels_;
+  std::optional<std::size_t> chosen_;
+  std::string typed_;
+};
+
+}  // namespace foveola::study

@@ -1,0 +1,77 @@
+// What participants read, from the protocol's words and the built-in ones: forms and plain screens.
+//
+// No screen says which method is shown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/window/screen.h"
+#include "study/person/form.h"
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+// --- Forms ---
+
+/// Agreed to by the letter Y; N is left to others.
+Form consent_form(const Texts& texts);
+
+Form questionnaire_form(const Questionnaire& questionnaire, const Texts& texts);
+
+/// In a band below the picture.
+Form rating_form(const std::vector<Question>& ratings, const Texts& texts);
+
+// --- Pages of a title, a paragraph and a line of keys ---
+
+enum class Notice {
+  welcome,
+  loading,           ///< something takes a moment
+  validation,        ///< before the first look at the targets
+  validation_again,  ///< before another
+  refused,           ///< by the gate
+  reaction,          ///< before the first press
+  practice,          ///< before the practice trials
+  first_trial,       ///< after them
+  next_scene,
+  pause,
+  stopping,  ///< asks whether to stop taking part
+  withdrawn,
+  interrupted,
+  goodbye,
+};
+
+ScreenPage notice_screen(Notice notice, const Texts& texts);
+
+// --- The reaction test ---
+
+ScreenPage reaction_wait_screen(const Texts& texts);
+/// Bright, as its change is what is reacted to.
+ScreenPage reaction_now_screen(const Texts& texts);
+/// After a press that came too early; then it waits anew.
+ScreenPage reaction_early_screen(const Texts& texts);
+
+// --- Bands below the picture ---
+
+ScreenPage choosing_screen(const Texts& texts);
+
+/// Where a session is: both counted from 1, practice by itself.
+struct TrialCount {
+  std::size_t trial = 1;
+  std::size_t trials = 1;
+};
+
+/// What is to be marked, before a trial. is_again: it was timed before.
+ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const TrialCount& count, bool is_again,
+                        const Texts& texts);
+
+/// For a moment: the first `taken` of `marks` are kept.
+ScreenPage mark_taken_screen(std::size_t taken, std::size_t marks, const Texts& texts);
+
+/// Before the rating.
+ScreenPage look_around_screen(const Texts& texts);
+
+/// Asks whether to time the trial again.
+ScreenPage retiming_screen(const Texts& texts);
+
+}  // namespace foveola::study

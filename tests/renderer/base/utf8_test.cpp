@@ -1,0 +1,53 @@
+#include "renderer/base/utf8.h"
+
+#include <gtest/gtest.h>
+
+namespace foveola {
+namespace {
+
+std::string text_of(std::initializer_list<char32_t> characters) {
+  std::string text;
+  for (const char32_t character : characters) {
+    append_character(text, character);
+  }
+  return text;
+}
+
+// The bytes are RFC 3629's examples (section 7) and the ends of its ranges (section 3).
+TEST(Utf8Test, AppendsCharactersAsTheStandardEncodesThem) {
+  EXPECT_EQ(text_of({0x41, 0x2262, 0x0391, 0x2E}), "\x41\xE2\x89\xA2\xCE\x91\x2E");
+  EXPECT_EQ(text_of({0xD55C, 0xAD6D, 0xC5B4}), "\xED\x95\x9C\xEA\xB5\xAD\xEC\x96\xB4");
+  EXPECT_EQ(text_of({0x233B4}), "\xF0\xA3\x8E\xB4");
+  EXPECT_EQ(text_of({0x7F, 0x80, 0x7FF, 0x800}), "\x7F\xC2\x80\xDF\xBF\xE0\xA0\x80");
+  EXPECT_EQ(text_of({0xFFFF, 0x10000, 0x10FFFF}), "\xEF\xBF\xBF\xF0\x90\x80\x80\xF4\x8F\xBF\xBF");
+}
+
+TEST(Utf8Test, WhatIsNoCharacterIsLeftOut) {
+  EXPECT_EQ(text_of({0xD800, 0xDFFF, 0x110000, 0xFFFFFFFF}), "");
+}
+
+TEST(Utf8Test, ErasesWholeCharacters) {
+  std::string text = "aä€𝄞";
+  for (const char* left : {"aä€", "aä", "a", "", ""}) {
+    erase_last_character(text);
+    EXPECT_EQ(text, left);
+  }
+}
+
+TEST(Utf8Test, CountsCharacters) {
+  EXPECT_EQ(count_characters(""), 0U);
+  EXPECT_EQ(count_characters("aä€𝄞"), 4U);
+}
+
+TEST(Utf8Test, TellsTheBytesOfTheFirstCharacters) {
+  const std::string text = "aä€𝄞";
+  EXPECT_EQ(bytes_of_first(text, 0), 0U);
+  EXPECT_EQ(bytes_of_first(text, 1), 1U);
+  EXPECT_EQ(bytes_of_first(text, 2), 3U);
+  EXPECT_EQ(bytes_of_first(text, 3), 6U);
+  EXPECT_EQ(bytes_of_first(text, 4), 10U);
+  EXPECT_EQ(bytes_of_first(text, 9), 10U);
+}
+
+}  // namespace
+}  // namespace foveola
