@@ -47,10 +47,10 @@ class PointRow {
       : text_px_(column.text_px()), width_px_(column.width_px()), chosen_(field.chosen) {
     for (const std::string& label : field.labels) {
       points_.push_back(scale_point(label));
-      box_width_px_ =
-          std::max(box_width_px_, column.line_width_px(points_.back().name) + 0.6F * text_px_);
+      widest_name_px_ = std::max(widest_name_px_, column.line_width_px(points_.back().name));
     }
-    box_width_px_ = std::max(box_width_px_, box_height * text_px_);
+    const float wanted_px = std::max(box_height * text_px_, widest_name_px_ + 0.6F * text_px_);
+    box_width_px_ = std::min(wanted_px, cell_px() - 0.15F * text_px_);
   }
 
   /// Whether no box and no word needs more room than it has.
@@ -61,7 +61,7 @@ class PointRow {
         return false;
       }
     }
-    return box_width_px_ <= cell_px() - 0.15F * text_px_;
+    return widest_name_px_ + 0.2F * text_px_ <= box_width_px_;
   }
 
   void add_to(ScreenColumn& column) const {
@@ -135,6 +135,7 @@ class PointRow {
   float width_px_;
   std::optional<std::size_t> chosen_;
   std::vector<ScalePoint> points_;
+  float widest_name_px_ = 0.0F;
   float box_width_px_ = 0.0F;
 };
 
@@ -151,6 +152,7 @@ void put_ring(ScreenColumn& column, bool is_chosen) {
 void add_list(ScreenColumn& column, const ScreenField& field) {
   constexpr float between_rows = 0.2F;
   for (std::size_t i = 0; i < field.labels.size(); ++i) {
+    column.leave(i > 0 ? between_rows : 0.0F);
     const float top_px = column.bottom_px();
     put_ring(column, field.chosen == i);
     std::string label = field.labels[i];
@@ -159,7 +161,6 @@ void add_list(ScreenColumn& column, const ScreenField& field) {
     if (field.has_focus && field.chosen.value_or(0) == i) {
       column.put_focus({0.0F, top_px}, {column.width_px(), column.bottom_px() - top_px});
     }
-    column.leave(between_rows);
   }
 }
 
@@ -257,7 +258,7 @@ void add_field(ScreenColumn& column, const ScreenField& field) {
   const float top_px = column.bottom_px();
   if (!field.question.empty()) {
     column.write(field.question, TextFace::body, Ink::text);
-    column.leave(0.4F);
+    column.leave(0.5F);
   }
   const float answer_top_px = column.bottom_px();
   add_answer(column, field);

@@ -1,7 +1,6 @@
 // A form on a participant's screen: pages of words, a question a page, and one to hand it in.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +13,9 @@ struct FormPages {
   std::string title;
   std::vector<std::string> intro;  ///< paragraphs; over as many pages as they take
   std::vector<Question> questions;
-  std::string confirmation;              ///< on the last page; {answers} are filled in
-  std::string confirm_keys;              ///< which keys do what there
-  std::optional<char32_t> confirm_with;  ///< the letter that hands it in; Enter if there is none
+  std::string confirmation;     ///< on the last page; {answers} are filled in
+  std::string confirm_keys;     ///< which keys do what there
+  std::u32string confirm_with;  ///< the letters that hand it in; Enter if there are none
   bool covers_picture = true;
 };
 

@@ -30,7 +30,6 @@ enum class Notice {
   validation,        ///< before the first look at the targets
   validation_again,  ///< before another
   refused,           ///< by the gate
-  reaction,          ///< before the first press
   practice,          ///< before the practice trials
   first_trial,       ///< after them
   next_scene,
@@ -45,6 +44,8 @@ ScreenPage notice_screen(Notice notice, const Texts& texts);
 
 // --- The reaction test ---
 
+/// Before the first press.
+ScreenPage reaction_screen(int presses, const Texts& texts);
 ScreenPage reaction_wait_screen(const Texts& texts);
 /// Bright, as its change is what is reacted to.
 ScreenPage reaction_now_screen(const Texts& texts);
@@ -55,7 +56,7 @@ ScreenPage reaction_early_screen(const Texts& texts);
 
 ScreenPage choosing_screen(const Texts& texts);
 
-/// Where a session is: both counted from 1, practice by itself.
+/// Which of a session's trials it is, from 1; those of the practice are counted by themselves.
 struct TrialCount {
   std::size_t trial = 1;
   std::size_t trials = 1;

@@ -1,0 +1,43 @@
+#include "study/person/form_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace foveola::study {
+namespace {
+
+std::optional<FormKey> form_key(int key) {
+  switch (key) {
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return FormKey::enter;
+    case GLFW_KEY_TAB:
+      return FormKey::tab;
+    case GLFW_KEY_LEFT:
+      return FormKey::left;
+    case GLFW_KEY_RIGHT:
+      return FormKey::right;
+    case GLFW_KEY_UP:
+      return FormKey::up;
+    case GLFW_KEY_DOWN:
+      return FormKey::down;
+    case GLFW_KEY_BACKSPACE:
+      return FormKey::erase;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<FormInput> form_input(const WindowEvent& event) {
+  if (const auto* typed = std::get_if<CharacterTyped>(&event.what)) {
+    return typed->character;
+  }
+  if (const auto* moved = std::get_if<KeyMoved>(&event.what); moved != nullptr && moved->is_down) {
+    return form_key(moved->key);
+  }
+  return std::nullopt;
+}
+
+}  // namespace foveola::study
