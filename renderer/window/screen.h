@@ -42,7 +42,7 @@ struct ScreenPage {
 /// What a screen that covers the picture has room for in any window and headset, beside a title and
 /// keys of a line each: so many lines of words, a line between paragraphs included. What is longer
 /// goes on more than one screen.
-inline constexpr std::size_t screen_lines = 10;
+inline constexpr std::size_t screen_lines = 12;
 /// As many characters of running text fill a line at least.
 inline constexpr std::size_t screen_line_characters = 42;
 

@@ -56,6 +56,11 @@ void ScreenColumn::put_shape(PlacedShape::Kind kind, const Vec2& low_px, const V
       {.kind = kind, .ink = ink, .rect = rect(low_px, size_px), .outline_px = outline_px});
 }
 
+void ScreenColumn::put_frame(const Vec2& low_px, const Vec2& size_px, Ink ink, float outline_px) {
+  put_shape(PlacedShape::Kind::box, low_px, size_px, ink, outline_px);
+  layout_.shapes.back().is_frame = true;
+}
+
 void ScreenColumn::put_focus(const Vec2& low_px, const Vec2& size_px) {
   focus_ = rect(low_px, size_px);
 }

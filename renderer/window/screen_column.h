@@ -29,6 +29,7 @@ class ScreenColumn {
   void put_line(const Vec2& low_px, std::string_view line, TextFace face, Ink ink);
   void put_shape(PlacedShape::Kind kind, const Vec2& low_px, const Vec2& size_px, Ink ink,
                  float outline_px = 0.0F);
+  void put_frame(const Vec2& low_px, const Vec2& size_px, Ink ink, float outline_px);
   /// What is to be kept in view.
   void put_focus(const Vec2& low_px, const Vec2& size_px);
 

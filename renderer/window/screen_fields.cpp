@@ -23,6 +23,7 @@ constexpr float box_outline = 0.07F;
 struct ScalePoint {
   std::string name;
   std::string words;
+  bool is_chosen = false;
 };
 
 ScalePoint scale_point(const std::string& label) {
@@ -40,17 +41,20 @@ struct WordRoom {
   float width_px() const { return right_px - left_px; }
 };
 
-/// A scale whose points stand side by side.
+/// Points of a scale side by side: those from `first` on, as far as there are, `most` at most.
 class PointRow {
  public:
-  PointRow(const ScreenColumn& column, const ScreenField& field)
-      : text_px_(column.text_px()), width_px_(column.width_px()), chosen_(field.chosen) {
-    for (const std::string& label : field.labels) {
-      points_.push_back(scale_point(label));
+  PointRow(const ScreenColumn& column, const ScreenField& field, std::size_t first,
+           std::size_t most)
+      : text_px_(column.text_px()), cell_px_(column.width_px() / static_cast<float>(most)) {
+    const std::size_t end = std::min(first + most, field.labels.size());
+    for (std::size_t i = first; i < end; ++i) {
+      points_.push_back(scale_point(field.labels[i]));
+      points_.back().is_chosen = field.chosen == i;
       widest_name_px_ = std::max(widest_name_px_, column.line_width_px(points_.back().name));
     }
     const float wanted_px = std::max(box_height * text_px_, widest_name_px_ + 0.6F * text_px_);
-    box_width_px_ = std::min(wanted_px, cell_px() - 0.15F * text_px_);
+    box_width_px_ = std::min(wanted_px, cell_px_ - 0.15F * text_px_);
   }
 
   /// Whether no box and no word needs more room than it has.
@@ -73,11 +77,10 @@ class PointRow {
   }
 
  private:
-  float cell_px() const { return width_px_ / static_cast<float>(points_.size()); }
-  float middle_px(std::size_t i) const { return (static_cast<float>(i) + 0.5F) * cell_px(); }
+  float middle_px(std::size_t i) const { return (static_cast<float>(i) + 0.5F) * cell_px_; }
 
   void put_box(ScreenColumn& column, std::size_t i) const {
-    const bool is_chosen = chosen_ == i;
+    const bool is_chosen = points_[i].is_chosen;
     const Vec2 low(middle_px(i) - 0.5F * box_width_px_, column.bottom_px());
     const Vec2 size(box_width_px_, box_height * text_px_);
     column.put_shape(Kind::box, low, size, is_chosen ? Ink::chosen : Ink::outline,
@@ -120,7 +123,7 @@ class PointRow {
     return {middle_px(i) - half_px, middle_px(i) + half_px, Align::center};
   }
 
-  /// The end of a point's words to one side: the column's own, or in the middle to the next words.
+  /// The end of a point's words to one side: the row's own, or in the middle to the next words.
   float border_px(std::size_t i, int side) const {
     const auto count = static_cast<std::ptrdiff_t>(points_.size());
     for (auto k = static_cast<std::ptrdiff_t>(i) + side; k >= 0 && k < count; k += side) {
@@ -128,16 +131,42 @@ class PointRow {
         return 0.5F * (middle_px(i) + middle_px(static_cast<std::size_t>(k)));
       }
     }
-    return side < 0 ? 0.0F : width_px_;
+    return side < 0 ? 0.0F : cell_px_ * static_cast<float>(count);
   }
 
   float text_px_;
-  float width_px_;
-  std::optional<std::size_t> chosen_;
+  float cell_px_;
   std::vector<ScalePoint> points_;
   float widest_name_px_ = 0.0F;
   float box_width_px_ = 0.0F;
 };
+
+/// The points in as few rows as they fit in; none if they fit in none. A short scale is not broken.
+std::vector<PointRow> point_rows(const ScreenColumn& column, const ScreenField& field) {
+  constexpr std::size_t longest_short_scale = 7;
+  const std::size_t points = field.labels.size();
+  const std::size_t most_rows = points > longest_short_scale ? 3 : 1;
+  for (std::size_t count = 1; count <= most_rows; ++count) {
+    const std::size_t in_a_row = (points + count - 1) / count;
+    std::vector<PointRow> rows;
+    for (std::size_t first = 0; first < points; first += in_a_row) {
+      rows.emplace_back(column, field, first, in_a_row);
+    }
+    if (std::all_of(rows.begin(), rows.end(),
+                    [&](const PointRow& row) { return row.fits(column); })) {
+      return rows;
+    }
+  }
+  return {};
+}
+
+void add_rows(ScreenColumn& column, const std::vector<PointRow>& rows) {
+  constexpr float between_rows = 0.3F;
+  for (const PointRow& row : rows) {
+    column.leave(&row != &rows.front() ? between_rows : 0.0F);
+    row.add_to(column);
+  }
+}
 
 void put_ring(ScreenColumn& column, bool is_chosen) {
   const float text_px = column.text_px();
@@ -213,8 +242,8 @@ void add_typed_text(ScreenColumn& column, const ScreenField& field) {
 void add_answer(ScreenColumn& column, const ScreenField& field) {
   switch (field.kind) {
     case ScreenField::Kind::scale:
-      if (const PointRow row(column, field); row.fits(column)) {
-        row.add_to(column);
+      if (const std::vector<PointRow> rows = point_rows(column, field); !rows.empty()) {
+        add_rows(column, rows);
         break;
       }
       [[fallthrough]];
@@ -243,12 +272,12 @@ void put_frame(ScreenColumn& column, const ScreenField& field, float top_px) {
   const Vec2 size(column.width_px() + 2.0F * padding_px,
                   column.bottom_px() - top_px + 2.0F * padding_px);
   if (field.has_focus) {
-    column.put_shape(Kind::box, low, size, Ink::focus, frame_outline * text_px);
+    column.put_frame(low, size, Ink::focus, frame_outline * text_px);
     column.put_shape(Kind::triangle_right,
-                     {low.x - 0.7F * text_px, low.y + 0.5F * (size.y - 0.7F * text_px)},
-                     {0.45F * text_px, 0.7F * text_px}, Ink::focus);
+                     {low.x - 0.55F * text_px, low.y + 0.5F * (size.y - 0.7F * text_px)},
+                     {0.4F * text_px, 0.7F * text_px}, Ink::focus);
   } else if (is_typed(field)) {
-    column.put_shape(Kind::box, low, size, Ink::outline, box_outline * text_px);
+    column.put_frame(low, size, Ink::outline, box_outline * text_px);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include "renderer/window/screen_fields.h"
 
@@ -13,8 +13,8 @@ namespace {
 constexpr float margin = 1.2F;
 constexpr float widest_column = 34.0F;  // about most_line_characters
 constexpr float progress_height = 0.3F;
-constexpr float above_content = 2.3F;
-constexpr float above_keys = 1.0F;
+constexpr float above_content = 2.7F;
+constexpr float above_keys = 1.2F;
 constexpr float band_padding = 0.8F;
 
 /// The rectangle of `size` around `middle`, moved as far as it takes to lie in `whole`.
@@ -51,47 +51,100 @@ void add_content(ScreenColumn& column, const ScreenPage& screen) {
   }
 }
 
-/// Where the content's top stands, so that what has the focus is between top_px and bottom_px.
-float content_top_px(const ScreenColumn& content, float top_px, float bottom_px, float slack) {
-  const float room_px = bottom_px - top_px;
+/// From where to where things are shown, downwards.
+struct Span {
+  float top_px = 0.0F;
+  float bottom_px = 0.0F;
+
+  bool holds(const ScreenRect& rect) const {
+    constexpr float rounding_px = 1.0F;
+    return rect.low.y >= top_px - rounding_px && rect.high.y <= bottom_px + rounding_px;
+  }
+};
+
+/// Where the content's top stands, so that what has the focus is in `room`.
+float content_top_px(const ScreenColumn& content, const Span& room, float slack) {
+  const float room_px = room.bottom_px - room.top_px;
   const float too_much_px = content.bottom_px() - room_px;
   if (too_much_px <= 0.0F) {
-    return top_px - slack * too_much_px;
+    return room.top_px - slack * too_much_px;
   }
   const auto& focus = content.focus();
   const float wanted_px = focus ? 0.5F * (focus->low.y + focus->high.y - room_px) : 0.0F;
-  return top_px - std::clamp(wanted_px, 0.0F, too_much_px);
+  return room.top_px - std::clamp(wanted_px, 0.0F, too_much_px);
 }
 
-ScreenRect moved(const ScreenRect& rect, float down_px) {
-  const Vec2 low = glm::round(rect.low + Vec2(0.0F, down_px));
-  return {.low = low, .high = low + rect.size()};
-}
-
-/// Adds what lies wholly between top_px and bottom_px once it is moved. Returns whether something
-/// was left out above, and below.
-std::pair<bool, bool> add_moved(ScreenLayout& layout, const ScreenLayout& more, float down_px,
-                                float top_px, float bottom_px) {
-  constexpr float rounding_px = 1.0F;
-  std::pair<bool, bool> left_out{false, false};
-  const auto is_inside = [&](const ScreenRect& rect) {
-    left_out.first = left_out.first || rect.low.y < top_px - rounding_px;
-    left_out.second = left_out.second || rect.high.y > bottom_px + rounding_px;
-    return rect.low.y >= top_px - rounding_px && rect.high.y <= bottom_px + rounding_px;
+ScreenLayout moved(ScreenLayout layout, float down_px) {
+  const auto move = [&](ScreenRect& rect) {
+    const Vec2 low = glm::round(rect.low + Vec2(0.0F, down_px));
+    rect = {.low = low, .high = low + rect.size()};
   };
+  for (PlacedShape& shape : layout.shapes) {
+    move(shape.rect);
+  }
+  for (PlacedText& text : layout.texts) {
+    move(text.rect);
+  }
+  return layout;
+}
+
+/// What stands alone: lines, and shapes but for frames.
+std::vector<ScreenRect> things_of(const ScreenLayout& layout) {
+  std::vector<ScreenRect> things;
+  for (const PlacedText& text : layout.texts) {
+    things.push_back(text.rect);
+  }
+  for (const PlacedShape& shape : layout.shapes) {
+    if (!shape.is_frame) {
+      things.push_back(shape.rect);
+    }
+  }
+  return things;
+}
+
+/// Less of `span`, so that its ends cut no thing. What stands beside a thing that is left out is
+/// left out with it.
+Span span_between_things(Span span, const std::vector<ScreenRect>& things) {
+  const auto crosses = [](const ScreenRect& rect, float y_px) {
+    return rect.low.y < y_px - 1.0F && rect.high.y > y_px + 1.0F;
+  };
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const ScreenRect& thing : things) {
+      if (crosses(thing, span.bottom_px)) {
+        span.bottom_px = thing.low.y;
+        is_changed = true;
+      }
+      if (crosses(thing, span.top_px)) {
+        span.top_px = thing.high.y;
+        is_changed = true;
+      }
+    }
+  }
+  return span;
+}
+
+void add(ScreenLayout& layout, const ScreenLayout& more) {
+  layout.shapes.insert(layout.shapes.end(), more.shapes.begin(), more.shapes.end());
+  layout.texts.insert(layout.texts.end(), more.texts.begin(), more.texts.end());
+}
+
+/// Adds what lies in `span`, and the parts of frames that do.
+void add_shown(ScreenLayout& layout, const ScreenLayout& more, const Span& span) {
+  for (const PlacedText& text : more.texts) {
+    if (span.holds(text.rect)) {
+      layout.texts.push_back(text);
+    }
+  }
   for (PlacedShape shape : more.shapes) {
-    shape.rect = moved(shape.rect, down_px);
-    if (is_inside(shape.rect)) {
+    if (shape.is_frame) {
+      shape.rect.low.y = std::max(shape.rect.low.y, span.top_px);
+      shape.rect.high.y = std::min(shape.rect.high.y, span.bottom_px);
+    }
+    if (span.holds(shape.rect) && shape.rect.low.y < shape.rect.high.y) {
       layout.shapes.push_back(shape);
     }
   }
-  for (PlacedText text : more.texts) {
-    text.rect = moved(text.rect, down_px);
-    if (is_inside(text.rect)) {
-      layout.texts.push_back(std::move(text));
-    }
-  }
-  return left_out;
 }
 
 /// Shows that there is more: a triangle in the middle of the page, around y_px.
@@ -106,18 +159,21 @@ void add_more_mark(ScreenLayout& layout, PlacedShape::Kind kind, const ScreenPla
 
 /// slack: how much of what is left free stands above the content.
 void add_scrolled(ScreenLayout& layout, const ScreenColumn& content, const ScreenPlace& place,
-                  float top_px, float bottom_px, float slack) {
-  // What is drawn around a field reaches over it.
-  const float reach_px = 0.4F * content.text_px();
-  const float down_px = content_top_px(content, top_px, bottom_px, slack);
-  const auto [is_above, is_below] =
-      add_moved(layout, content.layout(), down_px, top_px - reach_px, bottom_px + reach_px);
-  if (is_above) {
-    add_more_mark(layout, PlacedShape::Kind::triangle_up, place, top_px - 0.7F * content.text_px());
+                  const Span& room, float slack) {
+  const float text_px = content.text_px();
+  const ScreenLayout all = moved(content.layout(), content_top_px(content, room, slack));
+  const std::vector<ScreenRect> things = things_of(all);
+  const Span shown = span_between_things(room, things);
+  // Frames reach a little over what they stand around.
+  add_shown(layout, all, {shown.top_px - 0.4F * text_px, shown.bottom_px + 0.4F * text_px});
+  const auto is_any = [&](auto is_outside) {
+    return std::any_of(things.begin(), things.end(), is_outside);
+  };
+  if (is_any([&](const ScreenRect& rect) { return rect.low.y < shown.top_px - 1.0F; })) {
+    add_more_mark(layout, PlacedShape::Kind::triangle_up, place, room.top_px - 0.8F * text_px);
   }
-  if (is_below) {
-    add_more_mark(layout, PlacedShape::Kind::triangle_down, place,
-                  bottom_px + 0.7F * content.text_px());
+  if (is_any([&](const ScreenRect& rect) { return rect.high.y > shown.bottom_px + 1.0F; })) {
+    add_more_mark(layout, PlacedShape::Kind::triangle_down, place, room.bottom_px + 0.8F * text_px);
   }
 }
 
@@ -128,8 +184,7 @@ void add_progress(ScreenLayout& layout, const ScreenPlace& place, const ScreenCo
   const Vec2 done(static_cast<float>(std::clamp(progress, 0.0, 1.0)) * size.x, size.y);
   bar.put_shape(PlacedShape::Kind::box, Vec2(0.0F), done, Ink::quiet);
   bar.put_shape(PlacedShape::Kind::box, Vec2(0.0F), size, Ink::outline, 0.25F * size.y);
-  const float top_px = place.page.low.y + margin * column.text_px();
-  add_moved(layout, bar.layout(), top_px, place.page.low.y, place.page.high.y);
+  add(layout, moved(bar.layout(), place.page.low.y + margin * column.text_px()));
 }
 
 ScreenLayout lay_out_page(const ScreenPage& screen, const ScreenPlace& place,
@@ -144,13 +199,13 @@ ScreenLayout lay_out_page(const ScreenPage& screen, const ScreenPlace& place,
   ScreenColumn keys = empty;
   keys.write(screen.keys, TextFace::body, Ink::quiet);
   const float keys_px = place.page.high.y - margin * text_px - keys.bottom_px();
-  add_moved(layout, keys.layout(), keys_px, place.page.low.y, place.page.high.y);
+  add(layout, moved(keys.layout(), keys_px));
   ScreenColumn content = empty;
   add_content(content, screen);
   // Forms stand still from question to question; what is only read stands where the eye rests.
   const float slack = screen.fields.empty() ? 0.4F : 0.0F;
-  add_scrolled(layout, content, place, place.page.low.y + above_content * text_px,
-               keys_px - above_keys * text_px, slack);
+  add_scrolled(layout, content, place,
+               {place.page.low.y + above_content * text_px, keys_px - above_keys * text_px}, slack);
   return layout;
 }
 
@@ -168,7 +223,7 @@ ScreenLayout lay_out_band(const ScreenPage& screen, const ScreenPlace& place,
   layout.shapes.push_back({.ink = Ink::ground,
                            .rect = {.low = glm::round(Vec2(place.page.low.x, top_px - padding_px)),
                                     .high = place.page.high}});
-  add_scrolled(layout, content, place, top_px, bottom_px, 0.0F);
+  add_scrolled(layout, content, place, {top_px, bottom_px}, 0.0F);
   return layout;
 }
 

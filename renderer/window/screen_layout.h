@@ -55,6 +55,7 @@ struct PlacedShape {
   Ink ink = Ink::outline;
   ScreenRect rect;
   float outline_px = 0.0F;  ///< the width of its outline; filled if 0
+  bool is_frame = false;    ///< stands around others, and may do so around a part of them
 };
 
 struct ScreenLayout {
@@ -81,8 +82,8 @@ ScreenPlace screen_place(const WindowPart& part, int framebuffer_height, bool is
 /// fluent from 0.2 degrees on (Legge & Bigelow 2011, "Does print size matter for reading?").
 float text_height_px(const ScreenPlace& place);
 
-/// Nothing overlaps, nothing is cut off: what a page has no room for is left out, with a mark above
-/// or below, and what has the focus is kept in.
+/// Nothing overlaps, and no line is cut: those that a page has no room for are left out, with a
+/// mark above or below, and what has the focus is kept in.
 ScreenLayout lay_out(const ScreenPage& screen, const ScreenPlace& place, const TextWidth& width_of);
 
 }  // namespace foveola

@@ -123,6 +123,7 @@ TextOverlay::TextOverlay() {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().Fonts->Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   ImGui_ImplOpenGL3_Init("#version 330 core");
+  ImGui_ImplOpenGL3_CreateDeviceObjects();
 }
 
 TextOverlay::~TextOverlay() {
@@ -169,8 +170,8 @@ void TextOverlay::make_letters(float text_px) {
   atlas.Clear();
   atlas.AddFontDefault();  // the panels'
   fonts_->add_to(atlas, text_px);
-  // The next frame makes them again, the letters among them.
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
   text_px_ = text_px;
 }
 

@@ -1,0 +1,122 @@
+// All that a participant sees, as it is drawn. With FOVEOLA_SCREENS=FOLDER every capture is written
+// there, for people to look at.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "study/person/words.h"
+#include "tests/renderer/window/screen_capture.h"
+#include "tests/renderer/window/screen_letters.h"
+#include "tests/study/person/typing.h"
+
+namespace foveola::study {
+namespace {
+
+struct NamedScreen {
+  std::string name;
+  ScreenPage screen;
+};
+
+/// Every page of a form, as it is filled in by the first keys that do.
+std::vector<NamedScreen> pages_of_form(const std::string& name, Form form) {
+  std::vector<NamedScreen> pages;
+  for (int page = 0; page < 100 && !form.is_submitted(); ++page) {
+    const ScreenPage before = form.screen();
+    pages.push_back({fmt::format("{}-{:02}", name, page), before});
+    if (!before.fields.empty() && before.fields[0].kind == ScreenField::Kind::line) {
+      test::type(form, U"20");
+    } else if (!before.fields.empty()) {
+      test::press(form, {FormKey::right, FormKey::down});
+    }
+    test::press(form, {FormKey::enter});
+    test::type(form, U"y");
+  }
+  return pages;
+}
+
+void append(std::vector<NamedScreen>& screens, std::vector<NamedScreen> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(screens));
+}
+
+/// Of the published study's protocol and of the ready questionnaires, which are in English.
+std::vector<NamedScreen> screens_of_a_session() {
+  const Protocol protocol = load_protocol(find_protocol("koskela2018"));
+  const Texts& texts = protocol.texts;
+  std::vector<NamedScreen> screens = {
+      {"reaction", reaction_screen(10, texts)},
+      {"reaction-wait", reaction_wait_screen(texts)},
+      {"reaction-early", reaction_early_screen(texts)},
+      {"reaction-now", reaction_now_screen(texts)},
+      {"choosing", choosing_screen(texts)},
+      {"ready", ready_screen(protocol.marks, {3, 15}, false, texts)},
+      {"ready-again", ready_screen(protocol.marks, {15, 15}, true, texts)},
+      {"mark-taken", mark_taken_screen(1, protocol.marks.size(), texts)},
+      {"look-around", look_around_screen(texts)},
+      {"retiming", retiming_screen(texts)}};
+  for (int notice = 0; notice <= static_cast<int>(Notice::goodbye); ++notice) {
+    screens.push_back(
+        {fmt::format("notice-{:02}", notice), notice_screen(static_cast<Notice>(notice), texts)});
+    screens.back().screen.progress = 0.3;
+  }
+  Texts with_consent = texts;
+  with_consent["consent"] =
+      "This study is about previews of pictures that a computer paints. You will look at scenes, "
+      "press keys and answer questions.\n\nTaking part is voluntary: you may stop at any time and "
+      "need not say why, and what was recorded of you can then be deleted.\n\nYour answers, the "
+      "times at which you press keys and where you look are kept under a code, never under your "
+      "name. They are published without the code.\n\nSome people feel unwell while wearing a "
+      "headset: then say so, and take it off at once.";
+  append(screens, pages_of_form("consent", consent_form(with_consent)));
+  append(screens, pages_of_form("rating", rating_form(protocol.ratings, texts)));
+  for (const Questionnaire& questionnaire : protocol.questionnaires) {
+    append(screens, pages_of_form(questionnaire.id, questionnaire_form(questionnaire, texts)));
+  }
+  return screens;
+}
+
+class PersonScreensFit : public ::testing::TestWithParam<foveola::test::PlaceCase> {};
+
+TEST_P(PersonScreensFit, WithoutOverlapAndWithoutLeavingAnythingOut) {
+  const ScreenPlace& place = GetParam().place;
+  const foveola::test::ScreenLetters letters(text_height_px(place));
+  for (const auto& [name, screen] : screens_of_a_session()) {
+    SCOPED_TRACE(name);
+    const ScreenLayout layout = lay_out(screen, place, letters.width());
+    for (const PlacedShape& shape : layout.shapes) {
+      EXPECT_NE(shape.kind, PlacedShape::Kind::triangle_up);
+      EXPECT_NE(shape.kind, PlacedShape::Kind::triangle_down);
+    }
+    for (std::size_t i = 0; i < layout.texts.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_FALSE(foveola::test::overlap(layout.texts[i].rect, layout.texts[k].rect))
+            << layout.texts[i].line << " / " << layout.texts[k].line;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, PersonScreensFit,
+                         ::testing::ValuesIn(foveola::test::place_cases()),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+class PersonScreensDrawn : public ::testing::TestWithParam<foveola::test::WindowCase> {};
+
+TEST_P(PersonScreensDrawn, InsideTheWindow) {
+  foveola::test::ScreenCapture screens(GetParam());
+  for (const auto& [name, screen] : screens_of_a_session()) {
+    const RgbImage picture = screens.capture(screen);
+    foveola::test::keep_for_people(fmt::format("study-{}-{}", GetParam().name, name), picture);
+    if (screen.covers_picture) {
+      const Ink ground = screen.is_signal ? Ink::text : Ink::ground;
+      EXPECT_EQ(foveola::test::strangers_in_margin(picture, ground), 0) << name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, PersonScreensDrawn,
+                         ::testing::ValuesIn(foveola::test::window_cases),
+                         [](const auto& one) { return fmt::format("Window{}", one.param.name); });
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,187 @@
+#include "study/person/words.h"
+
+#include <gmock/gmock.h>
+
+#include "study/protocol/built_in_texts.h"
+#include "tests/study/person/typing.h"
+
+namespace foveola::study {
+namespace {
+
+using test::press;
+using test::type;
+using ::testing::AnyOf;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr Notice notices[] = {Notice::welcome,          Notice::loading,    Notice::validation,
+                              Notice::validation_again, Notice::refused,    Notice::practice,
+                              Notice::first_trial,      Notice::next_scene, Notice::pause,
+                              Notice::stopping,         Notice::withdrawn,  Notice::interrupted,
+                              Notice::goodbye};
+
+const std::vector<MarkEntry> two_marks = {
+    {.id = "outline", .instruction = "You see its outline."},
+    {.id = "material", .instruction = "You see its material."}};
+
+/// Every page and band that is made without a form.
+std::vector<ScreenPage> plain_screens(const Texts& texts) {
+  std::vector<ScreenPage> screens = {
+      reaction_screen(10, texts),     reaction_wait_screen(texts),
+      reaction_now_screen(texts),     reaction_early_screen(texts),
+      choosing_screen(texts),         ready_screen(two_marks, {3, 15}, true, texts),
+      mark_taken_screen(1, 2, texts), look_around_screen(texts),
+      retiming_screen(texts)};
+  for (const Notice notice : notices) {
+    screens.push_back(notice_screen(notice, texts));
+  }
+  return screens;
+}
+
+std::vector<std::string> words_on(const ScreenPage& screen) {
+  std::vector<std::string> words = screen.paragraphs;
+  words.push_back(screen.title);
+  words.push_back(screen.keys);
+  for (const ScreenField& field : screen.fields) {
+    words.push_back(field.question);
+  }
+  return words;
+}
+
+TEST(WordsTest, EveryScreenHasATitleAndNoGaps) {
+  for (const ScreenPage& screen : plain_screens({})) {
+    EXPECT_FALSE(screen.title.empty());
+    EXPECT_THAT(words_on(screen), Each(Not(AnyOf(HasSubstr("{"), HasSubstr("}"))))) << screen.title;
+  }
+}
+
+TEST(WordsTest, NoMethodIsNamed) {
+  for (const BuiltInText& text : built_in_texts()) {
+    EXPECT_THAT(std::string(text.english),
+                Not(AnyOf(HasSubstr("foveat"), HasSubstr("OD"), HasSubstr("VP"), HasSubstr("FV"),
+                          HasSubstr("omnidirectional"), HasSubstr("viewport"))))
+        << text.id;
+  }
+}
+
+/// A protocol that replaces every text by its own id, with the names in braces that it has.
+Texts ids_as_texts() {
+  Texts texts;
+  for (const BuiltInText& text : built_in_texts()) {
+    std::string words = "<" + std::string(text.id) + ">";
+    for (const std::string& name : names_in(text.english)) {
+      words += " {" + name + "}";
+    }
+    texts[std::string(text.id)] = words;
+  }
+  return texts;
+}
+
+TEST(WordsTest, AllWordsAreTheProtocols) {
+  for (const ScreenPage& screen : plain_screens(ids_as_texts())) {
+    for (const std::string& words : words_on(screen)) {
+      if (!words.empty()) {
+        EXPECT_EQ(words.front(), '<') << words;
+      }
+    }
+  }
+}
+
+TEST(WordsTest, EveryTextIsShownSomewhere) {
+  const Texts texts = ids_as_texts();
+  std::string shown;
+  const auto show = [&](const ScreenPage& screen) {
+    for (const std::string& words : words_on(screen)) {
+      shown += words + '\n';
+    }
+    for (const ScreenField& field : screen.fields) {
+      shown += field.fault + '\n';
+    }
+  };
+  for (const ScreenPage& screen : plain_screens(texts)) {
+    show(screen);
+  }
+  const auto walk = [&](Form form, std::u32string_view wrong, std::u32string_view right) {
+    for (int i = 0; i < 3 && !form.is_submitted(); ++i) {
+      show(form.screen());
+      type(form, wrong);
+      press(form, {FormKey::enter});
+      show(form.screen());
+      press(form, {FormKey::erase, FormKey::erase, FormKey::erase});
+      type(form, right);
+      press(form, {FormKey::enter});
+    }
+    show(form.screen());
+  };
+  walk(consent_form(texts), U"", U"y");
+  walk(rating_form({test::experience()}, texts), U"", U"3");
+  walk(questionnaire_form(
+           {.title = "t", .intro = "i", .questions = {test::experience(), test::gender()}}, texts),
+       U"", U"1");
+  walk(questionnaire_form({.title = "t", .questions = {test::age()}}, texts), U"1", U"20");
+  walk(questionnaire_form({.title = "t", .questions = {test::age()}}, texts), U"--", U"20");
+  walk(questionnaire_form({.title = "t", .questions = {test::comments()}}, texts), U"", U"");
+  Question many = test::experience();
+  many.maximum = 100.0;
+  walk(questionnaire_form({.title = "t", .questions = {many}}, texts), U"1.5", U"2");
+  for (const auto& [id, words] : texts) {
+    // A form offers only its options.
+    if (id != "fault_no_option") {
+      EXPECT_NE(shown.find("<" + id + ">"), std::string::npos) << id;
+    }
+  }
+}
+
+TEST(WordsTest, ParagraphsArePartedByEmptyLines) {
+  const Texts texts = {{"pause", "One\nline.\n\nAnother.\n\n\n"}};
+  EXPECT_THAT(notice_screen(Notice::pause, texts).paragraphs, ElementsAre("One line.", "Another."));
+}
+
+TEST(WordsTest, BandsLeaveThePictureVisible) {
+  EXPECT_FALSE(choosing_screen({}).covers_picture);
+  EXPECT_FALSE(ready_screen(two_marks, {}, false, {}).covers_picture);
+  EXPECT_FALSE(mark_taken_screen(1, 2, {}).covers_picture);
+  EXPECT_FALSE(look_around_screen({}).covers_picture);
+  EXPECT_FALSE(retiming_screen({}).covers_picture);
+  EXPECT_FALSE(rating_form({test::experience()}, {}).screen().covers_picture);
+  EXPECT_TRUE(notice_screen(Notice::pause, {}).covers_picture);
+}
+
+TEST(WordsTest, ATrialSaysWhichItIsAndWhatToMark) {
+  const Texts texts = {{"ready_title", "{trial}/{trials}"},
+                       {"ready", "go"},
+                       {"ready_mark", "{mark}) {instruction}"},
+                       {"ready_again", "again"},
+                       {"mark_taken", "{mark} of {marks} kept"}};
+  const ScreenPage ready = ready_screen(two_marks, {.trial = 3, .trials = 15}, false, texts);
+  EXPECT_EQ(ready.title, "3/15");
+  EXPECT_THAT(ready.paragraphs,
+              ElementsAre("go", "1) You see its outline.", "2) You see its material."));
+  EXPECT_THAT(ready_screen(two_marks, {}, true, texts).paragraphs.front(), "again");
+  EXPECT_EQ(mark_taken_screen(2, 2, texts).title, "2 of 2 kept");
+  EXPECT_THAT(reaction_screen(7, {{"reaction", "{presses} times"}}).paragraphs,
+              ElementsAre("7 times"));
+}
+
+TEST(WordsTest, OnlyTheSignalOfTheReactionTestIsBright) {
+  EXPECT_TRUE(reaction_now_screen({}).is_signal);
+  EXPECT_FALSE(reaction_wait_screen({}).is_signal);
+  EXPECT_FALSE(reaction_early_screen({}).is_signal);
+}
+
+TEST(WordsTest, ConsentIsReadAndThenAgreedTo) {
+  Form form = consent_form({{"consent", "It is about pictures."}});
+  EXPECT_THAT(form.screen().paragraphs, ElementsAre("It is about pictures."));
+  press(form, {FormKey::enter, FormKey::enter});
+  EXPECT_FALSE(form.is_submitted());
+  EXPECT_FALSE(type(form, U"n"));
+  EXPECT_TRUE(type(form, U"Y"));
+  EXPECT_TRUE(form.is_submitted());
+  EXPECT_THAT(form.answers(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace foveola::study
