@@ -13,7 +13,7 @@ namespace foveola {
 namespace {
 
 /// First and last characters, and a zero at the end, as Dear ImGui asks.
-constexpr std::array<ImWchar, 19> letters = {
+constexpr std::array<ImWchar, 19> known_letters = {
     0x0020, 0x024F,  // Latin
     0x0370, 0x03FF,  // Greek
     0x0400, 0x04FF,  // Cyrillic
@@ -42,7 +42,7 @@ ImFont* add_face(ImFontAtlas& atlas, std::string& file, float height_px) {
   config.OversampleH = 1;
   config.PixelSnapH = true;
   return atlas.AddFontFromMemoryTTF(file.data(), static_cast<int>(file.size()), height_px, &config,
-                                    letters.data());
+                                    known_letters.data());
 }
 
 }  // namespace

@@ -32,22 +32,21 @@ ScreenColumn column_of(const ScreenPlace& place, const TextWidth& width_of) {
   return {middle_px - 0.5F * width_px, width_px, text_px, width_of};
 }
 
-void add_title(ScreenColumn& column, const std::string& title) {
-  if (!title.empty()) {
-    column.write(title, TextFace::title, Ink::text);
-    column.leave(0.5F);
-  }
+void leave_before_next(ScreenColumn& column, float lines) {
+  column.leave(column.bottom_px() > 0.0F ? lines : 0.0F);
 }
 
 void add_content(ScreenColumn& column, const ScreenPage& screen) {
-  add_title(column, screen.title);
+  if (!screen.title.empty()) {
+    column.write(screen.title, TextFace::title, Ink::text);
+  }
   for (const std::string& paragraph : screen.paragraphs) {
+    leave_before_next(column, 0.5F);
     column.write(paragraph, TextFace::body, Ink::text);
-    column.leave(0.5F);
   }
   for (const ScreenField& field : screen.fields) {
+    leave_before_next(column, &field == &screen.fields.front() ? 0.5F : 1.0F);
     add_field(column, field);
-    column.leave(1.0F);
   }
 }
 
@@ -215,6 +214,7 @@ ScreenLayout lay_out_band(const ScreenPage& screen, const ScreenPlace& place,
   ScreenColumn content = column_of(place, width_of);
   add_content(content, screen);
   if (!screen.keys.empty()) {
+    leave_before_next(content, screen.fields.empty() ? 0.5F : 1.0F);
     content.write(screen.keys, TextFace::body, Ink::quiet);
   }
   const float padding_px = band_padding * content.text_px();

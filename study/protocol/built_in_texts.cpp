@@ -82,9 +82,7 @@ constexpr std::array built_in{
     BuiltInText{"choosing_keys",
                 "[Tab] another one    [Enter] choose it    arrow keys: look around"},
     BuiltInText{"ready_title", "Are you ready? ({trial} of {trials})"},
-    BuiltInText{"ready",
-                "Turn to your object. The picture starts as noise and becomes clearer. Press Space "
-                "at each of these moments, at a similar quality every time:"},
+    BuiltInText{"ready", "Turn to your object. Press Space, at a similar quality every time:"},
     BuiltInText{"ready_again", "The same once more, from the beginning."},
     BuiltInText{"ready_mark", "{mark}. {instruction}"},
     BuiltInText{"ready_keys", "[Space] start"},
