@@ -26,12 +26,11 @@ constexpr std::array<ImWchar, 19> known_letters = {
     0,
 };
 
-std::string read_font(const char* name) {
-  const std::string path = std::string("/usr/share/fonts/truetype/dejavu/") + name;
+std::string read_font(const std::filesystem::path& path) {
   try {
     return read_file(path);
   } catch (const Error&) {
-    throw Error(path, "this font, with which screens are written, cannot be read",
+    throw Error(path.string(), "this font, with which screens are written, cannot be read",
                 "install Debian's package fonts-dejavu-core");
   }
 }
@@ -47,8 +46,9 @@ ImFont* add_face(ImFontAtlas& atlas, std::string& file, float height_px) {
 
 }  // namespace
 
-ScreenFonts::ScreenFonts()
-    : body_file_(read_font("DejaVuSans.ttf")), title_file_(read_font("DejaVuSans-Bold.ttf")) {}
+ScreenFonts::ScreenFonts(const std::filesystem::path& folder)
+    : body_file_(read_font(folder / "DejaVuSans.ttf")),
+      title_file_(read_font(folder / "DejaVuSans-Bold.ttf")) {}
 
 void ScreenFonts::add_to(ImFontAtlas& atlas, float text_px) {
   body_ = add_face(atlas, body_file_, text_px);

@@ -1,6 +1,7 @@
 // The letters of screens, as large as a window asks for.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "renderer/window/screen_layout.h"
@@ -14,8 +15,8 @@ namespace foveola {
 /// question mark.
 class ScreenFonts {
  public:
-  /// Reads its files where Debian keeps them. Throws Error if they are not there.
-  ScreenFonts();
+  /// Reads its files, by default where Debian keeps them. Throws Error if they are not there.
+  explicit ScreenFonts(const std::filesystem::path& folder = "/usr/share/fonts/truetype/dejavu");
 
   /// Adds both faces to `atlas`, which must not outlive this. text_px: a line's height.
   void add_to(ImFontAtlas& atlas, float text_px);

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <imgui.h>
 
+#include "renderer/base/error.h"
 #include "renderer/base/utf8.h"
 #include "tests/renderer/window/sample_screens.h"
 #include "tests/renderer/window/screen_letters.h"
@@ -223,6 +224,16 @@ TEST(ScreenTypeTest, AHeadsetsPageIsInTheMiddleOfTheView) {
   EXPECT_EQ(place.view.high, Vec2(2560.0F, 1440.0F));
   EXPECT_EQ(place.page.low, Vec2(1280.0F + 0.45F * 1280.0F - 320.0F, 360.0F));
   EXPECT_EQ(place.page.size(), Vec2(640.0F, 720.0F));
+}
+
+TEST(ScreenTypeTest, SaysWhichPackageHasTheLetters) {
+  try {
+    const ScreenFonts fonts("/no/such/folder");
+    FAIL() << "letters from nowhere";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::StartsWith("/no/such/folder/DejaVuSans.ttf: "));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("fonts-dejavu-core"));
+  }
 }
 
 TEST(ScreenTypeTest, KnowsEuropesLetters) {
