@@ -104,6 +104,7 @@ struct TrialSettings {
   bool fill_unsampled = false;
 };
 
+/// A trial to get used to it, in one of the study's scenes, with one of its methods.
 struct PracticeEntry {
   std::string scene;
   std::string method;
@@ -131,7 +132,7 @@ struct PhaseEntry {
 
 /// A comparison that the analysis plan names before there are data.
 struct PlannedComparison {
-  std::string measure;   ///< "outline", "material" or a rating's id
+  std::string measure;   ///< a mark's id, or that of a rating in numbers
   std::string method;    ///< compared with `baseline`
   std::string baseline;  ///< a method of the protocol
 };

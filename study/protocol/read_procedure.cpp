@@ -155,7 +155,7 @@ std::vector<PhaseEntry> possible_phases(const Protocol& protocol) {
   add_if(has_questionnaire(protocol, "background"), {Kind::questionnaire, "background"});
   add_if(protocol.tracker.validation.has_value(), {Kind::validation});
   add_if(protocol.reaction.has_value(), {Kind::reaction});
-  add_if(true, {Kind::trials});
+  phases.push_back({Kind::trials});
   add_if(has_questionnaire(protocol, "debrief"), {Kind::questionnaire, "debrief"});
   for (const Questionnaire& questionnaire : protocol.questionnaires) {
     add_if(questionnaire.id != "background" && questionnaire.id != "debrief",

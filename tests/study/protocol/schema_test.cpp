@@ -120,7 +120,9 @@ class Schema {
     const bool is_list = place.back() == "0";
     for (Json content : examples_of(table.schema)) {
       const Json example = examples_of(schema).front();
-      content[key] = !is_list ? example : content.contains(key) ? content[key] : Json{example};
+      content[key] = !is_list                ? example
+                     : content.contains(key) ? content[key]
+                                             : Json::array({example});
       if (const Json document = table.with(content); complaint(document).empty()) {
         add(name, schema, document, place);
         return;
@@ -229,6 +231,22 @@ TEST_F(ProtocolSchema, KnowsTheTypes) {
   for_each_key([&](const Table& table, const std::string& key, const Json& property) {
     if (property.contains("type")) {
       EXPECT_TRUE(is_refused(table, key, wrong.at(property.at("type").get<std::string>())));
+    }
+  });
+}
+
+bool is_of(const std::string& type, const Json& value) {
+  return type == "string"    ? value.is_string()
+         : type == "boolean" ? value.is_boolean()
+         : type == "integer" ? value.is_number_integer()
+                             : value.is_number();
+}
+
+TEST_F(ProtocolSchema, ItsDefaultsAreOfTheirTypesAndRead) {
+  for_each_key([&](const Table& table, const std::string& key, const Json& property) {
+    if (property.contains("default")) {
+      EXPECT_TRUE(is_of(property.at("type"), property.at("default")));
+      EXPECT_FALSE(is_refused(table, key, property.at("default")));
     }
   });
 }
