@@ -100,13 +100,13 @@ TEST(ProtocolJson, HasTheSameForMachines) {
   const Protocol protocol = protocol_with("[[practice]]\nscene = \"room\"\nmethod = \"fv\"\n");
   const nlohmann::json json = json_of(protocol);
   EXPECT_EQ(json.at("design_rows"), 2);
-  EXPECT_EQ(json.at("phases"), nlohmann::json({"trials"}));
+  EXPECT_EQ(json.at("phases"), nlohmann::json::array({"trials"}));
   EXPECT_EQ(json.at("trials_per_participant"), 4);
   const nlohmann::json plan = json_of(make_plan(protocol, 1, 0));
   EXPECT_EQ(plan.size(), 5U);
   EXPECT_EQ(plan.at(0).at("kind"), "practice");
   const nlohmann::json balance = json_of(protocol, balance_of(protocol, two_plans(protocol)));
-  EXPECT_EQ(balance.at("method_at"), nlohmann::json({{2, 2}, {2, 2}}));
+  EXPECT_EQ(balance.at("method_at"), nlohmann::json::parse("[[2, 2], [2, 2]]"));
   EXPECT_EQ(balance.at("largest_difference").at("scene_at"), 2);
   const nlohmann::json time = json_of({{"reaction", 10, {60.0, 90.0}}});
   EXPECT_EQ(time.at("least_s"), 60.0);
