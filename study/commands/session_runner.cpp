@@ -39,6 +39,12 @@ Nanoseconds time_of(const Event& event, Nanoseconds now) {
       event);
 }
 
+bool stops_rendering(const std::vector<Effect>& effects) {
+  return std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
+    return std::holds_alternative<StopRendering>(effect);
+  });
+}
+
 const OfferedObject& object_named(const std::vector<OfferedObject>& objects,
                                   const std::string& name) {
   const auto found = std::find_if(objects.begin(), objects.end(),
@@ -134,6 +140,9 @@ std::vector<Effect> SessionRunner::record(const Event& event) {
     throw std::logic_error(std::string("the event ") + name_of(event) +
                            " is not allowed in the phase " + name_of(state_.phase));
   }
+  if (log_ && stops_rendering(next->effects)) {
+    keep_frames();  // first: whatever an event has ended is whole, whenever the program dies
+  }
   setting_.store.record_event(session_, time_of(event, now()), event, state_, next->state);
   state_ = std::move(next->state);
   return std::move(next->effects);
@@ -164,14 +173,17 @@ void SessionRunner::start_rendering() {
   log_.emplace(sink_to(setting_.store, session_, attempt_.trial, attempt_.number));
 }
 
-void SessionRunner::stop_rendering() {
+void SessionRunner::keep_frames() {
   log_->finish();
-  const EquirectFilm& film = preview_->film();
   if (log_->frames() > 0) {
-    setting_.store.record_film_hash(session_, attempt_.trial, attempt_.number,
-                                    {.frame = log_->frames() - 1, .sha256 = film_sha256(film)});
+    setting_.store.record_film_hash(
+        session_, attempt_.trial, attempt_.number,
+        {.frame = log_->frames() - 1, .sha256 = film_sha256(preview_->film())});
   }
-  outcome_.samples += film.total_samples();
+}
+
+void SessionRunner::stop_rendering() {
+  outcome_.samples += preview_->film().total_samples();
   outcome_.non_finite += preview_->non_finite();
   log_.reset();
   preview_.reset();

@@ -77,6 +77,8 @@ class SessionRunner {
   void feed(const Event& event);
   void carry_out(const Effect& effect);
   void start_rendering();
+  /// Writes what is not yet on the disk of the attempt's frames.
+  void keep_frames();
   void stop_rendering();
 
   /// Begins an occasion: its clock starts anew.

@@ -243,7 +243,7 @@ class Kill : public testing::Test {
     for (const std::string& event : acknowledged_) {
       EXPECT_THAT(log, testing::Contains(event)) << "was lost";
     }
-    EXPECT_EQ(results_of(study_), uninterrupted().results);
+    EXPECT_THAT(results_of(study_), testing::ElementsAreArray(uninterrupted().results));
     const study::Verification verified = study::verify_study(study_);
     EXPECT_GT(verified.events, 0U);
     for (const study::RecordFault& fault : verified.faults) {

@@ -336,15 +336,18 @@ TEST_F(ReplayOfAHall, SaysSoInJson) {
   EXPECT_GT(attempt.at("samples").get<int>(), 0);
 }
 
-// With another seed in the session's row: its guard is put aside for the moment.
+// With another seed in the session's row: its guards are put aside for the moment.
 TEST_F(ReplayOfAHall, ThatIsAnotherFilmIsAnError) {
-  const std::string guard = "session_changes_state_only";
-  const std::string statement =
-      query(folder / "study.sqlite", "SELECT sql FROM sqlite_schema WHERE name = '" + guard + "'");
+  const std::string guards = query(folder / "study.sqlite",
+                                   "SELECT group_concat(sql, ';') FROM sqlite_schema"
+                                   " WHERE type = 'trigger' AND tbl_name = 'session'");
+  const std::string drops = query(folder / "study.sqlite",
+                                  "SELECT group_concat('DROP TRIGGER ' || name, ';')"
+                                  " FROM sqlite_schema"
+                                  " WHERE type = 'trigger' AND tbl_name = 'session'");
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open((folder / "study.sqlite").c_str(), &database), SQLITE_OK);
-  for (const std::string& sql :
-       {"DROP TRIGGER " + guard, std::string("UPDATE session SET seed = '99'"), statement}) {
+  for (const std::string& sql : {drops, std::string("UPDATE session SET seed = '99'"), guards}) {
     EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
   }
   sqlite3_close(database);
