@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
@@ -219,15 +220,18 @@ void check_texts(SQLite::Database& study, Verification& found) {
   }
 }
 
-SQLite::Database open_to_verify(const fs::path& path) {
-  return schema_of_study(path) == study_schema_version ? open_as_it_is(path)
-                                                       : open_study_to_read(path);
+/// A copy in memory: of files that it may not write, SQLite checks no CHECK constraints.
+SQLite::Database copy_to_verify(const fs::path& path) {
+  SQLite::Database file = schema_of_study(path) == study_schema_version ? open_as_it_is(path)
+                                                                        : open_study_to_read(path);
+  SQLite::Database copy(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(copy, file).executeStep();
+  return copy;
 }
 
 Verification verify(const fs::path& path) {
   Verification found;
-  SQLite::Database study = open_to_verify(path);
-  const SQLite::Transaction moment(study);
+  SQLite::Database study = copy_to_verify(path);
   if (!is_intact(study, found)) {
     return found;
   }
