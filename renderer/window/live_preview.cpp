@@ -201,14 +201,10 @@ void LivePreview::go_on_checking(const Preview& preview) {
 }
 
 void LivePreview::end_check() {
-  GazeCheck check{.quality = gaze_quality(gaze_check_->watched())};
+  GazeCheck check = check_gaze(gaze_check_->watched(), settings_.corrects_gaze, *parts_.eye);
   message_ = gaze_quality_line(check.quality);
   if (settings_.corrects_gaze) {
-    check.correction = fit_correction(check.quality.targets);
     message_ += check.correction ? ", now corrected" : ", too little to correct it by";
-  }
-  if (check.correction) {
-    parts_.eye->add(*check.correction);
   }
   report_.gaze_checks.push_back(std::move(check));
   gaze_check_.reset();

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "renderer/gaze/calibration_routine.h"
-#include "renderer/gaze/gaze_correction.h"
-#include "renderer/gaze/gaze_quality.h"
+#include "renderer/gaze/gaze_check.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
@@ -33,12 +32,6 @@ struct LivePreviewSettings {
   std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
   bool keeps_last_picture = false;      ///< of those frames
   bool corrects_gaze = false;           ///< by what each check of the tracker finds
-};
-
-/// A check of the tracker.
-struct GazeCheck {
-  GazeQuality quality;
-  std::optional<GazeCorrection> correction;  ///< that the gaze is corrected by since then, if any
 };
 
 /// What happened.
