@@ -1,4 +1,6 @@
 // The live preview, as its user runs it: on a display without a screen.
+#include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -142,6 +144,27 @@ TEST_F(PreviewCommand, ShowsEveryOverlay) {
                "gaze,rings,density,times,latency,help", "--display", "fove0"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_NE(read_film_image(plain).color.pixels, read_film_image(overlaid).color.pixels);
+}
+
+TEST_F(PreviewCommand, GoesOnWithoutItsMonitor) {
+  std::optional<XMonitors> monitors;
+  try {
+    monitors.emplace();
+  } catch (const std::runtime_error& reason) {
+    GTEST_SKIP() << reason.what();
+  }
+  const std::jthread user_thread([&] {
+    XUser user(monitors->display());
+    user.point_at(title_, 100, 80);
+    std::this_thread::sleep_for(seconds(1));
+    monitors->take_away("DUMMY1");
+    std::this_thread::sleep_for(seconds(1));
+    user.ask_to_close(title_);
+  });
+  const ProgramResult result = preview({"--full-screen", "--monitor", "1"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_THAT(json.at("lost_monitors"), ElementsAre("DUMMY1"));
 }
 
 TEST_F(PreviewCommand, SaysWhatIsWrong) {
