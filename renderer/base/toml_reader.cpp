@@ -137,7 +137,7 @@ std::size_t TomlReader::find_word(std::string_view key,
   }
   const auto found = std::find(known.begin(), known.end(), text);
   if (found == known.end()) {
-    fail(source(key), fmt::format("there is no {} '{}'", full_name(key), text),
+    fail(source(key), fmt::format("there is no {} '{}'", key, text),
          fmt::format("choose one of {}", fmt::join(known, ", ")));
   }
   return static_cast<std::size_t>(found - known.begin());

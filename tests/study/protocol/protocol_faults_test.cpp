@@ -68,8 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
               "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n"
               "methods = [\"od\", \"hybrid:1*od+1*pointer:radius=5\"]\n",
               "4:18", "follows a pointer"},
-        Fault{"third_eye", minimal + "[display.lens]\neye = \"third\"\n", "6:7",
-              "no display.lens.eye"},
+        Fault{"third_eye", minimal + "[display.lens]\neye = \"third\"\n", "6:7", "no eye 'third'"},
         Fault{"no_scenes", "name = \"a\"\ntitle = \"b\"\nscenes = []\nmethods = [\"od\"]\n", "3:10",
               "scenes"},
         Fault{"scene_is_a_number",
