@@ -1,6 +1,6 @@
 #include "study/commands/replay.h"
 
-#include <map>
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -15,8 +15,6 @@
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
 #include "study/stage/trial_preview.h"
-
-namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {

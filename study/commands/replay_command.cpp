@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-struct Arguments {
+struct ReplayArguments {
   std::string database;
   std::string participant;
   std::optional<std::size_t> trial;
@@ -87,7 +87,7 @@ void print_lines(const ReplayReport& report) {
 }
 
 /// Where the same program on the same processor shows another film, something is wrong.
-void require_same(const ReplayReport& report, const std::string& database) {
+void require_same_films(const ReplayReport& report, const std::string& database) {
   const auto differing =
       std::count_if(report.attempts.begin(), report.attempts.end(),
                     [](const ReplayedAttempt& attempt) { return attempt.first_difference; });
@@ -99,7 +99,7 @@ void require_same(const ReplayReport& report, const std::string& database) {
   }
 }
 
-void run_replay(const Arguments& arguments, const SceneFinder& find_scene,
+void run_replay(const ReplayArguments& arguments, const SceneFinder& find_scene,
                 const std::stop_token& stop) {
   if (!arguments.output.empty()) {
     fs::create_directories(arguments.output);
@@ -119,13 +119,13 @@ void run_replay(const Arguments& arguments, const SceneFinder& find_scene,
   } else {
     print_lines(report);
   }
-  require_same(report, arguments.database);
+  require_same_films(report, arguments.database);
 }
 
 }  // namespace
 
 void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = add_command(study, "replay", "Show a session again from its record",
                                   "replay study.sqlite --participant P001 --trial 0 -o pictures");
   add_database(command, arguments->database);

@@ -13,7 +13,7 @@
 namespace foveola::study {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
   std::string protocol;
   std::string database;
   int participants = 0;
@@ -23,7 +23,7 @@ struct Arguments {
   bool json = false;
 };
 
-nlohmann::json json_report(const Arguments& arguments, const SimulateReport& report) {
+nlohmann::json json_report(const SimulateArguments& arguments, const SimulateReport& report) {
   return {{"database", arguments.database},
           {"seed", arguments.seed},
           {"sessions_before", report.sessions_before},
@@ -36,7 +36,7 @@ nlohmann::json json_report(const Arguments& arguments, const SimulateReport& rep
           {"non_finite", report.non_finite}};
 }
 
-void run_simulate(const Arguments& arguments, const SceneFinder& find_scene,
+void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_scene,
                   const std::stop_token& stop) {
   const SimulateReport report = simulate_study({.protocol = find_protocol(arguments.protocol),
                                                 .database = arguments.database,
@@ -67,7 +67,7 @@ void run_simulate(const Arguments& arguments, const SceneFinder& find_scene,
 }  // namespace
 
 void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* command = add_command(study, "simulate", "Run a study with simulated participants",
                                   "simulate demo --db study.sqlite --participants 4 --seed 7");
   add_protocol(command, arguments->protocol);

@@ -20,16 +20,15 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// The first participant who is not in the file yet: a study can be added to.
-int first_new_participant(const StudyStore& store) {
-  int index = 0;
+/// The first participant from `index` on who is not in the file yet: a study can be added to.
+int new_participant(const StudyStore& store, int index) {
   while (store.has_participant(participant_code(index))) {
     ++index;
   }
   return index;
 }
 
-bool is_over(const KnownSession& session) { return SessionState{.phase = session.phase}.is_over(); }
+bool has_ended(const KnownSession& session) { return SessionState{.phase = session.phase}.is_over(); }
 
 std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   std::vector<KnownSession> sessions = store.sessions();
@@ -66,7 +65,7 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol) 
   const StudyStore checked(settings.database, protocol);
   if (settings.resume) {
     for (const KnownSession& session : simulated_sessions(checked)) {
-      if (!is_over(session)) {
+      if (!has_ended(session)) {
         require_resumable(settings, session);
       }
     }
@@ -110,8 +109,8 @@ class StudySimulation {
 
   SimulateReport run(const std::stop_token& stop) {
     int done = settings_.resume ? finish_begun_sessions(stop) : 0;
-    for (int index = first_new_participant(store_);
-         done < settings_.participants && !stop.stop_requested(); ++done, ++index) {
+    for (int index = 0; done < settings_.participants && !stop.stop_requested(); ++done) {
+      index = new_participant(store_, index);
       const Plan plan = make_plan(protocol_, settings_.seed, index);
       run_session({.id = store_.begin_session(facts_of(index), plan), .design_row = index}, plan,
                   done, stop);
@@ -132,7 +131,7 @@ class StudySimulation {
       if (session.seed != settings_.seed) {
         continue;  // of another run, and over
       }
-      if (is_over(session)) {
+      if (has_ended(session)) {
         ++report_.sessions_before;
       } else if (!stop.stop_requested()) {
         run_session({.id = session.id, .design_row = session.design_row},
