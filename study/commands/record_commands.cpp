@@ -162,7 +162,9 @@ void add_merge(CLI::App& study) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = add_command(study, "merge", "One file of several sites' sessions",
                                   "merge helsinki.sqlite tampere.sqlite -o study.sqlite");
-  command->add_option("DB", arguments->sources, "Files of one protocol")->required()->expected(1, -1);
+  command->add_option("DB", arguments->sources, "Files of one protocol")
+      ->required()
+      ->expected(1, -1);
   command->add_option("-o,--output", arguments->output, "A new file")->required();
   command->callback([arguments] { run_merge(*arguments); });
 }

@@ -63,14 +63,14 @@ void add_kind_rows(const StudyRecords& records, const std::string& name, const K
     for (const auto& [row, count] : kind.design_rows) {
       uses.push_back(fmt::format("{} x {}", row, count));
     }
-    rows.push_back({"orders", fmt::format("{}, by row of the design: {}", name,
-                                          fmt::join(uses, ", "))});
+    rows.push_back(
+        {"orders", fmt::format("{}, by row of the design: {}", name, fmt::join(uses, ", "))});
   }
   for (const std::string& method : records.methods) {
     const auto counts = kind.method_positions.find(method);
     if (counts != kind.method_positions.end()) {
-      rows.push_back({"positions", fmt::format("{} {}: {}", name, method,
-                                               fmt::join(counts->second, " / "))});
+      rows.push_back(
+          {"positions", fmt::format("{} {}: {}", name, method, fmt::join(counts->second, " / "))});
     }
   }
 }

@@ -24,9 +24,7 @@ std::string compressed(const std::string& bytes) {
   return data;
 }
 
-std::invalid_argument changed_chunk() {
-  return std::invalid_argument("is not what was written");
-}
+std::invalid_argument changed_chunk() { return std::invalid_argument("is not what was written"); }
 
 /// What is longer or shorter than `size` was not written here.
 std::string uncompressed(const std::string& data, std::size_t size) {

@@ -93,8 +93,7 @@ void write_name(int descriptor) {
 }  // namespace
 
 ControllerLock::ControllerLock(const fs::path& study)
-    : path_(fs::weakly_canonical(study).string() + ".controller"),
-      descriptor_(lock(path_, study)) {
+    : path_(fs::weakly_canonical(study).string() + ".controller"), descriptor_(lock(path_, study)) {
   write_name(descriptor_);
 }
 

@@ -199,9 +199,8 @@ int schema_of_study(const fs::path& path) {
 SQLite::Database open_as_it_is(const fs::path& path) {
   const fs::path file = fs::canonical(path);
   // Without a log nobody writes, and SQLite would leave an empty one behind if it took part.
-  return has_write_ahead_log(file)
-             ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
-             : open_immutable(file);
+  return has_write_ahead_log(file) ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
+                                   : open_immutable(file);
 }
 
 SQLite::Database open_study_to_read(const fs::path& path) {
@@ -225,10 +224,10 @@ void require_intact(SQLite::Database& database, const fs::path& path) {
   for (const char* check : {"integrity_check(1)", "foreign_key_check"}) {
     SQLite::Statement findings(database, fmt::format("PRAGMA {}", check));
     if (findings.executeStep() && findings.getColumn(0).getString() != "ok") {
-      throw Error(path.string(),
-                  fmt::format("its copy is damaged ({}: {})", check,
-                              findings.getColumn(0).getString()),
-                  "check the disk");
+      throw Error(
+          path.string(),
+          fmt::format("its copy is damaged ({}: {})", check, findings.getColumn(0).getString()),
+          "check the disk");
     }
   }
 }

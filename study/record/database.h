@@ -17,8 +17,8 @@ namespace foveola::study {
 /// Runs `work` and turns what SQLite throws into Error about the file at `path`.
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 
-/// The version of the schema that the study at `path` has, one that this program knows. Throws Error
-/// or what SQLite throws if it is missing, no study or of another schema.
+/// The version of the schema that the study at `path` has, one that this program knows. Throws
+/// Error or what SQLite throws if it is missing, no study or of another schema.
 int schema_of_study(const std::filesystem::path& path);
 
 /// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a
@@ -46,8 +46,8 @@ void require_writable_file(const std::filesystem::path& path);
 /// returns.
 SQLite::Database open_study_to_write(const std::filesystem::path& path);
 
-/// Throws Error if `database`, a copy that is to lie at `path`, is not whole: by SQLite's own checks
-/// of integrity and foreign keys.
+/// Throws Error if `database`, a copy that is to lie at `path`, is not whole: by SQLite's own
+/// checks of integrity and foreign keys.
 void require_intact(SQLite::Database& database, const std::filesystem::path& path);
 
 /// Leaves the database at `path` as one self-contained file, so that another can take its place.

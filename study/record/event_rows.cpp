@@ -40,7 +40,8 @@ struct Outcome {
 
 /// The event as the next line of a session's log.
 LogLine next_line(SQLite::Database& database, std::int64_t session, const LoggedEvent& logged) {
-  SQLite::Statement last(database, "SELECT coalesce(max(sequence), 0) FROM event WHERE session = ?");
+  SQLite::Statement last(database,
+                         "SELECT coalesce(max(sequence), 0) FROM event WHERE session = ?");
   last.bind(1, session);
   last.executeStep();
   return {.sequence = last.getColumn(0).getInt64() + 1,
@@ -104,9 +105,10 @@ class EventRows {
   }
 
   void operator()(const ReactionPressed& event) const {
-    insert("INSERT INTO reaction (session, shown_ns, pressed_ns, early, number) VALUES (?1, ?, ?,"
-           " ?, (SELECT count(*) + 1 FROM reaction WHERE session = ?1))",
-           session_, event.shown.count(), event.time.count(), event.time < event.shown ? 1 : 0);
+    insert(
+        "INSERT INTO reaction (session, shown_ns, pressed_ns, early, number) VALUES (?1, ?, ?,"
+        " ?, (SELECT count(*) + 1 FROM reaction WHERE session = ?1))",
+        session_, event.shown.count(), event.time.count(), event.time < event.shown ? 1 : 0);
   }
 
   void operator()(const FirstFramePresented& event) const {
@@ -135,10 +137,11 @@ class EventRows {
   }
 
   void insert_mark(Nanoseconds time, bool is_censored) const {
-    insert("INSERT INTO mark VALUES (?, ?, ?, (SELECT mark FROM study_mark WHERE position = ?), ?,"
-           " ?)",
-           session_, trial(before_), before_.attempt, static_cast<std::int64_t>(before_.mark),
-           (time - before_.first_frame).count(), is_censored ? 1 : 0);
+    insert(
+        "INSERT INTO mark VALUES (?, ?, ?, (SELECT mark FROM study_mark WHERE position = ?), ?,"
+        " ?)",
+        session_, trial(before_), before_.attempt, static_cast<std::int64_t>(before_.mark),
+        (time - before_.first_frame).count(), is_censored ? 1 : 0);
   }
 
   static void bind_value(SQLite::Statement& row, int index, const Answer& answer) {

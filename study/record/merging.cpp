@@ -21,10 +21,10 @@ void require_sound_record(const fs::path& path) {
   const Verification found = verify_study(path);
   if (!found.faults.empty()) {
     const RecordFault& first = found.faults.front();
-    throw Error(path.string(),
-                (first.participant.empty() ? "" : "participant " + first.participant + ": ") +
-                    first.what,
-                "restore it from a copy before it is merged");
+    throw Error(
+        path.string(),
+        (first.participant.empty() ? "" : "participant " + first.participant + ": ") + first.what,
+        "restore it from a copy before it is merged");
   }
 }
 
@@ -113,10 +113,10 @@ class Merging {
       return;
     }
     if (session_where(target_, "participant", participant)) {
-      throw Error(path.string(),
-                  fmt::format("its participant {} is another person than in a file before it",
-                              participant),
-                  "give each site codes of its own");
+      throw Error(
+          path.string(),
+          fmt::format("its participant {} is another person than in a file before it", participant),
+          "give each site codes of its own");
     }
     copy_session(source, session, target_);
     ++result_.sessions_added;

@@ -244,7 +244,7 @@ class OlderSession {
   static Vec3 direction(SQLite::Statement& row, const char* azimuth_deg,
                         const char* elevation_deg) {
     return direction_from({.azimuth_rad = radians(row.getColumn(azimuth_deg).getDouble()),
-                         .elevation_rad = radians(row.getColumn(elevation_deg).getDouble())});
+                           .elevation_rad = radians(row.getColumn(elevation_deg).getDouble())});
   }
 
   static std::optional<GazeFigures> figures(SQLite::Statement& row) {

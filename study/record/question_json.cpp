@@ -45,13 +45,11 @@ std::vector<Option> options_from(const Json& list) {
 }  // namespace
 
 std::string question_json(const Question& question) {
-  const Json json = {{"text", question.text},
-                     {"kind", kinds.at(static_cast<std::size_t>(question.kind))},
-                     {"minimum", question.minimum},
-                     {"maximum", question.maximum},
-                     {"labels", question.labels},
-                     {"options", options_json(question.options)},
-                     {"required", question.required}};
+  const Json json = {
+      {"text", question.text},        {"kind", kinds.at(static_cast<std::size_t>(question.kind))},
+      {"minimum", question.minimum},  {"maximum", question.maximum},
+      {"labels", question.labels},    {"options", options_json(question.options)},
+      {"required", question.required}};
   return json.dump();
 }
 

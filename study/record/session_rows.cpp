@@ -110,7 +110,9 @@ class StepRow {
   StepRow(SQLite::Database& database, std::int64_t session, std::size_t step)
       : database_(database), session_(session), step_(static_cast<std::int64_t>(step)) {}
 
-  void operator()(const ConsentStep& /*step*/) const { insert("'consent', NULL, NULL, NULL, NULL"); }
+  void operator()(const ConsentStep& /*step*/) const {
+    insert("'consent', NULL, NULL, NULL, NULL");
+  }
   void operator()(const QuestionnaireStep& step) const {
     insert("'questionnaire', ?, NULL, NULL, NULL", step.questionnaire);
   }
@@ -174,8 +176,8 @@ std::vector<Question> ratings_from_record(SQLite::Database& database) {
   std::vector<Question> ratings;
   SQLite::Statement rows(database, "SELECT rating, question FROM study_rating ORDER BY position");
   while (rows.executeStep()) {
-    ratings.push_back(
-        question_from(rows.getColumn("rating").getString(), rows.getColumn("question").getString()));
+    ratings.push_back(question_from(rows.getColumn("rating").getString(),
+                                    rows.getColumn("question").getString()));
   }
   return ratings;
 }
@@ -207,9 +209,7 @@ KnownSession session_from(SQLite::Database& database, SQLite::Statement& row) {
 
 }  // namespace
 
-const char* name_of(SessionKind kind) {
-  return session_kinds.at(static_cast<std::size_t>(kind));
-}
+const char* name_of(SessionKind kind) { return session_kinds.at(static_cast<std::size_t>(kind)); }
 
 std::string random_uuid() {
   std::random_device device;

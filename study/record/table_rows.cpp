@@ -51,9 +51,8 @@ void copy_rows(SQLite::Database& source, SQLite::Database& target, const std::st
       source, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY rowid",
                           fmt::join(replaced(columns, replacements), ", "), table, condition));
   const std::vector<std::string> places(columns.size(), "?");
-  SQLite::Statement insert(
-      target, fmt::format("INSERT INTO {} ({}) VALUES ({})", table, fmt::join(columns, ", "),
-                          fmt::join(places, ", ")));
+  SQLite::Statement insert(target, fmt::format("INSERT INTO {} ({}) VALUES ({})", table,
+                                               fmt::join(columns, ", "), fmt::join(places, ", ")));
   while (rows.executeStep()) {
     insert.reset();
     insert.clearBindings();
@@ -70,8 +69,8 @@ std::string digest_of_rows(SQLite::Database& database, const std::string& table,
   for (const std::string& column : replaced(columns_of(database, table), replacements)) {
     values += fmt::format("{}quote({})", values.empty() ? "" : " || ',' || ", column);
   }
-  SQLite::Statement rows(database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY 1", values,
-                                               table, condition));
+  SQLite::Statement rows(
+      database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY 1", values, table, condition));
   std::string digest;
   while (rows.executeStep()) {
     digest = sha256(digest + rows.getColumn(0).getString());

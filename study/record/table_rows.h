@@ -24,9 +24,9 @@ inline constexpr std::array study_tables = {
 inline constexpr std::array plan_tables = {"session_scene", "planned_trial", "planned_step"};
 
 /// The tables that follow from a session's events and its plan, and the log itself.
-inline constexpr std::array event_tables = {"event",    "gaze_run", "gaze_target",
-                                            "questionnaire_answer", "reaction", "attempt",
-                                            "mark",     "rating"};
+inline constexpr std::array event_tables = {
+    "event",    "gaze_run", "gaze_target", "questionnaire_answer",
+    "reaction", "attempt",  "mark",        "rating"};
 
 /// The tables of what was measured meanwhile.
 inline constexpr std::array measured_tables = {"frame_chunk", "gaze_chunk", "film_hash"};

@@ -16,10 +16,10 @@ namespace foveola::study {
 namespace {
 
 Error cannot_be_made(const fs::path& path) {
-  return {path.string(),
-          fmt::format("cannot be made: {}",
-                      std::error_code(errno, std::generic_category()).message()),
-          "choose another path"};
+  return {
+      path.string(),
+      fmt::format("cannot be made: {}", std::error_code(errno, std::generic_category()).message()),
+      "choose another path"};
 }
 
 /// Of a file or a folder: what was written to it is on the disk when this returns.

@@ -163,17 +163,20 @@ class SessionCheck {
   }
 
   void list_gaps() {
-    list_gaps("SELECT 'is not over: ' || state FROM session WHERE id = ?"
-              " AND state NOT IN ('completed', 'withdrawn', 'excluded', 'refused')");
-    list_gaps("SELECT 'trial ' || trial || ', attempt ' || attempt || ' has no frames' FROM attempt"
-              " WHERE session = ?1 AND first_frame_ns IS NOT NULL AND NOT EXISTS"
-              "  (SELECT 1 FROM frame_chunk WHERE frame_chunk.session = attempt.session"
-              "   AND frame_chunk.trial = attempt.trial AND frame_chunk.attempt = attempt.attempt)");
-    list_gaps("SELECT 'trial ' || planned_trial.trial || ' has no rated attempt' FROM planned_trial"
-              " JOIN session ON session.id = planned_trial.session"
-              " WHERE planned_trial.session = ? AND session.state = 'completed' AND NOT EXISTS"
-              "  (SELECT 1 FROM attempt WHERE attempt.session = planned_trial.session"
-              "   AND attempt.trial = planned_trial.trial AND outcome = 'rated')");
+    list_gaps(
+        "SELECT 'is not over: ' || state FROM session WHERE id = ?"
+        " AND state NOT IN ('completed', 'withdrawn', 'excluded', 'refused')");
+    list_gaps(
+        "SELECT 'trial ' || trial || ', attempt ' || attempt || ' has no frames' FROM attempt"
+        " WHERE session = ?1 AND first_frame_ns IS NOT NULL AND NOT EXISTS"
+        "  (SELECT 1 FROM frame_chunk WHERE frame_chunk.session = attempt.session"
+        "   AND frame_chunk.trial = attempt.trial AND frame_chunk.attempt = attempt.attempt)");
+    list_gaps(
+        "SELECT 'trial ' || planned_trial.trial || ' has no rated attempt' FROM planned_trial"
+        " JOIN session ON session.id = planned_trial.session"
+        " WHERE planned_trial.session = ? AND session.state = 'completed' AND NOT EXISTS"
+        "  (SELECT 1 FROM attempt WHERE attempt.session = planned_trial.session"
+        "   AND attempt.trial = planned_trial.trial AND outcome = 'rated')");
   }
 
   void list_gaps(const char* sql) {
@@ -199,10 +202,9 @@ bool is_intact(SQLite::Database& study, Verification& found) {
   }
   SQLite::Statement foreign_keys(study, "PRAGMA foreign_key_check");
   while (foreign_keys.executeStep()) {
-    found.faults.push_back(
-        {"", fmt::format("a row of {} refers to one of {} that is not there",
-                         foreign_keys.getColumn(0).getString(),
-                         foreign_keys.getColumn(2).getString())});
+    found.faults.push_back({"", fmt::format("a row of {} refers to one of {} that is not there",
+                                            foreign_keys.getColumn(0).getString(),
+                                            foreign_keys.getColumn(2).getString())});
   }
   return found.faults.empty();
 }

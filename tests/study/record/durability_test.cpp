@@ -49,8 +49,8 @@ TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
   EXPECT_GE(syncs_during([&] { session = store.begin_session(facts_of("P01"), small_plan()); }), 1);
   const SessionState ready{.phase = Phase::ready, .step = 1, .object = "vase"};
   const SessionState armed{.phase = Phase::armed, .step = 1, .object = "vase"};
-  EXPECT_GE(
-      syncs_during([&] { store.record_event(session, ms(1), TrialStarted{}, ready, armed); }), 1);
+  EXPECT_GE(syncs_during([&] { store.record_event(session, ms(1), TrialStarted{}, ready, armed); }),
+            1);
   EXPECT_GE(syncs_during([&] { store.record_frames(session, 0, 1, 0, {FrameRow{}}); }), 1);
   EXPECT_GE(syncs_during([&] { store.record_gaze(session, 0, 1, 0, {GazeSample{}}); }), 1);
   EXPECT_GE(syncs_during([&] {

@@ -29,7 +29,8 @@ class Forgetting : public testing::Test {
     run_thorough_session(store, code);
     run_thorough_session(store, "P03");
     store.back_up(new_backup(path_));
-    uuid_ = query(path_, std::string("SELECT uuid FROM session WHERE participant = '") + code + "'");
+    uuid_ =
+        query(path_, std::string("SELECT uuid FROM session WHERE participant = '") + code + "'");
   }
 
   /// All bytes of all files of the study.
@@ -74,8 +75,7 @@ TEST_F(Forgetting, KeepsEverybodyElse) {
   EXPECT_THAT(query_column(path_, "SELECT participant FROM session ORDER BY id"),
               ElementsAre("P01", "P03"));
   EXPECT_THAT(verify_study(path_).faults, IsEmpty());
-  EXPECT_THAT(query_column(backups().at(0), "SELECT participant FROM session"),
-              ElementsAre("P01"));
+  EXPECT_THAT(query_column(backups().at(0), "SELECT participant FROM session"), ElementsAre("P01"));
   EXPECT_THAT(query_column(backups().at(1), "SELECT participant FROM session ORDER BY id"),
               ElementsAre("P01", "P03"));
   EXPECT_THAT(verify_study(backups().at(1)).faults, IsEmpty());

@@ -27,8 +27,8 @@ TEST(HashChain, IsOfTheLinesThatTheSchemaNames) {
 
 /// What hash_chain.py, which knows nothing of this program, says of the file.
 std::string outsiders_opinion(const fs::path& path) {
-  const std::string command = "python3 " TEST_DATA_DIR "/../study/record/hash_chain.py " +
-                              path.string() + " 2>&1";
+  const std::string command =
+      "python3 " TEST_DATA_DIR "/../study/record/hash_chain.py " + path.string() + " 2>&1";
   FILE* pipe = ::popen(command.c_str(), "r");
   std::string output;
   std::array<char, 256> line{};
@@ -51,9 +51,10 @@ TEST(HashChain, CanBeCheckedByAnOutsider) {
     session.choose_and_start(ms(20), "Väse/\\");
     run_thorough_session(store, "P02");
   }
-  const std::vector<std::string> last = query_column(
-      path, "SELECT hash FROM event AS e WHERE sequence = (SELECT max(sequence) FROM event"
-            " WHERE session = e.session) ORDER BY session");
+  const std::vector<std::string> last =
+      query_column(path,
+                   "SELECT hash FROM event AS e WHERE sequence = (SELECT max(sequence) FROM event"
+                   " WHERE session = e.session) ORDER BY session");
   EXPECT_EQ(outsiders_opinion(path),
             "Pü \"1\"\t 10 " + last.at(0) + "\nP02 " +
                 query(path, "SELECT count(*) FROM event WHERE session = 2") + " " + last.at(1) +
@@ -70,22 +71,30 @@ TEST(HashChain, CoversEveryFactAndEveryEvent) {
     run_thorough_session(store, "P01");
   }
   const std::vector<std::string> changes = {
-      "UPDATE study SET protocol_title = 'x'", "UPDATE study_scene SET position = position + 7",
+      "UPDATE study SET protocol_title = 'x'",
+      "UPDATE study_scene SET position = position + 7",
       "UPDATE study_method SET position = position + 7",
-      "UPDATE study_method_file SET file_name = 'x'", "UPDATE study_profile SET name = name || 'x'",
+      "UPDATE study_method_file SET file_name = 'x'",
+      "UPDATE study_profile SET name = name || 'x'",
       "UPDATE study_mark SET position = position + 7",
-      "UPDATE study_rating SET question = '{}'", "UPDATE session SET participant = 'x'",
-      "UPDATE session SET uuid = upper(uuid)", "UPDATE session SET kind = 'human'",
-      "UPDATE session SET seed = '1'", "UPDATE session SET design_row = NULL",
-      "UPDATE session SET started_utc = 'x'", "UPDATE session SET devices = '{\"a\":1}'",
-      "UPDATE session SET program_version = 'x'", "UPDATE session SET cores = 3",
-      "UPDATE session SET migrated_from = 3", "UPDATE session_scene SET shown_as = '{\"a\":1}'",
+      "UPDATE study_rating SET question = '{}'",
+      "UPDATE session SET participant = 'x'",
+      "UPDATE session SET uuid = upper(uuid)",
+      "UPDATE session SET kind = 'human'",
+      "UPDATE session SET seed = '1'",
+      "UPDATE session SET design_row = NULL",
+      "UPDATE session SET started_utc = 'x'",
+      "UPDATE session SET devices = '{\"a\":1}'",
+      "UPDATE session SET program_version = 'x'",
+      "UPDATE session SET cores = 3",
+      "UPDATE session SET migrated_from = 3",
+      "UPDATE session_scene SET shown_as = '{\"a\":1}'",
       "UPDATE planned_trial SET scene_position = 5 WHERE trial = 0",
       "UPDATE planned_step SET times = times + 1 WHERE times IS NOT NULL"};
   SQLite::Database database(path, SQLite::OPEN_READWRITE);
-  for (const char* guarded : {"study", "study_scene", "study_method", "study_method_file",
-                              "study_profile", "study_mark", "study_rating", "session_scene",
-                              "planned_trial", "planned_step"}) {
+  for (const char* guarded :
+       {"study", "study_scene", "study_method", "study_method_file", "study_profile", "study_mark",
+        "study_rating", "session_scene", "planned_trial", "planned_step"}) {
     database.exec(std::string("DROP TRIGGER ") + guarded + "_is_fixed");
   }
   database.exec("DROP TRIGGER session_changes_state_only; DROP TRIGGER session_ends_once");

@@ -66,8 +66,7 @@ void expect_records_of_schema_3(const StudyRecords& records) {
               FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25, 0.5, false, false, 2));
   EXPECT_THAT(records.trials[1],
               FieldsAre("P01", "hall", "od", 0, 1, 1, 0.999, 120.0, false, true, 5));
-  EXPECT_THAT(records.trials[3],
-              FieldsAre("P01", "box", "fv", 1, 1, 1, 0.1, 0.2, false, false, 1));
+  EXPECT_THAT(records.trials[3], FieldsAre("P01", "box", "fv", 1, 1, 1, 0.1, 0.2, false, false, 1));
   EXPECT_EQ(records.trials[4].attempts, 1);
   EXPECT_EQ(records.trials[12].attempts, 0);
   EXPECT_THAT(records.background,
@@ -108,9 +107,10 @@ TEST_F(Migration, LosesNothingThatWasMeasured) {
                            " coalesce(correction, '-') FROM gaze_run ORDER BY run"),
               ElementsAre("1 4.0 0.75 -",
                           R"(2 0.5 0.0 {"azimuth":[-1.5,1.25,0.0],"elevation":[0.5,0.0,1.0]})"));
-  EXPECT_THAT(query_column(path_, "SELECT round(azimuth_deg, 4) || ' ' || samples || ' ' ||"
-                                  " coalesce(round(mean_gaze_elevation_deg, 4), '-')"
-                                  " FROM gaze_target ORDER BY run, target"),
+  EXPECT_THAT(query_column(path_,
+                           "SELECT round(azimuth_deg, 4) || ' ' || samples || ' ' ||"
+                           " coalesce(round(mean_gaze_elevation_deg, 4), '-')"
+                           " FROM gaze_target ORDER BY run, target"),
               ElementsAre("0.0 70 45.0", "45.0 0 -", "0.0 120 0.0"));
   SQLite::Database database(path_, SQLite::OPEN_READONLY);
   const std::vector<FrameRow> frames = frames_of(database, 1, 0, 2);

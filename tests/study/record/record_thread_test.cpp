@@ -61,8 +61,9 @@ TEST_F(Recording, KeepsTheOrderAndWritesAllBeforeItEnds) {
     }
     thread.film_hash(id_, 0, 1, {.frame = 199, .sha256 = std::string(64, 'f')});
   }
-  EXPECT_EQ(query(path_, "SELECT group_concat(text) FROM (SELECT text FROM note ORDER BY sequence)"),
-            "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19");
+  EXPECT_EQ(
+      query(path_, "SELECT group_concat(text) FROM (SELECT text FROM note ORDER BY sequence)"),
+      "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19");
   EXPECT_EQ(query(path_, "SELECT sum(frame_count) FROM frame_chunk"), "200");
   EXPECT_EQ(query(path_, "SELECT sum(sample_count) FROM gaze_chunk"), "200");
   EXPECT_EQ(query(path_, "SELECT frame FROM film_hash"), "199");

@@ -59,13 +59,13 @@ TEST_F(Schema, EveryTableIsStrict) {
 
 TEST_F(Schema, RecordsAreOnlyAddedTo) {
   const std::vector<std::string> column_of_each_table = {
-      "study.protocol_text",   "study_scene.name",       "study_method.name",
-      "study_profile.toml",    "study_mark.mark",        "study_rating.question",
-      "session_scene.scene",   "planned_trial.method",   "planned_step.kind",
-      "event.payload",         "event.hash",             "questionnaire_answer.number",
-      "reaction.pressed_ns",   "mark.time_ns",           "rating.value",
-      "frame_chunk.data",      "gaze_chunk.data",        "film_hash.film_sha256",
-      "gaze_run.passed",       "gaze_target.samples",    "study_method_file.file_sha256"};
+      "study.protocol_text", "study_scene.name",     "study_method.name",
+      "study_profile.toml",  "study_mark.mark",      "study_rating.question",
+      "session_scene.scene", "planned_trial.method", "planned_step.kind",
+      "event.payload",       "event.hash",           "questionnaire_answer.number",
+      "reaction.pressed_ns", "mark.time_ns",         "rating.value",
+      "frame_chunk.data",    "gaze_chunk.data",      "film_hash.film_sha256",
+      "gaze_run.passed",     "gaze_target.samples",  "study_method_file.file_sha256"};
   for (const std::string& place : column_of_each_table) {
     const std::string table = place.substr(0, place.find('.'));
     const std::string column = place.substr(place.find('.') + 1);
@@ -85,8 +85,10 @@ TEST_F(Schema, EveryTableIsGuarded) {
 }
 
 TEST_F(Schema, SessionsAndAttemptsOnlyMoveOn) {
-  EXPECT_EQ(answer("UPDATE session SET participant = 'P99' WHERE id = 2"), "only a session's state changes");
-  EXPECT_EQ(answer("UPDATE session SET devices = '{}' WHERE id = 2"), "only a session's state changes");
+  EXPECT_EQ(answer("UPDATE session SET participant = 'P99' WHERE id = 2"),
+            "only a session's state changes");
+  EXPECT_EQ(answer("UPDATE session SET devices = '{}' WHERE id = 2"),
+            "only a session's state changes");
   EXPECT_EQ(answer("DELETE FROM session"), "sessions are never removed");
   EXPECT_EQ(answer("UPDATE attempt SET object = 'x' WHERE session = 2"),
             "only an attempt's first frame and outcome change");

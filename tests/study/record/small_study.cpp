@@ -63,12 +63,10 @@ Protocol thorough_protocol() {
       {.id = "debrief",
        .questions = {{.id = "sickness"}, {.id = "comments", .kind = QuestionKind::text}}});
   using Kind = PhaseEntry::Kind;
-  protocol.phases = {{.kind = Kind::consent},
-                     {.kind = Kind::validation},
-                     {.kind = Kind::reaction},
-                     {.kind = Kind::questionnaire, .questionnaire = "background"},
-                     {.kind = Kind::trials},
-                     {.kind = Kind::questionnaire, .questionnaire = "debrief"}};
+  protocol.phases = {
+      {.kind = Kind::consent},  {.kind = Kind::validation},
+      {.kind = Kind::reaction}, {.kind = Kind::questionnaire, .questionnaire = "background"},
+      {.kind = Kind::trials},   {.kind = Kind::questionnaire, .questionnaire = "debrief"}};
   return protocol;
 }
 

@@ -28,8 +28,8 @@ Protocol other_protocol();
 Protocol protocol_with_another_file();
 /// The same to the letter, with another profile behind the tracker's name.
 Protocol protocol_with_another_tracker();
-/// The same to the letter, but sessions have every part that one can have: consent, two validations,
-/// two key presses, the background, the trials, and a debrief.
+/// The same to the letter, but sessions have every part that one can have: consent, two
+/// validations, two key presses, the background, the trials, and a debrief.
 Protocol thorough_protocol();
 
 /// Two targets, one of which was not seen.
@@ -73,8 +73,9 @@ class RecordedSession {
 /// The answer to the rating "artifacts".
 Rated rated(int artifacts);
 
-/// A session of thorough_plan with everything that can happen: false starts, a time-out, a retime, a
-/// pause, an interruption, a note, answers in words, and an end by `last`; frames, gaze and films.
+/// A session of thorough_plan with everything that can happen: false starts, a time-out, a retime,
+/// a pause, an interruption, a note, answers in words, and an end by `last`; frames, gaze and
+/// films.
 void run_thorough_session(StudyStore& store, const std::string& participant,
                           const Event& last = Excluded{.reason = "the tracker was lost"});
 

@@ -108,7 +108,8 @@ TEST_F(Records, LeaveOutWhatAParticipantTookBack) {
   withdrawn.happen(ms(5000), Withdrawn{});
   session_of("P02");
   const StudyRecords records = read_study(path_);
-  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "withdrawn", 7, ""),
+  EXPECT_THAT(records.sessions,
+              ElementsAre(FieldsAre("P01", "simulated", "withdrawn", 7, ""),
                           FieldsAre("P02", "simulated", "choosing_object", 7, "")));
   EXPECT_THAT(records.trials, testing::Each(testing::Field(&TrialRow::participant, "P02")));
   EXPECT_THAT(records.trials, testing::SizeIs(4));
@@ -121,8 +122,8 @@ TEST_F(Records, HoldTestTrialsOnly) {
   StudyStore store(path, thorough_protocol());
   run_thorough_session(store, "P01");
   const StudyRecords records = read_study(path);
-  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "excluded", 7,
-                                                      "the tracker was lost")));
+  EXPECT_THAT(records.sessions,
+              ElementsAre(FieldsAre("P01", "simulated", "excluded", 7, "the tracker was lost")));
   EXPECT_THAT(records.trials,
               ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 3, 0.3, 0.4, false, false, 4),
                           FieldsAre("P01", "hall", "od", 0, 1, 1, 0.5, 0.6, false, false, 3),
@@ -149,7 +150,7 @@ TEST_F(Records, SayWhetherAnySessionWasSimulated) {
   store_.begin_session(pilot, small_plan());
   EXPECT_FALSE(read_study(path_).has_simulated());
   EXPECT_THAT(read_study(path_).sessions, ElementsAre(FieldsAre("P01", "human", "created", 7, ""),
-                          FieldsAre("P02", "pilot", "created", 7, "")));
+                                                      FieldsAre("P02", "pilot", "created", 7, "")));
   store_.begin_session(facts_of("P03"), small_plan());
   EXPECT_TRUE(read_study(path_).has_simulated());
 }

@@ -66,9 +66,10 @@ TEST_F(Store, KeepsTheMarksAndRatings) {
   { const StudyStore store(path_, small_protocol()); }
   EXPECT_THAT(column("SELECT mark FROM study_mark ORDER BY position"),
               ElementsAre("outline", "material"));
-  EXPECT_EQ(stored("SELECT rating || ' ' || (question ->> 'kind') || ' ' ||"
-                   " (question ->> 'minimum') || ' ' || (question ->> 'maximum') FROM study_rating"),
-            "artifacts likert 1.0 5.0");
+  EXPECT_EQ(
+      stored("SELECT rating || ' ' || (question ->> 'kind') || ' ' ||"
+             " (question ->> 'minimum') || ' ' || (question ->> 'maximum') FROM study_rating"),
+      "artifacts likert 1.0 5.0");
 }
 
 TEST_F(Store, WritesEveryRunOfAValidation) {
@@ -114,11 +115,11 @@ TEST_F(Store, WritesThePlanAndTheFactsBeforeAnythingHappens) {
   EXPECT_THAT(column("SELECT scene || ' ' || method || ' ' || scene_position || method_position"
                      " FROM planned_trial ORDER BY trial"),
               ElementsAre("hall fv 00", "hall od 01", "box od 10", "box fv 11"));
-  EXPECT_THAT(column("SELECT kind || coalesce(' ' || questionnaire, '') ||"
-                     " coalesce(' ' || trial || ' ' || chooses_object, '') FROM planned_step"
-                     " ORDER BY step"),
-              ElementsAre("questionnaire background", "trial 0 1", "trial 1 0", "trial 2 1",
-                          "trial 3 0"));
+  EXPECT_THAT(
+      column("SELECT kind || coalesce(' ' || questionnaire, '') ||"
+             " coalesce(' ' || trial || ' ' || chooses_object, '') FROM planned_step"
+             " ORDER BY step"),
+      ElementsAre("questionnaire background", "trial 0 1", "trial 1 0", "trial 2 1", "trial 3 0"));
   EXPECT_EQ(stored("SELECT seed FROM session"), "18446744073709551615");
   EXPECT_EQ(stored("SELECT design_row || devices FROM session"), "7{}");
   EXPECT_EQ(stored("SELECT kind || ', ' || state || ', ' || program_version || ', ' || compiler ||"
@@ -160,21 +161,22 @@ TEST_F(Store, LogsEveryEventWithItsValues) {
   session.begin();
   session.run_trial(ms(100), ms(2000), ms(3000), 2);
   session.happen(ms(4000), NoteWritten{.text = "coughs"});
-  EXPECT_THAT(column("SELECT sequence || ' ' || time_ns || ' ' || type FROM event"
-                     " ORDER BY session, sequence"),
-              ElementsAre("1 0 session_started", "2 10000000 questionnaire_answered",
-                          "3 99000000 object_chosen", "4 99000000 trial_started",
-                          "5 100000000 first_frame_presented", "6 2100000000 marked",
-                          "7 3100000000 marked", "8 3101000000 rated", "9 4000000000 note_written"));
-  EXPECT_THAT(column("SELECT payload FROM event ORDER BY session, sequence"),
-              ElementsAre("{}",
-                          R"({"questionnaire":"background",)"
-                          R"("answers":[{"question":"age","value":31.0},)"
-                          R"({"question":"cg_experience","value":4.0}]})",
-                          R"({"object":"vase"})", "{}", R"({"time_ns":100000000})",
-                          R"({"time_ns":2100000000})", R"({"time_ns":3100000000})",
-                          R"({"answers":[{"question":"artifacts","value":2.0}]})",
-                          R"({"text":"coughs"})"));
+  EXPECT_THAT(
+      column("SELECT sequence || ' ' || time_ns || ' ' || type FROM event"
+             " ORDER BY session, sequence"),
+      ElementsAre("1 0 session_started", "2 10000000 questionnaire_answered",
+                  "3 99000000 object_chosen", "4 99000000 trial_started",
+                  "5 100000000 first_frame_presented", "6 2100000000 marked", "7 3100000000 marked",
+                  "8 3101000000 rated", "9 4000000000 note_written"));
+  EXPECT_THAT(
+      column("SELECT payload FROM event ORDER BY session, sequence"),
+      ElementsAre("{}",
+                  R"({"questionnaire":"background",)"
+                  R"("answers":[{"question":"age","value":31.0},)"
+                  R"({"question":"cg_experience","value":4.0}]})",
+                  R"({"object":"vase"})", "{}", R"({"time_ns":100000000})",
+                  R"({"time_ns":2100000000})", R"({"time_ns":3100000000})",
+                  R"({"answers":[{"question":"artifacts","value":2.0}]})", R"({"text":"coughs"})"));
   EXPECT_EQ(stored("SELECT time_ns || text FROM note"), "4000000000coughs");
 }
 
@@ -218,9 +220,10 @@ TEST_F(Store, FollowsAttemptsToTheirOutcomes) {
               ElementsAre("0 1 vase rated 1000", "1 1 vase retimed 2001", "1 2 vase paused 3001",
                           "1 3 vase rated 4000", "2 1 vase interrupted -", "2 2 vase rated 7000",
                           "3 1 vase rated 8000", "4 1 vase rated 9000", "5 1 vase rated 10000"));
-  EXPECT_THAT(column("SELECT attempt || ' ' || kind || ' ' || (time_ns / 1000000) || ' ' || censored"
-                     " FROM mark WHERE trial = 1 ORDER BY attempt, time_ns"),
-              ElementsAre("1 outline 99 1", "3 outline 300 0", "3 material 400 0"));
+  EXPECT_THAT(
+      column("SELECT attempt || ' ' || kind || ' ' || (time_ns / 1000000) || ' ' || censored"
+             " FROM mark WHERE trial = 1 ORDER BY attempt, time_ns"),
+      ElementsAre("1 outline 99 1", "3 outline 300 0", "3 material 400 0"));
   EXPECT_EQ(stored("SELECT question || ' ' || value FROM rating WHERE trial = 1"), "artifacts 4.0");
   EXPECT_EQ(stored("SELECT state FROM session"), "excluded");
 }
@@ -321,7 +324,8 @@ TEST_F(Store, KeepsFilmHashes) {
   EXPECT_EQ(stored("SELECT trial || attempt || ' ' || frame || film_sha256 FROM film_hash"),
             "01 12" + std::string(64, 'a'));
   // Python: hashlib.sha256(('[0,1,12,"' + 'a' * 64 + '"]').encode()).hexdigest()
-  EXPECT_EQ(stored("SELECT row_sha256 FROM film_hash"), "e01c1c9cb8ff159dd7e3b4de63821114ca8836dd0b11b51bce8575df75ff5c38");
+  EXPECT_EQ(stored("SELECT row_sha256 FROM film_hash"),
+            "e01c1c9cb8ff159dd7e3b4de63821114ca8836dd0b11b51bce8575df75ff5c38");
 }
 
 TEST_F(Store, AppendsToAStudyThatExists) {

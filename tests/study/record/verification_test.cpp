@@ -44,9 +44,9 @@ class VerifiedStudy : public testing::Test {
       store.record_gaze(session.id(), trial, 1, 0, plausible_gaze(100));
       store.record_film_hash(session.id(), trial, 1, {.frame = 99, .sha256 = std::string(64, '1')});
     }
-    session.happen(ms(60'000), QuestionnaireAnswered{.questionnaire = "debrief",
-                                                     .answers = {{.question = "comments",
-                                                                  .value = "none"}}});
+    session.happen(ms(60'000),
+                   QuestionnaireAnswered{.questionnaire = "debrief",
+                                         .answers = {{.question = "comments", .value = "none"}}});
   }
 
   std::vector<RecordFault> faults_after(const std::string& sql) {
@@ -189,8 +189,7 @@ TEST_F(VerifiedStudy, NoFlippedBitGoesUnnoticed) {
     try {
       if (verify_study(path_).faults.empty()) {
         for (const auto& [table, said] : content_of(path_)) {
-          EXPECT_TRUE(said == content.at(table))
-              << table << ", byte " << place << ", bit " << bit;
+          EXPECT_TRUE(said == content.at(table)) << table << ", byte " << place << ", bit " << bit;
         }
         ++harmless;
         continue;

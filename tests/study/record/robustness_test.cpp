@@ -1,0 +1,136 @@
+// What a study's file goes through besides kills: a full disk, another writer, a clock that was
+// set back.
+#include <atomic>
+#include <thread>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+
+#include "small_study.h"
+#include "study/record/database.h"
+#include "study/record/event_rows.h"
+#include "study/record/maintenance.h"
+#include "study/record/session_rows.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+/// A folder on a disk of a megabyte of its own, which only this process sees.
+class SmallDisk {
+ public:
+  explicit SmallDisk(fs::path folder) : folder_(std::move(folder)) {
+    is_mounted_ = ::unshare(CLONE_NEWNS) == 0 &&
+                  ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                  ::mount("small", folder_.c_str(), "tmpfs", 0, "size=1m") == 0;
+  }
+  ~SmallDisk() {
+    if (is_mounted_) {
+      ::umount(folder_.c_str());
+    }
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  bool is_mounted() const { return is_mounted_; }
+
+ private:
+  fs::path folder_;
+  bool is_mounted_;
+};
+
+TEST(Robustness, AFullDiskIsNamedAndLosesNothing) {
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder.path());
+  if (!disk.is_mounted()) {
+    GTEST_SKIP() << "only root may mount a small disk";
+  }
+  const fs::path path = folder / "study.sqlite";
+  StudyStore store(path, small_protocol());
+  RecordedSession session(store, facts_of("P01"), small_plan());
+  session.begin();
+  std::size_t written = 0;
+  const std::string message = refusal([&] {
+    for (; written < 10'000; ++written) {
+      store.record_event(session.id(), ms(100), NoteWritten{.text = std::string(1000, 'n')},
+                         session.state(), session.state());
+    }
+  });
+  EXPECT_THAT(message,
+              AllOf(StartsWith(path.string()), HasSubstr("what was acknowledged is safe")));
+  EXPECT_GT(written, 50U);
+  EXPECT_EQ(store.events_of(session.id()).size(), 2U + written);
+  EXPECT_THAT(verify_study(path).faults, IsEmpty());
+}
+
+TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  create_study(path, small_protocol());
+  {
+    SQLite::Database database = open_study_to_write(path);
+    const Agenda agenda = agenda_of(small_protocol(), small_plan());
+    const Procedure procedure = procedure_of(small_protocol(), small_plan());
+    const std::int64_t session = insert_session(
+        database, facts_of("P01"),
+        {.uuid = random_uuid(), .started_utc = "2026-11-21T09:30:00.000Z", .migrated_from = {}},
+        small_plan(), agenda);
+    const std::vector<LoggedEvent> events = {
+        {ms(0), SessionStarted{}, "2026-11-21T09:30:00.100Z"},
+        {ms(10), QuestionnaireAnswered{"background", {}}, "2026-11-21T09:30:00.200Z"},
+        {ms(20), ObjectChosen{"vase"}, "2026-11-21T03:00:00.000Z"},
+        {ms(30), TrialStarted{}, "2026-11-21T03:00:00.010Z"},
+        {ms(40), FirstFramePresented{ms(40)}, "2016-01-01T00:00:00.000Z"},
+        {ms(90), Marked{ms(90)}, "2016-01-01T00:00:00.050Z"}};
+    SessionState state;
+    for (const LoggedEvent& logged : events) {
+      const Transition next = step(procedure, state, logged.event).value();
+      insert_event_rows(database, session, procedure, logged, state, next.state);
+      state = next.state;
+    }
+  }
+  EXPECT_EQ(query(path, "SELECT time_ns FROM mark"), "50000000");
+  EXPECT_THAT(verify_study(path).faults, IsEmpty());
+}
+
+TEST(Robustness, AnotherWritersTurnIsWaitedFor) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  StudyStore store(path, small_protocol());
+  SQLite::Database stranger(path, SQLite::OPEN_READWRITE);
+  stranger.exec("BEGIN IMMEDIATE");
+  std::atomic<bool> is_recorded = false;
+  std::thread recorder([&] {
+    store.begin_session(facts_of("P01"), small_plan());
+    is_recorded = true;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_FALSE(is_recorded);
+  stranger.exec("COMMIT");
+  recorder.join();
+  EXPECT_EQ(query(path, "SELECT participant FROM session"), "P01");
+}
+
+TEST(Robustness, AWriterWhoNeverEndsIsNamed) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  StudyStore store(path, small_protocol());
+  SQLite::Database stranger(path, SQLite::OPEN_READWRITE);
+  stranger.exec("BEGIN IMMEDIATE");
+  EXPECT_THAT(refusal([&] { store.begin_session(facts_of("P01"), small_plan()); }),
+              AllOf(StartsWith(path.string()), HasSubstr("is in use by another program")));
+  stranger.exec("COMMIT");
+  EXPECT_EQ(query(path, "SELECT count(*) FROM session"), "0");
+  store.begin_session(facts_of("P01"), small_plan());
+}
+
+}  // namespace
+}  // namespace foveola::study
