@@ -73,7 +73,8 @@ std::string digest_of_rows(SQLite::Database& database, const std::string& table,
       database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY 1", values, table, condition));
   std::string digest;
   while (rows.executeStep()) {
-    digest = sha256(digest + rows.getColumn(0).getString());
+    digest += rows.getColumn(0).getString();
+    digest = sha256(digest);
   }
   return digest;
 }
