@@ -33,7 +33,7 @@ void insert_run(SQLite::Database& database, std::int64_t session, const GazeRun&
   SQLite::bind(row, session, run.quality.data_loss, run.passed ? 1 : 0);
   bind_figures(row, 4, run.quality.figures);
   if (run.correction) {
-    row.bind(7, json_of(*run.correction).dump());
+    row.bind(7, study::json_of(*run.correction).dump());
   }
   row.exec();
 }
