@@ -1,12 +1,10 @@
 #include "renderer/commands/preview_command.h"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/stage.h"
 #include "renderer/gaze/gaze_source.h"
@@ -233,14 +232,6 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
   fmt::print("{}\n", json.dump(2));
 }
 
-/// The rate that the system says the monitor runs at, or its profile's if it says none.
-double refresh_rate_hz(const Window& window, int monitor, const DisplayProfile& display) {
-  const std::vector<MonitorInfo> monitors = window.monitors();
-  const auto number = static_cast<std::size_t>(monitor);
-  const double said_hz = number < monitors.size() ? monitors[number].refresh_rate_hz : 0.0;
-  return said_hz > 0.0 ? said_hz : display.refresh_rate_hz;
-}
-
 void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
                  const std::stop_token& stop) {
   if (!command.screenshot.empty()) {
@@ -256,24 +247,11 @@ void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
                  .size = parse_size("--window", command.window),
                  .monitor = command.full_screen ? std::optional(command.monitor) : std::nullopt},
                 events, clock);
-  display.refresh_rate_hz = refresh_rate_hz(window, command.monitor, display);
+  display.refresh_rate_hz = said_refresh_rate_hz(window, command.monitor, display);
   LivePreviewReport report;
-  std::exception_ptr fault;
-  {
-    const IVec2 framebuffer = window.framebuffer_size();
-    const std::jthread beside([&] {
-      try {
-        report = show_scene(command, source, display, window, events, framebuffer, clock, stop);
-      } catch (...) {
-        fault = std::current_exception();
-      }
-      window.finish();
-    });
-    window.pass_on_events(stop);
-  }
-  if (fault) {
-    std::rethrow_exception(fault);
-  }
+  run_beside(window, stop, [&](const IVec2& framebuffer) {
+    report = show_scene(command, source, display, window, events, framebuffer, clock, stop);
+  });
   if (report.last_picture) {
     write_display_picture(command.screenshot, *report.last_picture);
   }

@@ -81,6 +81,14 @@ std::optional<GazeCorrection> fit_correction(std::span<const TargetQuality> targ
   return GazeCorrection{.azimuth = inverse * of_azimuth, .elevation = inverse * of_elevation};
 }
 
+void correct(std::span<GazeSample> samples, const GazeCorrection& correction) {
+  for (GazeSample& sample : samples) {
+    if (sample.valid) {
+      sample.direction = corrected(sample.direction, correction);
+    }
+  }
+}
+
 CorrectedEyeTracker::CorrectedEyeTracker(std::unique_ptr<EyeTracker> source,
                                          const GazeCorrection& correction)
     : source_(std::move(source)), correction_(correction) {}
@@ -92,13 +100,8 @@ void CorrectedEyeTracker::add(const GazeCorrection& correction) {
 void CorrectedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
   const std::size_t before = arrived.size();
   source_->poll(now, arrived);
-  if (correction_ == GazeCorrection{}) {
-    return;
-  }
-  for (GazeSample& sample : std::span(arrived).subspan(before)) {
-    if (sample.valid) {
-      sample.direction = corrected(sample.direction, correction_);
-    }
+  if (correction_ != GazeCorrection{}) {
+    correct(std::span(arrived).subspan(before), correction_);
   }
 }
 

@@ -26,6 +26,9 @@ struct GazeCorrection {
 /// direction: of unit length, as is what is returned.
 Vec3 corrected(const Vec3& direction, const GazeCorrection& correction);
 
+/// Corrects the valid ones of `samples`.
+void correct(std::span<GazeSample> samples, const GazeCorrection& correction);
+
 /// What `first` makes of a gaze, and `second` of that.
 GazeCorrection combined(const GazeCorrection& first, const GazeCorrection& second);
 

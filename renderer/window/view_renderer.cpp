@@ -94,6 +94,7 @@ void ViewRenderer::set_overlays(const ViewOverlays& overlays) {
     glUniform1fv(uniform("ring_rad"), static_cast<GLsizei>(overlays.rings_rad.size()),
                  overlays.rings_rad.data());
   }
+  set_offers(overlays.offers);
   bind(density_unit, density_.name());
   glUniform1i(uniform("density"), density_unit);
   glUniform1i(uniform("show_density"), overlays.density ? 1 : 0);
@@ -101,6 +102,22 @@ void ViewRenderer::set_overlays(const ViewOverlays& overlays) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R16F, overlays.density->width, overlays.density->height, 0,
                  GL_RED, GL_FLOAT, overlays.density->values.data());
+  }
+}
+
+void ViewRenderer::set_offers(const std::vector<OfferRing>& offers) {
+  assert(offers.size() <= ViewOverlays::most_offers);
+  std::vector<glm::vec4> places;
+  std::vector<GLint> highlights;
+  for (const OfferRing& offer : offers) {
+    places.emplace_back(offer.direction, offer.radius_rad);
+    highlights.push_back(offer.is_highlighted ? 1 : 0);
+  }
+  const auto count = static_cast<GLsizei>(offers.size());
+  glUniform1i(uniform("offers"), count);
+  if (count > 0) {
+    glUniform4fv(uniform("offer_place"), count, glm::value_ptr(places.front()));
+    glUniform1iv(uniform("offer_is_highlighted"), count, highlights.data());
   }
 }
 

@@ -17,15 +17,24 @@ struct DensityMap {
   std::vector<float> values;
 };
 
+/// A ring that offers what is in it.
+struct OfferRing {
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< of its middle; unit length, world
+  float radius_rad = 0.0F;
+  bool is_highlighted = false;  ///< the one that is chosen by now
+};
+
 /// What is drawn over the film, each on demand.
 struct ViewOverlays {
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
   bool shows_gaze = false;       ///< as a point
   std::vector<float> rings_rad;  ///< eccentricities of rings around it; at most most_rings
   std::optional<DensityMap> density;
-  std::optional<Vec3> target;  ///< a point to look at instead of the film; unit length, world
+  std::optional<Vec3> target;     ///< a point to look at instead of the film; unit length, world
+  std::vector<OfferRing> offers;  ///< at most most_offers; of overlapping ones the last is on top
 
   static constexpr std::size_t most_rings = 8;
+  static constexpr std::size_t most_offers = 32;
 };
 
 /// How the film is shown.
@@ -52,6 +61,7 @@ class ViewRenderer {
   void set_film(const FilmTexture& film, const ViewLook& look);
   void set_view(const Viewport& viewport, const WindowPart& part);
   void set_overlays(const ViewOverlays& overlays);
+  void set_offers(const std::vector<OfferRing>& offers);
   GLint uniform(const char* name) const { return glGetUniformLocation(program_.name(), name); }
 
   GlProgram program_;

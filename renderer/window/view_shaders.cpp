@@ -36,6 +36,7 @@ void main() {
 const char* const view_fragment_shader = R"(#version 330 core
 const int most_levels = 17;
 const int most_rings = 8;
+const int most_offers = 32;
 const float pi = 3.14159265358979;
 
 uniform sampler2D atlas;
@@ -58,6 +59,9 @@ uniform bool show_target;
 uniform vec3 target;
 uniform int rings;
 uniform float ring_rad[most_rings];
+uniform int offers;
+uniform vec4 offer_place[most_offers];  // direction, radius
+uniform bool offer_is_highlighted[most_offers];
 uniform bool show_density;
 uniform sampler2D density;  // 0 least to 1 most, over the view from its top left
 
@@ -158,6 +162,14 @@ vec3 with_overlays(vec3 shown, vec2 plane, vec3 direction, float pixel_rad) {
   for (int i = 0; i < rings; ++i) {
     float cover = line(eccentricity, ring_rad[i], 1.5 * pixel_rad, pixel_rad);
     shown = mix(shown, vec3(1.0, 0.8, 0.1), 0.8 * cover);
+  }
+  for (int i = 0; i < offers; ++i) {
+    // White on black shows on any picture; the highlighted one is told by its width, too.
+    float away = angle(direction, offer_place[i].xyz);
+    float width = pixel_rad * (offer_is_highlighted[i] ? 6.0 : 2.0);
+    vec3 ink = offer_is_highlighted[i] ? vec3(1.0, 0.85, 0.1) : vec3(1.0);
+    shown = mix(shown, vec3(0.0), line(away, offer_place[i].w, width + 4.0 * pixel_rad, pixel_rad));
+    shown = mix(shown, ink, line(away, offer_place[i].w, width, pixel_rad));
   }
   if (show_gaze) {
     shown = mix(shown, vec3(1.0, 0.1, 0.2), 0.9 * disc(eccentricity, 5.0 * pixel_rad, pixel_rad));

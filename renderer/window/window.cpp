@@ -12,8 +12,11 @@
 namespace foveola {
 namespace {
 
-/// How often a gamepad is looked at: GLFW has no events of it.
-constexpr double gamepad_interval_s = 1.0 / 250.0;
+/// How often events and the gamepad are looked at, whether anything woke this thread or not. GLFW
+/// has no events of gamepads. And the thread that draws shares the connection to the X server:
+/// while it waits for an answer there it may read a key's event too, which then lies in the queue
+/// until something else comes: presses were found to be known up to 50 ms late.
+constexpr double look_interval_s = 1e-3;
 
 std::string glfw_fault() {
   const char* description = nullptr;
@@ -152,11 +155,7 @@ IVec2 Window::framebuffer_size() const {
 void Window::pass_on_events(const std::stop_token& stop) {
   const std::stop_callback wake(stop, [] { glfwPostEmptyEvent(); });
   while (!finished_ && !stop.stop_requested()) {
-    if (glfwJoystickIsGamepad(GLFW_JOYSTICK_1) == GLFW_TRUE) {
-      glfwWaitEventsTimeout(gamepad_interval_s);
-    } else {
-      glfwWaitEvents();
-    }
+    glfwWaitEventsTimeout(look_interval_s);
     poll_gamepad();
     tell_of_monitors();
     follow_toggles();

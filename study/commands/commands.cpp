@@ -3,6 +3,7 @@
 #include "study/commands/protocol_commands.h"
 #include "study/commands/record_commands.h"
 #include "study/commands/replay_command.h"
+#include "study/commands/run_command.h"
 #include "study/commands/simulate_command.h"
 
 namespace foveola::study {
@@ -12,6 +13,7 @@ void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_
   study->require_subcommand(1);
   add_check(*study, find_scene);
   add_plan(*study);
+  add_run(*study, find_scene, stop);
   add_simulate(*study, find_scene, stop);
   add_replay(*study, find_scene, stop);
   add_status(*study);

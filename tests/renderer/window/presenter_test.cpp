@@ -159,6 +159,37 @@ TEST_F(PresenterTest, DrawsRingsAtTheirEccentricity) {
   EXPECT_EQ(shown.at(static_cast<int>(at.x) - 8, 128), plain.at(static_cast<int>(at.x) - 8, 128));
 }
 
+TEST_F(PresenterTest, RingsWhatIsOffered) {
+  const ShownView view = whole_window({});
+  const auto at = [&](double azimuth_deg) {
+    const Vec3 direction = direction_from({.azimuth_rad = radians(azimuth_deg)});
+    const Vec2 place = *view.viewport.project(direction) * Vec2(320.0F, 256.0F);
+    return IVec2(place);
+  };
+  const auto offer = [](double azimuth_deg, bool is_highlighted) {
+    return OfferRing{.direction = direction_from({.azimuth_rad = radians(azimuth_deg)}),
+                     .radius_rad = static_cast<float>(radians(8.0)),
+                     .is_highlighted = is_highlighted};
+  };
+  const RgbImage shown = picture({view}, {}, {.offers = {offer(-20.0, false), offer(20.0, true)}});
+  const RgbImage plain = picture({view}, {});
+  const auto color = [&](double azimuth_deg) {
+    const IVec2 place = at(azimuth_deg);
+    return shown.at(place.x, place.y);
+  };
+  // White, and yellow for the one that is highlighted, 8 degrees to both sides of their middles.
+  EXPECT_GT(color(-28.0).b, 0.6F);
+  EXPECT_GT(color(-12.0).b, 0.6F);
+  for (const double azimuth_deg : {12.0, 28.0}) {
+    EXPECT_GT(color(azimuth_deg).r, 0.8F);
+    EXPECT_LT(color(azimuth_deg).b, 0.4F);
+  }
+  for (const double azimuth_deg : {-40.0, -20.0, 0.0, 20.0, 40.0}) {
+    const IVec2 place = at(azimuth_deg);
+    EXPECT_EQ(shown.at(place.x, place.y), plain.at(place.x, place.y)) << azimuth_deg;
+  }
+}
+
 TEST_F(PresenterTest, DrawsDensities) {
   const ShownView view = whole_window({});
   const DensityMap map{.width = 2, .height = 1, .values = {0.0F, 1.0F}};

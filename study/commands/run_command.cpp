@@ -1,0 +1,125 @@
+#include "study/commands/run_command.h"
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/commands/arguments.h"
+#include "study/commands/command_line.h"
+#include "study/commands/run_person.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr int thread_limit = 1024;
+constexpr int monitor_limit = 100;
+constexpr std::size_t longest_code = 32;
+
+struct RunArguments {
+  std::string protocol;
+  std::string database;
+  std::string participant;
+  bool is_pilot = false;
+  std::string display;
+  std::string tracker;
+  std::string window = "1280x720";
+  bool full_screen = false;
+  int monitor = 0;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;
+  bool resumes = false;
+  bool despite_changes = false;
+  std::string screens;
+};
+
+void require_code(const std::string& code) {
+  const bool is_code =
+      !code.empty() && code.size() <= longest_code &&
+      std::all_of(code.begin(), code.end(), [](unsigned char character) {
+        return std::isalnum(character) != 0 || character == '-' || character == '_';
+      });
+  if (!is_code) {
+    throw UsageError(
+        "--participant", fmt::format("'{}' is no code", code),
+        fmt::format("take up to {} letters, digits, - and _, but never a name", longest_code));
+  }
+}
+
+void run_run(const RunArguments& arguments, const SceneFinder& find_scene,
+             const std::stop_token& stop) {
+  require_code(arguments.participant);
+  RunSettings settings{.protocol = find_protocol(arguments.protocol),
+                       .database = arguments.database,
+                       .participant = arguments.participant,
+                       .kind = arguments.is_pilot ? SessionKind::pilot : SessionKind::human,
+                       .seed = arguments.seed,
+                       .display = arguments.display,
+                       .tracker = arguments.tracker,
+                       .window = parse_size("--window", arguments.window),
+                       .threads = arguments.threads,
+                       .resumes = arguments.resumes,
+                       .despite_changes = arguments.despite_changes};
+  if (arguments.full_screen) {
+    settings.monitor = arguments.monitor;
+  }
+  if (!arguments.screens.empty()) {
+    settings.screens = arguments.screens;
+    std::filesystem::create_directories(arguments.screens);
+  }
+  const RunReport report = run_person(settings, find_scene, stop);
+  fmt::print("{}: {} {}; backup {}\n", arguments.database, arguments.participant,
+             name_of(report.phase), report.backup.string());
+  if (report.phase == Phase::interrupted) {
+    fmt::print("Go on with the same command and --resume\n");
+  }
+}
+
+}  // namespace
+
+void add_run(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
+  const auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command =
+      add_command(study, "run", "One person's session, from consent to debrief, in a window",
+                  "run koskela2018 --db study.sqlite --participant P07 --full-screen");
+  add_protocol(command, arguments->protocol);
+  command
+      ->add_option("--db", arguments->database,
+                   "The study's file; made, or added to if it is of the same protocol")
+      ->required();
+  command
+      ->add_option("--participant", arguments->participant,
+                   "A code for who takes part, never a name")
+      ->required();
+  command->add_flag("--pilot", arguments->is_pilot, "A rehearsal: kept apart, and not analysed");
+  command->add_option("--display", arguments->display,
+                      "A display's profile (default: the protocol's, or desktop)");
+  command->add_option("--tracker", arguments->tracker,
+                      "pointer, or a tracker's profile (default: the protocol's, or pointer)");
+  command->add_option("--window", arguments->window, "Its size, WIDTHxHEIGHT")
+      ->capture_default_str();
+  CLI::Option* full_screen =
+      command->add_flag("--full-screen", arguments->full_screen, "Fill a monitor");
+  command->add_option("--monitor", arguments->monitor, "Which one, from 0 on")
+      ->check(CLI::Range(0, monitor_limit))
+      ->needs(full_screen)
+      ->capture_default_str();
+  command->add_option("--seed", arguments->seed,
+                      "Of orders and noise (default: drawn; recorded in any case)");
+  command->add_option("--threads", arguments->threads, "0: every core")
+      ->check(CLI::Range(0, thread_limit))
+      ->capture_default_str();
+  CLI::Option* resume = command->add_flag("--resume", arguments->resumes,
+                                          "Go on with this participant's unfinished session");
+  command
+      ->add_flag("--despite-changes", arguments->despite_changes,
+                 "Even if the program or the scenes have changed since")
+      ->needs(resume);
+  command->add_option("--screens", arguments->screens,
+                      "A folder that gets a picture of every page the participant comes to");
+  command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola::study

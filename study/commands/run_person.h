@@ -1,0 +1,44 @@
+// A person's session from the command line to the backup.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "renderer/base/scene_source.h"
+#include "renderer/base/vec.h"
+#include "study/record/study_store.h"
+
+namespace foveola::study {
+
+struct RunSettings {
+  std::filesystem::path protocol;
+  std::filesystem::path database;  ///< made, or a study of the same protocol
+  std::string participant;         ///< a code: letters, digits, - and _
+  SessionKind kind = SessionKind::human;
+  std::optional<std::uint64_t> seed;  ///< of orders and noise; default: drawn, and recorded
+  std::string display;                ///< a profile; empty: the protocol's, or desktop
+  std::string tracker;                ///< pointer or a profile; empty: the protocol's, or pointer
+  IVec2 window{1280, 720};            ///< its size; not used in full screen
+  std::optional<int> monitor;         ///< full screen on this one
+  int threads = 0;                    ///< 0: every core
+  bool resumes = false;               ///< an unfinished session of this participant
+  bool despite_changes = false;       ///< of the program or the scenes since it was interrupted
+  /// Every page that the participant comes to is written there as a picture.
+  std::optional<std::filesystem::path> screens;
+};
+
+struct RunReport {
+  Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
+  std::filesystem::path backup;
+};
+
+/// Runs in the program's first thread, whose is the window. The experimenter's console is standard
+/// input and output. Throws Error for what is wrong with the settings, the files, the window or the
+/// participant's session so far; then nothing was begun.
+RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
+                     const std::stop_token& stop);
+
+}  // namespace foveola::study

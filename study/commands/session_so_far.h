@@ -1,0 +1,31 @@
+// What a participant's session was when its program stopped, from the record.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/record/study_store.h"
+
+namespace foveola::study {
+
+struct SessionSoFar {
+  KnownSession session;
+  Plan plan;
+  SessionState state;
+  Nanoseconds time{0};                       ///< session clock: the last that is recorded
+  std::optional<GazeCorrection> correction;  ///< of the gaze, since the last validation
+};
+
+struct Resumption {
+  bool resumes = false;          ///< whether the experimenter wants to go on with it
+  bool despite_changes = false;  ///< even by another version of the program
+};
+
+/// Empty if the participant has no session yet and none is to be resumed. Throws Error, with what
+/// can be done, if it is over, if it is unfinished but not to be resumed, if there is none to be
+/// resumed, or if another version of the program ran it.
+std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protocol& protocol,
+                                           const std::string& participant,
+                                           const Resumption& resumption);
+
+}  // namespace foveola::study

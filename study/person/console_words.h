@@ -1,0 +1,21 @@
+// A session in the experimenter's words: what happened, where it is, what comes.
+//
+// Methods are named here, and therefore nowhere near the participant.
+#pragma once
+
+#include <string>
+
+#include "study/session/session.h"
+
+namespace foveola::study {
+
+/// "marked", "note_written: ...": the record's name, and what there is to say about it.
+std::string words_for(const Event& event);
+
+/// "marking, trial 3 of 15: arcade with fv, timing 1, attempt 1".
+std::string words_for(const SessionState& state, const Procedure& procedure, const Plan& plan);
+
+/// What comes after the step that the session is in.
+std::string words_for_next(const SessionState& state, const Procedure& procedure, const Plan& plan);
+
+}  // namespace foveola::study

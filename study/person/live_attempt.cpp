@@ -1,0 +1,90 @@
+#include "study/person/live_attempt.h"
+
+#include <thread>
+#include <utility>
+
+#include "renderer/film/film_hash.h"
+#include "study/stage/trial_preview.h"
+
+namespace foveola::study {
+namespace {
+
+PreviewSettings preview_settings(const AttemptSetting& setting) {
+  const PlannedTrial& trial = setting.trial;
+  return trial_preview_settings(
+      *setting.protocol, settings_of(*setting.protocol, trial.scene, trial.method), *setting.stage);
+}
+
+ViewLook look_of(const PreviewSettings& settings) {
+  return {.exposure_stops = settings.exposure_stops,
+          .fill_unsampled = settings.unsampled == UnsampledPixels::filled};
+}
+
+}  // namespace
+
+LiveAttempt::LiveAttempt(AttemptSetting setting)
+    : setting_(std::move(setting)),
+      look_(look_of(preview_settings(setting_))),
+      preview_(setting_.stage->tracer(), preview_settings(setting_), *setting_.eye, *setting_.head,
+               *setting_.workers),
+      frames_(preview_, *setting_.clock, setting_.display->refresh(),
+              [this](Nanoseconds time) { wait_until(time); },
+              {.resample = [this](const Preview& preview) { draw(preview); },
+               .present = [this] { return setting_.display->wait_until_shown(); }}),
+      log_(setting_.sink) {
+  const ViewGeometry& geometry = setting_.display->geometry();
+  preview_.set_view({.horizontal_fov_deg = geometry.horizontal_fov_deg,
+                     .vertical_fov_deg = geometry.vertical_fov_deg,
+                     .lens = geometry.lens});
+  preview_.restart(make_sampler(*setting_.protocol, setting_.trial.method), setting_.seed);
+  setting_.display->show_film(preview_.film());
+}
+
+Nanoseconds LiveAttempt::next() {
+  const bool is_blank = setting_.trial.kind == TrialKind::catch_trial;
+  const LiveFrame frame = is_blank ? next_blank() : frames_.next();
+  keep(frame);
+  setting_.display->set_refresh(frames_.refresh());
+  return frame.shown;
+}
+
+void LiveAttempt::finish() {
+  log_.finish();
+  if (log_.frames() > 0) {
+    setting_.keep_film_hash({.frame = log_.frames() - 1, .sha256 = film_sha256(preview_.film())});
+  }
+}
+
+LiveFrame LiveAttempt::next_blank() {
+  wait_until(next_blank_);
+  LiveFrame frame{.start = setting_.clock->now()};
+  frame.report = preview_.begin_frame(frame.start);
+  draw(preview_);
+  frame.shown = setting_.display->wait_until_shown().value_or(setting_.clock->now());
+  next_blank_ = frame.start + frames_.refresh().interval();
+  return frame;
+}
+
+void LiveAttempt::draw(const Preview& preview) {
+  setting_.display->draw(
+      {.head = preview.viewport().head(), .look = look_, .screen = setting_.page()});
+}
+
+void LiveAttempt::wait_until(Nanoseconds time) const {
+  std::this_thread::sleep_until(std::chrono::steady_clock::time_point(time));
+  setting_.while_waiting();
+}
+
+void LiveAttempt::keep(const LiveFrame& frame) {
+  FrameRow row = frame_row(frame.report);
+  row.time = frame.report.time - setting_.session_zero;
+  row.presented = frame.shown - setting_.session_zero;
+  row.is_late = frame.is_late();
+  std::vector<GazeSample> arrived = preview_.arrived_gaze();
+  for (GazeSample& sample : arrived) {
+    sample.time -= setting_.session_zero;
+  }
+  log_.add(row, arrived);
+}
+
+}  // namespace foveola::study

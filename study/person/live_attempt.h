@@ -1,0 +1,70 @@
+// One attempt at a trial as a person sees it: frames at the display's pace, and their record.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/head_tracker.h"
+#include "renderer/preview/live_frames.h"
+#include "renderer/preview/preview.h"
+#include "study/person/person_tracker.h"
+#include "study/person/session_display.h"
+#include "study/stage/attempt_log.h"
+#include "study/stage/scene_stage.h"
+
+namespace foveola::study {
+
+/// What an attempt is made of; what is pointed to must outlive it.
+struct AttemptSetting {
+  const Protocol* protocol = nullptr;
+  const SceneStage* stage = nullptr;
+  const Workers* workers = nullptr;
+  const Clock* clock = nullptr;
+  SessionDisplay* display = nullptr;
+  PersonTracker* eye = nullptr;
+  HeadTracker* head = nullptr;
+  PlannedTrial trial;
+  std::uint32_t seed = 0;       ///< of points and paths
+  Nanoseconds session_zero{0};  ///< the clock's time at which the session's is 0
+  AttemptSink sink;
+  std::function<void(FilmHash)> keep_film_hash;
+  /// What is done while a frame waits for its refresh, before it looks at head and gaze.
+  std::function<void()> while_waiting;
+  /// The page over the picture, if there is one.
+  std::function<std::optional<ScreenPage>()> page;
+};
+
+class LiveAttempt {
+ public:
+  /// The display shows its film for as long as it lives.
+  explicit LiveAttempt(AttemptSetting setting);
+  ~LiveAttempt() { setting_.display->show_no_film(); }
+  LiveAttempt(const LiveAttempt&) = delete;
+  LiveAttempt& operator=(const LiveAttempt&) = delete;
+
+  /// Renders and presents the next frame, nothing but its picture in a catch trial. Returns when it
+  /// was shown, by the clock.
+  Nanoseconds next();
+
+  /// The attempt is over: its last frames and gaze samples, and what the film then holds, are
+  /// handed to the record.
+  void finish();
+
+  const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
+
+ private:
+  LiveFrame next_blank();
+  void draw(const Preview& preview);
+  void wait_until(Nanoseconds time) const;
+  void keep(const LiveFrame& frame);
+
+  AttemptSetting setting_;
+  ViewLook look_;
+  Preview preview_;
+  LiveFrames frames_;
+  AttemptLog log_;
+  Nanoseconds next_blank_{0};
+};
+
+}  // namespace foveola::study

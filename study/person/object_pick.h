@@ -1,0 +1,25 @@
+// Which of a scene's objects is about to be chosen: the one that the view is turned to.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "renderer/base/vec.h"
+#include "renderer/window/view_renderer.h"
+#include "study/participant/participant.h"
+
+namespace foveola::study {
+
+/// The index of the object that is nearest to the view's middle. offered: at least one. ahead: unit
+/// length, world.
+std::size_t object_ahead(const std::vector<OfferedObject>& offered, const Vec3& ahead);
+
+/// A ring for each, the highlighted one's on top. If there are more than can be drawn, the first
+/// ones are left out.
+std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered, std::size_t highlighted);
+
+/// The ring of the object that is already chosen. Throws std::logic_error if it is not on offer.
+OfferRing ring_of(const std::vector<OfferedObject>& offered, const std::string& object);
+
+}  // namespace foveola::study

@@ -1,0 +1,25 @@
+// The keys of a participant: few and large, the same everywhere.
+#pragma once
+
+#include <optional>
+
+#include "renderer/window/window_event.h"
+
+namespace foveola::study {
+
+enum class PersonKey {
+  mark,     ///< Space: also starts a trial, and answers what appears
+  confirm,  ///< Enter: also goes on
+  next,     ///< Tab
+  back,     ///< Backspace
+  pause,    ///< Escape, or the window's cross
+  yes,
+  no,
+  again,  ///< R: the timing failed
+};
+
+/// What an event means, if it is a key that goes down. Letters go by the keyboard's layout, other
+/// keys by their place.
+std::optional<PersonKey> person_key(const WindowEvent& event);
+
+}  // namespace foveola::study

@@ -1,0 +1,92 @@
+// What a participant sees: films as a head looks at them, and pages, in the window, frame by frame.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/film/equirect_film.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/preview/refresh_estimator.h"
+#include "renderer/window/film_mirror.h"
+#include "renderer/window/presenter.h"
+#include "renderer/window/screen.h"
+#include "renderer/window/view_geometry.h"
+#include "renderer/window/window.h"
+
+namespace foveola::study {
+
+/// One frame's picture.
+struct SessionPicture {
+  Quat head{1.0F, 0.0F, 0.0F, 0.0F};  ///< world from head
+  ViewLook look;
+  ViewOverlays overlays;
+  std::optional<ScreenPage> screen;
+};
+
+class SessionDisplay {
+ public:
+  /// framebuffer: the window's size in pixels. The fields of view are those of this size for as
+  /// long as it lives: a trial must not be seen through another view than its record says. window
+  /// and clock must outlive it.
+  SessionDisplay(Window& window, const DisplayProfile& profile, const IVec2& framebuffer,
+                 const Clock& clock);
+  /// Writes the pictures that were asked for to the end.
+  ~SessionDisplay();
+  SessionDisplay(const SessionDisplay&) = delete;
+  SessionDisplay& operator=(const SessionDisplay&) = delete;
+
+  void resize(const IVec2& framebuffer);
+  void hide(bool is_hidden) { is_hidden_ = is_hidden; }
+
+  /// From now on, until show_no_film(): it must outlive that. Every new film is to be told of, even
+  /// if it lies where an old one was.
+  void show_film(const EquirectFilm& film);
+  /// Below pages that cover all, what was shown last may stay.
+  void show_no_film() { film_ = nullptr; }
+
+  /// The next frame that is drawn becomes a file, too.
+  void take_picture(const std::filesystem::path& file) { picture_file_ = file; }
+
+  /// Hands a frame over; returns when it is drawn. Throws Error if the graphics card cannot do it.
+  void draw(SessionPicture picture);
+  /// Waits until it is shown, and says when, if it was drawn to be seen.
+  std::optional<Nanoseconds> wait_until_shown();
+  /// draw and wait_until_shown, not faster than the display refreshes. Returns when it was shown,
+  /// or would have been.
+  Nanoseconds show(SessionPicture picture);
+
+  const ViewGeometry& geometry() const { return geometry_; }
+  const IVec2& framebuffer() const { return framebuffer_; }
+  const RefreshEstimator& refresh() const { return refresh_; }
+  /// What was learnt of the refreshes elsewhere.
+  void set_refresh(const RefreshEstimator& refresh) { refresh_ = refresh; }
+  /// The graphics card and its driver; empty before the first frame.
+  std::string graphics() const { return presenter_ ? presenter_->graphics() : std::string(); }
+
+ private:
+  bool is_seen() const;
+  FilmUpdate update_for(const ViewLook& look, const std::vector<Viewport>& viewports);
+
+  Window* window_;
+  const Clock* clock_;
+  ViewGeometry geometry_;
+  DisplayProfile profile_;
+  IVec2 framebuffer_;
+  bool is_hidden_ = false;
+  RefreshEstimator refresh_;
+  Nanoseconds next_frame_{0};
+  IVec2 film_size_{0};                  ///< that the presenter is made for
+  const EquirectFilm* film_ = nullptr;  ///< that the mirror is of
+  std::optional<FilmMirror> mirror_;
+  FilmUpdate first_update_;  ///< makes the graphics card forget the film before
+  std::unique_ptr<Presenter> presenter_;
+  std::optional<std::filesystem::path> picture_file_;
+  std::vector<std::future<void>> pictures_being_written_;
+};
+
+}  // namespace foveola::study

@@ -1,0 +1,346 @@
+// A person's session in the real window, by keys, and what its record then must hold.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "study/record/maintenance.h"
+#include "tests/end_to_end/seated_participant.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using namespace std::chrono_literals;
+
+const char* const one_trial_keys = R"(
+methods = ["od"]
+phases = ["trials"]
+)";
+
+const char* const short_look = R"(
+[timing]
+rating_s = 0.2
+)";
+
+/// Everything that a session can have.
+const char* const whole_keys = R"(
+methods = ["od", "fv"]
+phases = ["consent", "background", "validation", "reaction", "trials", "debrief"]
+)";
+
+const char* const whole_tables = R"(
+[texts]
+consent = "You will look at pictures."
+
+[tracker.validation]
+points = 5
+max_accuracy_deg = 45
+max_precision_deg = 10
+max_data_loss = 1.0
+attempts = 2
+
+[reaction]
+presses = 2
+shortest_wait_s = 0.3
+longest_wait_s = 0.5
+
+[timing]
+rating_s = 0.2
+
+[[practice]]
+scene = "hall"
+method = "od"
+
+[[questionnaire]]
+id = "background"
+title = "About you"
+
+[[questionnaire.question]]
+id = "age"
+text = "How old are you?"
+kind = "number"
+minimum = 18
+maximum = 99
+
+[[questionnaire.question]]
+id = "games"
+text = "How often do you play?"
+
+[[questionnaire]]
+id = "debrief"
+title = "At the end"
+
+[[questionnaire.question]]
+id = "noticed"
+text = "Did you notice anything?"
+kind = "text"
+required = false
+)";
+
+class StudyRun : public ::testing::Test {
+ protected:
+  /// From the page that asks whether the participant is ready to the one that says to look around.
+  /// Returns when the marks' keys were pressed.
+  std::vector<double> time_trial(int marks = 2) {
+    participant_.answer_page("space");
+    std::vector<double> pressed_s;
+    for (int mark = 0; mark < marks; ++mark) {
+      participant_.wait_for_page();
+      std::this_thread::sleep_for(50ms + (mark * 37ms) % 90ms);
+      pressed_s.push_back(participant_.type("space"));
+    }
+    participant_.wait_for_page();
+    return pressed_s;
+  }
+
+  void rate(const std::string& point) {
+    participant_.type("Return");
+    participant_.wait_for_page();
+    participant_.type_all({point, "Return", "Return"});
+  }
+
+  void end_by_enter() {
+    participant_.answer_page("Return");
+    EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  }
+
+  /// In seconds of the session's clock.
+  std::vector<double> recorded_marks() const {
+    std::vector<double> marks_s;
+    for (const std::string& time_ns :
+         participant_.ask("SELECT time_ns FROM event WHERE type = 'marked' ORDER BY sequence")) {
+      marks_s.push_back(1e-9 * std::stod(time_ns));
+    }
+    return marks_s;
+  }
+
+  SeatedParticipant participant_;
+};
+
+TEST_F(StudyRun, AWholeSessionByKeys) {
+  participant_.write_protocol(whole_keys, whole_tables);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  participant_.wait_for_page();        // consent
+  participant_.type_all({"Return", "y"});
+  participant_.wait_for_page();  // background
+  participant_.type_all({"3", "4", "Return", "2", "Return", "Return"});
+  participant_.answer_page("Return");  // before the targets
+  participant_.program().wait_for("gaze_validated");
+  participant_.answer_page("Return");  // before the reaction test
+  for (int press = 0; press < 2; ++press) {
+    participant_.wait_for_page();
+    std::this_thread::sleep_for(900ms);
+    participant_.type("space");
+    participant_.program().wait_for("reaction_pressed");
+  }
+  participant_.answer_page("Return");  // practice
+  participant_.wait_for_page();        // choosing: the wall is ahead, Tab goes on to the lamp
+  participant_.type_all({"Tab", "Return"});
+  time_trial();
+  rate("3");
+
+  participant_.answer_page("Return");  // from now on it counts
+  participant_.wait_for_page();        // choosing: the lamp is ahead, Tab goes round to the wall
+  participant_.type_all({"Tab", "Return"});
+  time_trial();
+  participant_.type("r");  // the timing went wrong
+  participant_.answer_page("r");
+  const std::vector<double> first_s = time_trial();
+  rate("4");
+
+  participant_.answer_page("space");
+  participant_.wait_for_page();
+  participant_.type("Escape");
+  EXPECT_EQ(participant_.wait_for_page(), "paused");
+  RunningProgram& program = participant_.program();
+  program.type_line("note the phone rang");
+  program.wait_for("note_written: the phone rang");
+  program.type_line("state");
+  EXPECT_THAT(program.wait_for("paused"), HasSubstr("hall with fv"));
+  program.type_line("quit");
+  program.wait_for("--resume");
+  EXPECT_EQ(program.wait_for_end(), 0);
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
+
+  participant_.begin({"--resume"});
+  const std::vector<double> second_s = time_trial();
+  rate("5");
+  participant_.wait_for_page();  // debrief
+  participant_.type_all({"n", "o", "Return", "Return"});
+  end_by_enter();
+
+  EXPECT_THAT(
+      participant_.ask("SELECT type FROM event ORDER BY sequence"),
+      ElementsAre(
+          "session_started", "consent_given", "questionnaire_answered", "gaze_validated",
+          "reaction_pressed", "reaction_pressed",
+          // practice
+          "object_chosen", "trial_started", "first_frame_presented", "marked", "marked", "rated",
+          // od, timed twice
+          "object_chosen", "trial_started", "first_frame_presented", "marked", "marked",
+          "retime_requested", "trial_started", "first_frame_presented", "marked", "marked", "rated",
+          // fv, paused, interrupted, gone on with
+          "trial_started", "first_frame_presented", "pause_requested", "note_written",
+          "interrupted", "note_written", "resumed", "trial_started", "first_frame_presented",
+          "marked", "marked", "rated", "questionnaire_answered"));
+  EXPECT_THAT(
+      participant_.ask("SELECT questionnaire, question, number, text "
+                       "FROM questionnaire_answer ORDER BY step, rowid"),
+      ElementsAre("background|age|34.0|-", "background|games|2.0|-", "debrief|noticed|-|no"));
+  EXPECT_THAT(participant_.ask("SELECT trial, attempt, object, outcome FROM attempt "
+                               "ORDER BY trial, attempt"),
+              ElementsAre("0|1|Lamp|rated", "1|1|Wall|retimed", "1|2|Wall|rated", "2|1|Wall|paused",
+                          "2|2|Wall|rated"));
+  EXPECT_THAT(participant_.ask("SELECT trial, value FROM rating ORDER BY trial"),
+              ElementsAre("0|3.0", "1|4.0", "2|5.0"));
+  EXPECT_THAT(participant_.ask("SELECT state, kind FROM session"), ElementsAre("completed|human"));
+  EXPECT_THAT(participant_.ask("SELECT count(*) FROM reaction WHERE early = 0"), ElementsAre("2"));
+
+  // After their keys, and long before the next ones; AMarkIsNotBeforeItsKey tells how long.
+  const std::vector<double> marks_s = recorded_marks();
+  ASSERT_EQ(marks_s.size(), 8U);
+  const std::vector<double> last_s(marks_s.begin() + 4, marks_s.end());
+  const std::vector<double> pressed_s = {first_s[0], first_s[1], second_s[0], second_s[1]};
+  for (std::size_t i = 0; i < pressed_s.size(); ++i) {
+    EXPECT_GT(last_s[i], pressed_s[i]);
+    EXPECT_LT(last_s[i], pressed_s[i] + 1.0);
+  }
+
+  // A backup after each run, and a record without a fault.
+  const fs::path backups = participant_.database().string() + ".backups";
+  EXPECT_EQ(std::distance(fs::directory_iterator(backups), fs::directory_iterator()), 2);
+  const study::Verification verified = study::verify_study(participant_.database());
+  EXPECT_EQ(verified.events, 36U);
+  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+  EXPECT_TRUE(verified.gaps.empty()) << verified.gaps.front().what;
+}
+
+TEST_F(StudyRun, TellsOfALostTracker) {
+  // A recording that ends after five seconds is a tracker that falls silent then.
+  std::string recording = "time_ns,x,y,z,valid\n";
+  for (int i = 0; i < 500; ++i) {
+    recording += std::to_string(i * 10'000'000LL) + ",0,0,-1,1\n";
+  }
+  participant_.folder().write("gaze.csv", recording);
+  const fs::path profile = participant_.folder().write("silent.toml", R"(
+title = "Falls silent"
+source = "recorded"
+recording = "gaze.csv"
+rate_hz = 100
+exposure = { duration_ms = 0.0, provenance = "assumed" }
+transfer = { duration_ms = 0.0, provenance = "assumed" }
+processing = { duration_ms = 0.0, provenance = "assumed" }
+)");
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin({"--tracker", profile.string()});
+  RunningProgram& program = participant_.program();
+  program.wait_for("The eye tracker sends no gaze");
+  program.wait_for("note_written: the eye tracker sends no gaze");
+  program.type_line("exclude the tracker failed");
+  program.wait_for("excluded: the tracker failed");
+  program.type_line("quit");
+  EXPECT_EQ(program.wait_for_end(), 0);
+  EXPECT_THAT(
+      participant_.ask("SELECT type, json_extract(payload, '$.text') FROM event "
+                       "ORDER BY sequence"),
+      ElementsAre("session_started|-", "note_written|the eye tracker sends no gaze", "excluded|-"));
+}
+
+TEST_F(StudyRun, AParticipantMayStop) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  participant_.answer_page("Return");  // choosing
+  participant_.answer_page("Escape");  // ready
+  participant_.answer_page("BackSpace");
+  participant_.answer_page("n");  // no, go on
+  participant_.answer_page("BackSpace");
+  participant_.answer_page("y");
+  end_by_enter();
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("withdrawn"));
+}
+
+TEST_F(StudyRun, WhatWasKilledGoesOn) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.wait_for_page();
+  participant_.program().kill(SIGKILL);
+  participant_.program().wait_for_end();
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("choosing_object"));
+  EXPECT_THAT(participant_.run_besides("P1", {}).errors, HasSubstr("unfinished session"));
+
+  participant_.begin({"--resume"});
+  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  participant_.program().type_line("withdraw");
+  participant_.program().wait_for("withdrawn");
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  EXPECT_THAT(
+      participant_.ask("SELECT type FROM event ORDER BY sequence"),
+      ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
+  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
+}
+
+TEST_F(StudyRun, SaysWhatIsWrong) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  EXPECT_THAT(participant_.run_besides("P2", {"--resume"}).errors,
+              HasSubstr("no session to go on with"));
+  EXPECT_EQ(participant_.run_besides("Jane Doe", {}).exit_code, 2);
+}
+
+TEST_F(StudyRun, AMarkIsNotBeforeItsKey) {
+  // With FOVEOLA_PRESSES set, tells how long after their keys so many marks are.
+  const char* const asked = std::getenv("FOVEOLA_PRESSES");
+  constexpr int marks_a_trial = 20;
+  const int trials = std::max(1, (asked != nullptr ? std::atoi(asked) : 0) / marks_a_trial);
+  std::string tables = short_look;
+  for (int i = 0; i < marks_a_trial; ++i) {
+    tables += "[[mark]]\nid = \"m" + std::to_string(i) + "\"\ninstruction = \"Press.\"\n";
+  }
+  for (int i = 1; i < trials; ++i) {
+    tables += "[[practice]]\nscene = \"hall\"\nmethod = \"od\"\n";
+  }
+  participant_.write_protocol(one_trial_keys, tables);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  std::vector<double> pressed_s;
+  for (int trial = 0; trial < trials; ++trial) {
+    const bool begins_a_kind = trial == 0 || trial == trials - 1;
+    if (begins_a_kind && trials > 1) {
+      participant_.answer_page("Return");  // practice, or from now on it counts
+    }
+    if (begins_a_kind) {
+      participant_.answer_page("Return");  // choosing
+    }
+    for (const double press_s : time_trial(marks_a_trial)) {
+      pressed_s.push_back(press_s);
+    }
+    rate("1");
+  }
+  end_by_enter();
+
+  const std::vector<double> marks_s = recorded_marks();
+  ASSERT_EQ(marks_s.size(), pressed_s.size());
+  std::vector<double> late_ms;
+  for (std::size_t i = 0; i < marks_s.size(); ++i) {
+    late_ms.push_back(1e3 * (marks_s[i] - pressed_s[i]));
+    EXPECT_GT(late_ms.back(), 0.0);
+  }
+  std::sort(late_ms.begin(), late_ms.end());
+  std::printf("%zu marks after their keys: median %.3f ms, 99th percentile %.3f, worst %.3f\n",
+              late_ms.size(), late_ms[late_ms.size() / 2], late_ms[late_ms.size() * 99 / 100],
+              late_ms.back());
+}
+
+}  // namespace
+}  // namespace foveola::test

@@ -1,0 +1,166 @@
+#include "tests/end_to_end/seated_participant.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include <sqlite3.h>
+
+namespace fs = std::filesystem;
+
+namespace foveola::test {
+namespace {
+
+/// Small, so that Mesa and few cores keep up.
+const char* const top_keys = R"(
+name = "keys"
+title = "A session by keys"
+scenes = ["hall"]
+scene_order = "fixed"
+method_order = "fixed"
+)";
+
+const char* const film_table = R"(
+[film]
+width = 128
+height = 64
+max_depth = 2
+)";
+
+const char* const lamp = R"(
+[[object]]
+name = "Lamp"
+position = [0.0, 1.9, -0.5]
+radius_deg = 8.0
+)";
+
+const char* const small_display = R"(
+title = "A small monitor"
+kind = "monitor"
+width_px = 1280
+height_px = 1024
+refresh_rate_hz = 60
+width_m = 0.34
+height_m = 0.272
+viewing_distance_m = 0.6
+scan_out = { duration_ms = 16.7, provenance = "assumed" }
+)";
+
+const char* const mouse = R"(
+title = "The pointer"
+source = "pointer"
+rate_hz = 125
+exposure = { duration_ms = 0.0, provenance = "assumed" }
+transfer = { duration_ms = 0.0, provenance = "assumed" }
+processing = { duration_ms = 0.0, provenance = "assumed" }
+)";
+
+constexpr std::chrono::milliseconds keystroke{40};  ///< as long as a finger's, about
+
+double monotonic_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The picture of the page of this number, if it is there: "007-marking.png".
+std::string picture_of_page(const fs::path& folder, int number) {
+  const std::string begin = std::to_string(1000 + number).substr(1) + "-";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with(begin)) {
+      return name;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+SeatedParticipant::SeatedParticipant() {
+  folder().write("share/scenes/hall.toml", std::string(hall_descriptor) + lamp);
+  folder().write("share/data/displays/desktop.toml", small_display);
+  folder().write("share/data/trackers/pointer.toml", mouse);
+}
+
+void SeatedParticipant::write_protocol(const std::string& keys, const std::string& tables) const {
+  folder().write("share/protocols/keys.toml", top_keys + keys + film_table + tables);
+}
+
+void SeatedParticipant::begin(const std::vector<std::string>& options) {
+  screens_ = folder() / ("screens-" + std::to_string(++runs_));
+  pages_ = 0;
+  std::vector<std::string> arguments = {
+      "study",    "run",     "keys",   "--db", database().string(), "--participant",  "P1",
+      "--window", "640x480", "--seed", "7",    "--screens",         screens_.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  program_ = std::make_unique<RunningProgram>(arguments, hall_.environment());
+  const std::string line = program_->wait_for("Session time 0 is ");
+  zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
+  user_.point_at("Foveola", 320, 240);
+}
+
+std::string SeatedParticipant::wait_for_page() {
+  ++pages_;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string picture = picture_of_page(screens_, pages_);
+    if (!picture.empty()) {
+      return picture.substr(4, picture.size() - 8);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  throw std::runtime_error("there is no page " + std::to_string(pages_) + "; it said:\n" +
+                           program_->said());
+}
+
+double SeatedParticipant::type(const std::string& key) {
+  const double pressed_s = monotonic_s() - zero_s_;
+  user_.hold(key);
+  std::this_thread::sleep_for(keystroke);
+  user_.let_go(key);
+  std::this_thread::sleep_for(keystroke);
+  return pressed_s;
+}
+
+void SeatedParticipant::type_all(const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    type(key);
+  }
+}
+
+double SeatedParticipant::answer_page(const std::string& key) {
+  wait_for_page();
+  return type(key);
+}
+
+ProgramResult SeatedParticipant::run_besides(const std::string& participant,
+                                             const std::vector<std::string>& options) const {
+  std::vector<std::string> arguments = {
+      "study", "run", "keys", "--db", database().string(), "--participant", participant};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return hall_.run(arguments);
+}
+
+std::vector<std::string> SeatedParticipant::ask(const std::string& sql) const {
+  sqlite3* opened = nullptr;
+  sqlite3_stmt* statement = nullptr;
+  const bool is_asked =
+      sqlite3_open_v2(database().c_str(), &opened, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+      sqlite3_prepare_v2(opened, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK;
+  const std::string fault = is_asked ? "" : sqlite3_errmsg(opened);
+  std::vector<std::string> rows;
+  while (is_asked && sqlite3_step(statement) == SQLITE_ROW) {
+    std::string row;
+    for (int i = 0; i < sqlite3_column_count(statement); ++i) {
+      const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement, i));
+      row += (i > 0 ? "|" : "") + std::string(text != nullptr ? text : "-");
+    }
+    rows.push_back(row);
+  }
+  sqlite3_finalize(statement);
+  sqlite3_close(opened);
+  if (!is_asked) {
+    throw std::runtime_error(sql + ": " + fault);
+  }
+  return rows;
+}
+
+}  // namespace foveola::test

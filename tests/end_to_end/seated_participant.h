@@ -1,0 +1,60 @@
+// A participant in front of `foveola study run`, on a display without a screen, whose hands are the
+// test's; and the experimenter's console.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/end_to_end/hall.h"
+#include "tests/end_to_end/running_program.h"
+#include "tests/x_server.h"
+
+namespace foveola::test {
+
+/// The study is called keys and its only scene hall, which offers a wall, ahead, and a lamp.
+class SeatedParticipant {
+ public:
+  SeatedParticipant();
+
+  /// keys and tables: of the protocol's TOML, beside its name, scenes and orders.
+  void write_protocol(const std::string& keys, const std::string& tables) const;
+
+  /// Starts the program for participant P1, with more options if there are any, and waits until the
+  /// session has begun.
+  void begin(const std::vector<std::string>& options = {});
+
+  /// Waits until the next page that the participant comes to stands, and returns the session's
+  /// phase. Throws std::runtime_error after half a minute.
+  std::string wait_for_page();
+
+  /// Presses a key and lets it go. Returns when it went down, in seconds of the session's clock.
+  double type(const std::string& key);
+  void type_all(const std::vector<std::string>& keys);
+
+  /// Presses `key` once the next page stands.
+  double answer_page(const std::string& key);
+
+  RunningProgram& program() { return *program_; }
+  const TemporaryFolder& folder() const { return hall_.folder; }
+  std::filesystem::path database() const { return folder() / "study.sqlite"; }
+  /// Another run of the command, to its end.
+  ProgramResult run_besides(const std::string& participant,
+                            const std::vector<std::string>& options) const;
+
+  /// The rows of a query of the database, their columns joined by "|"; NULL is "-".
+  std::vector<std::string> ask(const std::string& sql) const;
+
+ private:
+  XServer server_;
+  XUser user_{server_.display()};
+  Hall hall_;
+  std::unique_ptr<RunningProgram> program_;
+  std::filesystem::path screens_;  ///< a picture of each page
+  int runs_ = 0;
+  int pages_ = 0;
+  double zero_s_ = 0.0;  ///< the monotonic clock's time at which the session's is 0
+};
+
+}  // namespace foveola::test

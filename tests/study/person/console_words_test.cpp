@@ -1,0 +1,42 @@
+#include "study/person/console_words.h"
+
+#include <gtest/gtest.h>
+
+namespace foveola::study {
+namespace {
+
+using namespace std::chrono_literals;
+
+const Plan plan = {{.scene = "hall", .method = "od"},
+                   {.scene = "hall", .method = "fv", .kind = TrialKind::catch_trial}};
+const Procedure procedure{.agenda = {ConsentStep{}, TrialStep{.trial = 0}, TrialStep{.trial = 1},
+                                     QuestionnaireStep{"debrief"}}};
+
+TEST(ConsoleWords, SayWhatHappened) {
+  EXPECT_EQ(words_for(Marked{1s}), "marked");
+  EXPECT_EQ(words_for(NoteWritten{"it rings"}), "note_written: it rings");
+  EXPECT_EQ(words_for(ObjectChosen{"lamp"}), "object_chosen: lamp");
+  EXPECT_EQ(words_for(ReactionPressed{.shown = 1s, .time = 1250ms}),
+            "reaction_pressed: after 250 ms");
+  EXPECT_EQ(words_for(ReactionPressed{.shown = 1s, .time = 900ms}), "reaction_pressed: too early");
+}
+
+TEST(ConsoleWords, SayWhereTheSessionIs) {
+  EXPECT_EQ(words_for({.phase = Phase::consent}, procedure, plan), "consent, consent");
+  EXPECT_EQ(
+      words_for({.phase = Phase::marking, .step = 2, .attempt = 3, .timing = 2}, procedure, plan),
+      "marking, trial 2 of 2 (catch): hall with fv, timing 2, attempt 3");
+  EXPECT_EQ(words_for({.phase = Phase::completed, .step = 4}, procedure, plan), "completed");
+}
+
+TEST(ConsoleWords, SayWhatComes) {
+  EXPECT_EQ(words_for_next({.phase = Phase::consent}, procedure, plan),
+            "trial 1 of 2: hall with od");
+  EXPECT_EQ(words_for_next({.phase = Phase::rating, .step = 2}, procedure, plan),
+            "questionnaire debrief");
+  EXPECT_EQ(words_for_next({.phase = Phase::questionnaire, .step = 3}, procedure, plan),
+            "the session's end");
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,84 @@
+#include "study/person/person_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/angles.h"
+
+namespace foveola::study {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Sends what the test puts into it.
+class TestTracker final : public EyeTracker {
+ public:
+  void poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived) override {
+    arrived.insert(arrived.end(), next.begin(), next.end());
+    next.clear();
+  }
+  std::string trouble() const override { return why; }
+
+  std::vector<GazeSample> next;
+  std::string why;
+};
+
+class PersonTrackerTest : public ::testing::Test {
+ protected:
+  std::vector<GazeSample> poll(Nanoseconds now) {
+    std::vector<GazeSample> arrived;
+    tracker_.poll(now, arrived);
+    return arrived;
+  }
+  void send(Nanoseconds time, bool valid = true) {
+    source_.next.push_back({.time = time, .valid = valid});
+  }
+
+  TestTracker source_;
+  PersonTracker tracker_{source_};
+};
+
+TEST_F(PersonTrackerTest, IsLostAfterASecondOfSilence) {
+  send(0s);
+  poll(1ms);
+  EXPECT_FALSE(tracker_.is_lost());
+  poll(1001ms);
+  EXPECT_FALSE(tracker_.is_lost());
+  poll(1002ms);
+  EXPECT_TRUE(tracker_.is_lost());
+  send(1200ms);
+  poll(1201ms);
+  EXPECT_FALSE(tracker_.is_lost());
+}
+
+TEST_F(PersonTrackerTest, ABlinkIsNoLoss) {
+  for (int i = 0; i < 20; ++i) {
+    send(i * 100ms, false);
+    poll(i * 100ms);
+    EXPECT_FALSE(tracker_.is_lost());
+  }
+}
+
+TEST_F(PersonTrackerTest, IsLostAtOnceWhenItSaysWhy) {
+  send(0s);
+  poll(1ms);
+  source_.why = "unplugged";
+  poll(2ms);
+  EXPECT_TRUE(tracker_.is_lost());
+}
+
+TEST_F(PersonTrackerTest, CorrectsWhatItIsToldTo) {
+  const GazeCorrection two_degrees_right{.azimuth = {2.0, 1.0, 0.0}};
+  tracker_.correct(two_degrees_right);
+  send(0s);
+  send(1ms, false);
+  const std::vector<GazeSample> arrived = poll(2ms);
+  ASSERT_EQ(arrived.size(), 2U);
+  EXPECT_NEAR(degrees(azimuth_elevation(arrived[0].direction).azimuth_rad), 2.0, 1e-4);
+  EXPECT_EQ(arrived[1].direction, Vec3(0.0F, 0.0F, -1.0F));
+  tracker_.correct(std::nullopt);
+  send(3ms);
+  EXPECT_EQ(poll(4ms)[0].direction, Vec3(0.0F, 0.0F, -1.0F));
+}
+
+}  // namespace
+}  // namespace foveola::study
