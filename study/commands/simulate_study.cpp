@@ -28,7 +28,9 @@ int new_participant(const StudyStore& store, int index) {
   return index;
 }
 
-bool has_ended(const KnownSession& session) { return SessionState{.phase = session.phase}.is_over(); }
+bool has_ended(const KnownSession& session) {
+  return SessionState{.phase = session.phase}.is_over();
+}
 
 std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   std::vector<KnownSession> sessions = store.sessions();
