@@ -26,19 +26,6 @@ std::uint64_t frames_per_glance(const MachineModel& machine) {
       std::max(1L, std::lround(glance_interval_s * machine.frame_rate_hz)));
 }
 
-/// When an event happened: a mark carries its own time.
-Nanoseconds time_of(const Event& event, Nanoseconds now) {
-  return std::visit(
-      [now](const auto& e) {
-        if constexpr (requires { e.time; }) {
-          return e.time;
-        } else {
-          return now;
-        }
-      },
-      event);
-}
-
 bool stops_rendering(const std::vector<Effect>& effects) {
   return std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
     return std::holds_alternative<StopRendering>(effect);

@@ -49,16 +49,4 @@ std::vector<DurableEvent> SessionLog::wait_for_all() {
   return take_durable();
 }
 
-Nanoseconds time_of(const Event& event, Nanoseconds now) {
-  return std::visit(
-      [now](const auto& e) {
-        if constexpr (requires { e.time; }) {
-          return e.time;
-        } else {
-          return now;
-        }
-      },
-      event);
-}
-
 }  // namespace foveola::study

@@ -60,7 +60,4 @@ class SessionLog {
   std::deque<Pending> pending_;
 };
 
-/// When an event happened: some carry their own time.
-Nanoseconds time_of(const Event& event, Nanoseconds now);
-
 }  // namespace foveola::study

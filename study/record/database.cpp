@@ -178,7 +178,7 @@ void require_schema(SQLite::Database& database, const fs::path& path) {
 
 int schema_of_study(const fs::path& path) {
   require_regular_file(path);
-  SQLite::Database database = open_immutable(fs::canonical(path));
+  SQLite::Database database = open_as_it_is(path);
   const int application_id = database.execAndGet("PRAGMA application_id").getInt();
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (application_id != study_application_id) {

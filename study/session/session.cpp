@@ -301,6 +301,18 @@ const char* name_of(Phase phase) {
   return names.at(static_cast<std::size_t>(phase));
 }
 
+Nanoseconds time_of(const Event& event, Nanoseconds now) {
+  return std::visit(
+      [now](const auto& e) {
+        if constexpr (requires { e.time; }) {
+          return e.time;
+        } else {
+          return now;
+        }
+      },
+      event);
+}
+
 const char* name_of(const Event& event) {
   constexpr std::array names = {"session_started",
                                 "consent_given",

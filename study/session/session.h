@@ -105,6 +105,9 @@ using Event = std::variant<SessionStarted, ConsentGiven, QuestionnaireAnswered, 
 /// "interrupted", "resumed", "note_written", "withdrawn", "excluded".
 const char* name_of(const Event& event);
 
+/// When an event happened: some carry their own time.
+Nanoseconds time_of(const Event& event, Nanoseconds now);
+
 // What the controller then does, in this order, after the event is durable.
 struct AskForConsent {};
 struct AskQuestionnaire {

@@ -13,12 +13,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
+#include "tests/end_to_end/study_rows.h"
 
 namespace fs = std::filesystem;
 
@@ -26,7 +26,6 @@ namespace foveola::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Rows = std::vector<std::string>;
 
 /// Every kind of step, each as short as can be.
 const char* const every_step = R"(
@@ -91,84 +90,6 @@ id = "comment"
 text = "Anything else?"
 kind = "text"
 )";
-
-/// The rows of a query, their columns quoted as SQL does and parted by bars. Empty if the file is
-/// not there yet, or cannot be read at this moment.
-std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
-  sqlite3* connection = nullptr;
-  sqlite3_stmt* statement = nullptr;
-  std::optional<Rows> rows;
-  if (fs::exists(database) &&
-      sqlite3_open_v2(database.c_str(), &connection, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
-      sqlite3_prepare_v2(connection, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK) {
-    rows.emplace();
-    int result = sqlite3_step(statement);
-    for (; result == SQLITE_ROW; result = sqlite3_step(statement)) {
-      std::string row;
-      for (int column = 0; column < sqlite3_column_count(statement); ++column) {
-        const unsigned char* text = sqlite3_column_text(statement, column);
-        row += (text != nullptr ? reinterpret_cast<const char*>(text) : "") + std::string("|");
-      }
-      rows->push_back(std::move(row));
-    }
-    if (result != SQLITE_DONE) {
-      rows.reset();
-    }
-  }
-  sqlite3_finalize(statement);
-  sqlite3_close(connection);
-  return rows;
-}
-
-/// What happened so far, with the participant whom it happened to.
-Rows log_of(const fs::path& database) {
-  return rows_of(database,
-                 "SELECT participant, sequence, time_ns, utc, type, payload FROM event"
-                 " JOIN session ON session.id = event.session ORDER BY 1, 2")
-      .value_or(Rows{});
-}
-
-int count_events(const fs::path& database) {
-  const std::optional<Rows> rows = rows_of(database, "SELECT count(*) FROM event");
-  return rows && !rows->empty() ? std::stoi(rows->front()) : 0;
-}
-
-/// Everything that a study is made for, to the last bit: of each trial only its last attempt.
-Rows results_of(const fs::path& database) {
-  const std::string last_attempt =
-      " JOIN session ON session.id = session_of WHERE attempt = (SELECT max(attempt) FROM attempt"
-      " WHERE attempt.session = session_of AND attempt.trial = trial_of) ORDER BY 1, 2, 3, 4, 5";
-  Rows results;
-  for (const std::string& sql : std::vector<std::string>{
-           "SELECT participant, design_row, state FROM session ORDER BY 1",
-           "SELECT participant, trial, planned_trial.kind, scene, method FROM planned_trial"
-           " JOIN session ON session.id = session ORDER BY 1, 2",
-           "SELECT participant, trial_of, object, outcome FROM (SELECT session AS session_of,"
-           " trial AS trial_of, attempt, object, outcome, 0 AS last FROM attempt)" +
-               last_attempt.substr(0, last_attempt.find(" ORDER")) + " ORDER BY 1, 2",
-           "SELECT participant, trial_of, mark, time_ns, censored FROM (SELECT session AS"
-           " session_of, trial AS trial_of, attempt, kind AS mark, time_ns, censored FROM mark)" +
-               last_attempt,
-           "SELECT participant, trial_of, question, quote(value), 0 FROM (SELECT session AS"
-           " session_of, trial AS trial_of, attempt, question, value FROM rating)" +
-               last_attempt,
-           "SELECT participant, trial_of, frame, film_sha256, 0 FROM (SELECT session AS session_of,"
-           " trial AS trial_of, attempt, frame, film_sha256 FROM film_hash)" +
-               last_attempt,
-           "SELECT participant, step, questionnaire, question, quote(number), text"
-           " FROM questionnaire_answer JOIN session ON session.id = session ORDER BY 1, 2, 4",
-           "SELECT participant, number, pressed_ns - shown_ns, early FROM reaction"
-           " JOIN session ON session.id = session ORDER BY 1, 2",
-           "SELECT participant, run, quote(accuracy_deg), quote(precision_rms_deg),"
-           " quote(data_loss), passed FROM gaze_run JOIN session ON session.id = session"
-           " ORDER BY 1, 2"}) {
-    const std::optional<Rows> rows = rows_of(database, sql);
-    EXPECT_TRUE(rows && !rows->empty()) << sql;
-    results.insert(results.end(), rows->begin(), rows->end());
-    results.emplace_back("--");
-  }
-  return results;
-}
 
 std::vector<std::string> command(const fs::path& database) {
   return {"study",  "simulate", "kills",          "--db", database.string(), "--threads", "1",
@@ -303,6 +224,43 @@ TEST_F(Kill, AtAnyMomentNothingIsLost) {
     }
   }
   std::cout << kills_here << " kills in " << studies << " studies\n";
+}
+
+/// A number of four bytes in SQLite's log, the highest first.
+std::size_t number_at(const std::string& log, std::size_t offset) {
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    number = number << 8U | static_cast<unsigned char>(log.at(offset + i));
+  }
+  return number;
+}
+
+/// The file's first page as the log has it newest, by SQLite's "WAL-mode File Format".
+std::string first_page_in(const std::string& log) {
+  constexpr std::size_t header = 32;
+  constexpr std::size_t frame_header = 24;
+  const std::size_t page_size = number_at(log, 8);
+  const std::string salt = log.substr(16, 8);
+  std::string page;
+  for (std::size_t frame = header; frame + frame_header + page_size <= log.size();
+       frame += frame_header + page_size) {
+    if (log.substr(frame + 8, 8) == salt && number_at(log, frame) == 1) {
+      page = log.substr(frame + frame_header, page_size);
+    }
+  }
+  return page;
+}
+
+// What a kill leaves that comes after the first page of a checkpoint: the file is longer by its own
+// account than it is, and only its log makes it whole.
+TEST_F(Kill, InACheckpointNothingIsLost) {
+  ASSERT_TRUE(run_and_kill([&] { return has_events(events_ - 10); }));
+  const std::string page = first_page_in(read_file(study_.string() + "-wal"));
+  ASSERT_FALSE(page.empty());
+  std::string file = read_file(study_);
+  file.replace(0, page.size(), page);
+  write_file(study_, file);
+  finish_and_compare();
 }
 
 /// The content of the tables that an analysis writes.
