@@ -10,8 +10,8 @@ namespace foveola::test {
 
 using Rows = std::vector<std::string>;
 
-/// The rows of a query, their columns as texts with a bar behind each. Empty if the file is not there
-/// yet, or cannot be read at this moment.
+/// The rows of a query, their columns as texts with a bar behind each. Empty if the file is not
+/// there yet, or cannot be read at this moment.
 std::optional<Rows> rows_of(const std::filesystem::path& database, const std::string& sql);
 
 /// What happened so far, with the participant whom it happened to.
