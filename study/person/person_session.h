@@ -153,7 +153,7 @@ class PersonSession {
   ScreenPage page_of_reaction() const;
   ScreenPage page_of_end() const;
   TrialCount trial_count() const;
-  void show_new_page() { page_shown_.reset(); }
+  void show_new_page();
   void keep_picture_of_new_page();
 
   /// The one that the participant is in.

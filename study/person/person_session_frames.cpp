@@ -209,6 +209,12 @@ TrialCount PersonSession::trial_count() const {
   return count;
 }
 
+void PersonSession::show_new_page() {
+  page_shown_.reset();
+  // Here, for within an attempt a page may come and be shown between two looks at it.
+  frames_of_page_ = 0;
+}
+
 void PersonSession::keep_picture_of_new_page() {
   const bool stands = page_shown_ && !log_.has_effects_to_come();
   frames_of_page_ = stands ? frames_of_page_ + 1 : 0;
