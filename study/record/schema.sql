@@ -1,8 +1,8 @@
 -- The file of a study, schema version 4.
 --
 -- Times ending in _ns are nanoseconds of the session's own monotonic clock; utc is ISO 8601 in UTC
--- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. What was measured is only ever
--- added: triggers refuse to change or remove it.
+-- with milliseconds. Hashes are SHA-256 in lower-case hexadecimal. Positions are places in an order
+-- of the protocol's. What was measured is only ever added: triggers refuse to change or remove it.
 --
 -- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
 -- outside the statements, and whoever changes a statement raises user_version. A program writes
@@ -17,7 +17,7 @@
 PRAGMA application_id = 1181709932; -- "Fovl"
 PRAGMA user_version = 4;
 
--- What is studied: exactly one row. protocol_text is the researcher's file, to the letter.
+-- protocol_text is the researcher's file, to the letter.
 CREATE TABLE study (
   id INTEGER PRIMARY KEY CHECK (id = 1),
   protocol_name TEXT NOT NULL,
@@ -28,20 +28,18 @@ CREATE TABLE study (
   created_utc TEXT NOT NULL
 ) STRICT;
 
--- The protocol's scenes in its order; position 0 is the first.
 CREATE TABLE study_scene (
   position INTEGER PRIMARY KEY CHECK (position >= 0),
   name TEXT NOT NULL UNIQUE
 ) STRICT;
 
--- The protocol's methods in its order; position 0 is the baseline.
+-- Position 0 is the baseline.
 CREATE TABLE study_method (
   position INTEGER PRIMARY KEY CHECK (position >= 0),
   name TEXT NOT NULL UNIQUE
 ) STRICT;
 
--- The files that a method reads, by the names that the method has for them, relative to the
--- protocol's folder.
+-- The files that a method reads, by its names for them, relative to the protocol's folder.
 CREATE TABLE study_method_file (
   method TEXT NOT NULL REFERENCES study_method (name),
   file_name TEXT NOT NULL,
@@ -61,14 +59,14 @@ CREATE TABLE study_profile (
   PRIMARY KEY (device, name)
 ) STRICT;
 
--- What participants mark in each trial, in the protocol's order; position 0 comes first.
+-- What participants mark in each trial, in this order.
 CREATE TABLE study_mark (
   position INTEGER PRIMARY KEY CHECK (position >= 0),
   mark TEXT NOT NULL UNIQUE
 ) STRICT;
 
--- What they are asked after the marks, in the protocol's order. question is a JSON object: text,
--- kind (likert, number, choice, text), minimum, maximum, labels, options (label, value), required.
+-- What they are asked after the marks. question is a JSON object: text, kind (likert, number,
+-- choice, text), minimum, maximum, labels, options (label, value), required.
 CREATE TABLE study_rating (
   position INTEGER PRIMARY KEY CHECK (position >= 0),
   rating TEXT NOT NULL UNIQUE,
@@ -76,11 +74,11 @@ CREATE TABLE study_rating (
 ) STRICT;
 
 -- One participant's visit, with all that is needed to repeat it. participant is a code, never a
--- name. seed is an unsigned 64-bit number in decimal digits, more than SQLite's integers hold.
--- design_row is that of the protocol's design which the plan was made of. devices is a JSON object:
--- what the display and the eye tracker turned out to be; {} of a simulated session. migrated_from is
--- the schema that the session was recorded in, if it was another; such a session has no design_row.
--- state is the phase that the session is in, or ended in; nothing else of the row ever changes.
+-- name. seed is an unsigned 64-bit number, more than SQLite's integers hold. design_row is that of
+-- the protocol's design which the plan was made of. devices is what the display and the eye tracker
+-- turned out to be; {} of a simulated session. migrated_from is the schema that the session was
+-- recorded in, if it was another; such a session has no design_row. state is the phase that the
+-- session is in, or ended in.
 CREATE TABLE session (
   id INTEGER PRIMARY KEY,
   uuid TEXT NOT NULL UNIQUE CHECK (length(uuid) = 36),
@@ -124,9 +122,8 @@ CREATE TABLE session_scene (
   PRIMARY KEY (session, scene)
 ) STRICT;
 
--- What the session set out to do, written before anything happened in it; trial 0 is the first. A
--- method stands once with each scene in the test trials; practice and catch trials, in which nothing
--- is rendered, are never analysed, and their positions say nothing.
+-- What the session set out to do, written before anything happened in it. Practice and catch
+-- trials, in which nothing is rendered, are never analysed, and their positions say nothing.
 CREATE TABLE planned_trial (
   session INTEGER NOT NULL REFERENCES session (id),
   trial INTEGER NOT NULL CHECK (trial >= 0),
@@ -140,9 +137,8 @@ CREATE TABLE planned_trial (
 CREATE UNIQUE INDEX planned_test_trial ON planned_trial (session, scene, method)
 WHERE kind = 'test';
 
--- All steps of the session in their order, the trials among them; step 0 is the first. times: as
--- often may the gaze be validated, or is a key to be pressed. chooses_object: otherwise the trial
--- keeps the object that was chosen last.
+-- All steps of the session, the trials among them. times: as often may the gaze be validated, or is
+-- a key to be pressed. chooses_object: otherwise the trial keeps the object that was chosen last.
 CREATE TABLE planned_step (
   session INTEGER NOT NULL REFERENCES session (id),
   step INTEGER NOT NULL CHECK (step >= 0),
@@ -156,9 +152,8 @@ CREATE TABLE planned_step (
   FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
 ) STRICT;
 
--- Everything that happened, in order; sequence 1 is a session's first event. payload is a JSON
--- object with the event's values, on one line. The tables below follow from this log and the plan,
--- but for what was measured meanwhile: frames, gaze samples and films.
+-- Everything that happened. payload has the event's values, on one line. The tables below follow
+-- from this log and the plan, but for what was measured meanwhile: frames, gaze samples and films.
 --
 -- hash chains a session's events. It is the SHA-256 of six lines in UTF-8, joined by line feeds,
 -- without one at the end: the hash of the event before, then sequence, time_ns, utc, type and
@@ -192,7 +187,6 @@ CREATE TABLE event (
   PRIMARY KEY (session, sequence)
 ) STRICT;
 
--- What the experimenter wrote down, and when.
 CREATE VIEW note AS
 SELECT session, sequence, time_ns, utc, payload ->> 'text' AS text
 FROM event
@@ -222,9 +216,9 @@ CREATE TABLE gaze_run (
   FOREIGN KEY (session, sequence) REFERENCES event (session, sequence)
 ) STRICT;
 
--- Each target of a run, in the order in which they were shown; target 0 is the first. Directions
--- are in the head's axes, azimuths rightwards and elevations upwards from straight ahead. samples is
--- how many the figures, as above, are of; 0 if there were too few for any.
+-- Each target of a run, in the order in which they were shown. Directions are in the head's axes,
+-- azimuths rightwards and elevations upwards from straight ahead. samples is how many the figures,
+-- as above, are of; 0 if there were too few for any.
 CREATE TABLE gaze_target (
   session INTEGER NOT NULL,
   run INTEGER NOT NULL,
@@ -242,8 +236,7 @@ CREATE TABLE gaze_target (
   FOREIGN KEY (session, run) REFERENCES gaze_run (session, run)
 ) STRICT;
 
--- Answers to questionnaires, by the ids in the protocol; step is of the plan, since one may be asked
--- twice. An answer is a number or a text.
+-- By the ids in the protocol, and the plan's step, since a questionnaire may be asked twice.
 CREATE TABLE questionnaire_answer (
   session INTEGER NOT NULL,
   step INTEGER NOT NULL,
@@ -255,7 +248,7 @@ CREATE TABLE questionnaire_answer (
   FOREIGN KEY (session, step) REFERENCES planned_step (session, step)
 ) STRICT;
 
--- Key presses at something that appeared at shown_ns; number 1 is the first. early: a false start.
+-- Key presses at something that appeared at shown_ns. early: a false start.
 CREATE TABLE reaction (
   session INTEGER NOT NULL REFERENCES session (id),
   number INTEGER NOT NULL CHECK (number >= 1),
@@ -265,8 +258,8 @@ CREATE TABLE reaction (
   PRIMARY KEY (session, number)
 ) STRICT;
 
--- One timing of a planned trial; attempt 1 is the first, and the last one counts. first_frame_ns is
--- when its first frame was presented. An outcome stays 'open' only if the program died in it.
+-- One timing of a planned trial, of which the last one counts. first_frame_ns is when its first
+-- frame was presented. An outcome stays 'open' only if the program died in it.
 CREATE TABLE attempt (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
@@ -279,7 +272,6 @@ CREATE TABLE attempt (
   FOREIGN KEY (session, trial) REFERENCES planned_trial (session, trial)
 ) STRICT;
 
--- When the participant made one of the protocol's marks: saw the outline well enough, for instance.
 -- time_ns counts from the attempt's first presented frame. Censored: no mark came until then, so it
 -- is a lower bound.
 CREATE TABLE mark (
@@ -293,7 +285,6 @@ CREATE TABLE mark (
   FOREIGN KEY (session, trial, attempt) REFERENCES attempt (session, trial, attempt)
 ) STRICT;
 
--- Answers to the protocol's ratings: numbers, or texts where words were asked for.
 CREATE TABLE rating (
   session INTEGER NOT NULL,
   trial INTEGER NOT NULL,
@@ -337,8 +328,8 @@ CREATE TABLE frame_chunk (
 ) STRICT;
 
 -- Consecutive gaze samples that arrived during an attempt, all of them, in the order of their
--- arrival; first_sample counts from the attempt's start. Where a session's gaze is corrected, so are
--- these. data is a zlib stream (RFC 1950); data_sha256 is of what it holds.
+-- arrival; first_sample counts from the attempt's start. Where a session's gaze is corrected, so
+-- are these. data is a zlib stream (RFC 1950); data_sha256 is of what it holds.
 --
 -- Encoding 'gaze-1' is sample_count records of 24 bytes without gaps, all little-endian:
 --   offset  0  int64    time when the eye was there, session clock, ns

@@ -1,5 +1,4 @@
 // What users get wrong: one clear line, the right exit code, nothing half-written.
-#include <algorithm>
 #include <functional>
 
 #include <gmock/gmock.h>
@@ -16,16 +15,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
-
-void expect_one_line(const ProgramResult& result, int exit_code, const std::string& says) {
-  EXPECT_EQ(result.exit_code, exit_code) << result.errors;
-  EXPECT_THAT(result.output, IsEmpty());
-  EXPECT_THAT(result.errors, StartsWith("foveola: error: "));
-  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr(says));
-}
 
 /// A scene file that cannot be rendered, and what the error must name.
 struct BadScene {
@@ -36,15 +25,6 @@ struct BadScene {
 };
 
 void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.name; }
-
-std::string glb(const std::string& json) {
-  const std::string padded = json + std::string((4 - json.size() % 4) % 4, ' ');
-  const auto word = [](std::size_t value) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    return std::string(reinterpret_cast<const char*>(&bits), sizeof(bits));
-  };
-  return "glTF" + word(2) + word(20 + padded.size()) + word(padded.size()) + "JSON" + padded;
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -76,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"folder", "folder.glb", [](const fs::path& p) { fs::create_directory(p); },
                  "folder"},
         BadScene{"empty", "empty.glb", write(""), "empty.glb"},
-        BadScene{"truncated", "cut.glb", write(glb(R"({"asset":{"version":"2.0"}})").substr(0, 30)),
-                 "cut.glb"},
+        BadScene{"truncated", "cut.glb",
+                 write(glb_of(R"({"asset":{"version":"2.0"}})").substr(0, 30)), "cut.glb"},
         BadScene{"noise", "noise.glb", write(std::string(1000, '\x5a')), "noise.glb"},
         BadScene{"not_gltf", "data.gltf", write(R"({"name": "not a scene"})"), "data.gltf"},
         BadScene{"not_json", "text.gltf", write("{]"), "text.gltf"},

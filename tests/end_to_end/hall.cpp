@@ -1,16 +1,8 @@
 #include "tests/end_to_end/hall.h"
 
-#include <cstdint>
-#include <cstring>
-
 namespace foveola::test {
 
-const char* const hall_protocol = R"(
-name = "hall"
-title = "A study of a hall"
-scenes = ["hall"]
-methods = ["od"]
-
+const char* const small_tables = R"(
 [machine]
 samples_per_second = 3845
 
@@ -23,12 +15,37 @@ max_depth = 2
 view_width = 16
 view_height = 16
 
-[timing]
-mark_timeout_s = 5
-
 [reference]
 samples_per_pixel = 4
 samples_per_object = 100
+)";
+
+std::string hall_protocol() {
+  return R"(
+name = "hall"
+title = "A study of a hall"
+scenes = ["hall"]
+methods = ["od"]
+
+[timing]
+mark_timeout_s = 5
+)" + std::string(small_tables);
+}
+
+std::string questionnaire_table(const std::string& id, const std::vector<std::string>& questions) {
+  std::string table = "[[questionnaire]]\nid = \"" + id + "\"\ntitle = \"About you\"\n";
+  for (const std::string& question : questions) {
+    table += "[[questionnaire.question]]" + question;
+  }
+  return table;
+}
+
+const char* const age_question = R"(
+id = "age"
+text = "How old are you?"
+kind = "number"
+minimum = 18
+maximum = 99
 )";
 
 const char* const hall_descriptor = R"(
@@ -48,21 +65,10 @@ position = [0.0, 1.0, -1.0]
 radius_deg = 5.0
 )";
 
-/// room_gltf() as a .glb of its JSON alone.
-std::string room_glb() {
-  std::string json = room_gltf();
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto word = [](std::size_t value) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    std::string bytes(4, '\0');
-    std::memcpy(bytes.data(), &bits, 4);
-    return bytes;
-  };
-  return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
-}
+std::string room_glb() { return glb_of(room_gltf()); }
 
 Hall::Hall() {
-  folder.write("share/protocols/hall.toml", hall_protocol);
+  folder.write("share/protocols/hall.toml", hall_protocol());
   folder.write("share/scenes/hall.toml", hall_descriptor);
   folder.write("real/hall.glb", room_glb());
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -78,6 +79,14 @@ ProgramResult run_foveola(std::vector<std::string> arguments, const Environment&
   return run_program(arguments, environment);
 }
 
+void expect_one_line(const ProgramResult& result, int exit_code, const std::string& says) {
+  EXPECT_EQ(result.exit_code, exit_code) << result.errors;
+  EXPECT_THAT(result.output, testing::IsEmpty());
+  EXPECT_THAT(result.errors, testing::StartsWith("foveola: error: "));
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  EXPECT_THAT(result.errors, testing::HasSubstr(says));
+}
+
 std::string room_gltf() {
   // A cube of 4 m whose corners are numbered by the bits of their index (x, y, z), its walls facing
   // inwards, and a lamp of 1 m below the ceiling, facing down.
@@ -115,6 +124,15 @@ std::string room_gltf() {
  {"buffer":0,"byteOffset":144,"byteLength":84}],
 "buffers":[{"byteLength":228,"uri":"data:application/octet-stream;base64,)" +
          base64(bytes) + R"("}]})";
+}
+
+std::string glb_of(std::string gltf) {
+  gltf.resize((gltf.size() + 3) / 4 * 4, ' ');
+  const auto word = [](std::size_t value) {
+    const auto bits = static_cast<std::uint32_t>(value);
+    return std::string(reinterpret_cast<const char*>(&bits), sizeof(bits));
+  };
+  return "glTF" + word(2) + word(20 + gltf.size()) + word(gltf.size()) + "JSON" + gltf;
 }
 
 }  // namespace foveola::test

@@ -26,7 +26,14 @@ ProgramResult run_program(const std::vector<std::string>& command,
 /// The built program with `arguments`.
 ProgramResult run_foveola(std::vector<std::string> arguments, const Environment& environment = {});
 
+/// Fails the test unless this exit code came with a single line of error, which holds `says`, and
+/// nothing else was printed.
+void expect_one_line(const ProgramResult& result, int exit_code, const std::string& says);
+
 /// A small closed room with a lamp, as a .gltf with its buffer inside.
 std::string room_gltf();
+
+/// The content of a .gltf as that of a .glb without a binary chunk.
+std::string glb_of(std::string gltf);
 
 }  // namespace foveola::test

@@ -11,6 +11,7 @@
 
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/seated_participant.h"
+#include "tests/end_to_end/tracker_profile.h"
 
 namespace fs = std::filesystem;
 
@@ -37,7 +38,8 @@ methods = ["od", "fv"]
 phases = ["consent", "background", "validation", "reaction", "trials", "debrief"]
 )";
 
-const char* const whole_tables = R"(
+std::string whole_tables() {
+  return R"(
 [texts]
 consent = "You will look at pictures."
 
@@ -53,38 +55,20 @@ presses = 2
 shortest_wait_s = 0.3
 longest_wait_s = 0.5
 
-[timing]
-rating_s = 0.2
-
 [[practice]]
 scene = "hall"
 method = "od"
-
-[[questionnaire]]
-id = "background"
-title = "About you"
-
-[[questionnaire.question]]
-id = "age"
-text = "How old are you?"
-kind = "number"
-minimum = 18
-maximum = 99
-
-[[questionnaire.question]]
+)" + std::string(short_look) +
+         questionnaire_table("background", {age_question, R"(
 id = "games"
 text = "How often do you play?"
-
-[[questionnaire]]
-id = "debrief"
-title = "At the end"
-
-[[questionnaire.question]]
+)"}) + questionnaire_table("debrief", {R"(
 id = "noticed"
 text = "Did you notice anything?"
 kind = "text"
 required = false
-)";
+)"});
+}
 
 class StudyRun : public ::testing::Test {
  protected:
@@ -127,7 +111,7 @@ class StudyRun : public ::testing::Test {
 };
 
 TEST_F(StudyRun, AWholeSessionByKeys) {
-  participant_.write_protocol(whole_keys, whole_tables);
+  participant_.write_protocol(whole_keys, whole_tables());
   participant_.begin();
   participant_.answer_page("Return");  // welcome
   participant_.wait_for_page();        // consent
@@ -232,15 +216,8 @@ TEST_F(StudyRun, TellsOfALostTracker) {
     recording += std::to_string(i * 10'000'000LL) + ",0,0,-1,1\n";
   }
   participant_.folder().write("gaze.csv", recording);
-  const fs::path profile = participant_.folder().write("silent.toml", R"(
-title = "Falls silent"
-source = "recorded"
-recording = "gaze.csv"
-rate_hz = 100
-exposure = { duration_ms = 0.0, provenance = "assumed" }
-transfer = { duration_ms = 0.0, provenance = "assumed" }
-processing = { duration_ms = 0.0, provenance = "assumed" }
-)");
+  const fs::path profile = participant_.folder().write(
+      "silent.toml", "recording = \"gaze.csv\"\n" + tracker_profile("recorded", 100));
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin({"--tracker", profile.string()});
   RunningProgram& program = participant_.program();

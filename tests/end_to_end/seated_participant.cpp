@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include <sqlite3.h>
+#include "tests/end_to_end/tracker_profile.h"
 
 namespace fs = std::filesystem;
 
@@ -46,15 +46,6 @@ viewing_distance_m = 0.6
 scan_out = { duration_ms = 16.7, provenance = "assumed" }
 )";
 
-const char* const mouse = R"(
-title = "The pointer"
-source = "pointer"
-rate_hz = 125
-exposure = { duration_ms = 0.0, provenance = "assumed" }
-transfer = { duration_ms = 0.0, provenance = "assumed" }
-processing = { duration_ms = 0.0, provenance = "assumed" }
-)";
-
 constexpr std::chrono::milliseconds keystroke{40};  ///< as long as a finger's, about
 
 double monotonic_s() {
@@ -78,7 +69,7 @@ std::string picture_of_page(const fs::path& folder, int number) {
 SeatedParticipant::SeatedParticipant() {
   folder().write("share/scenes/hall.toml", std::string(hall_descriptor) + lamp);
   folder().write("share/data/displays/desktop.toml", small_display);
-  folder().write("share/data/trackers/pointer.toml", mouse);
+  folder().write("share/data/trackers/pointer.toml", tracker_profile("pointer", 125));
 }
 
 void SeatedParticipant::write_protocol(const std::string& keys, const std::string& tables) const {
@@ -137,30 +128,6 @@ ProgramResult SeatedParticipant::run_besides(const std::string& participant,
       "study", "run", "keys", "--db", database().string(), "--participant", participant};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return hall_.run(arguments);
-}
-
-std::vector<std::string> SeatedParticipant::ask(const std::string& sql) const {
-  sqlite3* opened = nullptr;
-  sqlite3_stmt* statement = nullptr;
-  const bool is_asked =
-      sqlite3_open_v2(database().c_str(), &opened, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
-      sqlite3_prepare_v2(opened, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK;
-  const std::string fault = is_asked ? "" : sqlite3_errmsg(opened);
-  std::vector<std::string> rows;
-  while (is_asked && sqlite3_step(statement) == SQLITE_ROW) {
-    std::string row;
-    for (int i = 0; i < sqlite3_column_count(statement); ++i) {
-      const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement, i));
-      row += (i > 0 ? "|" : "") + std::string(text != nullptr ? text : "-");
-    }
-    rows.push_back(row);
-  }
-  sqlite3_finalize(statement);
-  sqlite3_close(opened);
-  if (!is_asked) {
-    throw std::runtime_error(sql + ": " + fault);
-  }
-  return rows;
 }
 
 }  // namespace foveola::test

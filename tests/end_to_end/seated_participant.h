@@ -9,6 +9,7 @@
 
 #include "tests/end_to_end/hall.h"
 #include "tests/end_to_end/running_program.h"
+#include "tests/end_to_end/study_rows.h"
 #include "tests/x_server.h"
 
 namespace foveola::test {
@@ -43,8 +44,8 @@ class SeatedParticipant {
   ProgramResult run_besides(const std::string& participant,
                             const std::vector<std::string>& options) const;
 
-  /// The rows of a query of the database, their columns joined by "|"; NULL is "-".
-  std::vector<std::string> ask(const std::string& sql) const;
+  /// The rows of a query of the database.
+  Rows ask(const std::string& sql) const { return all_rows_of(database(), sql); }
 
  private:
   XServer server_;

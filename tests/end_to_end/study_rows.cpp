@@ -1,5 +1,7 @@
 #include "tests/end_to_end/study_rows.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
@@ -20,7 +22,8 @@ std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
       std::string row;
       for (int column = 0; column < sqlite3_column_count(statement); ++column) {
         const unsigned char* text = sqlite3_column_text(statement, column);
-        row += (text != nullptr ? reinterpret_cast<const char*>(text) : "") + std::string("|");
+        row += (column > 0 ? "|" : "") +
+               std::string(text != nullptr ? reinterpret_cast<const char*>(text) : "-");
       }
       rows->push_back(std::move(row));
     }
@@ -31,6 +34,19 @@ std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
   sqlite3_finalize(statement);
   sqlite3_close(connection);
   return rows;
+}
+
+Rows all_rows_of(const fs::path& database, const std::string& sql) {
+  std::optional<Rows> rows = rows_of(database, sql);
+  if (!rows) {
+    throw std::runtime_error(database.string() + " has no answer to: " + sql);
+  }
+  return *std::move(rows);
+}
+
+std::string value_of(const fs::path& database, const std::string& sql) {
+  const Rows rows = all_rows_of(database, sql);
+  return rows.empty() ? "" : rows.front();
 }
 
 Rows log_of(const fs::path& database) {

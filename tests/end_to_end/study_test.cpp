@@ -15,7 +15,8 @@
 #include "renderer/image/image_file.h"
 #include "study/record/study_records.h"
 #include "tests/end_to_end/hall.h"
-#include "tests/end_to_end/program.h"
+#include "tests/end_to_end/study_rows.h"
+#include "tests/end_to_end/tracker_profile.h"
 
 namespace fs = std::filesystem;
 
@@ -48,20 +49,6 @@ samples_per_pixel = 32
 samples_per_object = 20000
 )";
 
-std::string query(const fs::path& path, const std::string& sql) {
-  sqlite3* database = nullptr;
-  EXPECT_EQ(sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
-  sqlite3_stmt* statement = nullptr;
-  EXPECT_EQ(sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr), SQLITE_OK);
-  std::string value;
-  if (sqlite3_step(statement) == SQLITE_ROW) {
-    value = reinterpret_cast<const char*>(sqlite3_column_text(statement, 0));
-  }
-  sqlite3_finalize(statement);
-  sqlite3_close(database);
-  return value;
-}
-
 TEST(Study, GoesFromAProtocolToAReport) {
   const TemporaryFolder folder;
   write_file(folder / "small.toml", small_protocol);
@@ -71,8 +58,8 @@ TEST(Study, GoesFromAProtocolToAReport) {
                    "--participants", "2", "--seed", "5", "--json"});
   ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
 
-  EXPECT_EQ(query(database, "PRAGMA journal_mode"), "wal");
-  EXPECT_EQ(query(database, "PRAGMA integrity_check"), "ok");
+  EXPECT_EQ(value_of(database, "PRAGMA journal_mode"), "wal");
+  EXPECT_EQ(value_of(database, "PRAGMA integrity_check"), "ok");
   const study::StudyRecords records = study::read_study(database);
   ASSERT_EQ(records.sessions.size(), 2U);
   EXPECT_EQ(records.sessions[0].kind, "simulated");
@@ -142,7 +129,7 @@ class StudyOfAHall : public testing::Test, protected Hall {
     return degrees(std::atan2(x, -z));
   }
   std::string recorded_digest(const std::string& database) const {
-    return query(folder / database, "SELECT file_sha256 FROM session_scene");
+    return value_of(folder / database, "SELECT file_sha256 FROM session_scene");
   }
 
   std::string digest;  ///< of hall.glb, by coreutils
@@ -163,7 +150,7 @@ TEST_F(StudyOfAHall, AnotherFileIsWarnedOfAndNotMixedIn) {
   const ProgramResult mixed = simulate("study.sqlite");
   EXPECT_EQ(mixed.exit_code, 1);
   EXPECT_THAT(mixed.errors, HasSubstr("its sessions saw another file as hall"));
-  EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
+  EXPECT_EQ(value_of(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
   const ProgramResult alone = simulate("other.sqlite");
   ASSERT_EQ(alone.exit_code, 0) << alone.errors;
   EXPECT_THAT(alone.errors, HasSubstr("hall.glb is not the file that the descriptor"));
@@ -172,9 +159,9 @@ TEST_F(StudyOfAHall, AnotherFileIsWarnedOfAndNotMixedIn) {
 
 TEST_F(StudyOfAHall, AnotherCameraIsNotMixedIn) {
   ASSERT_EQ(simulate("study.sqlite").exit_code, 0);
-  EXPECT_EQ(query(folder / "study.sqlite",
-                  "SELECT shown_as ->> '$.camera.position[1]' || ' ' ||"
-                  " (shown_as ->> '$.camera.azimuth_rad') FROM session_scene"),
+  EXPECT_EQ(value_of(folder / "study.sqlite",
+                     "SELECT shown_as ->> '$.camera.position[1]' || ' ' ||"
+                     " (shown_as ->> '$.camera.azimuth_rad') FROM session_scene"),
             "1.0 0.0");
   std::string moved = read_file(folder / "share/scenes/hall.toml");
   moved.replace(moved.find("azimuth_deg = 0.0"), 17, "azimuth_deg = 180");
@@ -183,52 +170,47 @@ TEST_F(StudyOfAHall, AnotherCameraIsNotMixedIn) {
   EXPECT_EQ(mixed.exit_code, 1);
   EXPECT_THAT(mixed.errors, HasSubstr("its sessions saw hall in another way (camera/azimuth_rad: "
                                       "0.0, now 3.14159265"));
-  EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
+  EXPECT_EQ(value_of(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
 }
 
 /// A camera that sees the eye 2 degrees off.
-const char* const biased_tracker = R"(
-title = "A biased tracker"
-source = "simulated"
-rate_hz = 120
-exposure = { duration_ms = 8, provenance = "assumed" }
-transfer = { duration_ms = 2, provenance = "assumed" }
-processing = { duration_ms = 4, provenance = "assumed" }
-[simulated]
+std::string biased_tracker() {
+  return tracker_profile("simulated", 120) + R"([simulated]
 precision_deg = 0.1
 bias_right_deg = 2.0
 )";
+}
 
 std::string biased_hall(const std::string& validation) {
-  return hall_protocol + ("[tracker]\nprofile = \"biased\"\n[tracker.validation]\n" + validation);
+  return hall_protocol() + "[tracker]\nprofile = \"biased\"\n[tracker.validation]\n" + validation;
 }
 
 TEST_F(StudyOfAHall, WhoIsNotSeenWellEnoughIsRefused) {
-  folder.write("share/data/trackers/biased.toml", biased_tracker);
+  folder.write("share/data/trackers/biased.toml", biased_tracker());
   folder.write("share/protocols/hall.toml", biased_hall("points = 5\nattempts = 2\n"));
   const ProgramResult simulated = simulate("study.sqlite");
   ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
   EXPECT_THAT(simulated.output, HasSubstr("0 of 1 simulated sessions completed"));
   EXPECT_THAT(simulated.output, HasSubstr("1 refused"));
-  const auto value = [&](const std::string& sql) { return query(folder / "study.sqlite", sql); };
+  const auto value = [&](const std::string& sql) { return value_of(folder / "study.sqlite", sql); };
   EXPECT_EQ(value("SELECT state FROM session"), "refused");
   EXPECT_EQ(value("SELECT count(*) || ' ' || sum(passed) FROM gaze_run"), "2 0");
   EXPECT_EQ(value("SELECT count(*) FROM gaze_run WHERE accuracy_deg BETWEEN 1.8 AND 2.1"), "2");
   EXPECT_EQ(value("SELECT count(*) FROM gaze_target"), "10");
   EXPECT_EQ(value("SELECT count(*) FROM attempt"), "0");
-  EXPECT_EQ(value("SELECT toml FROM study_profile"), biased_tracker);
+  EXPECT_EQ(value("SELECT toml FROM study_profile"), biased_tracker());
 }
 
 TEST_F(StudyOfAHall, ACorrectionLetsThemTakePart) {
-  folder.write("share/data/trackers/biased.toml", biased_tracker);
+  folder.write("share/data/trackers/biased.toml", biased_tracker());
   folder.write("share/protocols/hall.toml", biased_hall("correct = true\n"));
   const ProgramResult simulated = simulate("study.sqlite");
   ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
-  const auto value = [&](const std::string& sql) { return query(folder / "study.sqlite", sql); };
+  const auto value = [&](const std::string& sql) { return value_of(folder / "study.sqlite", sql); };
   EXPECT_EQ(value("SELECT state FROM session"), "completed");
   EXPECT_EQ(value("SELECT group_concat(passed) FROM gaze_run"), "0,1");
   EXPECT_EQ(value("SELECT accuracy_deg < 0.2 FROM gaze_run WHERE run = 2"), "1");
-  folder.write("share/data/trackers/biased.toml", std::string(biased_tracker) + "# changed\n");
+  folder.write("share/data/trackers/biased.toml", biased_tracker() + "# changed\n");
   const ProgramResult mixed = simulate("study.sqlite");
   EXPECT_EQ(mixed.exit_code, 1);
   EXPECT_THAT(mixed.errors, HasSubstr("was begun with another tracker than biased"));
@@ -237,7 +219,7 @@ TEST_F(StudyOfAHall, ACorrectionLetsThemTakePart) {
 
 // The same person looks at the same place; what is left of the difference is noise of 0.1 degrees.
 TEST_F(StudyOfAHall, ACorrectionIsAppliedToTheGazeOfTheTrials) {
-  folder.write("share/data/trackers/biased.toml", biased_tracker);
+  folder.write("share/data/trackers/biased.toml", biased_tracker());
   folder.write("share/protocols/hall.toml", biased_hall("max_accuracy_deg = 5\n"));
   ASSERT_EQ(simulate("biased.sqlite").exit_code, 0);
   folder.write("share/protocols/hall.toml", biased_hall("correct = true\n"));
@@ -248,7 +230,7 @@ TEST_F(StudyOfAHall, ACorrectionIsAppliedToTheGazeOfTheTrials) {
 // At 120 Hz, of which the attempt's frames say how long it was.
 TEST_F(StudyOfAHall, EveryGazeSampleIsKeptAndCanBeReplayed) {
   ASSERT_EQ(simulate("study.sqlite").exit_code, 0);
-  const auto value = [&](const std::string& sql) { return query(folder / "study.sqlite", sql); };
+  const auto value = [&](const std::string& sql) { return value_of(folder / "study.sqlite", sql); };
   const double frames = std::stod(value("SELECT sum(frame_count) FROM frame_chunk"));
   const double samples = std::stod(value("SELECT sum(sample_count) FROM gaze_chunk"));
   EXPECT_NEAR(samples, frames / 70.0 * 120.0, 2.0);
@@ -260,9 +242,7 @@ TEST_F(StudyOfAHall, EveryGazeSampleIsKeptAndCanBeReplayed) {
   EXPECT_EQ(std::count(recording.begin(), recording.end(), '\n'), samples + 1) << "and a title";
   EXPECT_THAT(recording, testing::StartsWith("time_ns,x,y,z,valid\n0,"));
 
-  std::string replay = biased_tracker;
-  replay = replay.substr(0, replay.find("[simulated]"));
-  replay.replace(replay.find("\"simulated\""), 11, "\"recorded\"\nrecording = \"gaze.csv\"");
+  const std::string replay = "recording = \"gaze.csv\"\n" + tracker_profile("recorded", 120);
   const auto profile = folder.write("replay.toml", replay);
   const ProgramResult watched =
       run_foveola({"tracker", "watch", profile.string(), "--seconds", "1", "--json"});
@@ -282,22 +262,23 @@ std::string mask(int left) {
 }
 
 TEST_F(StudyOfAHall, AnotherMaskIsNotMixedIn) {
-  std::string masked = hall_protocol;
+  std::string masked = hall_protocol();
   masked.replace(masked.find("\"od\""), 4, "\"od\", \"mask:file=masks/left.ppm,floor=0.5\"");
   folder.write("share/protocols/hall.toml", masked);
   folder.write("share/protocols/masks/left.ppm", mask(255));
   const ProgramResult first = simulate("study.sqlite");
   ASSERT_EQ(first.exit_code, 0) << first.errors;
-  EXPECT_EQ(query(folder / "study.sqlite",
-                  "SELECT file_sha256 FROM study_method_file WHERE file_name = 'masks/left.ppm'"),
-            run_program({"sha256sum", (folder / "share/protocols/masks/left.ppm").string()})
-                .output.substr(0, 64));
+  EXPECT_EQ(
+      value_of(folder / "study.sqlite",
+               "SELECT file_sha256 FROM study_method_file WHERE file_name = 'masks/left.ppm'"),
+      run_program({"sha256sum", (folder / "share/protocols/masks/left.ppm").string()})
+          .output.substr(0, 64));
   ASSERT_EQ(simulate("study.sqlite").exit_code, 0) << "the same file again";
   folder.write("share/protocols/masks/left.ppm", mask(254));
   const ProgramResult mixed = simulate("study.sqlite");
   EXPECT_EQ(mixed.exit_code, 1);
   EXPECT_THAT(mixed.errors, HasSubstr("was begun with another file as masks/left.ppm"));
-  EXPECT_EQ(query(folder / "study.sqlite", "SELECT count(*) FROM session"), "2");
+  EXPECT_EQ(value_of(folder / "study.sqlite", "SELECT count(*) FROM session"), "2");
 }
 
 class ReplayOfAHall : public StudyOfAHall {
@@ -316,7 +297,7 @@ TEST_F(ReplayOfAHall, IsTheSameBitForBitAndCanBeSeen) {
   const ProgramResult replayed = replay({"-o", (folder / "pictures").string()});
   ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
   const std::string frames =
-      query(folder / "study.sqlite", "SELECT sum(frame_count) FROM frame_chunk");
+      value_of(folder / "study.sqlite", "SELECT sum(frame_count) FROM frame_chunk");
   EXPECT_EQ(replayed.output.find("trial 0 (hall, od), attempt 1: " + frames + " frames, "), 0U)
       << replayed.output;
   EXPECT_THAT(replayed.output, HasSubstr("samples: the same, bit for bit\n"));
@@ -338,13 +319,13 @@ TEST_F(ReplayOfAHall, SaysSoInJson) {
 
 // With another seed in the session's row: its guards are put aside for the moment.
 TEST_F(ReplayOfAHall, ThatIsAnotherFilmIsAnError) {
-  const std::string guards = query(folder / "study.sqlite",
-                                   "SELECT group_concat(sql, ';') FROM sqlite_schema"
-                                   " WHERE type = 'trigger' AND tbl_name = 'session'");
-  const std::string drops = query(folder / "study.sqlite",
-                                  "SELECT group_concat('DROP TRIGGER ' || name, ';')"
-                                  " FROM sqlite_schema"
-                                  " WHERE type = 'trigger' AND tbl_name = 'session'");
+  const std::string guards = value_of(folder / "study.sqlite",
+                                      "SELECT group_concat(sql, ';') FROM sqlite_schema"
+                                      " WHERE type = 'trigger' AND tbl_name = 'session'");
+  const std::string drops = value_of(folder / "study.sqlite",
+                                     "SELECT group_concat('DROP TRIGGER ' || name, ';')"
+                                     " FROM sqlite_schema"
+                                     " WHERE type = 'trigger' AND tbl_name = 'session'");
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open((folder / "study.sqlite").c_str(), &database), SQLITE_OK);
   for (const std::string& sql : {drops, std::string("UPDATE session SET seed = '99'"), guards}) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.h"
+#include "tests/end_to_end/tracker_profile.h"
 
 namespace foveola::test {
 namespace {
@@ -37,17 +38,8 @@ TEST(Tracker, WatchTellsRateAndValidity) {
 
 TEST(Tracker, WatchSaysWhyNothingComes) {
   const TemporaryFolder folder;
-  const auto profile = folder.write("nobody.toml", R"(
-title = "Nobody"
-source = "open-gaze"
-rate_hz = 60
-exposure = { duration_ms = 4.0, provenance = "assumed" }
-transfer = { duration_ms = 4.0, provenance = "assumed" }
-processing = { duration_ms = 4.0, provenance = "assumed" }
-[open_gaze]
-host = "127.0.0.1"
-port = 9
-)");
+  constexpr int port_of_nobody = 9;
+  const auto profile = folder.write("nobody.toml", open_gaze_profile(port_of_nobody));
   const ProgramResult result =
       run_foveola({"tracker", "watch", profile.string(), "--seconds", "0.6"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;

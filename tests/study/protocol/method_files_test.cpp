@@ -1,28 +1,18 @@
 // The files that a protocol's methods read.
 #include <utility>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
-#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
-#include "study/protocol/protocol.h"
-#include "tests/temporary_folder.h"
-
-namespace fs = std::filesystem;
+#include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
-
 /// A folder with a protocol whose methods read masks, and the masks.
-class ProtocolWithFiles : public testing::Test {
+class ProtocolWithFiles : public ProtocolFolder {
  protected:
   ProtocolWithFiles() {
     write_mask("left.exr", 1.0F, 0.0F);
@@ -39,12 +29,9 @@ class ProtocolWithFiles : public testing::Test {
   }
 
   Protocol load(const std::string& methods) const {
-    folder_.write("p.toml",
-                  "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [" + methods + "]\n");
-    return load_protocol(folder_ / "p.toml");
+    return ProtocolFolder::load("name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [" +
+                                methods + "]\n");
   }
-
-  test::TemporaryFolder folder_;
 };
 
 /// The densities to the left and to the right.
@@ -87,8 +74,8 @@ TEST_F(ProtocolWithFiles, BadFilesAreRefusedWithTheirPlace) {
   write_mask("black.exr", 0.0F, 0.0F);
   const auto refused = [&](const std::string& file, const std::string& says) {
     EXPECT_THAT([&] { load("\"od\", \"mask:file=" + file + "\""); },
-                ThrowsMessage<Error>(AllOf(HasSubstr((folder_ / "p.toml").string() + ":4:18: "),
-                                           HasSubstr(says), testing::Not(HasSubstr("\n")))));
+                ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":4:18: "), HasSubstr(says),
+                                           testing::Not(HasSubstr("\n")))));
   };
   refused("text.png", "text.png");
   refused("black.exr", "black all over");

@@ -1,21 +1,12 @@
 // What a protocol says of a session: orders, marks, ratings, phases, overrides, analysis.
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "study/protocol/protocol.h"
+#include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::ElementsAre;
-
-const std::string minimal = R"(name = "small"
-title = "A small one"
-scenes = ["arcade", "room"]
-methods = ["od", "fv"]
-)";
 
 Protocol load(const std::string& text) { return read_protocol(text, "p.toml"); }
 

@@ -1,23 +1,10 @@
 // What a protocol makes of the profiles of displays and trackers that it names.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/error.h"
-#include "study/protocol/protocol.h"
-#include "tests/temporary_folder.h"
+#include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
-
-const std::string minimal = R"(name = "small"
-title = "A small one"
-scenes = ["arcade", "room"]
-methods = ["od", "fv"]
-)";
 
 const char* const goggles = R"(title = "Goggles"
 kind = "headset"
@@ -30,16 +17,7 @@ lens = { axis = [0.75, 0.4], k1 = 0.25, k2 = 0.125 }
 scan_out = { duration_ms = 3, provenance = "measured" }
 )";
 
-/// A folder with a protocol that names profiles by path.
-class ProtocolWithProfiles : public testing::Test {
- protected:
-  Protocol load(const std::string& tables) const {
-    folder_.write("p.toml", minimal + tables);
-    return load_protocol(folder_ / "p.toml");
-  }
-
-  test::TemporaryFolder folder_;
-};
+using ProtocolWithProfiles = ProtocolTables;
 
 TEST_F(ProtocolWithProfiles, ADisplaysProfileGivesItsFieldsOfView) {
   const auto display = [&](const std::string& keys) {
@@ -105,8 +83,8 @@ TEST_F(ProtocolWithProfiles, ThatAreBadAreRefusedWithTheirPlace) {
   elsewhere.write("goggles.toml", goggles);
   const auto refused = [&](const std::string& profile, const std::string& says) {
     EXPECT_THAT([&] { load("[display]\nprofile = \"" + profile + "\"\n"); },
-                ThrowsMessage<Error>(AllOf(HasSubstr((folder_ / "p.toml").string() + ":6:11: "),
-                                           HasSubstr(says), testing::Not(HasSubstr("\n")))))
+                ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":6:11: "), HasSubstr(says),
+                                           testing::Not(HasSubstr("\n")))))
         << profile;
   };
   refused("no-such", "'no-such'");

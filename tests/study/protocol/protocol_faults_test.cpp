@@ -1,23 +1,10 @@
 // Every way in which a protocol can be wrong, and where the message says that it is.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/error.h"
-#include "study/protocol/protocol.h"
-#include "tests/temporary_folder.h"
+#include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
-
-const std::string minimal = R"(name = "small"
-title = "A small one"
-scenes = ["arcade", "room"]
-methods = ["od", "fv"]
-)";
 
 /// What is wrong, at which line and column, and what the message must say.
 struct Fault {
@@ -36,14 +23,12 @@ Fault with_mask(const char* name, const std::string& file, const char* says) {
           "4:18", says};
 }
 
-class ProtocolFault : public testing::TestWithParam<Fault> {};
+class ProtocolFault : public ProtocolFolder, public testing::WithParamInterface<Fault> {};
 
 TEST_P(ProtocolFault, IsRefusedWithItsPlace) {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path path = folder.write("p.toml", GetParam().text);
   EXPECT_THAT(
-      [&] { load_protocol(path); },
-      ThrowsMessage<Error>(AllOf(HasSubstr(path.string() + ":" + GetParam().place + ":"),
+      [&] { load(GetParam().text); },
+      ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":" + GetParam().place + ":"),
                                  HasSubstr(GetParam().says), testing::Not(HasSubstr("\n")))));
 }
 

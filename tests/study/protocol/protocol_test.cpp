@@ -1,45 +1,14 @@
 #include "study/protocol/protocol.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "renderer/base/digest.h"
-#include "renderer/base/error.h"
-#include "renderer/base/files.h"
-
-namespace fs = std::filesystem;
+#include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
-
-const std::string minimal = R"(name = "small"
-title = "A small one"
-scenes = ["arcade", "room"]
-methods = ["od", "fv"]
-)";
-
-class ProtocolFile : public testing::Test {
- protected:
-  void SetUp() override {
-    path_ = fs::path(testing::TempDir()) /
-            ("protocol_" + std::to_string(::getpid()) + "_" +
-             testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
-  }
-  void TearDown() override { fs::remove(path_); }
-
-  Protocol load(const std::string& text) {
-    write_file(path_, text);
-    return load_protocol(path_);
-  }
-
-  fs::path path_;
-};
+using ProtocolFile = ProtocolFolder;
 
 TEST_F(ProtocolFile, NeedsOnlyANameATitleScenesAndMethods) {
   const Protocol protocol = load(minimal);

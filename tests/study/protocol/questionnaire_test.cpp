@@ -3,21 +3,15 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/base/error.h"
-#include "study/protocol/protocol.h"
-#include "tests/temporary_folder.h"
+#include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::AllOf;
 using testing::Each;
-using testing::ElementsAre;
 using testing::Field;
-using testing::HasSubstr;
 
 const Question scale{.id = "q", .minimum = 1.0, .maximum = 5.0};
 const Question number{.id = "q", .kind = QuestionKind::number, .minimum = 18.0, .maximum = 99.5};
@@ -109,15 +103,7 @@ TEST(ReadyQuestionnaires, TheSystemUsabilityScale) {
   EXPECT_THAT(sus.questions, Each(Field(&Question::maximum, 5.0)));
 }
 
-class QuestionnairesOfFiles : public testing::Test {
- protected:
-  Protocol load(const std::string& tables) const {
-    return load_protocol(folder_.write(
-        "p.toml", "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\"]\n" + tables));
-  }
-
-  test::TemporaryFolder folder_;
-};
+using QuestionnairesOfFiles = ProtocolTables;
 
 const std::string own = R"(title = "Mine"
 source = "Me"
@@ -155,9 +141,9 @@ TEST_F(QuestionnairesOfFiles, CanBeAskedTwiceUnderTwoNames) {
 TEST_F(QuestionnairesOfFiles, ThatAreBadAreRefusedWithBothPlaces) {
   folder_.write("bad.toml", own + "colour = 3\n");
   EXPECT_THAT([&] { load("[[questionnaire]]\nid = \"a\"\nfile = \"bad.toml\"\n"); },
-              testing::ThrowsMessage<Error>(
-                  AllOf(HasSubstr((folder_ / "p.toml").string() + ":7:8: "),
-                        HasSubstr("bad.toml:6:1"), HasSubstr("question.colour"))));
+              testing::ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":7:8: "),
+                                                  HasSubstr("bad.toml:6:1"),
+                                                  HasSubstr("question.colour"))));
 }
 
 }  // namespace

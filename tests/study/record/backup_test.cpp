@@ -1,61 +1,49 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "small_study.h"
-#include "study/record/maintenance.h"
 #include "study/record/study_records.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using Backup = StudyFile;
 
-TEST(Backup, OfAStudyThatIsBeingWrittenIsWhole) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  StudyStore store(path, thorough_protocol());
+TEST_F(Backup, OfAStudyThatIsBeingWrittenIsWhole) {
+  StudyStore store(path_, thorough_protocol());
   run_thorough_session(store, "P01");
-  store.back_up(folder / "copy.sqlite");
+  store.back_up(folder_ / "copy.sqlite");
   run_thorough_session(store, "P02");
-  EXPECT_THAT(verify_study(folder / "copy.sqlite").faults, IsEmpty());
-  EXPECT_THAT(query_column(folder / "copy.sqlite", "SELECT participant FROM session"),
+  EXPECT_THAT(verify_study(folder_ / "copy.sqlite").faults, IsEmpty());
+  EXPECT_THAT(query_column(folder_ / "copy.sqlite", "SELECT participant FROM session"),
               ElementsAre("P01"));
-  store.back_up(folder / "copy.sqlite");
-  EXPECT_EQ(read_study(folder / "copy.sqlite").sessions.size(), 2U);
+  store.back_up(folder_ / "copy.sqlite");
+  EXPECT_EQ(read_study(folder_ / "copy.sqlite").sessions.size(), 2U);
 }
 
-TEST(Backup, CanBeGoneOnWith) {
-  const TemporaryFolder folder;
+TEST_F(Backup, CanBeGoneOnWith) {
   {
-    StudyStore store(folder / "study.sqlite", thorough_protocol());
+    StudyStore store(path_, thorough_protocol());
     run_thorough_session(store, "P01");
-    store.back_up(folder / "copy.sqlite");
+    store.back_up(folder_ / "copy.sqlite");
   }
-  StudyStore restored(folder / "copy.sqlite", thorough_protocol());
+  StudyStore restored(folder_ / "copy.sqlite", thorough_protocol());
   run_thorough_session(restored, "P02");
 }
 
-TEST(Backup, ThatCannotBeMadeLeavesNothing) {
-  const TemporaryFolder folder;
-  const StudyStore store(folder / "study.sqlite", small_protocol());
+TEST_F(Backup, ThatCannotBeMadeLeavesNothing) {
+  const StudyStore store(path_, small_protocol());
   const TemporaryFolder closed;
   EXPECT_THAT(refusal([&] { store.back_up(closed / "none/copy.sqlite"); }),
               HasSubstr("does not exist"));
   EXPECT_THAT(closed.entries(), IsEmpty());
 }
 
-TEST(Backup, LiesBesideTheStudyByItsTime) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  { const StudyStore store(path, small_protocol()); }
-  const fs::path first = back_up_study(path);
-  const fs::path second = back_up_study(path);
+TEST_F(Backup, LiesBesideTheStudyByItsTime) {
+  { const StudyStore store(path_, small_protocol()); }
+  const fs::path first = back_up_study(path_);
+  const fs::path second = back_up_study(path_);
   EXPECT_NE(first, second);
-  EXPECT_EQ(first.parent_path(), folder / "study.sqlite.backups");
+  EXPECT_EQ(first.parent_path(), folder_ / "study.sqlite.backups");
   EXPECT_THAT(first.filename().string(),
               testing::MatchesRegex("20[0-9]{2}-[0-9]{2}-[0-9]{2}T[0-9:.]+Z\\.sqlite"));
   EXPECT_TRUE(read_study(second).sessions.empty());

@@ -4,81 +4,68 @@
 #include <csignal>
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "small_study.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ControllerLocks = StudyFile;
 
-TEST(ControllerLock, TheSecondIsToldWhoTheFirstIs) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  const StudyStore first(path, small_protocol());
+TEST_F(ControllerLocks, TheSecondIsToldWhoTheFirstIs) {
+  const StudyStore first(path_, small_protocol());
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size());
-  EXPECT_THAT(refusal([&] { const StudyStore second(path, small_protocol()); }),
-              AllOf(StartsWith(path.string() + ": is being written by record_test "),
+  EXPECT_THAT(refusal([&] { const StudyStore second(path_, small_protocol()); }),
+              AllOf(StartsWith(path_.string() + ": is being written by record_test "),
                     HasSubstr(fmt::format(", process {} of ", ::getpid())),
                     HasSubstr(fmt::format(" on {}, since 20", host.data())),
                     HasSubstr("Z; let that end, or take another file")));
 }
 
-TEST(ControllerLock, IsOfTheFileUnderWhateverName) {
-  const TemporaryFolder folder;
-  const StudyStore first(folder / "study.sqlite", small_protocol());
-  fs::create_symlink(folder / "study.sqlite", folder / "link.sqlite");
-  EXPECT_THAT(refusal([&] { const StudyStore second(folder / "link.sqlite", small_protocol()); }),
+TEST_F(ControllerLocks, IsOfTheFileUnderWhateverName) {
+  const StudyStore first(path_, small_protocol());
+  fs::create_symlink(path_, folder_ / "link.sqlite");
+  EXPECT_THAT(refusal([&] { const StudyStore second(folder_ / "link.sqlite", small_protocol()); }),
               HasSubstr("is being written by"));
 }
 
-TEST(ControllerLock, LeavesNothingBehind) {
-  const TemporaryFolder folder;
-  { const ControllerLock lock(folder / "study.sqlite"); }
-  EXPECT_TRUE(folder.content().empty());
-  { const ControllerLock again(folder / "study.sqlite"); }
+TEST_F(ControllerLocks, LeavesNothingBehind) {
+  { const ControllerLock lock(path_); }
+  EXPECT_TRUE(folder_.content().empty());
+  { const ControllerLock again(path_); }
 }
 
-TEST(ControllerLock, OfAKilledProgramIsGoneWithIt) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
+TEST_F(ControllerLocks, OfAKilledProgramIsGoneWithIt) {
   std::array<int, 2> pipe_ends{};
   ASSERT_EQ(::pipe(pipe_ends.data()), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const ControllerLock lock(path);
+    const ControllerLock lock(path_);
     [[maybe_unused]] const ssize_t written = ::write(pipe_ends[1], "!", 1);
     ::pause();
     ::_exit(0);
   }
   char byte = 0;
   ASSERT_EQ(::read(pipe_ends[0], &byte, 1), 1);
-  EXPECT_THAT(refusal([&] { const ControllerLock second(path); }),
+  EXPECT_THAT(refusal([&] { const ControllerLock second(path_); }),
               HasSubstr(fmt::format("process {} of", child)));
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
-  EXPECT_EQ(folder.content().size(), 1U);
-  { const ControllerLock next(path); }
-  EXPECT_TRUE(folder.content().empty());
+  EXPECT_EQ(folder_.content().size(), 1U);
+  { const ControllerLock next(path_); }
+  EXPECT_TRUE(folder_.content().empty());
   ::close(pipe_ends[0]);
   ::close(pipe_ends[1]);
 }
 
-TEST(ControllerLock, ReadersAreNotKeptOut) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  StudyStore store(path, small_protocol());
+TEST_F(ControllerLocks, ReadersAreNotKeptOut) {
+  StudyStore store(path_, small_protocol());
   store.begin_session(facts_of("P01"), small_plan());
-  EXPECT_EQ(query(path, "SELECT participant FROM session"), "P01");
+  EXPECT_EQ(query(path_, "SELECT participant FROM session"), "P01");
 }
 
 }  // namespace

@@ -1,26 +1,17 @@
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/files.h"
-#include "small_study.h"
-#include "study/record/maintenance.h"
 #include "study/record/study_records.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-
 constexpr const char* code = "PERSON-0123";
 
 /// PERSON-0123 between two others, with a backup from before and one from after.
-class Forgetting : public testing::Test {
+class Forgetting : public StudyFile {
  protected:
   Forgetting() {
     StudyStore store(path_, thorough_protocol());
@@ -53,8 +44,6 @@ class Forgetting : public testing::Test {
     return files;
   }
 
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
   std::string uuid_;
 };
 

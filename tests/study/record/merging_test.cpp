@@ -1,21 +1,11 @@
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "small_study.h"
-#include "study/record/maintenance.h"
 #include "study/record/study_records.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
 
 /// Two sites: a.sqlite has P01 and P02, b.sqlite P03.
 class Merging : public testing::Test {

@@ -1,30 +1,21 @@
 #include "study/record/migration.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/files.h"
-#include "small_study.h"
 #include "study/record/database.h"
-#include "study/record/maintenance.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/study_records.h"
 #include "study/record/table_rows.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::ElementsAre;
-using testing::FieldsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-
 /// A study of schema 3, made by that schema's own SQL.
-class Migration : public testing::Test {
+class Migration : public StudyFile {
  protected:
   Migration() {
     SQLite::Database database(path_, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -37,9 +28,6 @@ class Migration : public testing::Test {
 
   /// Opens the study to write, which migrates it.
   void migrate() { const StudyStore store(path_, small_protocol()); }
-
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
 };
 
 /// Whatever was recorded in a file of schema 3.

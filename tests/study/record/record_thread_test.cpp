@@ -1,21 +1,13 @@
 #include "study/record/record_thread.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "small_study.h"
-#include "study/record/maintenance.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-
-class Recording : public testing::Test {
+class Recording : public StudyFile {
  protected:
   /// A session in an attempt at its first trial.
   Recording() {
@@ -33,8 +25,6 @@ class Recording : public testing::Test {
     return done;
   }
 
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
   StudyStore store_{path_, small_protocol()};
   Procedure procedure_ = procedure_of(small_protocol(), small_plan());
   std::int64_t id_ = 0;

@@ -1,17 +1,11 @@
 #include "study/record/recorded_gaze.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "small_study.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 std::vector<int> times_ms(const std::vector<GazeSample>& samples) {
   std::vector<int> times;
@@ -21,7 +15,7 @@ std::vector<int> times_ms(const std::vector<GazeSample>& samples) {
   return times;
 }
 
-class RecordedGaze : public testing::Test {
+class RecordedGaze : public StudyFile {
  protected:
   /// P01 timed the first trial twice, P02 once; neither the second trial.
   RecordedGaze() {
@@ -41,9 +35,6 @@ class RecordedGaze : public testing::Test {
     second.choose_and_start(ms(20));
     store.record_gaze(second.id(), 0, 1, 0, {{.time = ms(7), .valid = true}});
   }
-
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
 };
 
 TEST_F(RecordedGaze, IsThatOfTheLastAttemptInOrder) {

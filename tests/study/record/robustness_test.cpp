@@ -4,26 +4,17 @@
 #include <thread>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
 
-#include "small_study.h"
 #include "study/record/database.h"
 #include "study/record/event_rows.h"
-#include "study/record/maintenance.h"
 #include "study/record/session_rows.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
 
 /// A folder on a disk of a megabyte of its own, which only this process sees.
 class SmallDisk {

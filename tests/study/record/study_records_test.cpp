@@ -1,19 +1,13 @@
 #include "study/record/study_records.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "small_study.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::ElementsAre;
-using testing::FieldsAre;
-
-class Records : public testing::Test {
+class Records : public StudyFile {
  protected:
   RecordedSession session_of(const std::string& participant) {
     RecordedSession session(store_, facts_of(participant), small_plan());
@@ -21,8 +15,6 @@ class Records : public testing::Test {
     return session;
   }
 
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
   StudyStore store_{path_, small_protocol()};
 };
 

@@ -1,29 +1,21 @@
 #include "study/record/study_store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
-#include "small_study.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::MatchesRegex;
 
-class Store : public testing::Test {
+class Store : public StudyFile {
  protected:
   std::string stored(const std::string& sql) { return query(path_, sql); }
 
   std::vector<std::string> column(const std::string& sql) { return query_column(path_, sql); }
-
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
 };
 
 TEST_F(Store, LeavesOneFileInWalMode) {

@@ -3,28 +3,20 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
 #include "renderer/base/error.h"
-#include "small_study.h"
-#include "study/record/maintenance.h"
 #include "study/record/table_rows.h"
-
-namespace fs = std::filesystem;
+#include "study_file.h"
 
 namespace foveola::study {
 namespace {
 
 using testing::Contains;
-using testing::ElementsAre;
-using testing::FieldsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// P01's session is complete, P02's was excluded, P03's goes on.
-class VerifiedStudy : public testing::Test {
+class VerifiedStudy : public StudyFile {
  protected:
   VerifiedStudy() {
     StudyStore store(path_, thorough_protocol());
@@ -53,9 +45,6 @@ class VerifiedStudy : public testing::Test {
     tamper(path_, sql);
     return verify_study(path_).faults;
   }
-
-  TemporaryFolder folder_;
-  fs::path path_ = folder_ / "study.sqlite";
 };
 
 TEST_F(VerifiedStudy, IsWhole) {

@@ -1,0 +1,29 @@
+// A place for a study's file, and the words in which its tests speak of it.
+#pragma once
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "small_study.h"
+#include "study/record/maintenance.h"
+
+namespace foveola::study {
+
+namespace fs = std::filesystem;
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::FieldsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+/// A folder in which nothing is but what its test writes, a study at path_ above all.
+class StudyFile : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  fs::path path_ = folder_ / "study.sqlite";
+};
+
+}  // namespace foveola::study
