@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "study/record/maintenance.h"
+#include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/seated_participant.h"
 #include "tests/end_to_end/tracker_profile.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 using namespace std::chrono_literals;
 
 const char* const one_trial_keys = R"(
@@ -97,6 +99,14 @@ class StudyRun : public ::testing::Test {
     EXPECT_EQ(participant_.program().wait_for_end(), 0);
   }
 
+  /// Until the session has noticed both, that the tracker is lost and that it is back.
+  void cover_for_a_while(CoverableTracker& tracker) {
+    tracker.cover();
+    participant_.program().wait_for("note_written: the eye tracker sends no gaze");
+    tracker.uncover();
+    participant_.program().wait_for("note_written: the eye tracker sends gaze again");
+  }
+
   /// In seconds of the session's clock.
   std::vector<double> recorded_marks() const {
     std::vector<double> marks_s;
@@ -107,12 +117,28 @@ class StudyRun : public ::testing::Test {
     return marks_s;
   }
 
+  /// Of the whole session, each attempt's film.
+  void expect_replay_bit_for_bit() const {
+    const ProgramResult replayed = participant_.replay();
+    EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+    const std::string the_same = ": [0-9]+ frames, [1-9][0-9]* samples: the same, bit for bit\n";
+    EXPECT_THAT(replayed.output,
+                MatchesRegex("trial 0 \\(hall, od, practice\\), attempt 1" + the_same +
+                             "trial 1 \\(hall, od\\), attempt 1" + the_same +
+                             "trial 1 \\(hall, od\\), attempt 2" + the_same +
+                             "trial 2 \\(hall, fv\\), attempt 1" + the_same +
+                             "trial 2 \\(hall, fv\\), attempt 2" + the_same));
+  }
+
   SeatedParticipant participant_;
 };
 
 TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.write_protocol(whole_keys, whole_tables());
-  participant_.begin();
+  CoverableTracker tracker;
+  const std::string profile =
+      participant_.folder().write("camera.toml", open_gaze_profile(tracker.port()));
+  participant_.begin({"--tracker", profile});
   participant_.answer_page("Return");  // welcome
   participant_.wait_for_page();        // consent
   participant_.type_all({"Return", "y"});
@@ -144,6 +170,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
 
   participant_.answer_page("space");
   participant_.wait_for_page();
+  cover_for_a_while(tracker);
   participant_.type("Escape");
   EXPECT_EQ(participant_.wait_for_page(), "paused");
   RunningProgram& program = participant_.program();
@@ -156,27 +183,31 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_EQ(program.wait_for_end(), 0);
   EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("interrupted"));
 
-  participant_.begin({"--resume"});
+  participant_.begin({"--resume", "--tracker", profile});
   const std::vector<double> second_s = time_trial();
   rate("5");
   participant_.wait_for_page();  // debrief
   participant_.type_all({"n", "o", "Return", "Return"});
   end_by_enter();
 
-  EXPECT_THAT(
-      participant_.ask("SELECT type FROM event ORDER BY sequence"),
-      ElementsAre(
-          "session_started", "consent_given", "questionnaire_answered", "gaze_validated",
-          "reaction_pressed", "reaction_pressed",
-          // practice
-          "object_chosen", "trial_started", "first_frame_presented", "marked", "marked", "rated",
-          // od, timed twice
-          "object_chosen", "trial_started", "first_frame_presented", "marked", "marked",
-          "retime_requested", "trial_started", "first_frame_presented", "marked", "marked", "rated",
-          // fv, paused, interrupted, gone on with
-          "trial_started", "first_frame_presented", "pause_requested", "note_written",
-          "interrupted", "note_written", "resumed", "trial_started", "first_frame_presented",
-          "marked", "marked", "rated", "questionnaire_answered"));
+  EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
+              ElementsAre("session_started", "consent_given", "questionnaire_answered",
+                          "gaze_validated", "reaction_pressed", "reaction_pressed",
+                          // practice
+                          "object_chosen", "trial_started", "first_frame_presented", "marked",
+                          "marked", "rated",
+                          // od, timed twice
+                          "object_chosen", "trial_started", "first_frame_presented", "marked",
+                          "marked", "retime_requested", "trial_started", "first_frame_presented",
+                          "marked", "marked", "rated",
+                          // fv, without its tracker for a while, paused, interrupted, gone on with
+                          "trial_started", "first_frame_presented", "note_written", "note_written",
+                          "pause_requested", "note_written", "interrupted", "note_written",
+                          "resumed", "trial_started", "first_frame_presented", "marked", "marked",
+                          "rated", "questionnaire_answered"));
+  EXPECT_THAT(participant_.ask("SELECT text FROM note ORDER BY sequence LIMIT 3"),
+              ElementsAre("the eye tracker sends no gaze", "the eye tracker sends gaze again",
+                          "the phone rang"));
   EXPECT_THAT(
       participant_.ask("SELECT questionnaire, question, number, text "
                        "FROM questionnaire_answer ORDER BY step, rowid"),
@@ -204,33 +235,11 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   const fs::path backups = participant_.database().string() + ".backups";
   EXPECT_EQ(std::distance(fs::directory_iterator(backups), fs::directory_iterator()), 2);
   const study::Verification verified = study::verify_study(participant_.database());
-  EXPECT_EQ(verified.events, 36U);
+  EXPECT_EQ(verified.events, 38U);
   EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
   EXPECT_TRUE(verified.gaps.empty()) << verified.gaps.front().what;
-}
 
-TEST_F(StudyRun, TellsOfALostTracker) {
-  // A recording that ends after five seconds is a tracker that falls silent then.
-  std::string recording = "time_ns,x,y,z,valid\n";
-  for (int i = 0; i < 500; ++i) {
-    recording += std::to_string(i * 10'000'000LL) + ",0,0,-1,1\n";
-  }
-  participant_.folder().write("gaze.csv", recording);
-  const fs::path profile = participant_.folder().write(
-      "silent.toml", "recording = \"gaze.csv\"\n" + tracker_profile("recorded", 100));
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin({"--tracker", profile.string()});
-  RunningProgram& program = participant_.program();
-  program.wait_for("The eye tracker sends no gaze");
-  program.wait_for("note_written: the eye tracker sends no gaze");
-  program.type_line("exclude the tracker failed");
-  program.wait_for("excluded: the tracker failed");
-  program.type_line("quit");
-  EXPECT_EQ(program.wait_for_end(), 0);
-  EXPECT_THAT(
-      participant_.ask("SELECT type, json_extract(payload, '$.text') FROM event "
-                       "ORDER BY sequence"),
-      ElementsAre("session_started|-", "note_written|the eye tracker sends no gaze", "excluded|-"));
+  expect_replay_bit_for_bit();
 }
 
 TEST_F(StudyRun, AParticipantMayStop) {
@@ -258,14 +267,13 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
 
   participant_.begin({"--resume"});
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
-  participant_.program().type_line("withdraw");
-  participant_.program().wait_for("withdrawn");
+  participant_.program().type_line("exclude the tracker failed");
+  participant_.program().wait_for("excluded: the tracker failed");
   participant_.program().type_line("quit");
   participant_.program().wait_for_end();
-  EXPECT_THAT(
-      participant_.ask("SELECT type FROM event ORDER BY sequence"),
-      ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
-  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
+  EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
+              ElementsAre("session_started", "interrupted", "note_written", "resumed", "excluded"));
+  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is excluded"));
 }
 
 TEST_F(StudyRun, SaysWhatIsWrong) {

@@ -31,6 +31,7 @@ class RunningProgram {
   /// All that it has said so far.
   std::string said();
   void kill(int signal) const;
+  pid_t process() const { return process_; }
   bool has_ended();
   /// Waits for its end. Returns its exit code, or 128 + the signal's number.
   int wait_for_end();

@@ -130,4 +130,8 @@ ProgramResult SeatedParticipant::run_besides(const std::string& participant,
   return hall_.run(arguments);
 }
 
+ProgramResult SeatedParticipant::replay() const {
+  return hall_.run({"study", "replay", database().string(), "--participant", "P1"});
+}
+
 }  // namespace foveola::test

@@ -43,6 +43,8 @@ class SeatedParticipant {
   /// Another run of the command, to its end.
   ProgramResult run_besides(const std::string& participant,
                             const std::vector<std::string>& options) const;
+  /// `study replay` of the session.
+  ProgramResult replay() const;
 
   /// The rows of a query of the database.
   Rows ask(const std::string& sql) const { return all_rows_of(database(), sql); }

@@ -1,0 +1,46 @@
+#include "tests/end_to_end/coverable_tracker.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "renderer/gaze/tcp_connection.h"
+
+namespace foveola::test {
+namespace {
+
+constexpr std::chrono::milliseconds period{16};
+
+}  // namespace
+
+CoverableTracker::CoverableTracker()
+    : thread_([this](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+          try {
+            serve(stop);
+          } catch (const std::runtime_error&) {
+            // Nobody has come, or the program has hung up: the next one may come.
+          }
+        }
+      }) {}
+
+CoverableTracker::~CoverableTracker() {
+  thread_.request_stop();
+  const TcpConnection end_of_waiting(resolve("127.0.0.1", port()).front());
+  thread_.join();
+}
+
+void CoverableTracker::serve(const std::stop_token& stop) {
+  server_.accept();
+  if (stop.stop_requested()) {
+    return;
+  }
+  server_.receive_until("\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n");
+  while (!stop.stop_requested()) {
+    if (!is_covered_) {
+      server_.send("<REC BPOGX=\"0.5\" BPOGY=\"0.5\" BPOGV=\"1\" />\r\n");
+    }
+    std::this_thread::sleep_for(period);
+  }
+}
+
+}  // namespace foveola::test
