@@ -267,13 +267,27 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
 
   participant_.begin({"--resume"});
   EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  participant_.program().type_line("withdraw");
+  participant_.program().wait_for("withdrawn");
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  EXPECT_THAT(
+      participant_.ask("SELECT type FROM event ORDER BY sequence"),
+      ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
+  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
+}
+
+TEST_F(StudyRun, TheExperimenterMayExclude) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.wait_for_page();
   participant_.program().type_line("exclude the tracker failed");
   participant_.program().wait_for("excluded: the tracker failed");
   participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
-  EXPECT_THAT(participant_.ask("SELECT type FROM event ORDER BY sequence"),
-              ElementsAre("session_started", "interrupted", "note_written", "resumed", "excluded"));
-  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is excluded"));
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  EXPECT_THAT(participant_.ask("SELECT type, json_extract(payload, '$.reason') FROM event "
+                               "ORDER BY sequence"),
+              ElementsAre("session_started|-", "excluded|the tracker failed"));
 }
 
 TEST_F(StudyRun, SaysWhatIsWrong) {
