@@ -20,7 +20,7 @@
 #include "renderer/window/steering.h"
 #include "study/person/console.h"
 #include "study/person/form.h"
-#include "study/person/gaze_validation_runs.h"
+#include "study/stage/gaze_validation_runs.h"
 #include "study/person/live_attempt.h"
 #include "study/person/object_pick.h"
 #include "study/person/person_keys.h"

@@ -1,4 +1,5 @@
-// The validation of a person's gaze: targets one after the other, as the protocol asks for them.
+// The validation of a gaze, a person's or a simulated one: targets one after the other, as the
+// protocol asks for them.
 #pragma once
 
 #include <optional>

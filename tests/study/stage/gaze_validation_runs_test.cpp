@@ -1,4 +1,4 @@
-#include "study/person/gaze_validation_runs.h"
+#include "study/stage/gaze_validation_runs.h"
 
 #include <gtest/gtest.h>
 
