@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "renderer/image/image_file.h"
-#include "renderer/image/tone_mapping.h"
 #include "renderer/view/acuity.h"
 #include "renderer/window/density_map.h"
 #include "renderer/window/preview_panels.h"
@@ -36,14 +34,6 @@ void forget_old(std::vector<Item>& list, std::size_t most) {
 
 }  // namespace
 
-void write_display_picture(const fs::path& file, const RgbImage& picture) {
-  RgbImage linear = picture;
-  for (Rgb& color : linear.pixels) {
-    color = Rgb(linear_from_srgb(color.r), linear_from_srgb(color.g), linear_from_srgb(color.b));
-  }
-  write_image(file, linear, 0.0);
-}
-
 LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts)
     : settings_(settings),
       parts_(parts),
@@ -69,14 +59,12 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   }
   report_.is_refresh_measured = live.refresh().is_measured();
   report_.refresh_rate_hz = live.refresh().rate_hz();
-  report_.framebuffer = framebuffer_;
+  report_.framebuffer = area_.framebuffer;
   report_.graphics = parts_.presenter->graphics();
   if (last_picture_) {
     report_.last_picture = last_picture_->get();
   }
-  for (std::future<void>& written : pictures_being_written_) {
-    written.get();  // throws what went wrong
-  }
+  pictures_.finish();
   return std::move(report_);
 }
 
@@ -103,7 +91,7 @@ void LivePreview::answer(const WindowEvent& event) {
   } else if (const auto* size = std::get_if<WindowResized>(&event.what)) {
     show_in(*size);
   } else if (const auto* hidden = std::get_if<WindowHidden>(&event.what)) {
-    is_hidden_ = hidden->is_hidden;
+    area_.is_hidden = hidden->is_hidden;
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
     message_ = "lost the monitor " + lost->name;
     report_.lost_monitors.push_back(lost->name);
@@ -148,9 +136,8 @@ void LivePreview::restart() {
 }
 
 void LivePreview::show_in(const WindowResized& size) {
-  framebuffer_ = size.framebuffer;
-  const bool has_room = size.framebuffer.x >= 2 && size.framebuffer.y >= 1;
-  if (!has_room) {
+  area_.framebuffer = size.framebuffer;
+  if (!area_.has_room()) {
     return;
   }
   geometry_ = view_geometry(settings_.display, size.framebuffer);
@@ -162,32 +149,27 @@ void LivePreview::show_in(const WindowResized& size) {
 }
 
 void LivePreview::draw(const Preview& preview) {
-  ShownFrame frame;
-  const std::vector<Viewport> viewports = viewports_of(geometry_, preview.viewport().head());
-  for (std::size_t i = 0; i < viewports.size(); ++i) {
-    frame.views.push_back({.viewport = viewports[i], .part = geometry_.parts[i]});
-  }
-  frame.look = choices_.look;
+  ShownFrame frame = head_frame(area_, geometry_, preview.viewport().head(), choices_.look);
   go_on_checking(preview);
-  if (is_seen()) {
-    frame.framebuffer = framebuffer_;
-    frame.update = mirror_.collect(preview.film(), viewports, levels_for(viewports));
+  if (area_.is_seen()) {
+    frame.update = update_for(frame, preview.film(), mirror_);
     frame.overlays = overlays(preview);
     frame.panels = panels();
-  }
-  const bool is_last = settings_.frames && report_.frame_count + 1 == *settings_.frames;
-  const bool keeps_it = is_last && settings_.keeps_last_picture;
-  if (is_seen() && (wants_picture_ || keeps_it)) {
-    frame.picture = std::make_shared<std::promise<RgbImage>>();
-    auto picture = frame.picture->get_future();
-    if (keeps_it) {
-      last_picture_ = std::move(picture);
-    } else {
-      write_picture(std::move(picture));
-    }
-    wants_picture_ = false;
+    take_picture(frame);
   }
   parts_.presenter->draw(std::move(frame));
+}
+
+void LivePreview::take_picture(ShownFrame& frame) {
+  const bool is_last = settings_.frames && report_.frame_count + 1 == *settings_.frames;
+  if (is_last && settings_.keeps_last_picture) {
+    last_picture_ = picture_of(frame);
+  } else if (wants_picture_) {
+    const fs::path file = next_picture_file();
+    message_ = "picture: " + file.string();
+    pictures_.write(file, picture_of(frame));
+  }
+  wants_picture_ = false;
 }
 
 void LivePreview::go_on_checking(const Preview& preview) {
@@ -216,18 +198,7 @@ std::optional<Nanoseconds> LivePreview::wait_until_shown() {
     report_.first_shown = shown - start_;
   }
   // What is not drawn waits for no refresh.
-  return is_seen() ? std::optional(shown) : std::nullopt;
-}
-
-bool LivePreview::is_seen() const {
-  return !is_hidden_ && framebuffer_.x >= 2 && framebuffer_.y >= 1;
-}
-
-int LivePreview::levels_for(const std::vector<Viewport>& viewports) const {
-  const EquirectFilm& film = parts_.preview->film();
-  return choices_.look.fill_unsampled
-             ? film.levels()
-             : levels_shown(viewports.front(), geometry_.parts.front().size, film.height());
+  return area_.is_seen() ? std::optional(shown) : std::nullopt;
 }
 
 void LivePreview::keep(const LiveFrame& frame) {
@@ -238,17 +209,12 @@ void LivePreview::keep(const LiveFrame& frame) {
   is_done_ = is_done_ || (settings_.frames && report_.frame_count >= *settings_.frames);
 }
 
-void LivePreview::write_picture(std::future<RgbImage> picture) {
+fs::path LivePreview::next_picture_file() {
   // One that was taken a moment ago may not be on the disk yet.
   do {
     ++last_picture_number_;
   } while (fs::exists(picture_file(last_picture_number_)));
-  const fs::path file = picture_file(last_picture_number_);
-  message_ = "picture: " + file.string();
-  pictures_being_written_.push_back(
-      std::async(std::launch::async, [file, picture = std::move(picture)]() mutable {
-        write_display_picture(file, picture.get());
-      }));
+  return picture_file(last_picture_number_);
 }
 
 ViewOverlays LivePreview::overlays(const Preview& preview) const {

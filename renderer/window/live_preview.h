@@ -14,7 +14,9 @@
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
+#include "renderer/window/display_pictures.h"
 #include "renderer/window/film_mirror.h"
+#include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
 #include "renderer/window/steering.h"
@@ -52,9 +54,6 @@ struct LivePreviewReport {
   static constexpr std::size_t most_frames = 1 << 16;
 };
 
-/// Writes what a display shows, sRGB in [0, 1], as write_image does with linear radiance.
-void write_display_picture(const std::filesystem::path& file, const RgbImage& picture);
-
 /// Runs in one thread, beside the one that passes on the window's events and the one that draws.
 class LivePreview {
  public:
@@ -81,33 +80,31 @@ class LivePreview {
   void restart();
   void show_in(const WindowResized& size);
 
-  bool is_seen() const;
   void draw(const Preview& preview);
   std::optional<Nanoseconds> wait_until_shown();
   void keep(const LiveFrame& frame);
   void go_on_checking(const Preview& preview);
   void end_check();
-  void write_picture(std::future<RgbImage> picture);
-  int levels_for(const std::vector<Viewport>& viewports) const;
+  void take_picture(ShownFrame& frame);
+  std::filesystem::path next_picture_file();
   ViewOverlays overlays(const Preview& preview) const;
   std::vector<TextPanel> panels() const;
 
   LivePreviewSettings settings_;
   Parts parts_;
   PreviewChoices choices_;
-  IVec2 framebuffer_;
+  WindowArea area_;
   ViewGeometry geometry_;
   Nanoseconds start_;
   FilmMirror mirror_;
   LivePreviewReport report_;
   std::optional<CalibrationRoutine> gaze_check_;  ///< while it goes on
   std::string message_;
-  bool is_hidden_ = false;
   bool is_done_ = false;
   bool wants_picture_ = false;
   std::optional<std::future<RgbImage>> last_picture_;
   int last_picture_number_ = 0;  ///< of foveola-1.png, foveola-2.png, ...
-  std::vector<std::future<void>> pictures_being_written_;
+  DisplayPictures pictures_;
 };
 
 }  // namespace foveola

@@ -40,6 +40,11 @@ std::vector<ScreenPlace> screen_places(const ShownFrame& frame) {
 
 }  // namespace
 
+std::future<RgbImage> picture_of(ShownFrame& frame) {
+  frame.picture = std::make_shared<std::promise<RgbImage>>();
+  return frame.picture->get_future();
+}
+
 /// What lives on the graphics card.
 struct Presenter::Card {
   explicit Card(const PyramidAtlas& atlas) : film(atlas) {}

@@ -37,6 +37,9 @@ struct ShownFrame {
   std::shared_ptr<std::promise<RgbImage>> picture;
 };
 
+/// Asks for the frame's picture; it is there once the frame is drawn, or throws if it never is.
+std::future<RgbImage> picture_of(ShownFrame& frame);
+
 class Presenter {
  public:
   /// Takes the window's context. All must outlive it. Throws Error if the graphics card cannot do

@@ -96,6 +96,15 @@ void tell(const std::string& line) {
   std::fflush(stdout);
 }
 
+/// The session counts with its pictures or without: it goes on to its backup.
+void tell_of_lost_pictures(SessionDisplay& display) {
+  try {
+    display.finish_pictures();
+  } catch (const Error& error) {
+    tell(fmt::format("Not every page became a picture: {}", error.what()));
+  }
+}
+
 /// All that one session takes, in the thread beside the window's.
 class PersonRun {
  public:
@@ -126,19 +135,21 @@ class PersonRun {
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ConsoleLines console(STDIN_FILENO);
     RecordThread record(store_);
-    return PersonSession(session, {.protocol = &protocol_,
-                                   .plan = &plan_,
-                                   .stages = &stages,
-                                   .workers = &workers,
-                                   .clock = &clock,
-                                   .events = &events,
-                                   .display = &display,
-                                   .eye = &eye,
-                                   .pointer = gaze.pointer,
-                                   .record = &record,
-                                   .console = &console,
-                                   .tell = tell})
-        .run(stop);
+    const Phase phase = PersonSession(session, {.protocol = &protocol_,
+                                                .plan = &plan_,
+                                                .stages = &stages,
+                                                .workers = &workers,
+                                                .clock = &clock,
+                                                .events = &events,
+                                                .display = &display,
+                                                .eye = &eye,
+                                                .pointer = gaze.pointer,
+                                                .record = &record,
+                                                .console = &console,
+                                                .tell = tell})
+                            .run(stop);
+    tell_of_lost_pictures(display);
+    return phase;
   }
 
  private:

@@ -4,8 +4,6 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/window/live_preview.h"
-
 namespace foveola::study {
 namespace {
 
@@ -20,24 +18,14 @@ SessionDisplay::SessionDisplay(Window& window, const DisplayProfile& profile,
       clock_(&clock),
       geometry_(view_geometry(profile, framebuffer)),
       profile_(profile),
-      framebuffer_(framebuffer),
+      area_{.framebuffer = framebuffer},
       refresh_(profile.refresh_rate_hz) {}
 
-SessionDisplay::~SessionDisplay() {
-  for (std::future<void>& written : pictures_being_written_) {
-    written.wait();
-  }
-}
-
 void SessionDisplay::resize(const IVec2& framebuffer) {
-  framebuffer_ = framebuffer;
-  if (is_seen()) {
+  area_.framebuffer = framebuffer;
+  if (area_.is_seen()) {
     geometry_.parts = view_geometry(profile_, framebuffer).parts;
   }
-}
-
-bool SessionDisplay::is_seen() const {
-  return !is_hidden_ && framebuffer_.x >= 2 && framebuffer_.y >= 1;
 }
 
 void SessionDisplay::draw(SessionPicture picture) {
@@ -46,23 +34,13 @@ void SessionDisplay::draw(SessionPicture picture) {
     presenter_ = std::make_unique<Presenter>(
         *window_, PyramidAtlas(smallest_film.x, smallest_film.y), *clock_);
   }
-  ShownFrame frame;
-  const std::vector<Viewport> viewports = viewports_of(geometry_, picture.head);
-  for (std::size_t i = 0; i < viewports.size(); ++i) {
-    frame.views.push_back({.viewport = viewports[i], .part = geometry_.parts[i]});
-  }
-  if (is_seen()) {
-    frame.framebuffer = framebuffer_;
-    frame.update = update_for(picture.look, viewports);
-    frame.look = picture.look;
+  ShownFrame frame = head_frame(area_, geometry_, picture.head, picture.look);
+  if (area_.is_seen()) {
+    frame.update = take_update(frame);
     frame.overlays = std::move(picture.overlays);
     frame.screen = std::move(picture.screen);
     if (const auto file = std::exchange(picture_file_, std::nullopt)) {
-      frame.picture = std::make_shared<std::promise<RgbImage>>();
-      pictures_being_written_.push_back(std::async(
-          std::launch::async, [file = *file, drawn = frame.picture->get_future()]() mutable {
-            write_display_picture(file, drawn.get());
-          }));
+      pictures_.write(*file, picture_of(frame));
     }
   }
   presenter_->draw(std::move(frame));
@@ -70,7 +48,7 @@ void SessionDisplay::draw(SessionPicture picture) {
 
 std::optional<Nanoseconds> SessionDisplay::wait_until_shown() {
   const Nanoseconds shown = presenter_->wait_until_shown();
-  return is_seen() ? std::optional(shown) : std::nullopt;
+  return area_.is_seen() ? std::optional(shown) : std::nullopt;
 }
 
 Nanoseconds SessionDisplay::show(SessionPicture picture) {
@@ -102,17 +80,12 @@ void SessionDisplay::show_film(const EquirectFilm& film) {
   }
 }
 
-FilmUpdate SessionDisplay::update_for(const ViewLook& look,
-                                      const std::vector<Viewport>& viewports) {
+FilmUpdate SessionDisplay::take_update(const ShownFrame& frame) {
   if (film_ == nullptr) {
     return {};
   }
-  const int levels =
-      look.fill_unsampled
-          ? film_->levels()
-          : levels_shown(viewports.front(), geometry_.parts.front().size, film_->height());
   FilmUpdate update = std::exchange(first_update_, {});
-  const FilmUpdate changes = mirror_->collect(*film_, viewports, levels);
+  const FilmUpdate changes = update_for(frame, *film_, *mirror_);
   update.insert(update.end(), changes.begin(), changes.end());
   return update;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +11,9 @@
 #include "renderer/film/equirect_film.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/refresh_estimator.h"
+#include "renderer/window/display_pictures.h"
 #include "renderer/window/film_mirror.h"
+#include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/screen.h"
 #include "renderer/window/view_geometry.h"
@@ -35,13 +36,11 @@ class SessionDisplay {
   /// and clock must outlive it.
   SessionDisplay(Window& window, const DisplayProfile& profile, const IVec2& framebuffer,
                  const Clock& clock);
-  /// Writes the pictures that were asked for to the end.
-  ~SessionDisplay();
   SessionDisplay(const SessionDisplay&) = delete;
   SessionDisplay& operator=(const SessionDisplay&) = delete;
 
   void resize(const IVec2& framebuffer);
-  void hide(bool is_hidden) { is_hidden_ = is_hidden; }
+  void hide(bool is_hidden) { area_.is_hidden = is_hidden; }
 
   /// From now on, until show_no_film(): it must outlive that. Every new film is to be told of, even
   /// if it lies where an old one was.
@@ -51,6 +50,9 @@ class SessionDisplay {
 
   /// The next frame that is drawn becomes a file, too.
   void take_picture(const std::filesystem::path& file) { picture_file_ = file; }
+  /// Waits until the pictures so far are files. Throws Error for the first one that cannot be
+  /// written.
+  void finish_pictures() { pictures_.finish(); }
 
   /// Hands a frame over; returns when it is drawn. Throws Error if the graphics card cannot do it.
   void draw(SessionPicture picture);
@@ -61,7 +63,7 @@ class SessionDisplay {
   Nanoseconds show(SessionPicture picture);
 
   const ViewGeometry& geometry() const { return geometry_; }
-  const IVec2& framebuffer() const { return framebuffer_; }
+  const IVec2& framebuffer() const { return area_.framebuffer; }
   const RefreshEstimator& refresh() const { return refresh_; }
   /// What was learnt of the refreshes elsewhere.
   void set_refresh(const RefreshEstimator& refresh) { refresh_ = refresh; }
@@ -69,15 +71,13 @@ class SessionDisplay {
   std::string graphics() const { return presenter_ ? presenter_->graphics() : std::string(); }
 
  private:
-  bool is_seen() const;
-  FilmUpdate update_for(const ViewLook& look, const std::vector<Viewport>& viewports);
+  FilmUpdate take_update(const ShownFrame& frame);
 
   Window* window_;
   const Clock* clock_;
   ViewGeometry geometry_;
   DisplayProfile profile_;
-  IVec2 framebuffer_;
-  bool is_hidden_ = false;
+  WindowArea area_;
   RefreshEstimator refresh_;
   Nanoseconds next_frame_{0};
   IVec2 film_size_{0};                  ///< that the presenter is made for
@@ -86,7 +86,7 @@ class SessionDisplay {
   FilmUpdate first_update_;  ///< makes the graphics card forget the film before
   std::unique_ptr<Presenter> presenter_;
   std::optional<std::filesystem::path> picture_file_;
-  std::vector<std::future<void>> pictures_being_written_;
+  DisplayPictures pictures_;
 };
 
 }  // namespace foveola::study

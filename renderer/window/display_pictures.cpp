@@ -1,0 +1,32 @@
+#include "renderer/window/display_pictures.h"
+
+#include <utility>
+
+#include "renderer/image/image_file.h"
+#include "renderer/image/tone_mapping.h"
+
+namespace foveola {
+
+void write_display_picture(const std::filesystem::path& file, const RgbImage& picture) {
+  RgbImage linear = picture;
+  for (Rgb& color : linear.pixels) {
+    color = Rgb(linear_from_srgb(color.r), linear_from_srgb(color.g), linear_from_srgb(color.b));
+  }
+  write_image(file, linear, 0.0);
+}
+
+void DisplayPictures::write(const std::filesystem::path& file, std::future<RgbImage> picture) {
+  being_written_.push_back(
+      std::async(std::launch::async, [file, picture = std::move(picture)]() mutable {
+        write_display_picture(file, picture.get());
+      }));
+}
+
+void DisplayPictures::finish() {
+  std::vector<std::future<void>> pictures = std::exchange(being_written_, {});
+  for (std::future<void>& written : pictures) {
+    written.get();
+  }
+}
+
+}  // namespace foveola

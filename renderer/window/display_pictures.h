@@ -1,0 +1,28 @@
+// What a display shows, as files: they are written beside whoever draws.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <vector>
+
+#include "renderer/image/image.h"
+
+namespace foveola {
+
+/// Writes what a display shows, sRGB in [0, 1], as write_image does with linear radiance.
+void write_display_picture(const std::filesystem::path& file, const RgbImage& picture);
+
+/// Who destroys it waits until all are written.
+class DisplayPictures {
+ public:
+  /// The picture becomes this file as soon as it is there.
+  void write(const std::filesystem::path& file, std::future<RgbImage> picture);
+
+  /// Waits for all; rethrows what kept the first one from being written.
+  void finish();
+
+ private:
+  std::vector<std::future<void>> being_written_;  ///< std::async's: they wait when they go
+};
+
+}  // namespace foveola

@@ -1,0 +1,51 @@
+#include "renderer/window/display_pictures.h"
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/image/image_file.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola {
+namespace {
+
+std::future<RgbImage> grey_picture() {
+  std::promise<RgbImage> drawn;
+  RgbImage picture(4, 2);
+  for (Rgb& color : picture.pixels) {
+    color = Rgb(0.5F);
+  }
+  drawn.set_value(picture);
+  return drawn.get_future();
+}
+
+TEST(DisplayPicturesTest, BecomeFilesOfWhatWasSeen) {
+  const test::TemporaryFolder folder;
+  DisplayPictures pictures;
+  pictures.write(folder / "one.png", grey_picture());
+  pictures.write(folder / "two.png", grey_picture());
+  pictures.finish();
+  for (const char* name : {"one.png", "two.png"}) {
+    const RgbImage read = read_film_image(folder / name).color;
+    ASSERT_EQ(read.width, 4) << name;
+    EXPECT_NEAR(read.at(3, 1).g, 0.2140, 0.003) << "0.5 of sRGB, as linear light";
+  }
+}
+
+TEST(DisplayPicturesTest, WhatCannotBeWrittenIsToldAndTheOthersAreWritten) {
+  const test::TemporaryFolder folder;
+  DisplayPictures pictures;
+  pictures.write(folder / "no-such-folder" / "one.png", grey_picture());
+  pictures.write(folder / "two.png", grey_picture());
+  try {
+    pictures.finish();
+    FAIL() << "a picture in no folder";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("one.png"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "two.png"));
+  EXPECT_NO_THROW(pictures.finish()) << "told once";
+}
+
+}  // namespace
+}  // namespace foveola

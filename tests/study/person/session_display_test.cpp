@@ -1,0 +1,68 @@
+#include "study/person/session_display.h"
+
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/image/image_file.h"
+#include "tests/temporary_folder.h"
+#include "tests/x_server.h"
+
+namespace foveola::study {
+namespace {
+
+class SessionDisplayTest : public ::testing::Test {
+ protected:
+  static DisplayProfile monitor() {
+    return {.kind = DisplayKind::monitor,
+            .width_px = 1280,
+            .height_px = 1024,
+            .refresh_rate_hz = 60.0,
+            .width_m = 0.34,
+            .height_m = 0.272,
+            .viewing_distance_m = 0.6};
+  }
+
+  /// A page that is bright all over, as a picture.
+  void take_picture(const std::filesystem::path& file) {
+    display_.take_picture(file);
+    display_.show({.screen = ScreenPage{.is_signal = true}});
+  }
+
+  foveola::test::XServer server_;
+  foveola::test::TemporaryFolder folder_;
+  SteadyClock clock_;
+  WindowEvents events_;
+  Window window_{{.size = {64, 48}}, events_, clock_};
+  SessionDisplay display_{window_, monitor(), {64, 48}, clock_};
+};
+
+TEST_F(SessionDisplayTest, APageBecomesAFileOnce) {
+  take_picture(folder_ / "page.png");
+  display_.finish_pictures();
+  const RgbImage picture = read_film_image(folder_ / "page.png").color;
+  EXPECT_EQ(IVec2(picture.width, picture.height), IVec2(64, 48));
+  EXPECT_GT(picture.at(1, 1).g, 0.5F);
+  std::filesystem::remove(folder_ / "page.png");
+  display_.show({});
+  display_.finish_pictures();
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "page.png"));
+}
+
+TEST_F(SessionDisplayTest, ThatAPageCouldNotBecomeAFileIsTold) {
+  take_picture(folder_ / "no-such-folder" / "page.png");
+  EXPECT_THROW(display_.finish_pictures(), Error);
+}
+
+TEST_F(SessionDisplayTest, WhatNobodySeesWaitsToBecomeAPicture) {
+  display_.hide(true);
+  take_picture(folder_ / "page.png");
+  display_.finish_pictures();
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "page.png"));
+  display_.hide(false);
+  display_.show({});
+  display_.finish_pictures();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "page.png"));
+}
+
+}  // namespace
+}  // namespace foveola::study
