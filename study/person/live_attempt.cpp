@@ -20,6 +20,17 @@ ViewLook look_of(const PreviewSettings& settings) {
           .fill_unsampled = settings.unsampled == UnsampledPixels::filled};
 }
 
+AttemptSink sink_to(RecordThread& record, const AttemptKey& key) {
+  return {.frames =
+              [&record, key](std::uint64_t first, std::vector<FrameRow> frames) {
+                record.frames(key.session, key.trial, key.attempt, first, std::move(frames));
+              },
+          .gaze =
+              [&record, key](std::uint64_t first, std::vector<GazeSample> samples) {
+                record.gaze(key.session, key.trial, key.attempt, first, std::move(samples));
+              }};
+}
+
 }  // namespace
 
 LiveAttempt::LiveAttempt(AttemptSetting setting)
@@ -31,7 +42,7 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
               [this](Nanoseconds time) { wait_until(time); },
               {.resample = [this](const Preview& preview) { draw(preview); },
                .present = [this] { return setting_.display->wait_until_shown(); }}),
-      log_(setting_.sink) {
+      log_(sink_to(*setting_.record, setting_.key)) {
   const ViewGeometry& geometry = setting_.display->geometry();
   preview_.set_view({.horizontal_fov_deg = geometry.horizontal_fov_deg,
                      .vertical_fov_deg = geometry.vertical_fov_deg,
@@ -51,7 +62,10 @@ Nanoseconds LiveAttempt::next() {
 void LiveAttempt::finish() {
   log_.finish();
   if (log_.frames() > 0) {
-    setting_.keep_film_hash({.frame = log_.frames() - 1, .sha256 = film_sha256(preview_.film())});
+    const AttemptKey& key = setting_.key;
+    setting_.record->film_hash(
+        key.session, key.trial, key.attempt,
+        {.frame = log_.frames() - 1, .sha256 = film_sha256(preview_.film())});
   }
 }
 

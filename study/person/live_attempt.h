@@ -1,6 +1,7 @@
 // One attempt at a trial as a person sees it: frames at the display's pace, and their record.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -10,10 +11,18 @@
 #include "renderer/preview/preview.h"
 #include "study/person/person_tracker.h"
 #include "study/person/session_display.h"
+#include "study/record/record_thread.h"
 #include "study/stage/attempt_log.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {
+
+/// Which attempt it is in the record.
+struct AttemptKey {
+  std::int64_t session = 0;
+  std::size_t trial = 0;  ///< index into the plan
+  int attempt = 1;
+};
 
 /// What an attempt is made of; what is pointed to must outlive it.
 struct AttemptSetting {
@@ -24,11 +33,11 @@ struct AttemptSetting {
   SessionDisplay* display = nullptr;
   PersonTracker* eye = nullptr;
   HeadTracker* head = nullptr;
+  RecordThread* record = nullptr;
+  AttemptKey key;
   PlannedTrial trial;
   std::uint32_t seed = 0;       ///< of points and paths
   Nanoseconds session_zero{0};  ///< the clock's time at which the session's is 0
-  AttemptSink sink;
-  std::function<void(FilmHash)> keep_film_hash;
   /// What is done while a frame waits for its refresh, before it looks at head and gaze.
   std::function<void()> while_waiting;
   /// The page over the picture, if there is one.

@@ -1,0 +1,44 @@
+// What a participant's key means where the session is.
+#pragma once
+
+#include <optional>
+
+#include "study/person/person_keys.h"
+#include "study/session/session.h"
+
+namespace foveola::study {
+
+/// What the participant is asked to confirm.
+enum class Doubt { timing_again, stopping };
+
+enum class KeyIntent {
+  read_on,  ///< the notice was read
+  // Of a doubt.
+  time_again,
+  stop_taking_part,
+  let_doubt_go,
+  // Raise one.
+  doubt_timing,
+  doubt_going_on,
+  // Of the phases.
+  begin_validation,
+  press,  ///< at what appears
+  next_object,
+  choose_object,
+  start_trial,
+  mark,
+  rate,
+  resume,
+  leave,
+};
+
+/// Empty if it means nothing there. A doubt comes before a notice, a notice before the phase. Forms
+/// take what they need before; PersonKey::pause is left to others.
+std::optional<KeyIntent> intent_of(PersonKey key, Phase phase, const std::optional<Doubt>& doubt,
+                                   bool reads_notice);
+
+/// The event of the session that the intent is, if it says all of one. time: of the key, session
+/// clock.
+std::optional<Event> event_of(KeyIntent intent, Nanoseconds time);
+
+}  // namespace foveola::study

@@ -1,0 +1,16 @@
+#include "study/person/page_watch.h"
+
+namespace foveola::study {
+
+void PageWatch::turn_page() {
+  since_.reset();
+  // Here, for within an attempt a page may come and be shown between two looks at it.
+  frames_ = 0;
+}
+
+std::optional<int> PageWatch::picture_due(bool stands) {
+  frames_ = stands && since_ ? frames_ + 1 : 0;
+  return frames_ == frame_to_keep ? std::optional(++pages_) : std::nullopt;
+}
+
+}  // namespace foveola::study

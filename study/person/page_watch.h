@@ -1,0 +1,36 @@
+// Since when the participant has seen a page, and when its picture is to be taken.
+#pragma once
+
+#include <optional>
+
+#include "renderer/base/clock.h"
+
+namespace foveola::study {
+
+/// Is told of every frame. Times are of one clock, whichever.
+class PageWatch {
+ public:
+  /// By this frame of a page, its words have been measured and stand.
+  static constexpr int frame_to_keep = 3;
+
+  /// The frames from the next one on show another page, even if one page follows the other between
+  /// two looks at them.
+  void turn_page();
+
+  /// Before each frame. stands: nothing else is about to be shown. Returns the page's number, from
+  /// 1, if this is the frame of which a picture is to be taken.
+  std::optional<int> picture_due(bool stands);
+
+  /// After each frame, with the time at which it was shown.
+  void was_shown(Nanoseconds time) { since_ = since_.value_or(time); }
+
+  /// What was pressed before the page could be seen was no answer to it.
+  bool was_seen_at(Nanoseconds time) const { return since_ && time >= *since_; }
+
+ private:
+  std::optional<Nanoseconds> since_;
+  int frames_ = 0;  ///< in which it stood
+  int pages_ = 0;   ///< whose picture was due
+};
+
+}  // namespace foveola::study

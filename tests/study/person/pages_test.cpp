@@ -1,0 +1,116 @@
+#include "study/person/pages.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/study/person/asked_protocol.h"
+
+namespace foveola::study {
+namespace {
+
+using namespace std::chrono_literals;
+using test::AskedSession;
+
+/// Empty: the picture alone.
+std::string title(const AskedSession& session, Nanoseconds now = 0s) {
+  const std::optional<ScreenPage> page = page_of(session.asked, session.standing(), now);
+  return page ? page->title : "";
+}
+
+AskedSession session_in(Phase phase) {
+  AskedSession session;
+  session.seen.phase = phase;
+  return session;
+}
+
+std::string title_of(const ScreenPage& page) { return page.title; }
+
+TEST(PagesTest, ADoubtIsBeforeNoticesAndThoseAreBeforeThePhase) {
+  AskedSession session = session_in(Phase::paused);
+  const Texts& texts = session.protocol.texts;
+  EXPECT_EQ(title(session), title_of(notice_screen(Notice::pause, texts)));
+  session.follow(SessionStarted{});
+  EXPECT_EQ(title(session), title_of(notice_screen(Notice::welcome, texts)));
+  session.asked.doubt = Doubt::stopping;
+  EXPECT_EQ(title(session), title_of(notice_screen(Notice::stopping, texts)));
+  session.asked.doubt = Doubt::timing_again;
+  EXPECT_EQ(title(session), title_of(retiming_screen(texts)));
+}
+
+TEST(PagesTest, TheEndsDiffer) {
+  const Texts texts = test::asking_protocol().texts;
+  for (const auto& [phase, notice] :
+       {std::pair(Phase::completed, Notice::goodbye),
+        std::pair(Phase::withdrawn, Notice::withdrawn), std::pair(Phase::refused, Notice::refused),
+        std::pair(Phase::excluded, Notice::interrupted), std::pair(Phase::created, Notice::loading),
+        std::pair(Phase::interrupted, Notice::loading)}) {
+    EXPECT_EQ(title(session_in(phase)), title_of(notice_screen(notice, texts))) << name_of(phase);
+  }
+}
+
+TEST(PagesTest, TargetsAreSeenAloneAndSaidBeforehand) {
+  AskedSession session = session_in(Phase::validation);
+  const Texts& texts = session.protocol.texts;
+  session.seen.validations_left = 3;
+  EXPECT_EQ(title(session), title_of(notice_screen(Notice::validation, texts)));
+  session.seen.validations_left = 2;
+  EXPECT_EQ(title(session), title_of(notice_screen(Notice::validation_again, texts)));
+  begin_validation(session.asked, *session.protocol.tracker.validation,
+                   {.horizontal_fov_deg = 60.0, .vertical_fov_deg = 60.0}, 0s);
+  EXPECT_EQ(title(session), "");
+}
+
+TEST(PagesTest, TheReactionTestShowsItsSignal) {
+  AskedSession session = session_in(Phase::reaction);
+  const Texts& texts = session.protocol.texts;
+  EXPECT_EQ(title(session), title_of(reaction_wait_screen(texts)));
+  session.follow(ReactionPressed{.shown = 2s, .time = 1s});
+  EXPECT_EQ(title(session), title_of(reaction_early_screen(texts)));
+  session.asked.reaction.end_frame(*session.protocol.reaction, 0s);
+  session.asked.reaction.begin_frame(4s);
+  const auto page = page_of(session.asked, session.standing(), 0s);
+  EXPECT_TRUE(page->is_signal);
+  EXPECT_FALSE(page->progress) << "nothing but the signal changes";
+}
+
+TEST(PagesTest, AMarkIsAcknowledgedForAMoment) {
+  AskedSession session = session_in(Phase::marking);
+  EXPECT_EQ(title(session, 10s), "");
+  session.prepare(AcknowledgeMark{}, 10s);
+  EXPECT_EQ(title(session, 10500ms), title_of(mark_taken_screen(1, 2, session.protocol.texts)));
+  EXPECT_EQ(title(session, 11s), "");
+}
+
+TEST(PagesTest, ARatingIsPrecededByLookingAround) {
+  AskedSession session = session_in(Phase::rating);
+  const Texts& texts = session.protocol.texts;
+  session.prepare(AcknowledgeMark{}, 10s);
+  session.prepare(AskForRating{}, 10s);
+  EXPECT_EQ(title(session, 10s), title_of(mark_taken_screen(2, 2, texts)));
+  EXPECT_EQ(title(session, 12s), title_of(look_around_screen(texts)));
+  session.asked.wants_to_rate = true;
+  begin_rating(session.asked, session.protocol, 14s);
+  EXPECT_EQ(title(session, 14s), title_of(rating_form(session.protocol.ratings, texts).screen()));
+}
+
+TEST(PagesTest, ATrialsPhasesLeaveThePicture) {
+  AskedSession session = session_in(Phase::ready);
+  session.seen.step = 1;
+  session.protocol.texts["ready_title"] = "{trial} of {trials}";
+  EXPECT_EQ(title(session), "2 of 2");
+  EXPECT_FALSE(page_of(session.asked, session.standing(), 0s)->covers_picture);
+  session.seen.phase = Phase::choosing_object;
+  EXPECT_EQ(title(session), title_of(choosing_screen(session.protocol.texts)));
+  session.seen.phase = Phase::armed;
+  EXPECT_EQ(title(session), "");
+}
+
+TEST(PagesTest, PagesThatCoverThePictureSayHowFarItIs) {
+  AskedSession session = session_in(Phase::paused);
+  session.seen.step = 1;
+  EXPECT_DOUBLE_EQ(page_of(session.asked, session.standing(), 0s)->progress.value(), 0.5);
+  session.seen.phase = Phase::choosing_object;
+  EXPECT_FALSE(page_of(session.asked, session.standing(), 0s)->progress);
+}
+
+}  // namespace
+}  // namespace foveola::study
