@@ -6,6 +6,7 @@
 
 #include "renderer/preview/direct_panorama.h"
 #include "study/person/console_words.h"
+#include "study/person/pages.h"
 
 namespace foveola::study {
 namespace {
@@ -95,7 +96,7 @@ void PersonSession::carry_out(const DurableEvent& durable) {
     carry_out(effect);
   }
   if (!durable.effects.empty()) {
-    ask_to_confirm(std::nullopt);
+    set_doubt(std::nullopt);
   }
 }
 
@@ -145,7 +146,7 @@ void PersonSession::start_rendering() {
                                             *parts_.protocol, trial(), seen_.timing),
                      .session_zero = zero_,
                      .while_waiting = [this] { answer_window(); },
-                     .page = [this] { return page(); }});
+                     .page = [this] { return page_of(asked_, standing(), now()); }});
 }
 
 void PersonSession::stop_rendering() {

@@ -80,7 +80,6 @@ class PersonSession {
   void go_on_reacting(Nanoseconds shown);
   void go_on_timing();
   SessionPicture picture();
-  std::optional<ScreenPage> page() const;
 
   // The experimenter.
   void answer_console();
@@ -94,7 +93,7 @@ class PersonSession {
   void pause_or_leave();
   void hand_in();
   void act(KeyIntent intent, Nanoseconds time);
-  void ask_to_confirm(const std::optional<Doubt>& doubt);
+  void set_doubt(const std::optional<Doubt>& doubt);
   void turn_to_next_object();
   std::size_t object_ahead_now();
   bool is_picture_shown() const;

@@ -108,7 +108,7 @@ void PersonSession::pause_or_leave() {
   if (log_.state().is_over()) {
     is_done_ = true;
   } else if (asked_.doubt) {
-    ask_to_confirm(std::nullopt);
+    set_doubt(std::nullopt);
   } else {
     feed(PauseRequested{});
   }
@@ -131,13 +131,13 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
       page_watch_.turn_page();
       break;
     case KeyIntent::let_doubt_go:
-      ask_to_confirm(std::nullopt);
+      set_doubt(std::nullopt);
       break;
     case KeyIntent::doubt_timing:
-      ask_to_confirm(Doubt::timing_again);
+      set_doubt(Doubt::timing_again);
       break;
     case KeyIntent::doubt_going_on:
-      ask_to_confirm(Doubt::stopping);
+      set_doubt(Doubt::stopping);
       break;
     case KeyIntent::begin_validation:
       parts_.eye->correct(std::nullopt);
@@ -170,7 +170,7 @@ void PersonSession::turn_to_next_object() {
                   parts_.clock->now());
 }
 
-void PersonSession::ask_to_confirm(const std::optional<Doubt>& doubt) {
+void PersonSession::set_doubt(const std::optional<Doubt>& doubt) {
   asked_.doubt = doubt;
   page_watch_.turn_page();
 }

@@ -93,7 +93,8 @@ void PersonSession::go_on_timing() {
 }
 
 SessionPicture PersonSession::picture() {
-  SessionPicture picture{.head = viewer_.orientation(parts_.clock->now()), .screen = page()};
+  SessionPicture picture{.head = viewer_.orientation(parts_.clock->now()),
+                         .screen = page_of(asked_, standing(), now())};
   if (seen_.phase == Phase::validation && asked_.validation) {
     picture.overlays.target = picture.head * asked_.validation->target().value_or(forward);
   } else if (seen_.phase == Phase::choosing_object) {
@@ -108,7 +109,5 @@ std::size_t PersonSession::object_ahead_now() {
   const Quat head = viewer_.orientation(parts_.clock->now());
   return object_ahead(stage().objects(), head * forward);
 }
-
-std::optional<ScreenPage> PersonSession::page() const { return page_of(asked_, standing(), now()); }
 
 }  // namespace foveola::study

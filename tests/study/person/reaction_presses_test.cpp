@@ -39,6 +39,7 @@ TEST_F(ReactionPressesTest, APressAtWhatAppearedIsTimedFromItsFrame) {
   ASSERT_TRUE(pressed);
   EXPECT_EQ(pressed->shown, 1020ms);
   EXPECT_EQ(pressed->time, 1300ms);
+  EXPECT_FALSE(show(1320ms)) << "told once";
 }
 
 TEST_F(ReactionPressesTest, AnEarlyPressIsSaidSoOnceItIsKept) {
