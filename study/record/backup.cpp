@@ -4,6 +4,7 @@
 #include "renderer/base/error.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
+#include "study/record/temporary_database.h"
 
 namespace fs = std::filesystem;
 
@@ -19,6 +20,7 @@ fs::path new_backup(const fs::path& study) {
     throw Error(folder.string(), "cannot be made: " + failure.message(),
                 "check the permissions of the folder above it");
   }
+  sync_to_disk(folder_of(folder));  // else the folder could go, and every backup with it
   fs::path path;
   do {
     path = folder / (utc_now() + ".sqlite");

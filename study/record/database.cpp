@@ -67,6 +67,15 @@ SQLite::Database open_immutable(const fs::path& path) {
 
 bool has_write_ahead_log(const fs::path& path) { return fs::exists(path.string() + "-wal"); }
 
+/// A loss of power while the log is first begun leaves a journal of what was half done; SQLite
+/// undoes that for whoever may write.
+void undo_what_was_half_done(const fs::path& path) {
+  if (fs::exists(path.string() + "-journal")) {
+    SQLite::Database database(path, SQLite::OPEN_READWRITE, busy_timeout_ms);
+    database.execAndGet("PRAGMA schema_version");
+  }
+}
+
 void require_regular_file(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -198,6 +207,7 @@ int schema_of_study(const fs::path& path) {
 
 SQLite::Database open_as_it_is(const fs::path& path) {
   const fs::path file = fs::canonical(path);
+  undo_what_was_half_done(file);
   // Without a log nobody writes, and SQLite would leave an empty one behind if it took part.
   return has_write_ahead_log(file) ? SQLite::Database(file, SQLite::OPEN_READONLY, busy_timeout_ms)
                                    : open_immutable(file);

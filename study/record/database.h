@@ -27,7 +27,8 @@ int schema_of_study(const std::filesystem::path& path);
 void require_schema(SQLite::Database& database, const std::filesystem::path& path);
 
 /// The file at `path`, which exists, unchecked, to read only. Nothing beside it is made, even in a
-/// folder that cannot be written. Throws what SQLite throws.
+/// folder that cannot be written; a journal that lies beside it is played back, which only who may
+/// write can do. Throws what SQLite throws.
 SQLite::Database open_as_it_is(const std::filesystem::path& path);
 
 /// The study at `path`, checked, to read only; nothing is made either. What a file of an older

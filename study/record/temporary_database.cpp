@@ -22,20 +22,6 @@ Error cannot_be_made(const fs::path& path) {
       "choose another path"};
 }
 
-/// Of a file or a folder: what was written to it is on the disk when this returns.
-void sync_to_disk(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int fault = errno;
-  if (descriptor >= 0) {
-    ::close(descriptor);
-  }
-  if (!synced) {
-    errno = fault;
-    throw cannot_be_made(path);
-  }
-}
-
 std::string prefix_of_temporaries(const fs::path& final_path) {
   return fmt::format(".{}.", final_path.filename().string());
 }
@@ -79,6 +65,19 @@ void TemporaryDatabase::remove() const {
   std::error_code ignored;
   for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
     fs::remove(path_.string() + suffix, ignored);
+  }
+}
+
+void sync_to_disk(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+  const int fault = errno;
+  if (descriptor >= 0) {
+    ::close(descriptor);
+  }
+  if (!synced) {
+    errno = fault;
+    throw cannot_be_made(path);
   }
 }
 

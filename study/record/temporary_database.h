@@ -31,6 +31,10 @@ class TemporaryDatabase {
   std::filesystem::path path_;
 };
 
+/// Of a file what was written to it, of a folder the names in it: they are on the disk when this
+/// returns. Throws Error if they cannot be.
+void sync_to_disk(const std::filesystem::path& path);
+
 /// Whether a file of this name is one that a killed program may have left of `final_path`.
 bool is_temporary_of(const std::filesystem::path& final_path, const std::string& file_name);
 

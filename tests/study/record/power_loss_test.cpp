@@ -1,0 +1,264 @@
+// A study through losses of power, at any moment, with whatever the disk then holds.
+//
+// FOVEOLA_POWER_LOSSES=10000 loses it so often in each test instead of a few times.
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <set>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "power_loss_study.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "study/record/maintenance.h"
+#include "study/record/migration.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr const char* study_name = "study.sqlite";
+
+/// The moments between two calls at which the power is lost: half of them at any, the others right
+/// after something was acknowledged; in order.
+std::vector<std::size_t> drawn_moments(const std::vector<DiskCall>& calls, std::size_t count,
+                                       std::mt19937& random) {
+  const auto begun = std::find_if(calls.begin(), calls.end(), [](const DiskCall& call) {
+    return std::holds_alternative<Begun>(call);
+  });
+  std::vector<std::size_t> after_acknowledgements;
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    if (std::holds_alternative<Acknowledged>(calls[i])) {
+      after_acknowledgements.push_back(i + 1);
+    }
+  }
+  std::uniform_int_distribution<std::size_t> any(
+      static_cast<std::size_t>(begun - calls.begin()) + 1, calls.size());
+  std::vector<std::size_t> moments;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t drawn = any(random);
+    moments.push_back(i % 2 == 0 ? drawn
+                                 : after_acknowledgements[drawn % after_acknowledgements.size()]);
+  }
+  std::sort(moments.begin(), moments.end());
+  return moments;
+}
+
+std::size_t losses_or(std::size_t a_few) {
+  const char* asked = std::getenv("FOVEOLA_POWER_LOSSES");
+  return asked != nullptr ? std::stoul(asked) : a_few;
+}
+
+/// Loses the power again and again, and calls `judge` with the folder that is left and how much
+/// had been acknowledged.
+template <typename Judge>
+void lose_power(const std::vector<DiskCall>& calls, std::size_t times, Syncs syncs,
+                const Judge& judge) {
+  std::mt19937 random(2018);
+  LosingDisk disk(syncs);
+  std::size_t gone_through = 0;
+  std::size_t acknowledged = 0;
+  std::size_t losses = 0;
+  for (const std::size_t moment : drawn_moments(calls, times, random)) {
+    for (; gone_through < moment; ++gone_through) {
+      acknowledged += std::holds_alternative<Acknowledged>(calls[gone_through]) ? 1 : 0;
+      disk.go_through(calls[gone_through]);
+    }
+    const TemporaryFolder left;
+    for (const auto& [name, content] :
+         disk.after(all_losses[losses++ % std::size(all_losses)], random)) {
+      left.write(name, content);
+    }
+    judge(left, acknowledged);
+  }
+}
+
+std::string marks_in(const fs::path& path) { return query(path, "SELECT count(*) FROM mark"); }
+
+Holdings holdings_of(const fs::path& path) {
+  SQLite::Database database(path, SQLite::OPEN_READONLY);
+  SQLite::Statement counts(database,
+                           "SELECT (SELECT count(*) FROM session), (SELECT count(*) FROM event),"
+                           " (SELECT count(*) FROM frame_chunk),"
+                           " (SELECT count(*) FROM gaze_chunk), (SELECT count(*) FROM film_hash)");
+  counts.executeStep();
+  const auto number = [&](int column) {
+    return static_cast<std::size_t>(counts.getColumn(column).getInt64());
+  };
+  return {number(0), number(1), number(2), number(3), number(4)};
+}
+
+/// Holds the study against what is known of it, and goes on with it. Returns what is wrong.
+std::string fault_of(const fs::path& path, const RecordedStudy& known, std::size_t acknowledged) {
+  if (acknowledged > 0 && !fs::exists(path)) {
+    return "is not there";
+  }
+  try {
+    StudyStore store(path, small_protocol());
+    const Holdings left = holdings_of(path);
+    const auto first = known.commits.begin() + static_cast<std::ptrdiff_t>(acknowledged);
+    if (std::find(first, known.commits.end(), left) == known.commits.end()) {
+      return "lost what was acknowledged, or holds half of something";
+    }
+    std::vector<ToldEvent> events;
+    for (const KnownSession& session : store.sessions()) {
+      SessionState state;
+      for (const LoggedEvent& logged : store.events_of(session.id)) {
+        events.push_back({logged.time, std::string(name_of(logged.event))});
+        state =
+            step(procedure_of(small_protocol(), small_plan()), state, logged.event).value().state;
+      }
+      if (!state.is_over()) {
+        store.record_event(session.id, ms(100'000), NoteWritten{.text = "the power was lost"},
+                           state, state);
+      }
+    }
+    if (!std::equal(events.begin(), events.end(), known.events.begin())) {
+      return "shows other events";
+    }
+  } catch (const Error& error) {
+    return error.what();
+  }
+  const Verification verified = verify_study(path);
+  return verified.faults.empty() ? "" : verified.faults.front().what;
+}
+
+/// In how many of the losses the study was at fault; each is a failure where syncs are kept.
+std::size_t count_faults(const RecordedStudy& study, std::size_t times, Syncs syncs) {
+  std::size_t faults = 0;
+  std::size_t losses = 0;
+  lose_power(study.calls, times, syncs, [&](const TemporaryFolder& left, std::size_t acknowledged) {
+    const std::string fault = fault_of(left / study_name, study, acknowledged);
+    faults += fault.empty() ? 0 : 1;
+    ++losses;
+    if (syncs == Syncs::kept) {
+      EXPECT_EQ(fault, "") << "loss " << losses << ", " << acknowledged << " acknowledged";
+    }
+  });
+  std::cout << losses << " losses of power, " << faults << " faults\n";
+  return faults;
+}
+
+TEST(PowerLoss, WhatWasAcknowledgedStays) {
+  count_faults(short_study(), losses_or(70), Syncs::kept);
+}
+
+/// Whether SQLite began its log anew, which it does once all of it is in the file.
+bool folds_in_its_log(const RecordedStudy& study) {
+  std::map<FileId, std::size_t> beginnings;
+  for (const DiskCall& call : study.calls) {
+    if (const auto* const write = std::get_if<Written>(&call);
+        write != nullptr && write->offset == 0 && write->bytes.size() == 32) {  // a log's header
+      ++beginnings[write->file];
+    }
+  }
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [](const auto& file) { return file.second > 1; });
+}
+
+TEST(PowerLoss, WhatWasAcknowledgedStaysWhileTheLogIsFoldedIn) {
+  ASSERT_TRUE(folds_in_its_log(long_study()));
+  count_faults(long_study(), losses_or(10), Syncs::kept);
+}
+
+// A record that did not sync, or too late, would be found out.
+TEST(PowerLoss, IsFoundIfFilesAreNotSynced) {
+  EXPECT_GT(count_faults(short_study(), 30, Syncs::files_ignored), 7);
+}
+
+TEST(PowerLoss, IsFoundIfFoldersAreNotSynced) {
+  EXPECT_GT(count_faults(short_study(), 30, Syncs::folders_ignored), 4);
+}
+
+// The disk that the tests lose is the one that the program wrote.
+TEST(PowerLoss, ADiskThatLosesNothingHoldsWhatTheProgramWrote) {
+  const TemporaryFolder folder;
+  std::vector<DiskCall> calls;
+  std::map<std::string, std::string> written;
+  {
+    DiskWatch watch(folder.path());
+    StudyStore store(folder / study_name, thorough_protocol());
+    run_thorough_session(store, "P01");
+    calls = watch.calls();
+    for (const char* name : {study_name, "study.sqlite-wal"}) {
+      written[name] = read_file(folder / name);
+    }
+  }
+  LosingDisk disk;
+  for (const DiskCall& call : calls) {
+    disk.go_through(call);
+  }
+  std::mt19937 random;
+  EXPECT_TRUE(disk.after(Loss::nothing, random) == written);
+}
+
+/// What a disk loses that has watched `work` on a study of one thorough session, which lies at
+/// study_name and may be open or not; `work` returns the path that must then be there.
+template <typename Work>
+void expect_whole_session(const TemporaryFolder& folder, std::size_t times, const Work& work) {
+  const std::string marks = marks_in(folder / study_name);
+  std::vector<DiskCall> calls;
+  std::string name;
+  {
+    DiskWatch watch(folder.path());
+    name = fs::path(work()).lexically_relative(folder.path());
+    watch.acknowledge();
+    calls = watch.calls();
+  }
+  lose_power(calls, times, Syncs::kept, [&](const TemporaryFolder& left, std::size_t told) {
+    EXPECT_TRUE(fs::exists(left / study_name));
+    EXPECT_TRUE(told == 0 || fs::exists(left / name)) << name << " is gone";
+    for (const std::string& study : std::set<std::string>{study_name, name}) {
+      if (fs::exists(left / study)) {
+        EXPECT_THAT(verify_study(left / study).faults, testing::IsEmpty());
+        EXPECT_EQ(marks_in(left / study), marks);
+      }
+    }
+  });
+}
+
+TEST(PowerLoss, ABackupThatWasMadeStays) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / study_name;
+  StudyStore store(path, thorough_protocol());
+  run_thorough_session(store, "P01");
+  expect_whole_session(folder, losses_or(15), [&] { return back_up_study(path); });
+}
+
+TEST(PowerLoss, ARestoredBackupIsGoneOnWith) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / study_name;
+  {
+    const TemporaryFolder elsewhere;
+    StudyStore store(elsewhere / study_name, thorough_protocol());
+    run_thorough_session(store, "P01");
+    store.back_up(path);
+  }
+  expect_whole_session(folder, losses_or(30), [&] {
+    const StudyStore store(path, thorough_protocol());
+    return path;
+  });
+}
+
+TEST(PowerLoss, AStudyOfAnOlderSchemaIsMigrated) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / study_name;
+  {
+    SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    for (const char* name : {"schema-3.sql", "schema-3-study.sql"}) {
+      database.exec(read_file(fs::path(TEST_DATA_DIR) / "records" / name));
+    }
+    database.exec("PRAGMA journal_mode = WAL");
+  }
+  expect_whole_session(folder, losses_or(10), [&] {
+    const StudyStore store(path, small_protocol());
+    return copy_of_schema(path, 3);
+  });
+}
+
+}  // namespace
+}  // namespace foveola::study
