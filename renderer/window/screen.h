@@ -28,7 +28,7 @@ struct ScreenField {
   bool has_focus = false;
 };
 
-/// All text is UTF-8: Latin, Greek or Cyrillic.
+/// All text is UTF-8, written from left to right, letter by letter.
 struct ScreenPage {
   std::string title;
   std::vector<std::string> paragraphs;

@@ -1,8 +1,10 @@
 #include "renderer/window/screen_fonts.h"
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <iterator>
 
 #include <imgui.h>
 
@@ -26,6 +28,9 @@ constexpr std::array<ImWchar, 19> known_letters = {
     0,
 };
 
+constexpr const char* body_name = "DejaVuSans.ttf";
+constexpr const char* title_name = "DejaVuSans-Bold.ttf";
+
 std::string read_font(const std::filesystem::path& path) {
   try {
     return read_file(path);
@@ -35,24 +40,134 @@ std::string read_font(const std::filesystem::path& path) {
   }
 }
 
-ImFont* add_face(ImFontAtlas& atlas, std::string& file, float height_px) {
+bool is_known(char32_t character) {
+  for (std::size_t i = 0; i + 1 < known_letters.size(); i += 2) {
+    if (character >= known_letters[i] && character <= known_letters[i + 1]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Those that are not in every atlas.
+Characters unknown_of(const Characters& characters) {
+  Characters unknown;
+  std::copy_if(characters.begin(), characters.end(), std::inserter(unknown, unknown.end()),
+               [](char32_t character) { return !is_known(character); });
+  return unknown;
+}
+
+Characters without(const Characters& all, const Characters& taken) {
+  Characters rest;
+  std::set_difference(all.begin(), all.end(), taken.begin(), taken.end(),
+                      std::inserter(rest, rest.end()));
+  return rest;
+}
+
+/// Of characters that can be drawn: first and last of each range, and a zero at the end.
+std::vector<std::uint16_t> ranges_of(const Characters& characters) {
+  std::vector<std::uint16_t> ranges;
+  for (const char32_t character : characters) {
+    ranges.insert(ranges.end(), 2, static_cast<std::uint16_t>(character));
+  }
+  ranges.push_back(0);
+  return ranges;
+}
+
+/// Of an atlas's own letters and some more.
+std::vector<std::uint16_t> known_letters_and(const Characters& characters) {
+  std::vector<std::uint16_t> ranges(known_letters.begin(), known_letters.end() - 1);
+  const std::vector<std::uint16_t> more = ranges_of(characters);
+  ranges.insert(ranges.end(), more.begin(), more.end());
+  return ranges;
+}
+
+ImFontConfig screen_letters() {
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
   config.OversampleH = 1;
   config.PixelSnapH = true;
+  return config;
+}
+
+ImFont* add_font(ImFontAtlas& atlas, std::string& file, float height_px,
+                 const std::vector<std::uint16_t>& ranges, const ImFontConfig& config) {
   return atlas.AddFontFromMemoryTTF(file.data(), static_cast<int>(file.size()), height_px, &config,
-                                    known_letters.data());
+                                    ranges.data());
 }
 
 }  // namespace
 
+Characters characters_without_font(std::string_view text) {
+  const Characters unknown = unknown_of(characters_of(text));
+  Characters missing = without(
+      unknown, characters_in_font(std::filesystem::path(dejavu_folder) / body_name, unknown));
+  for (const LetterFont& font : fonts_for(missing)) {
+    missing = without(missing, font.characters);
+  }
+  return missing;
+}
+
+Characters characters_of(const ScreenPage& page) {
+  Characters all;
+  const auto add = [&](std::string_view text) { all.merge(characters_of(text)); };
+  add(page.title);
+  add(page.keys);
+  std::for_each(page.paragraphs.begin(), page.paragraphs.end(), add);
+  for (const ScreenField& field : page.fields) {
+    add(field.question);
+    add(field.typed);
+    add(field.fault);
+    std::for_each(field.labels.begin(), field.labels.end(), add);
+  }
+  return all;
+}
+
 ScreenFonts::ScreenFonts(const std::filesystem::path& folder)
-    : body_file_(read_font(folder / "DejaVuSans.ttf")),
-      title_file_(read_font(folder / "DejaVuSans-Bold.ttf")) {}
+    : folder_(folder),
+      body_file_(read_font(folder / body_name)),
+      title_file_(read_font(folder / title_name)),
+      own_ranges_(known_letters_and({})) {}
+
+bool ScreenFonts::add_characters(const Characters& characters) {
+  const Characters new_ones = without(unknown_of(characters), asked_for_);
+  if (new_ones.empty()) {
+    return false;
+  }
+  asked_for_.insert(new_ones.begin(), new_ones.end());
+  const Characters own = characters_in_font(folder_ / body_name, asked_for_);
+  own_ranges_ = known_letters_and(own);
+  for (const LetterFont& font : fonts_for(without(new_ones, own))) {
+    add_other(font);
+  }
+  return true;
+}
+
+void ScreenFonts::add_other(const LetterFont& font) {
+  auto other = std::find_if(others_.begin(), others_.end(), [&](const OtherFont& known) {
+    return known.font.path == font.path && known.font.face == font.face;
+  });
+  if (other == others_.end()) {
+    other = others_.insert(other, {.font = font, .file = read_font(font.path), .ranges = {}});
+  }
+  other->font.characters.insert(font.characters.begin(), font.characters.end());
+  other->ranges = ranges_of(other->font.characters);
+}
 
 void ScreenFonts::add_to(ImFontAtlas& atlas, float text_px) {
   body_ = add_face(atlas, body_file_, text_px);
   title_ = add_face(atlas, title_file_, std::round(title_scale * text_px));
+}
+
+ImFont* ScreenFonts::add_face(ImFontAtlas& atlas, std::string& file, float height_px) {
+  ImFont* const face = add_font(atlas, file, height_px, own_ranges_, screen_letters());
+  for (OtherFont& other : others_) {
+    ImFontConfig config = screen_letters();
+    config.MergeMode = true;
+    config.FontNo = other.font.face;
+    add_font(atlas, other.file, height_px, other.ranges, config);
+  }
+  return face;
 }
 
 float ScreenFonts::height_px(TextFace face_wanted) const { return face(face_wanted)->FontSize; }

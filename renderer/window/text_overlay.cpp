@@ -147,7 +147,7 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const WindowPart> par
 
 void TextOverlay::draw(const IVec2& framebuffer, std::span<const ScreenPlace> places,
                        const ScreenPage& screen) {
-  make_letters(text_height_px(places.front()));
+  make_letters(text_height_px(places.front()), screen);
   begin_frame(framebuffer);
   const TextWidth width_of = [this](TextFace face, std::string_view line) {
     return fonts_->width_px(face, line);
@@ -159,12 +159,13 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const ScreenPlace> pl
   end_frame();
 }
 
-void TextOverlay::make_letters(float text_px) {
-  if (text_px == text_px_) {
-    return;
-  }
+void TextOverlay::make_letters(float text_px, const ScreenPage& screen) {
   if (!fonts_) {
     fonts_.emplace();
+  }
+  const bool has_more = fonts_->add_characters(characters_of(screen));
+  if (text_px == text_px_ && !has_more) {
+    return;
   }
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();

@@ -33,13 +33,13 @@ class TextOverlay {
   void draw(const IVec2& framebuffer, std::span<const WindowPart> parts,
             std::span<const TextPanel> panels);
   /// Draws the screen at each of the places, which are of one size and inside a window of
-  /// `framebuffer` pixels. Its letters are made when their size changes, which takes longer than a
-  /// frame. Throws Error if the system lacks them.
+  /// `framebuffer` pixels. Its letters are made when their size changes, or when one is new that is
+  /// not of Europe's, which takes longer than a frame. Throws Error if the system lacks them.
   void draw(const IVec2& framebuffer, std::span<const ScreenPlace> places,
             const ScreenPage& screen);
 
  private:
-  void make_letters(float text_px);
+  void make_letters(float text_px, const ScreenPage& screen);
 
   std::optional<ScreenFonts> fonts_;
   float text_px_ = 0.0F;  ///< the size that they were made in; 0: not made yet

@@ -14,7 +14,8 @@ namespace foveola::test {
 /// The letters of one size, without a graphics card.
 class ScreenLetters {
  public:
-  explicit ScreenLetters(float text_px) {
+  explicit ScreenLetters(float text_px, const Characters& more = {}) {
+    fonts_.add_characters(more);
     fonts_.add_to(atlas_, text_px);
     atlas_.Build();
   }
