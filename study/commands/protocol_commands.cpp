@@ -12,6 +12,7 @@
 #include "study/commands/protocol_json.h"
 #include "study/commands/protocol_tables.h"
 #include "study/design/plan.h"
+#include "study/person/missing_letters.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {
@@ -66,6 +67,7 @@ nlohmann::json json_check(const Protocol& protocol) {
 
 void run_check(const Arguments& arguments, const SceneFinder& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
+  warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
   if (arguments.json) {
     fmt::print("{}\n", json_check(protocol).dump(2));

@@ -15,6 +15,7 @@
 #include "renderer/gaze/gaze_source.h"
 #include "study/commands/same_scenes.h"
 #include "study/commands/session_so_far.h"
+#include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
 #include "study/person/words.h"
 #include "study/record/maintenance.h"
@@ -220,6 +221,7 @@ fs::path back_up(const StudyStore& store, const fs::path& database) {
 RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
                      const std::stop_token& stop) {
   const Protocol protocol = load_protocol(settings.protocol);
+  warn_of_missing_letters(protocol);
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   DisplayProfile display = display_of(settings, protocol);
   const TrackerProfile tracker = tracker_of(settings, protocol);
