@@ -259,17 +259,35 @@ struct XUser::Connection {
   }
 
   void key(const std::string& name, bool is_down) const {
+    fake_key(name, is_down);
+    XFlush(display);
+  }
+
+  /// Asked for once something else is.
+  void fake_key(const std::string& name, bool is_down) const {
     const KeySym symbol = XStringToKeysym(name.c_str());
     if (symbol == NoSymbol) {
       throw std::runtime_error("there is no key '" + name + "'");
     }
     XTestFakeKeyEvent(display, XKeysymToKeycode(display, symbol), is_down ? True : False,
                       CurrentTime);
-    XFlush(display);
+  }
+
+  /// By an event that a window's property was changed, of a window that nobody sees.
+  std::uint32_t time() const {
+    if (hidden == 0) {
+      hidden = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0);
+      XSelectInput(display, hidden, PropertyChangeMask);
+    }
+    XChangeProperty(display, hidden, XA_WM_NAME, XA_STRING, 8, PropModeAppend, nullptr, 0);
+    XEvent changed{};
+    XWindowEvent(display, hidden, PropertyChangeMask, &changed);
+    return static_cast<std::uint32_t>(changed.xproperty.time);
   }
 
   OpenDisplay opened;
   Display* display;
+  mutable ::Window hidden = 0;
 };
 
 XUser::XUser(const std::string& display) : connection_(std::make_unique<Connection>(display)) {}
@@ -284,6 +302,13 @@ void XUser::type(const std::string& key) {
 void XUser::hold(const std::string& key) { connection_->key(key, true); }
 
 void XUser::let_go(const std::string& key) { connection_->key(key, false); }
+
+std::uint32_t XUser::hold_and_ask_time(const std::string& key) {
+  connection_->fake_key(key, true);
+  return connection_->time();
+}
+
+void XUser::settle() { XSync(connection_->display, False); }
 
 void XUser::press_button(unsigned button) {
   XTestFakeButtonEvent(connection_->display, button, True, CurrentTime);

@@ -1,6 +1,7 @@
 // A display without a screen, and hands to type and point on it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -59,6 +60,11 @@ class XUser {
   void type(const std::string& key);
   void hold(const std::string& key);
   void let_go(const std::string& key);
+  /// Holds it, waits until that is done, and returns the server's time right after, as it tells
+  /// every client: ms of its own clock, modulo 2^32.
+  std::uint32_t hold_and_ask_time(const std::string& key);
+  /// Waits until the server has done all that was asked of it so far.
+  void settle();
   void press_button(unsigned button);
   void release_button(unsigned button);
   /// In the window, from its top left corner.

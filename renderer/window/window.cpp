@@ -15,7 +15,7 @@ namespace {
 /// How often events and the gamepad are looked at, whether anything woke this thread or not. GLFW
 /// has no events of gamepads. And the thread that draws shares the connection to the X server:
 /// while it waits for an answer there it may read a key's event too, which then lies in the queue
-/// until something else comes: presses were found to be known up to 50 ms late.
+/// until something else comes: presses were found to be passed on up to 50 ms late.
 constexpr double look_interval_s = 1e-3;
 
 std::string glfw_fault() {
@@ -60,9 +60,13 @@ struct Window::Callbacks {
   static Window& of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
   }
-  static void key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*modifiers*/) {
+  static void key(GLFWwindow* window, int key, int keycode, int action, int /*modifiers*/) {
+    Window& self = of(window);
+    const bool is_down = action != GLFW_RELEASE;
+    // None is known of a release that GLFW makes up as another window takes the keyboard.
+    const std::optional<Nanoseconds> time = self.key_times_->take(keycode, is_down);
     if (action != GLFW_REPEAT) {
-      of(window).push(KeyMoved{.key = key, .is_down = action == GLFW_PRESS});
+      self.push(time.value_or(self.clock_->now()), KeyMoved{.key = key, .is_down = is_down});
     }
   }
   static void character(GLFWwindow* window, unsigned int character) {
@@ -118,6 +122,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
     throw Error("window", "OpenGL 3.3 is not to be had: " + glfw_fault(),
                 "update the graphics driver, or use Mesa's");
   }
+  key_times_.emplace(window_, clock);
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, Callbacks::key);
   glfwSetCharCallback(window_, Callbacks::character);
@@ -133,7 +138,10 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   }
 }
 
-Window::~Window() { glfwDestroyWindow(window_); }
+Window::~Window() {
+  key_times_.reset();
+  glfwDestroyWindow(window_);
+}
 
 std::vector<MonitorInfo> Window::monitors() const {
   std::vector<MonitorInfo> list;
@@ -181,8 +189,10 @@ void Window::release() { glfwMakeContextCurrent(nullptr); }
 
 void Window::swap() { glfwSwapBuffers(window_); }
 
-void Window::push(decltype(WindowEvent::what) what) {
-  events_->push({.time = clock_->now(), .what = std::move(what)});
+void Window::push(decltype(WindowEvent::what) what) { push(clock_->now(), std::move(what)); }
+
+void Window::push(Nanoseconds time, decltype(WindowEvent::what) what) {
+  events_->push({.time = time, .what = std::move(what)});
 }
 
 void Window::poll_gamepad() {

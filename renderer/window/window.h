@@ -14,6 +14,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
+#include "renderer/window/key_times.h"
 #include "renderer/window/window_event.h"
 
 struct GLFWwindow;
@@ -57,6 +58,8 @@ class Window {
   /// Between the window and full screen on the monitor that it is on, as soon as events are passed
   /// on.
   void toggle_full_screen();
+  /// What the times of its keys are, for as long as it lives.
+  KeyTimeSource key_time_source() const { return key_times_->source(); }
 
   // --- The thread that draws ---
 
@@ -70,6 +73,7 @@ class Window {
   struct Library;
 
   void push(decltype(WindowEvent::what) what);
+  void push(Nanoseconds time, decltype(WindowEvent::what) what);
   void follow_toggles();
   void poll_gamepad();
   void tell_of_monitors();
@@ -81,6 +85,7 @@ class Window {
   WindowEvents* events_;
   const Clock* clock_;
   GLFWwindow* window_ = nullptr;
+  std::optional<KeyTimes> key_times_;
   IVec2 restored_position_{0};
   IVec2 restored_size_;
   GamepadSticks sticks_;  ///< as they were told last

@@ -1,4 +1,5 @@
-// What happens to the window, and when: each event is stamped as the window's thread wakes for it.
+// What happens to the window, and when: keys by the X server's stamps, all else as the window's
+// thread wakes for it.
 #pragma once
 
 #include <mutex>

@@ -37,6 +37,16 @@ nlohmann::json json_kind(const KindStatus& kind) {
           {"method_positions", kind.method_positions}};
 }
 
+nlohmann::json json_amended(const std::vector<AmendedSession>& amended) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& [participant, amendment] : amended) {
+    list.push_back({{"participant", participant},
+                    {"protocol_sha256", amendment.sha256},
+                    {"changed", amendment.changed}});
+  }
+  return list;
+}
+
 nlohmann::json json_status(const StudyRecords& records, const StudyStatus& status) {
   nlohmann::json sessions = nlohmann::json::array();
   for (const SessionRow& session : records.sessions) {
@@ -57,6 +67,7 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
           {"scenes", records.scenes},
           {"methods", records.methods},
           {"sessions", sessions},
+          {"amended", json_amended(records.amended)},
           {"kinds", kinds},
           {"trials_planned", records.trials.size()},
           {"trials_done", status.trials_done}};

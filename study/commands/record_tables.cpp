@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "study/commands/aligned_rows.h"
 
@@ -75,6 +76,11 @@ void add_kind_rows(const StudyRecords& records, const std::string& name, const K
   }
 }
 
+std::string words_for_changes(const Amendment& amendment) {
+  return amendment.changed.empty() ? "only comments changed"
+                                   : fmt::format("{} changed", fmt::join(amendment.changed, ", "));
+}
+
 }  // namespace
 
 StudyStatus status_of(const StudyRecords& records) {
@@ -101,6 +107,11 @@ std::string status_table(const StudyRecords& records, const StudyStatus& status)
   }
   for (const SessionRow& session : status.excluded) {
     rows.push_back({"excluded", fmt::format("{}: {}", session.participant, session.reason)});
+  }
+  for (const AmendedSession& session : records.amended) {
+    rows.push_back(
+        {"amended", fmt::format("{} went by a protocol of SHA-256 {}: {}", session.participant,
+                                session.amendment.sha256, words_for_changes(session.amendment))});
   }
   rows.push_back({"trials", fmt::format("{} done", status.trials_done)});
   return aligned(rows);

@@ -32,6 +32,7 @@ struct RunArguments {
   int threads = 0;
   bool resumes = false;
   bool despite_changes = false;
+  bool takes_amendment = false;
   std::string screens;
 };
 
@@ -61,7 +62,10 @@ void run_run(const RunArguments& arguments, const SceneFinder& find_scene,
                        .window = parse_size("--window", arguments.window),
                        .threads = arguments.threads,
                        .resumes = arguments.resumes,
-                       .despite_changes = arguments.despite_changes};
+                       .despite_changes = arguments.despite_changes,
+                       .other_protocol = arguments.takes_amendment
+                                             ? OtherProtocol::take_as_amendment
+                                             : OtherProtocol::refuse};
   if (arguments.full_screen) {
     settings.monitor = arguments.monitor;
   }
@@ -117,6 +121,10 @@ void add_run(CLI::App& study, const SceneFinder& find_scene, const std::stop_tok
       ->add_flag("--despite-changes", arguments->despite_changes,
                  "Even if the program or the scenes have changed since")
       ->needs(resume);
+  command->add_flag(
+      "--amended-protocol", arguments->takes_amendment,
+      "Even if words or time-outs of the protocol were changed since the study began; "
+      "the session's record will say so");
   command->add_option("--screens", arguments->screens,
                       "A folder that gets a picture of every page the participant comes to");
   command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });

@@ -62,7 +62,7 @@ std::uint64_t drawn_seed() {
 }
 
 std::string devices_json(const SessionDisplay& display, const DisplayProfile& profile,
-                         const TrackerProfile& tracker) {
+                         const TrackerProfile& tracker, KeyTimeSource key_times) {
   const ViewGeometry& geometry = display.geometry();
   const RadialLens& lens = geometry.lens;
   const nlohmann::ordered_json json = {
@@ -75,8 +75,22 @@ std::string devices_json(const SessionDisplay& display, const DisplayProfile& pr
         {"refresh_rate_hz", display.refresh().rate_hz()},
         {"refresh_is_measured", display.refresh().is_measured()},
         {"graphics", display.graphics()}}},
-      {"tracker", {{"profile", tracker.name}}}};
+      {"tracker", {{"profile", tracker.name}}},
+      {"keys", {{"time_source", name_of(key_times)}}}};
   return json.dump();
+}
+
+void tell(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+void tell_of_late_keys(KeyTimeSource source) {
+  if (source == KeyTimeSource::arrival) {
+    tell(
+        "The X server's clock is not this machine's: marks have the times at which their keys "
+        "arrived.");
+  }
 }
 
 /// Of the sessions of people that were completed or may still be.
@@ -90,11 +104,6 @@ std::vector<int> used_rows(const StudyStore& store) {
     }
   }
   return rows;
-}
-
-void tell(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
 }
 
 /// The session counts with its pictures or without: it goes on to its backup.
@@ -132,7 +141,8 @@ class PersonRun {
     for (int i = 0; i < frames_to_measure; ++i) {
       display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
     }
-    const std::string devices = devices_json(display, profile_, tracker_);
+    const std::string devices = devices_json(display, profile_, tracker_, window.key_time_source());
+    tell_of_late_keys(window.key_time_source());
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ConsoleLines console(STDIN_FILENO);
     RecordThread record(store_);
@@ -179,6 +189,7 @@ class PersonRun {
     return {.session = store_.begin_session(facts, plan_),
             .seed = {.seed = facts.seed, .design_row = facts.design_row},
             .devices = devices,
+            .amendment = amendment_note(),
             .screens = settings_.screens};
   }
 
@@ -193,7 +204,12 @@ class PersonRun {
             .time = so_far_->time,
             .correction = so_far_->correction,
             .devices = devices,
+            .amendment = amendment_note(),
             .screens = settings_.screens};
+  }
+
+  std::optional<std::string> amendment_note() const {
+    return store_.amendment() ? std::optional(note_of(*store_.amendment())) : std::nullopt;
   }
 
   const RunSettings& settings_;
@@ -226,7 +242,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
   DisplayProfile display = display_of(settings, protocol);
   const TrackerProfile tracker = tracker_of(settings, protocol);
   require_real_gaze(tracker, settings.kind);
-  StudyStore store(settings.database, protocol);
+  StudyStore store(settings.database, protocol, settings.other_protocol);
   std::optional<SessionSoFar> so_far =
       session_so_far(store, protocol, settings.participant,
                      {.resumes = settings.resumes, .despite_changes = settings.despite_changes});

@@ -26,6 +26,7 @@ struct RunSettings {
   int threads = 0;                    ///< 0: every core
   bool resumes = false;               ///< an unfinished session of this participant
   bool despite_changes = false;       ///< of the program or the scenes since it was interrupted
+  OtherProtocol other_protocol = OtherProtocol::refuse;  ///< than the database was begun with
   /// Every page that the participant comes to is written there as a picture.
   std::optional<std::filesystem::path> screens;
 };

@@ -6,7 +6,8 @@ namespace foveola::study {
 namespace {
 
 // What there is to say about some events beside their names.
-std::string detail_of(const NoteWritten& note) { return note.text; }
+/// The first line: an amended protocol's note holds its whole text.
+std::string detail_of(const NoteWritten& note) { return note.text.substr(0, note.text.find('\n')); }
 std::string detail_of(const Excluded& excluded) { return excluded.reason; }
 std::string detail_of(const ObjectChosen& chosen) { return chosen.object; }
 std::string detail_of(const QuestionnaireAnswered& answered) { return answered.questionnaire; }

@@ -65,13 +65,21 @@ void PersonSession::begin() {
       fmt::format("Session time 0 is {:.9f} s of this machine's monotonic clock.", seconds(zero_)));
   if (log_.state().phase == Phase::created) {
     feed(SessionStarted{});
+    tell_of_amendment();
     return;
   }
   if (log_.state().phase != Phase::interrupted) {
     feed(Interrupted{});  // it died before it could say so
   }
   feed(NoteWritten{"goes on with " + settings_.devices});
+  tell_of_amendment();
   feed(Resumed{});
+}
+
+void PersonSession::tell_of_amendment() {
+  if (settings_.amendment) {
+    feed(NoteWritten{*settings_.amendment});
+  }
 }
 
 void PersonSession::interrupt() {

@@ -31,6 +31,7 @@ struct PersonSessionSettings {
   Nanoseconds time{0};                       ///< of the session's clock, to go on from
   std::optional<GazeCorrection> correction;  ///< of the gaze, to go on with
   std::string devices;                       ///< as the record has them, of this run
+  std::optional<std::string> amendment;      ///< note_of the protocol's, if it was amended
   /// Each page and picture that the participant comes to is written there, as a file.
   std::optional<std::filesystem::path> screens;
 };
@@ -66,6 +67,7 @@ class PersonSession {
   Nanoseconds now() const { return parts_.clock->now() - zero_; }
   bool feed(const Event& event) { return log_.feed(now(), event); }
   void begin();
+  void tell_of_amendment();
   void interrupt();
   void carry_out(const DurableEvent& durable);
   void carry_out(const Effect& effect);

@@ -3,21 +3,46 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "study/protocol/amendment.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
 
-void require_protocol(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
-  if (database.execAndGet("SELECT protocol_sha256 FROM study").getString() != protocol.sha256) {
+/// Throws Error if the protocol differs in more than words and time-outs.
+Amendment amendment_of(const std::string& begun_with, const fs::path& path,
+                       const Protocol& protocol) {
+  ProtocolChanges changes = changes_between(begun_with, protocol.text, protocol.path);
+  if (!changes.of_design.empty()) {
+    throw Error(path.string(),
+                fmt::format("was begun with another design than {}: {} differ",
+                            protocol.path.string(), fmt::join(changes.of_design, ", ")),
+                "only words and time-outs can be amended; begin a new file");
+  }
+  return {.sha256 = protocol.sha256,
+          .changed = std::move(changes.of_words_and_times),
+          .text = protocol.text};
+}
+
+std::optional<Amendment> require_protocol(SQLite::Database& database, const fs::path& path,
+                                          const Protocol& protocol, OtherProtocol other) {
+  SQLite::Statement study(database, "SELECT protocol_sha256, protocol_text FROM study");
+  study.executeStep();
+  if (study.getColumn(0).getString() == protocol.sha256) {
+    return std::nullopt;
+  }
+  if (other == OtherProtocol::refuse) {
     throw Error(path.string(),
                 fmt::format("was begun with another protocol than {}", protocol.path.string()),
-                "use the protocol it was begun with, or a new file");
+                "use the protocol it was begun with, or a new file; where only words or time-outs "
+                "have changed, study run takes --amended-protocol");
   }
+  return amendment_of(study.getColumn(1).getString(), path, protocol);
 }
 
 /// One file a method for the whole of a study: results on two would be taken for one.
@@ -56,11 +81,12 @@ void require_profiles(SQLite::Database& database, const fs::path& path, const Pr
 
 }  // namespace
 
-void require_same_protocol(SQLite::Database& database, const fs::path& path,
-                           const Protocol& protocol) {
-  require_protocol(database, path, protocol);
+std::optional<Amendment> require_same_protocol(SQLite::Database& database, const fs::path& path,
+                                               const Protocol& protocol, OtherProtocol other) {
+  std::optional<Amendment> amendment = require_protocol(database, path, protocol, other);
   require_method_files(database, path, protocol);
   require_profiles(database, path, protocol);
+  return amendment;
 }
 
 }  // namespace foveola::study

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "study/protocol/protocol.h"
+#include "study/record/amendment_note.h"
 
 namespace SQLite {
 class Database;
@@ -11,9 +13,15 @@ class Database;
 
 namespace foveola::study {
 
+/// What to do with another text of a study's protocol.
+enum class OtherProtocol { refuse, take_as_amendment };
+
 /// Throws Error, about the study at `path`, if it was begun with another protocol, other files of
-/// its methods, or other profiles or ready questionnaires: all by their hashes.
-void require_same_protocol(SQLite::Database& database, const std::filesystem::path& path,
-                           const Protocol& protocol);
+/// its methods, or other profiles or ready questionnaires: all by their hashes. An amendment, which
+/// is returned if there is one, may have other words and time-outs, but not another design.
+std::optional<Amendment> require_same_protocol(SQLite::Database& database,
+                                               const std::filesystem::path& path,
+                                               const Protocol& protocol,
+                                               OtherProtocol other = OtherProtocol::refuse);
 
 }  // namespace foveola::study

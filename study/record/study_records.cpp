@@ -1,6 +1,7 @@
 #include "study/record/study_records.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -41,11 +42,29 @@ std::optional<int> optional_integer(SQLite::Statement& row, const char* column) 
   return value.isNull() ? std::nullopt : std::optional(value.getInt());
 }
 
+std::vector<AmendedSession> read_amended(SQLite::Database& database) {
+  std::vector<AmendedSession> amended;
+  SQLite::Statement notes(database,
+                          "SELECT participant, text FROM note JOIN session ON session.id = session"
+                          " ORDER BY session, sequence");
+  while (notes.executeStep()) {
+    if (std::optional<Amendment> amendment = amendment_in(notes.getColumn(1).getString())) {
+      AmendedSession session{.participant = notes.getColumn(0).getString(),
+                             .amendment = std::move(*amendment)};
+      if (std::ranges::find(amended, session) == amended.end()) {
+        amended.push_back(std::move(session));
+      }
+    }
+  }
+  return amended;
+}
+
 std::vector<SessionRow> read_sessions(SQLite::Database& database) {
   std::vector<SessionRow> sessions;
   SQLite::Statement rows(
       database,
-      "SELECT participant, kind, state, design_row, coalesce(payload ->> 'reason', '') AS reason"
+      "SELECT participant, kind, state, design_row, coalesce(payload ->> 'reason', '') AS "
+      "reason"
       " FROM session LEFT JOIN event ON event.session = session.id AND type = 'excluded'"
       " ORDER BY id");
   while (rows.executeStep()) {
@@ -104,6 +123,7 @@ StudyRecords read_records(SQLite::Database& database) {
   StudyRecords records;
   read_protocol(database, records);
   records.sessions = read_sessions(database);
+  records.amended = read_amended(database);
   records.trials = read_trials(database);
   records.background = read_background(database);
   return records;

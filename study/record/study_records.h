@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "study/record/amendment_note.h"
+
 namespace foveola::study {
 
 /// One method in one scene by one participant, practice and catch trials left out; the last
@@ -39,6 +41,14 @@ struct SessionRow {
   std::string reason;             ///< of an exclusion
 };
 
+/// A session that went by other words or time-outs than the study's protocol has.
+struct AmendedSession {
+  std::string participant;
+  Amendment amendment;
+
+  friend bool operator==(const AmendedSession&, const AmendedSession&) = default;
+};
+
 struct StudyRecords {
   std::string protocol_name;
   std::string protocol_title;
@@ -46,6 +56,7 @@ struct StudyRecords {
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
   std::vector<SessionRow> sessions;
+  std::vector<AmendedSession> amended;  ///< none twice: reports must say which
   std::vector<TrialRow> trials;  ///< all that were planned, in order; none of withdrawn sessions
   std::vector<BackgroundRow> background;  ///< none of withdrawn sessions
 

@@ -28,15 +28,18 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// The study at `path`, made or checked, and of this schema, to write.
-SQLite::Database open_study(const fs::path& path, const Protocol& protocol) {
+/// Makes the study at `path` if there is none; otherwise it must be the protocol's.
+std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& protocol,
+                                       OtherProtocol other) {
   if (!fs::exists(path)) {
     create_study(path, protocol);
   }
-  {
-    SQLite::Database checked = open_study_to_read(path);
-    require_same_protocol(checked, path, protocol);
-  }
+  SQLite::Database checked = open_study_to_read(path);
+  return require_same_protocol(checked, path, protocol, other);
+}
+
+/// The study at `path`, which was checked, of this schema, to write.
+SQLite::Database open_study(const fs::path& path) {
   require_writable_file(path);
   if (schema_of_study(path) != study_schema_version) {
     migrate_study(path);
@@ -53,10 +56,11 @@ fs::path usable(const fs::path& path) {
 }  // namespace
 
 struct StudyStore::Implementation {
-  Implementation(const fs::path& path_in, const Protocol& protocol_in)
+  Implementation(const fs::path& path_in, const Protocol& protocol_in, OtherProtocol other)
       : path(usable(path_in)),
         lock(path),
-        database(open_study(path, protocol_in)),
+        amendment(make_or_check(path, protocol_in, other)),
+        database(open_study(path)),
         protocol(protocol_in) {}
 
   /// Runs `work`; all of it is on the disk when this returns, or none if it throws.
@@ -79,20 +83,23 @@ struct StudyStore::Implementation {
 
   fs::path path;
   ControllerLock lock;
+  std::optional<Amendment> amendment;
   SQLite::Database database;
   Protocol protocol;
   std::map<std::int64_t, Procedure> procedures;
 };
 
-StudyStore::StudyStore(const fs::path& path, const Protocol& protocol) {
-  with_clear_errors(path,
-                    [&] { implementation_ = std::make_unique<Implementation>(path, protocol); });
+StudyStore::StudyStore(const fs::path& path, const Protocol& protocol, OtherProtocol other) {
+  with_clear_errors(
+      path, [&] { implementation_ = std::make_unique<Implementation>(path, protocol, other); });
 }
 
 StudyStore::~StudyStore() {
   // If this fails, the log stays beside the file, and whoever opens the study next reads both.
   implementation_->database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
 }
+
+const std::optional<Amendment>& StudyStore::amendment() const { return implementation_->amendment; }
 
 bool StudyStore::has_participant(const std::string& code) const {
   bool found = false;

@@ -14,6 +14,7 @@
 #include "renderer/gaze/eye_tracker.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
+#include "study/record/same_protocol.h"
 #include "study/session/session.h"
 
 namespace foveola::study {
@@ -87,12 +88,17 @@ class StudyStore {
   /// the file is no database, damaged, of a newer schema, or of another protocol, other files of
   /// its methods or other profiles (by their hashes), or if another program has it open to write:
   /// then it says which, and since when. Nothing is then made or changed. A file of an older schema
-  /// is copied beside itself and brought to this one.
-  StudyStore(const std::filesystem::path& path, const Protocol& protocol);
+  /// is copied beside itself and brought to this one. An amended protocol may be taken, too: the
+  /// study keeps its own, and every session by the other is to have a note of it.
+  StudyStore(const std::filesystem::path& path, const Protocol& protocol,
+             OtherProtocol other = OtherProtocol::refuse);
   /// Leaves one self-contained file (the write-ahead log is folded in).
   ~StudyStore();
   StudyStore(const StudyStore&) = delete;
   StudyStore& operator=(const StudyStore&) = delete;
+
+  /// What the protocol differs in from the one that the study was begun with; empty if it is that.
+  const std::optional<Amendment>& amendment() const;
 
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;

@@ -102,13 +102,14 @@ std::string SeatedParticipant::wait_for_page() {
                            program_->said());
 }
 
-double SeatedParticipant::type(const std::string& key) {
-  const double pressed_s = monotonic_s() - zero_s_;
-  user_.hold(key);
+KeyPress SeatedParticipant::type(const std::string& key) {
+  KeyPress press{.asked_s = monotonic_s() - zero_s_};
+  press.stamped_s = 1e-3 * user_.hold_and_ask_time(key) - zero_s_;
+  press.taken_s = monotonic_s() - zero_s_;
   std::this_thread::sleep_for(keystroke);
   user_.let_go(key);
   std::this_thread::sleep_for(keystroke);
-  return pressed_s;
+  return press;
 }
 
 void SeatedParticipant::type_all(const std::vector<std::string>& keys) {
@@ -117,9 +118,9 @@ void SeatedParticipant::type_all(const std::vector<std::string>& keys) {
   }
 }
 
-double SeatedParticipant::answer_page(const std::string& key) {
+void SeatedParticipant::answer_page(const std::string& key) {
   wait_for_page();
-  return type(key);
+  type(key);
 }
 
 ProgramResult SeatedParticipant::run_besides(const std::string& participant,

@@ -14,6 +14,13 @@
 
 namespace foveola::test {
 
+/// When a key went down, in seconds of the session's clock.
+struct KeyPress {
+  double asked_s = 0.0;    ///< the X server was about to be asked for it
+  double taken_s = 0.0;    ///< the X server had said that it had done it
+  double stamped_s = 0.0;  ///< the X server's own time then, whole milliseconds of this machine's
+};
+
 /// The study is called keys and its only scene hall, which offers a wall, ahead, and a lamp.
 class SeatedParticipant {
  public:
@@ -30,12 +37,12 @@ class SeatedParticipant {
   /// phase. Throws std::runtime_error after half a minute.
   std::string wait_for_page();
 
-  /// Presses a key and lets it go. Returns when it went down, in seconds of the session's clock.
-  double type(const std::string& key);
+  /// Presses a key and lets it go.
+  KeyPress type(const std::string& key);
   void type_all(const std::vector<std::string>& keys);
 
   /// Presses `key` once the next page stands.
-  double answer_page(const std::string& key);
+  void answer_page(const std::string& key);
 
   RunningProgram& program() { return *program_; }
   const TemporaryFolder& folder() const { return hall_.folder; }

@@ -18,6 +18,9 @@ using std::chrono::milliseconds;
 
 constexpr const char* title = "A window of the tests";
 
+/// The server may read a clock that goes by ticks of this length.
+constexpr milliseconds tick_of_server{1};
+
 using IsLast = std::function<bool(const WindowEvent&)>;
 
 /// The events that `act` gives rise to, until those that `is_last` is true of, or ten seconds are
@@ -104,10 +107,40 @@ TEST_F(WindowTest, KeysComeWithTheTimeAtWhichTheyMoved) {
   ASSERT_EQ(keys.size(), 2U);
   EXPECT_EQ(std::get<KeyMoved>(keys[0].what).key, GLFW_KEY_M);
   EXPECT_TRUE(std::get<KeyMoved>(keys[0].what).is_down);
-  EXPECT_GE(keys[0].time, before);
+  EXPECT_GE(keys[0].time, before - tick_of_server);
   EXPECT_LT(keys[0].time, between);
-  EXPECT_GE(keys[1].time, between);
+  EXPECT_GE(keys[1].time, between - tick_of_server);
   EXPECT_GE(characters, 1);
+}
+
+TEST_F(WindowTest, KeysHaveTheServersTimeHoweverLateTheyAreRead) {
+  EXPECT_EQ(window_.key_time_source(), KeyTimeSource::server_stamp);
+  std::vector<Nanoseconds> before;
+  std::vector<Nanoseconds> after;
+  test::XUser user(server_.display());
+  user.point_at(title, 200, 150);
+  for (const char* const key : {"m", "Tab", "m"}) {
+    before.push_back(clock_.now());
+    user.type(key);
+    user.settle();
+    after.push_back(clock_.now());
+    std::this_thread::sleep_for(milliseconds(30));
+  }
+  std::vector<WindowEvent> downs;
+  const auto is_last = [&](const WindowEvent& event) {
+    const auto* key = std::get_if<KeyMoved>(&event.what);
+    if (key != nullptr && key->is_down) {
+      downs.push_back(event);
+    }
+    return downs.size() == before.size();
+  };
+  pass_on_while(
+      window_, events_, [] {}, is_last);
+  ASSERT_EQ(downs.size(), before.size());
+  for (std::size_t i = 0; i < downs.size(); ++i) {
+    EXPECT_GE(downs[i].time, before[i] - tick_of_server) << i;
+    EXPECT_LE(downs[i].time, after[i] + milliseconds(1)) << i;
+  }
 }
 
 TEST_F(WindowTest, ThePointerAndItsButtonCome) {

@@ -1,0 +1,25 @@
+// A session that was run by a protocol whose words or time-outs were amended says so in its log.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foveola::study {
+
+/// Another text than the study was begun with, of the same design.
+struct Amendment {
+  std::string sha256;                ///< of the text
+  std::vector<std::string> changed;  ///< keys; none if only comments or spaces did
+  std::string text;
+
+  friend bool operator==(const Amendment&, const Amendment&) = default;
+};
+
+/// The session's note. Its first line names hash and keys, the text follows to the letter.
+std::string note_of(const Amendment& amendment);
+
+/// What such a note says; empty if it is another note, or its text has another hash.
+std::optional<Amendment> amendment_in(const std::string& note);
+
+}  // namespace foveola::study
