@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/publication/wording.h"
+
 namespace foveola::analysis {
 namespace {
 
@@ -30,13 +32,17 @@ json estimate(const std::optional<Estimate>& estimate) {
 json scene_times(const StudyTables& tables) {
   json rows = json::array();
   for (const SceneTimes& row : tables.scene_times) {
-    rows.push_back({{"mark", name_of(row.mark)},
-                    {"scene", row.scene},
-                    {"method", row.method},
-                    {"seconds", description(row.seconds)},
-                    {"percent_of_baseline", description(row.percent_of_baseline)},
-                    {"censored", row.censored},
-                    {"missing", row.missing}});
+    rows.push_back(
+        {{"mark", name_of(row.mark)},
+         {"scene", row.scene},
+         {"method", row.method},
+         {"seconds", description(row.seconds)},
+         {"percent_of_baseline", description(row.percent_of_baseline)},
+         {"ratio_of_means_percent", number(row.of_baseline_mean.mean_percent)},
+         {"sd_over_baseline_mean_percent", number(row.of_baseline_mean.sd_percent_points)},
+         {"censored", row.censored},
+         {"missing", row.missing},
+         {"participant_kind", tables.set.kind}});
   }
   return rows;
 }
@@ -47,7 +53,8 @@ json geometric_means(const StudyTables& tables) {
     rows.push_back({{"mark", name_of(row.mark)},
                     {"method", row.method},
                     {"seconds", estimate(row.seconds)},
-                    {"percent_of_baseline", estimate(row.percent_of_baseline)}});
+                    {"percent_of_baseline", estimate(row.percent_of_baseline)},
+                    {"participant_kind", tables.set.kind}});
   }
   return rows;
 }
@@ -58,7 +65,8 @@ json artifact_ratings(const StudyTables& tables) {
     rows.push_back({{"method", row.method},
                     {"rating", description(row.rating)},
                     {"counts", row.counts},
-                    {"missing", row.missing}});
+                    {"missing", row.missing},
+                    {"participant_kind", tables.set.kind}});
   }
   return rows;
 }
@@ -66,8 +74,13 @@ json artifact_ratings(const StudyTables& tables) {
 json background(const StudyTables& tables) {
   json rows = json::array();
   for (const BackgroundCorrelation& row : tables.background_correlations) {
-    json entry = {{"mark", name_of(row.mark)}, {"method", row.method},   {"n", row.participants},
-                  {"pearson_r", nullptr},      {"p_two_sided", nullptr}, {"ci95_r", nullptr}};
+    json entry = {{"mark", name_of(row.mark)},
+                  {"method", row.method},
+                  {"n", row.participants},
+                  {"pearson_r", nullptr},
+                  {"p_two_sided", nullptr},
+                  {"ci95_r", nullptr},
+                  {"participant_kind", tables.set.kind}};
     if (row.correlation) {
       entry["pearson_r"] = row.correlation->r;
       entry["p_two_sided"] = row.correlation->p;
@@ -82,6 +95,7 @@ json background(const StudyTables& tables) {
 
 std::string analysis_json(const AnalysisOutput& output) {
   const StudyTables& tables = output.tables;
+  const std::string notice = data_notice(tables);
   json files = json::array();
   for (const std::filesystem::path& file : output.files) {
     files.push_back(file.string());
@@ -92,6 +106,7 @@ std::string analysis_json(const AnalysisOutput& output) {
                        {"protocol", tables.protocol_name},
                        {"protocol_sha256", tables.protocol_sha256},
                        {"participant_kind", tables.set.kind},
+                       {"data_notice", notice.empty() ? json(nullptr) : json(notice)},
                        {"participants", tables.set.participants.size()},
                        {"scenes", tables.set.scenes},
                        {"methods", tables.set.methods},

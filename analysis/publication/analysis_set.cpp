@@ -199,6 +199,9 @@ AnalysisSet select_for_analysis(const StudyRecords& records) {
   set.participants = participants_of(records, set.kind);
   set.scenes = records.scenes;
   set.methods = records.methods;
+  for (const SessionRow& row : records.sessions) {
+    set.kinds[row.participant] = row.kind;
+  }
   const std::vector<bool> has_row = fill_cells(records, set);
   list_gaps(has_row, set);
   exclude(excluded_sessions(records, set.kind), set);

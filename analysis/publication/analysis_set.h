@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,8 @@ struct AnalysisSet {
   std::vector<std::string> methods;       ///< in the protocol's order; the first is the baseline
   std::vector<Cell> cells;                ///< [participant][scene][method]
   std::vector<Exclusion> exclusions;      ///< in the order of participants
+  /// Of every session in the file, analysed or not, by the participant's code.
+  std::map<std::string, std::string> kinds;
 
   const Cell& cell(std::size_t participant, std::size_t scene, std::size_t method) const;
   /// Whether every method's time was measured, so that the methods can be compared in this scene.

@@ -13,17 +13,30 @@
 namespace foveola::analysis {
 namespace {
 
+/// Whose data a figure shows, in its own corner, so that the file says so wherever it goes.
+std::string data_mark(const StudyTables& tables) {
+  const std::string notice = data_notice(tables);
+  return notice.empty() ? ""
+                        : fmt::format(
+                              "set label {} at screen 0.012, screen 1 offset 0,-0.7 left "
+                              "front textcolor rgb '{}'\n",
+                              gnuplot_quoted(notice), palette::ink.rgb);
+}
+
 /// What all figures share: the size in SVG units, the frame and the type.
-std::string preamble(int width, int height) {
+std::string preamble(const StudyTables& tables, int width, int height) {
   return fmt::format(
-      "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background 'white'\n"
-      "set encoding utf8\n"
-      "set border 1 linecolor rgb '{}'\n"
-      "set tics out nomirror textcolor rgb '{}'\n"
-      "set xlabel textcolor rgb '{}'\n"
-      "set key textcolor rgb '{}'\n"
-      "set ytics scale 0\n",
-      width, height, palette::ink.rgb, palette::ink.rgb, palette::ink.rgb, palette::ink.rgb);
+             "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background "
+             "'white'\n"
+             "set encoding utf8\n"
+             "set border 1 linecolor rgb '{}'\n"
+             "set tics out nomirror textcolor rgb '{}'\n"
+             "set xlabel textcolor rgb '{}'\n"
+             "set key textcolor rgb '{}'\n"
+             "set ytics scale 0\n",
+             width, height, palette::ink.rgb, palette::ink.rgb, palette::ink.rgb,
+             palette::ink.rgb) +
+         data_mark(tables);
 }
 
 /// Names the rows of a figure; row 0 is at the top.
@@ -114,7 +127,7 @@ std::string time_figure(const StudyTables& tables, const std::vector<std::size_t
   std::transform(methods.begin(), methods.end(), std::back_inserter(names),
                  [&](std::size_t method) { return tables.set.methods[method]; });
   const int height = 110 + 62 * static_cast<int>(methods.size());
-  return preamble(640, height) + row_names(names) +
+  return preamble(tables, 640, height) + row_names(names) +
          "set key outside top right horizontal Left reverse samplen 1.5 width 1\n" + axis +
          fmt::format("set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
                      palette::grid.rgb) +
@@ -239,7 +252,7 @@ std::optional<Figure> rating_figure(const StudyTables& tables) {
   }
   const int height = 104 + 44 * static_cast<int>(methods.size());
   return Figure{"figure6_artifact_ratings",
-                run_gnuplot(preamble(640, height) + row_names(methods) +
+                run_gnuplot(preamble(tables, 640, height) + row_names(methods) +
                             "set key outside top center horizontal Left reverse samplen 1 width 2\n"
                             "set rmargin 14\nset xrange [0:100]\n"
                             "set xlabel 'Ratings, per cent'\n" +

@@ -117,8 +117,11 @@ figure svg { display: block; width: 100%; max-width: 44rem; height: auto; margin
 .definitions dt { font-weight: 600; }
 .definitions dd { margin: 0 0 0.7rem; }
 footer { margin-top: 3rem; padding-top: 0.9rem; border-top: 1px solid var(--rule); color: var(--quiet); font-size: 0.88rem; }
+.page-mark { display: none; }
 @media print {
   body { max-width: none; padding: 0; font-size: 10pt; }
+  /* A fixed element is printed on every page. */
+  .page-mark { display: block; position: fixed; top: 0; right: 0; margin: 0; font-weight: 600; }
   section, figure, table { break-inside: avoid; }
   .scroll { overflow: visible; }
 }

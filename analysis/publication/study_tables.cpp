@@ -1,11 +1,13 @@
 #include "analysis/publication/study_tables.h"
 
+#include <utility>
+
 namespace foveola::analysis {
 namespace {
 
 SceneTimes tabulate_scene(const AnalysisSet& set, Mark mark, std::size_t scene,
                           std::size_t method) {
-  SceneTimes result{set.scenes[scene], set.methods[method], mark, {}, {}, 0, 0};
+  SceneTimes result{set.scenes[scene], set.methods[method], mark, {}, {}, {}, 0, 0};
   std::vector<double> seconds;
   std::vector<double> percent;
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
@@ -24,6 +26,13 @@ SceneTimes tabulate_scene(const AnalysisSet& set, Mark mark, std::size_t scene,
   result.seconds = describe(seconds);
   result.percent_of_baseline = describe(percent);
   return result;
+}
+
+OfBaselineMean over_baseline_mean(const Description& seconds, const Description& reference) {
+  const auto percent = [&](std::optional<double> value) {
+    return value && reference.mean ? std::optional(100.0 * *value / *reference.mean) : std::nullopt;
+  };
+  return {percent(seconds.mean), percent(seconds.standard_deviation)};
 }
 
 /// A participant's geometric mean over complete scenes, in seconds; empty without any.
@@ -113,7 +122,12 @@ StudyTables tabulate_study(const study::StudyRecords& records) {
   for (const Mark mark : marks) {
     for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
       for (std::size_t method = 0; method < set.methods.size(); ++method) {
-        tables.scene_times.push_back(tabulate_scene(set, mark, scene, method));
+        SceneTimes times = tabulate_scene(set, mark, scene, method);
+        if (method != baseline) {
+          times.of_baseline_mean = over_baseline_mean(
+              times.seconds, tables.scene_times_of(mark, scene, baseline).seconds);
+        }
+        tables.scene_times.push_back(std::move(times));
       }
     }
     for (std::size_t method = 0; method < set.methods.size(); ++method) {

@@ -13,6 +13,14 @@
 
 namespace foveola::analysis {
 
+/// The other reading of Table 2's percentages, which the paper does not define: the mean time over
+/// the baseline's mean time, and the deviation of the times over it. Of all measured times of each
+/// method, whether or not the participant has both.
+struct OfBaselineMean {
+  std::optional<double> mean_percent;
+  std::optional<double> sd_percent_points;
+};
+
 /// One cell of Table 2: a method in a scene, over participants.
 struct SceneTimes {
   std::string scene;
@@ -22,7 +30,8 @@ struct SceneTimes {
   /// Of each participant's own ratio to the baseline in this scene, in per cent; n counts the
   /// participants with both times. Empty for the baseline.
   Description percent_of_baseline;
-  int censored = 0;  ///< timed out, in no mean
+  OfBaselineMean of_baseline_mean;  ///< empty for the baseline
+  int censored = 0;                 ///< timed out, in no mean
   int missing = 0;
 };
 

@@ -46,6 +46,12 @@ std::string aligned(const std::vector<TextRow>& rows) {
   return text;
 }
 
+/// Whose data a table shows, at the end of its title.
+std::string notice(const StudyTables& tables) {
+  const std::string text = data_notice(tables);
+  return text.empty() ? "" : fmt::format(" ({})", text);
+}
+
 TextRow heading_row(const StudyTables& tables) {
   TextRow row = {"scene"};
   for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
@@ -86,7 +92,8 @@ std::string times_block(const StudyTables& tables, Mark mark) {
     rows.push_back(scene_row(tables, mark, scene));
   }
   rows.push_back(overall_row(tables, mark));
-  return fmt::format("Time until the {} was visible\n{}", name_of(mark), aligned(rows));
+  return fmt::format("Time until the {} was visible{}\n{}", name_of(mark), notice(tables),
+                     aligned(rows));
 }
 
 std::string ratings_block(const StudyTables& tables) {
@@ -96,7 +103,8 @@ std::string ratings_block(const StudyTables& tables) {
                     fixed(ratings.rating.median, 1),
                     fmt::format("{}", fmt::join(ratings.counts, " / "))});
   }
-  return "Artifacts in other areas, 1 none to 5 not discernible at all\n" + aligned(rows);
+  return fmt::format("Artifacts in other areas, 1 none to 5 not discernible at all{}\n{}",
+                     notice(tables), aligned(rows));
 }
 
 std::string background_block(const StudyTables& tables) {
@@ -108,8 +116,8 @@ std::string background_block(const StudyTables& tables) {
          std::to_string(row.participants), row.correlation ? fixed(row.correlation->r, 2) : "–",
          row.correlation ? p_value(row.correlation->p) : "–"});
   }
-  return fmt::format("Background ({}) against speed-up\n{}",
-                     printable(listed(tables.background.questions)), aligned(rows));
+  return fmt::format("Background ({}) against speed-up{}\n{}",
+                     printable(listed(tables.background.questions)), notice(tables), aligned(rows));
 }
 
 }  // namespace

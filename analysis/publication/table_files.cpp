@@ -32,6 +32,7 @@ std::string finished_csv(std::vector<CsvRow> rows, const StudyTables& tables) {
 std::string scene_times_csv(const StudyTables& tables) {
   std::vector<CsvRow> rows = {{"mark", "scene", "method", "n", "mean_s", "sd_s", "median_s",
                                "n_pairs", "mean_percent_of_baseline", "sd_percent_of_baseline",
+                               "ratio_of_means_percent", "sd_over_baseline_mean_percent",
                                "censored", "missing"}};
   for (const SceneTimes& row : tables.scene_times) {
     rows.push_back({std::string(name_of(row.mark)), row.scene, row.method,
@@ -40,6 +41,8 @@ std::string scene_times_csv(const StudyTables& tables) {
                     std::to_string(row.percent_of_baseline.n),
                     csv_number(row.percent_of_baseline.mean),
                     csv_number(row.percent_of_baseline.standard_deviation),
+                    csv_number(row.of_baseline_mean.mean_percent),
+                    csv_number(row.of_baseline_mean.sd_percent_points),
                     std::to_string(row.censored), std::to_string(row.missing)});
   }
   return finished_csv(std::move(rows), tables);
@@ -101,9 +104,12 @@ std::string background_csv(const StudyTables& tables) {
 }
 
 std::string exclusions_csv(const StudyTables& tables) {
-  std::vector<CsvRow> rows = {{"participant", "scene", "method", "measure", "reason"}};
+  std::vector<CsvRow> rows = {
+      {"participant", "scene", "method", "measure", "reason", "participant_kind"}};
   for (const Exclusion& row : tables.set.exclusions) {
-    rows.push_back({row.participant, row.scene, row.method, row.measure, row.reason});
+    const auto kind = tables.set.kinds.find(row.participant);
+    rows.push_back({row.participant, row.scene, row.method, row.measure, row.reason,
+                    kind == tables.set.kinds.end() ? "" : kind->second});
   }
   return format_csv(rows);
 }

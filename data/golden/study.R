@@ -58,6 +58,9 @@ for (mark in c("outline", "material")) {
       note(c(mark, s, m, "n_pairs"), length(percent))
       note(c(mark, s, m, "mean_percent"), mean(percent))
       note(c(mark, s, m, "sd_percent"), sd(percent))
+      od_mean <- mean(na.omit(cube[, s, "od"]))
+      note(c(mark, s, m, "ratio_of_means_percent"), 100 * mean(x) / od_mean)
+      note(c(mark, s, m, "sd_percent_points"), 100 * sd(x) / od_mean)
     }
   }
   incomplete <- apply(is.na(cube), 1:2, any)

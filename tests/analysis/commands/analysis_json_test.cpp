@@ -36,6 +36,23 @@ TEST(AnalysisJson, HasThePathsAndTheNumbersOfR) {
                 golden.at("outline.fv.p"));
 }
 
+TEST(AnalysisJson, SaysWhoseDataItShows) {
+  study::StudyRecords records = complete_study(2);
+  EXPECT_EQ(json_of(records)["participant_kind"], "human");
+  EXPECT_TRUE(json_of(records)["data_notice"].is_null());
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "simulated";
+  }
+  const nlohmann::json json = json_of(records);
+  EXPECT_EQ(json["participant_kind"], "simulated");
+  EXPECT_EQ(json["data_notice"], "Simulated data");
+  for (const char* table : {"scene_times", "geometric_means", "artifact_ratings"}) {
+    for (const nlohmann::json& row : json[table]) {
+      EXPECT_EQ(row["participant_kind"], "simulated") << table;
+    }
+  }
+}
+
 TEST(AnalysisJson, WhatDoesNotExistIsNull) {
   const nlohmann::json json = json_of(complete_study(1));
   EXPECT_TRUE(json["geometric_means"].at(0)["percent_of_baseline"].is_null());

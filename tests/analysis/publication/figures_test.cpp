@@ -33,6 +33,22 @@ TEST(Figures, ThePublishedOnesAreDrawn) {
   EXPECT_THAT(figures[2].svg, HasSubstr("2.42 ± 0.78"));
 }
 
+TEST(Figures, EveryFileSaysWhoseDataItShows) {
+  study::StudyRecords records = complete_study(3);
+  for (const Figure& figure : draw_figures(tabulate_study(records))) {
+    EXPECT_THAT(figure.svg, Not(HasSubstr(" data</text>")));
+  }
+  for (const char* kind : {"simulated", "pilot"}) {
+    for (study::SessionRow& session : records.sessions) {
+      session.kind = kind;
+    }
+    const std::string mark = std::string(kind) == "pilot" ? "Pilot data" : "Simulated data";
+    for (const Figure& figure : draw_figures(tabulate_study(records))) {
+      EXPECT_THAT(figure.svg, HasSubstr("<text>" + mark + "</text>")) << figure.name;
+    }
+  }
+}
+
 TEST(Figures, OneParticipantIsDrawnWithoutIntervals) {
   EXPECT_EQ(draw_figures(tabulate_study(complete_study(1))).size(), 3U);
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 
 namespace foveola::analysis {
@@ -71,6 +72,20 @@ TEST(Report, EveryCaptionSaysThatDataAreSimulated) {
   EXPECT_EQ(count_of(html, "<caption><span class=\"tag\">Simulated data</span>") +
                 count_of(html, "<figcaption><span class=\"tag\">Simulated data</span>"),
             captions);
+}
+
+TEST(Report, TitleAndEveryPrintedPageSayThatDataAreSimulated) {
+  const std::string html = report_of(simulated_study());
+  EXPECT_THAT(html, HasSubstr("<title>A complete study (Simulated data) – "));
+  EXPECT_THAT(html, HasSubstr("<p class=\"page-mark\" aria-hidden=\"true\">Simulated data</p>"));
+  EXPECT_THAT(report_of(complete_study(3)), Not(HasSubstr("class=\"page-mark\"")));
+}
+
+TEST(Report, BothReadingsOfTable2AreThere) {
+  const std::string html = report_of(golden_study_records());
+  EXPECT_EQ(count_of(html, "of OD’s mean time.</strong>"), 2U);
+  const double golden = golden_study().at("outline.barn.fv.ratio_of_means_percent");
+  EXPECT_THAT(html, HasSubstr(fmt::format("<td>{:.1f}</td>", golden)));
 }
 
 TEST(Report, PeoplesDataAreNotCalledSimulated) {

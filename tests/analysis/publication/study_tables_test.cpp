@@ -48,6 +48,10 @@ TEST(StudyTables, Table2IsThatOfR) {
     EXPECT_GOLDEN(times.percent_of_baseline.mean.value(), golden.at(cell + "mean_percent"));
     EXPECT_GOLDEN(times.percent_of_baseline.standard_deviation.value(),
                   golden.at(cell + "sd_percent"));
+    EXPECT_GOLDEN(times.of_baseline_mean.mean_percent.value(),
+                  golden.at(cell + "ratio_of_means_percent"));
+    EXPECT_GOLDEN(times.of_baseline_mean.sd_percent_points.value(),
+                  golden.at(cell + "sd_percent_points"));
   }
 }
 

@@ -30,6 +30,20 @@ TEST(Summary, SaysThatDataAreSimulated) {
   EXPECT_THAT(terminal_summary(tabulate_study(records)), HasSubstr("2 simulated participants"));
 }
 
+TEST(Summary, EveryTableSaysWhoseDataItShows) {
+  study::StudyRecords records = complete_study(3);
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "pilot";
+  }
+  const std::string text = terminal_summary(tabulate_study(records));
+  std::size_t marks_found = 0;
+  for (std::size_t at = text.find(" (Pilot data)\n"); at != std::string::npos;
+       at = text.find(" (Pilot data)\n", at + 1)) {
+    ++marks_found;
+  }
+  EXPECT_EQ(marks_found, 4U);
+}
+
 TEST(Summary, NamesCannotSteerTheTerminal) {
   study::StudyRecords records = complete_study(2);
   records.scenes[0] = "au\x1b[31mla";

@@ -24,10 +24,11 @@ std::vector<CsvRow> table(const StudyTables& tables, const std::string& name) {
 
 TEST(TableFiles, ColumnsAreFixedAndNameTheirUnits) {
   const StudyTables tables = tabulate_study(golden_study_records());
-  EXPECT_THAT(table(tables, "table2_times.csv").at(0),
-              ElementsAre("mark", "scene", "method", "n", "mean_s", "sd_s", "median_s", "n_pairs",
-                          "mean_percent_of_baseline", "sd_percent_of_baseline", "censored",
-                          "missing", "participant_kind"));
+  EXPECT_THAT(
+      table(tables, "table2_times.csv").at(0),
+      ElementsAre("mark", "scene", "method", "n", "mean_s", "sd_s", "median_s", "n_pairs",
+                  "mean_percent_of_baseline", "sd_percent_of_baseline", "ratio_of_means_percent",
+                  "sd_over_baseline_mean_percent", "censored", "missing", "participant_kind"));
   EXPECT_THAT(table(tables, "figure5_geometric_means.csv").at(0),
               ElementsAre("mark", "method", "n", "geometric_mean_s", "ci95_low_s", "ci95_high_s",
                           "geometric_mean_percent_of_baseline", "ci95_low_percent_of_baseline",
@@ -38,8 +39,9 @@ TEST(TableFiles, ColumnsAreFixedAndNameTheirUnits) {
   EXPECT_THAT(table(tables, "background_correlation.csv").at(0),
               ElementsAre("mark", "method", "background_questions", "n", "pearson_r", "t",
                           "p_two_sided", "ci95_low_r", "ci95_high_r", "participant_kind"));
-  EXPECT_THAT(table(tables, "exclusions.csv").at(0),
-              ElementsAre("participant", "scene", "method", "measure", "reason"));
+  EXPECT_THAT(
+      table(tables, "exclusions.csv").at(0),
+      ElementsAre("participant", "scene", "method", "measure", "reason", "participant_kind"));
 }
 
 TEST(TableFiles, EveryRowHasEveryColumn) {
@@ -82,10 +84,37 @@ TEST(TableFiles, SimulatedParticipantsAreSaidToBe) {
   }
 }
 
+TEST(TableFiles, EveryTableSaysWhoseDataItShows) {
+  study::StudyRecords records = complete_study(3);
+  for (const char* kind : {"simulated", "pilot", "human"}) {
+    for (study::SessionRow& session : records.sessions) {
+      session.kind = kind;
+    }
+    records.trials[0].artifact_rating.reset();
+    for (const TextFile& file : table_files(tabulate_study(records))) {
+      const std::vector<CsvRow> rows = parse_csv(file.content, file.name);
+      ASSERT_GT(rows.size(), 1U) << file.name;
+      EXPECT_EQ(rows.front().back(), "participant_kind") << file.name;
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].back(), kind) << file.name;
+      }
+    }
+  }
+}
+
+TEST(TableFiles, AnExclusionHasItsOwnSessionsKind) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[1].kind = "simulated";
+  const std::vector<CsvRow> rows = table(tabulate_study(records), "exclusions.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows.at(1).at(0), "P2");
+  EXPECT_EQ(rows.at(1).back(), "simulated");
+}
+
 TEST(TableFiles, ExclusionsAreListed) {
   const std::vector<CsvRow> rows = table(tabulate_study(golden_study_records()), "exclusions.csv");
   ASSERT_EQ(rows.size(), 7U);
-  EXPECT_THAT(rows.at(1), ElementsAre("P02", "aula", "vp", "", "no trial recorded"));
+  EXPECT_THAT(rows.at(1), ElementsAre("P02", "aula", "vp", "", "no trial recorded", "human"));
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include "analysis/publication/html.h"
+#include "analysis/publication/report_parts.h"
+#include "analysis/publication/report_sections.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string background_scale_in_words(const BackgroundScale& scale) {
+  if (scale.questions.empty()) {
+    return "The study asked no background question on a scale of five points, so there is nothing "
+           "to correlate.";
+  }
+  const std::string questions = listed(scale.questions);
+  return scale.as_published
+             ? fmt::format(
+                   "Background is the mean of the answers to {}, as in the published "
+                   "study.",
+                   questions)
+             : fmt::format(
+                   "Background is the mean of the answers to every five-point question "
+                   "({}): the study did not ask both of the published study’s, "
+                   "offline_rendering and virtual_reality.",
+                   questions);
+}
+
+std::vector<std::string> correlation_row(const BackgroundCorrelation& row,
+                                         const std::string& reference) {
+  const std::string name =
+      fmt::format("{} − {}, {}", reference, method_label(row.method), name_of(row.mark));
+  const std::string n = std::to_string(row.participants);
+  if (!row.correlation) {
+    return {name, n, "–", "–", "–", "–"};
+  }
+  const Correlation& found = *row.correlation;
+  const std::string interval =
+      found.interval ? fmt::format("[{:.2f}, {:.2f}]", found.interval->low, found.interval->high)
+                     : "–";
+  return {name, n, fixed(found.r, 2), interval, fixed(found.t, 2), p_value(found.p)};
+}
+
+}  // namespace
+
+std::string background_section(const StudyTables& tables) {
+  std::string html =
+      fmt::format("<p>{}</p>\n", escape_html(background_scale_in_words(tables.background)));
+  if (tables.background.questions.empty()) {
+    return html_section("Background and speed-up", html);
+  }
+  HtmlTable table;
+  table.caption_html =
+      caption_start(tables, "Pearson correlation of background with the seconds saved.") +
+      "Seconds saved are each participant’s mean over scenes. The interval is for r, 95 %; P is "
+      "two-sided. A dash: not defined, because of fewer than three participants or constant "
+      "values.";
+  table.columns = {"Seconds saved", "n", "r", "95 % interval", "t", "P"};
+  for (const BackgroundCorrelation& row : tables.background_correlations) {
+    table.rows.push_back(correlation_row(row, baseline_label(tables)));
+  }
+  return html_section("Background and speed-up", html + render(table));
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include "analysis/publication/html.h"
+#include "analysis/publication/report_parts.h"
+#include "analysis/publication/report_sections.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+
+std::string definitions_section(const StudyTables& tables) {
+  std::string html = "<dl class=\"definitions\">\n";
+  const auto define = [&](std::string_view term, const std::string& meaning) {
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escape_html(meaning));
+  };
+  const std::string reference = baseline_label(tables);
+  define("Time", "From the first presented frame to the participant’s mark, in seconds.");
+  define("Sessions",
+         "Only completed sessions count, and only of one kind: people’s if there are any, else "
+         "pilots’, else simulated ones.");
+  define("Mean and standard deviation",
+         "Of times: arithmetic, over participants; n − 1 in the denominator.");
+  define("Per cent of " + escape_html(reference),
+         fmt::format("100 × a participant’s time divided by the same participant’s {} time in the "
+                     "same scene; a participant without both is not in n.",
+                     reference));
+  define("Of " + escape_html(reference) + "’s mean time",
+         fmt::format("100 × the mean of a method’s times divided by the mean of {}’s times in the "
+                     "same scene, and their standard deviation divided by the same: of all "
+                     "measured times, whether or not a participant has both.",
+                     reference));
+  define("Timed out",
+         "The participant never marked: the time is only a lower bound (right-censored). It is in "
+         "no mean, which makes that method’s mean too small; the count stands beside it.");
+  define("Geometric mean over scenes",
+         "exp of the mean logarithm, first over a participant’s scenes, then over participants. A "
+         "scene counts for a participant only if every method’s time was measured in it, so that "
+         "the methods are compared over the same scenes.");
+  define("95 % interval",
+         "exp(m ± t·s/√n), with m and s the mean and standard deviation of the participants’ "
+         "logarithms and t Student’s with n − 1 degrees of freedom: the participant is the unit.");
+  define(
+      "Seconds saved",
+      fmt::format("A participant’s mean over scenes of {}’s time minus the method’s.", reference));
+  define("P",
+         "Of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees of freedom. "
+         "The interval of r is Fisher’s z. None is corrected for the number of comparisons.");
+  return html_section("Definitions", html + "</dl>\n");
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,103 @@
+#include "analysis/publication/report_parts.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/html.h"
+#include "analysis/publication/inline_svg.h"
+#include "analysis/publication/report_style.h"
+#include "analysis/publication/wording.h"
+#include "renderer/base/build_info.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string methods_in_words(const StudyTables& tables) {
+  std::vector<std::string> methods;
+  for (const std::string& method : tables.set.methods) {
+    const std::string_view meaning = method_meaning(method);
+    methods.push_back(meaning.empty() ? method
+                                      : fmt::format("{} ({})", method_label(method), meaning));
+  }
+  return listed(methods);
+}
+
+std::string header_html(const StudyTables& tables, std::string_view page_name) {
+  const std::string& title =
+      tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title;
+  const std::string warning = data_warning(tables);
+  std::string html = fmt::format(
+      "<header>\n<p class=\"eyebrow\">{}</p>\n<h1>{}</h1>\n{}", escape_html(page_name),
+      escape_html(title),
+      warning.empty()
+          ? ""
+          : fmt::format("<p class=\"notice\" role=\"note\">{}</p>\n", escape_html(warning)));
+  const auto fact = [&](std::string_view term, const std::string& value_html) {
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, value_html);
+  };
+  html += "<dl class=\"facts\">\n";
+  fact("Protocol", escape_html(tables.protocol_name));
+  fact("SHA-256 of the protocol",
+       fmt::format("<code>{}</code>", escape_html(tables.protocol_sha256)));
+  fact("Analysed", escape_html(participants_in_words(tables)));
+  fact("Scenes", escape_html(listed(tables.set.scenes)));
+  fact("Methods",
+       escape_html(methods_in_words(tables) + "; compared with " + baseline_label(tables)));
+  return html + "</dl>\n</header>\n";
+}
+
+/// What every printed page says of the data.
+std::string page_mark(const std::string& notice) {
+  return notice.empty() ? ""
+                        : fmt::format("<p class=\"page-mark\" aria-hidden=\"true\">{}</p>\n",
+                                      escape_html(notice));
+}
+
+}  // namespace
+
+std::string baseline_label(const StudyTables& tables) {
+  return method_label(tables.set.methods[baseline]);
+}
+
+std::string caption_start(const StudyTables& tables, std::string_view title) {
+  const std::string notice = data_notice(tables);
+  const std::string tag =
+      notice.empty() ? "" : fmt::format("<span class=\"tag\">{}</span>", escape_html(notice));
+  return fmt::format("{}<strong>{}</strong> ", tag, escape_html(title));
+}
+
+std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
+                        std::string_view name, std::string_view title,
+                        std::string_view explanation) {
+  const auto figure = std::find_if(figures.begin(), figures.end(),
+                                   [&](const Figure& candidate) { return candidate.name == name; });
+  if (figure == figures.end()) {
+    return "";
+  }
+  const std::string description =
+      fmt::format("{} {} The table has the numbers.", title, data_notice(tables));
+  return fmt::format("<figure>\n{}<figcaption>{}{}</figcaption>\n</figure>\n",
+                     inline_svg(figure->svg, figure->name, description),
+                     caption_start(tables, title), escape_html(explanation));
+}
+
+std::string report_page(const StudyTables& tables, std::string_view page_name,
+                        const std::string& content_html) {
+  const std::string& title =
+      tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title;
+  const std::string notice = data_notice(tables);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}{} – {}</title>\n<link rel=\"icon\" href=\"data:,\">\n"
+      "<style>{}</style>\n</head>\n<body>\n"
+      "{}{}<main>\n{}</main>\n"
+      "<footer>Foveola {}. The numbers are in the CSV files beside this report, at full "
+      "precision.</footer>\n</body>\n</html>\n",
+      escape_html(title), notice.empty() ? "" : escape_html(" (" + notice + ")"),
+      escape_html(page_name), report_style(), page_mark(notice), header_html(tables, page_name),
+      content_html, build_info().version);
+}
+
+}  // namespace foveola::analysis

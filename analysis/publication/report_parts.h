@@ -1,0 +1,29 @@
+// What the sections of the report share: pages, captions, figures, the baseline's name.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/publication/figures.h"
+#include "analysis/publication/study_tables.h"
+
+namespace foveola::analysis {
+
+/// The baseline as tables name it.
+std::string baseline_label(const StudyTables& tables);
+
+/// HTML for the start of every caption: what it is, and whose data it shows. `title` is plain.
+std::string caption_start(const StudyTables& tables, std::string_view title);
+
+/// The figure of this name inside the page; empty if there is none. Texts are plain.
+std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
+                        std::string_view name, std::string_view title,
+                        std::string_view explanation);
+
+/// A whole page: what was studied, whose data it shows, then `content_html`. `page_name` says in a
+/// few plain words what the page is.
+std::string report_page(const StudyTables& tables, std::string_view page_name,
+                        const std::string& content_html);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,34 @@
+// The sections of the report, one after the other; report.h puts them on a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/publication/figures.h"
+#include "analysis/publication/published_means.h"
+#include "analysis/publication/study_tables.h"
+
+namespace foveola::analysis {
+
+// Each is the HTML of a section, with every text of the study's escaped.
+
+/// Table 2, in both readings of its percentages.
+std::string scenes_section(const StudyTables& tables);
+
+/// Fig. 5.
+std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
+                            const std::vector<PublishedMean>& published);
+
+/// Fig. 6.
+std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures);
+
+/// The P-value of background.
+std::string background_section(const StudyTables& tables);
+
+/// What no number uses, and why.
+std::string exclusions_section(const StudyTables& tables);
+
+/// What every number means.
+std::string definitions_section(const StudyTables& tables);
+
+}  // namespace foveola::analysis
