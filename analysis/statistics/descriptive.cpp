@@ -5,30 +5,11 @@
 #include <numeric>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/logarithms.h"
 #include "analysis/statistics/student_t.h"
-#include "renderer/base/error.h"
 
 namespace foveola::analysis {
-namespace {
-
-std::vector<double> logarithms(std::span<const double> values) {
-  std::vector<double> logs;
-  logs.reserve(values.size());
-  for (const double value : values) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-      throw Error(fmt::format("value {} of {}", logs.size() + 1, values.size()),
-                  fmt::format("is {}, which has no logarithm", value),
-                  "a geometric mean needs values above zero");
-    }
-    logs.push_back(std::log(value));
-  }
-  return logs;
-}
-
-}  // namespace
 
 std::optional<double> mean(std::span<const double> values) {
   if (values.empty()) {

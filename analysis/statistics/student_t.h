@@ -11,4 +11,7 @@ double student_t_quantile(double confidence, double degrees_of_freedom);
 /// infinite t.
 double student_t_two_sided(double t, double degrees_of_freedom);
 
+/// The probability that T is at least t: a one-sided P-value, right down to 1e-300.
+double student_t_one_sided(double t, double degrees_of_freedom);
+
 }  // namespace foveola::analysis

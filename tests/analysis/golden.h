@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,17 @@ std::vector<CsvRow> golden_rows(const std::string& file);
 /// "sample.quantity" to value, from statistics_values.csv; key to value, from study_values.csv.
 std::map<std::string, double> golden_statistics();
 std::map<std::string, double> golden_study();
+
+/// data/golden/inference_samples.csv: "sample" to rows of columns, with nothing where a cell is
+/// missing.
+using GoldenMatrix = std::vector<std::vector<std::optional<double>>>;
+std::map<std::string, GoldenMatrix> golden_matrices();
+
+/// "sample.quantity" to value, from inference_values.csv.
+std::map<std::string, double> golden_inference();
+
+/// One column of a matrix without gaps.
+std::vector<double> golden_column(const GoldenMatrix& matrix, std::size_t column);
 
 /// Whether two numbers agree to a relative difference of 1e-10: the same algorithm as R's.
 bool agrees(double value, double golden);

@@ -1,0 +1,115 @@
+#include "analysis/statistics/bootstrap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/logarithms.h"
+#include "analysis/statistics/normal.h"
+#include "renderer/base/random.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::vector<double> resampled(std::span<const double> values, const Statistic& statistic,
+                              const BootstrapSettings& settings) {
+  Pcg32 generator(settings.seed);
+  const auto n = static_cast<std::uint32_t>(values.size());
+  std::vector<double> sample(values.size());
+  std::vector<double> replicates;
+  replicates.reserve(static_cast<std::size_t>(settings.resamples));
+  for (int i = 0; i < settings.resamples; ++i) {
+    std::generate(sample.begin(), sample.end(), [&] { return values[generator.below(n)]; });
+    replicates.push_back(statistic(sample));
+  }
+  return replicates;
+}
+
+std::vector<double> without_each(std::span<const double> values, const Statistic& statistic) {
+  std::vector<double> sample(values.begin() + 1, values.end());
+  std::vector<double> results;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    results.push_back(statistic(sample));
+    if (i < sample.size()) {
+      sample[i] = values[i];
+    }
+  }
+  return results;
+}
+
+/// A sixth of the skewness of the influence of each value, with its sign.
+double acceleration(std::span<const double> jackknife) {
+  const long double center = extended_mean(jackknife);
+  long double squares = 0.0L;
+  long double cubes = 0.0L;
+  for (const double value : jackknife) {
+    const long double influence = center - value;
+    squares += influence * influence;
+    cubes += influence * influence * influence;
+  }
+  return squares > 0.0L ? static_cast<double>(cubes / (6.0L * squares * std::sqrt(squares))) : 0.0;
+}
+
+/// The quantile of sorted replicates, between two of which it is interpolated on the normal scale.
+double normal_scale_quantile(const std::vector<double>& sorted, double probability) {
+  const auto steps = static_cast<double>(sorted.size()) + 1.0;
+  const auto below = static_cast<std::size_t>(steps * probability);
+  if (below == 0) {
+    return sorted.front();
+  }
+  if (below >= sorted.size()) {
+    return sorted.back();
+  }
+  const double low = normal_quantile(static_cast<double>(below) / steps);
+  const double high = normal_quantile(static_cast<double>(below + 1) / steps);
+  const double part = (normal_quantile(probability) - low) / (high - low);
+  return sorted[below - 1] + part * (sorted[below] - sorted[below - 1]);
+}
+
+double plain_mean(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value;
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::optional<Interval> bca_from_replicates(double observed, std::vector<double> replicates,
+                                            std::span<const double> jackknife, double confidence) {
+  const auto below = std::count_if(replicates.begin(), replicates.end(),
+                                   [&](double value) { return value < observed; });
+  if (below == 0 || below == static_cast<std::ptrdiff_t>(replicates.size())) {
+    return std::nullopt;
+  }
+  std::sort(replicates.begin(), replicates.end());
+  const double bias =
+      normal_quantile(static_cast<double>(below) / static_cast<double>(replicates.size()));
+  const double skew = acceleration(jackknife);
+  const auto end = [&](double z) {
+    const double shifted = bias + z;
+    return normal_scale_quantile(replicates, normal_cdf(bias + shifted / (1.0 - skew * shifted)));
+  };
+  const double z = normal_two_sided_quantile(confidence);
+  return Interval{end(-z), end(z)};
+}
+
+std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
+                                     const BootstrapSettings& settings) {
+  if (values.size() < 2) {
+    return std::nullopt;
+  }
+  return bca_from_replicates(statistic(values), resampled(values, statistic, settings),
+                             without_each(values, statistic), settings.confidence);
+}
+
+std::optional<Interval> bca_geometric_mean(std::span<const double> values,
+                                           const BootstrapSettings& settings) {
+  const std::vector<double> logs = logarithms(values);
+  const std::optional<Interval> interval = bca_interval(logs, plain_mean, settings);
+  return interval ? std::optional(Interval{std::exp(interval->low), std::exp(interval->high)})
+                  : std::nullopt;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,52 @@
+#include "analysis/statistics/paired_t.h"
+
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "analysis/statistics/logarithms.h"
+#include "analysis/statistics/student_t.h"
+
+namespace foveola::analysis {
+
+std::optional<TTest> one_sample_t(std::span<const double> values, double hypothesis,
+                                  double confidence) {
+  const std::optional<Estimate> estimate = mean_estimate(values, confidence);
+  const std::optional<double> deviation = standard_deviation(values);
+  if (!deviation || *deviation == 0.0) {
+    return std::nullopt;
+  }
+  TTest test;
+  test.n = values.size();
+  test.mean = estimate->value;
+  test.standard_deviation = *deviation;
+  test.interval = *estimate->interval;
+  test.d_z = (test.mean - hypothesis) / *deviation;
+  test.t = test.d_z * std::sqrt(static_cast<double>(test.n));
+  test.degrees_of_freedom = static_cast<double>(test.n) - 1.0;
+  test.p = student_t_two_sided(test.t, test.degrees_of_freedom);
+  return test;
+}
+
+std::optional<TTest> paired_t(std::span<const double> a, std::span<const double> b,
+                              double confidence) {
+  assert(a.size() == b.size());
+  std::vector<double> differences;
+  differences.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    differences.push_back(a[i] - b[i]);
+  }
+  return one_sample_t(differences, 0.0, confidence);
+}
+
+std::optional<RatioTest> paired_ratio_t(std::span<const double> a, std::span<const double> b,
+                                        double confidence) {
+  const std::optional<TTest> logs = paired_t(logarithms(a), logarithms(b), confidence);
+  if (!logs) {
+    return std::nullopt;
+  }
+  return RatioTest{
+      *logs, std::exp(logs->mean), {std::exp(logs->interval.low), std::exp(logs->interval.high)}};
+}
+
+}  // namespace foveola::analysis

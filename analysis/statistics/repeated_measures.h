@@ -1,0 +1,47 @@
+// Analysis of variance of the same participants under several conditions.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace foveola::analysis {
+
+/// One value per participant and condition, without gaps.
+struct RepeatedMeasures {
+  std::size_t participants = 0;
+  std::size_t conditions = 0;
+  std::vector<double> values;  ///< [participant][condition]
+
+  double at(std::size_t participant, std::size_t condition) const {
+    return values[participant * conditions + condition];
+  }
+  std::span<const double> of(std::size_t participant) const {
+    return std::span(values).subspan(participant * conditions, conditions);
+  }
+};
+
+/// The participants who have a value under every condition, in their order; rows are
+/// [participant][condition] and equally long. Those with a gap are left out as a whole, as these
+/// tests need; how many is the difference to rows.size().
+RepeatedMeasures complete_participants(const std::vector<std::vector<std::optional<double>>>& rows);
+
+struct VarianceAnalysis {
+  std::size_t participants = 0;
+  std::size_t conditions = 0;
+  double f = 0.0;
+  double degrees_of_freedom = 0.0;  ///< of the conditions, uncorrected
+  double residual_degrees_of_freedom = 0.0;
+  double p = 0.0;  ///< if the differences' variances were all alike (sphericity)
+  /// How far from sphericity: 1 down to 1 / (conditions - 1) (Box 1954; Greenhouse, Geisser 1959).
+  double greenhouse_geisser = 1.0;
+  double p_greenhouse_geisser = 0.0;  ///< both degrees of freedom times epsilon
+  double partial_eta_squared = 0.0;
+};
+
+/// One within-participant factor. Empty where F is not defined: fewer than two participants or
+/// conditions, or no residual variance.
+std::optional<VarianceAnalysis> repeated_measures_anova(const RepeatedMeasures& data);
+
+}  // namespace foveola::analysis

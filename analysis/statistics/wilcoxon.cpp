@@ -1,0 +1,123 @@
+#include "analysis/statistics/wilcoxon.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "analysis/statistics/normal.h"
+#include "analysis/statistics/ranks.h"
+
+namespace foveola::analysis {
+namespace {
+
+struct SignedRanks {
+  std::vector<double> positive;
+  std::vector<double> negative;
+  std::size_t zeros = 0;
+};
+
+SignedRanks rank_signed(std::span<const double> differences, ZeroRule zero_rule) {
+  std::vector<double> kept;
+  std::vector<double> sizes;
+  SignedRanks result;
+  for (const double difference : differences) {
+    result.zeros += difference == 0.0 ? 1 : 0;
+    if (difference != 0.0 || zero_rule == ZeroRule::pratt) {
+      kept.push_back(difference);
+      sizes.push_back(std::abs(difference));
+    }
+  }
+  const Ranks ranks = rank(sizes);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] != 0.0) {
+      (kept[i] > 0.0 ? result.positive : result.negative).push_back(ranks.ranks[i]);
+    }
+  }
+  return result;
+}
+
+/// Ranks are multiples of 1/2: twice a rank is a whole number.
+std::vector<std::size_t> doubled(const SignedRanks& ranks) {
+  std::vector<std::size_t> doubled_ranks;
+  for (const auto* part : {&ranks.positive, &ranks.negative}) {
+    for (const double rank : *part) {
+      doubled_ranks.push_back(static_cast<std::size_t>(std::lround(2.0 * rank)));
+    }
+  }
+  std::sort(doubled_ranks.begin(), doubled_ranks.end());
+  return doubled_ranks;
+}
+
+/// The probability that the doubled sum of positive ranks is at most `doubled_sum`, when every sign
+/// is a fair coin. Probabilities, not counts: these would leave the range of a double.
+double probability_up_to(const std::vector<std::size_t>& doubled_ranks, std::size_t doubled_sum) {
+  const std::size_t total =
+      std::accumulate(doubled_ranks.begin(), doubled_ranks.end(), std::size_t{0});
+  std::vector<double> probability(total + 1, 0.0);
+  probability[0] = 1.0;
+  std::size_t reach = 0;
+  for (const std::size_t rank : doubled_ranks) {
+    reach += rank;
+    for (std::size_t sum = reach + 1; sum-- > 0;) {
+      const double with_rank = sum >= rank ? probability[sum - rank] : 0.0;
+      probability[sum] = 0.5 * (probability[sum] + with_rank);
+    }
+  }
+  const auto end = probability.begin() + static_cast<std::ptrdiff_t>(doubled_sum + 1);
+  return std::accumulate(probability.begin(), end, 0.0);
+}
+
+double exact_p(const SignedRanks& ranks, double smaller_sum) {
+  const double tail =
+      probability_up_to(doubled(ranks), static_cast<std::size_t>(std::lround(2.0 * smaller_sum)));
+  return std::min(1.0, 2.0 * tail);
+}
+
+/// The variance of the sum of positive ranks is a quarter of the sum of squared ranks, which says
+/// the same as the formulas that correct for ties and zeros.
+double approximate_p(const SignedRanks& ranks, double w_plus, double w_minus) {
+  double squares = 0.0;
+  for (const auto* part : {&ranks.positive, &ranks.negative}) {
+    for (const double rank : *part) {
+      squares += rank * rank;
+    }
+  }
+  const double distance = std::max(0.0, std::abs(w_plus - w_minus) / 2.0 - 0.5);
+  return normal_two_sided(distance / (0.5 * std::sqrt(squares)));
+}
+
+}  // namespace
+
+std::optional<SignedRankTest> signed_rank(std::span<const double> differences, ZeroRule zeros,
+                                          std::size_t largest_exact) {
+  const SignedRanks ranks = rank_signed(differences, zeros);
+  SignedRankTest test;
+  test.n = ranks.positive.size() + ranks.negative.size();
+  test.zeros = ranks.zeros;
+  if (test.n == 0) {
+    return std::nullopt;
+  }
+  test.w_plus = std::accumulate(ranks.positive.begin(), ranks.positive.end(), 0.0);
+  test.w_minus = std::accumulate(ranks.negative.begin(), ranks.negative.end(), 0.0);
+  test.exact = test.n <= largest_exact;
+  test.p = test.exact ? exact_p(ranks, std::min(test.w_plus, test.w_minus))
+                      : approximate_p(ranks, test.w_plus, test.w_minus);
+  test.rank_biserial = (test.w_plus - test.w_minus) / (test.w_plus + test.w_minus);
+  return test;
+}
+
+std::optional<SignedRankTest> signed_rank(std::span<const double> a, std::span<const double> b,
+                                          ZeroRule zeros) {
+  assert(a.size() == b.size());
+  std::vector<double> differences;
+  differences.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    differences.push_back(a[i] - b[i]);
+  }
+  return signed_rank(differences, zeros);
+}
+
+}  // namespace foveola::analysis

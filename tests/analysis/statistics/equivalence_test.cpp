@@ -1,0 +1,61 @@
+#include "analysis/statistics/equivalence.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/analysis/golden.h"
+
+namespace foveola::analysis {
+namespace {
+
+TEST(Equivalence, TwoOneSidedTestsAreThoseOfR) {
+  const auto golden = golden_inference();
+  int compared = 0;
+  for (const auto& [name, matrix] : golden_matrices()) {
+    if (!golden.contains(name + ".margin")) {
+      continue;
+    }
+    SCOPED_TRACE(name);
+    std::vector<double> differences = golden_column(matrix, 0);
+    const std::vector<double> other = golden_column(matrix, 1);
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      differences[i] -= other[i];
+    }
+    const EquivalenceTest test = equivalence(differences, golden.at(name + ".margin")).value();
+    EXPECT_GOLDEN(test.p_above_low, golden.at(name + ".p_above_low"));
+    EXPECT_GOLDEN(test.p_below_high, golden.at(name + ".p_below_high"));
+    EXPECT_EQ(test.p, std::max(test.p_above_low, test.p_below_high));
+    EXPECT_GOLDEN(test.interval.low, golden.at(name + ".low_90"));
+    EXPECT_GOLDEN(test.interval.high, golden.at(name + ".high_90"));
+    ++compared;
+  }
+  EXPECT_EQ(compared, 10);
+}
+
+TEST(Equivalence, TheIntervalLiesWithinTheMarginsExactlyWhenTheTestSaysSo) {
+  const std::vector<double> differences = {0.3, -0.2, 0.5, 0.1, 0.4, -0.1};
+  const Interval interval = equivalence(differences, 1.0)->interval;
+  EXPECT_LT(equivalence(differences, interval.high + 1e-9)->p, 0.05);
+  EXPECT_GT(equivalence(differences, interval.high - 1e-9)->p, 0.05);
+}
+
+TEST(Equivalence, RatiosAreTestedOnTheirLogarithms) {
+  const std::vector<double> a = {1.0, 2.2, 2.9, 4.1};
+  const std::vector<double> b = {1.1, 2.0, 3.0, 4.0};
+  const EquivalenceTest test = ratio_equivalence(a, b, 1.25).value();
+  EXPECT_LT(test.interval.low, 1.0);
+  EXPECT_GT(test.interval.high, 1.0);
+  const EquivalenceTest swapped = ratio_equivalence(b, a, 1.25).value();
+  EXPECT_DOUBLE_EQ(swapped.p_above_low, test.p_below_high);
+  EXPECT_DOUBLE_EQ(swapped.interval.low, 1.0 / test.interval.high);
+}
+
+TEST(Equivalence, WhatDoesNotVaryHasNoTest) {
+  EXPECT_FALSE(equivalence(std::vector<double>{0.5, 0.5}, 1.0));
+  EXPECT_FALSE(equivalence(std::vector<double>{0.5}, 1.0));
+}
+
+}  // namespace
+}  // namespace foveola::analysis

@@ -1,0 +1,47 @@
+#include "analysis/statistics/rank_correlation.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/analysis/golden.h"
+
+namespace foveola::analysis {
+namespace {
+
+TEST(RankCorrelation, SpearmansIsThatOfR) {
+  const auto golden = golden_inference();
+  int compared = 0;
+  for (const auto& [name, matrix] : golden_matrices()) {
+    if (!golden.contains(name + ".rho")) {
+      continue;
+    }
+    SCOPED_TRACE(name);
+    const Correlation found = spearman(golden_column(matrix, 0), golden_column(matrix, 1)).value();
+    EXPECT_GOLDEN(found.r, golden.at(name + ".rho"));
+    EXPECT_GOLDEN(found.p, golden.at(name + ".rho_p"));
+    EXPECT_GOLDEN(found.interval->low, golden.at(name + ".rho_low"));
+    EXPECT_GOLDEN(found.interval->high, golden.at(name + ".rho_high"));
+    ++compared;
+  }
+  EXPECT_GE(compared, 6);
+}
+
+TEST(RankCorrelation, OnlyTheOrderCounts) {
+  const std::vector<double> x = {1, 5, 2, 9, 4};
+  const std::vector<double> y = {2, 4, 1, 8, 3};
+  std::vector<double> stretched;
+  for (const double value : y) {
+    stretched.push_back(std::exp(10.0 * value));
+  }
+  EXPECT_EQ(spearman(x, stretched)->r, spearman(x, y)->r);
+}
+
+TEST(RankCorrelation, ConstantOrFewValuesHaveNone) {
+  EXPECT_FALSE(spearman(std::vector<double>{1, 1, 1}, std::vector<double>{1, 2, 3}));
+  EXPECT_FALSE(spearman(std::vector<double>{1, 2}, std::vector<double>{1, 2}));
+}
+
+}  // namespace
+}  // namespace foveola::analysis
