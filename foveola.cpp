@@ -12,6 +12,7 @@
 
 #include "analysis/commands/bench_compare.h"
 #include "analysis/commands/bench_convergence.h"
+#include "analysis/commands/bench_statistics.h"
 #include "analysis/commands/commands.h"
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/build_info.h"
@@ -158,6 +159,7 @@ int run(int argc, char** argv) {
       add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
   analysis::add_bench_compare(bench);
+  analysis::add_bench_statistics(bench, signals.token());
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_info(scene, scenes::find_scene);
   add_scene_pick(scene, scenes::find_scene);

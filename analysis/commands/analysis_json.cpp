@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/commands/comparisons_json.h"
 #include "analysis/publication/wording.h"
 
 namespace foveola::analysis {
@@ -115,6 +116,8 @@ std::string analysis_json(const AnalysisOutput& output) {
                        {"geometric_means", geometric_means(tables)},
                        {"artifact_ratings", artifact_ratings(tables)},
                        {"background", background(tables)},
+                       {"comparisons", comparisons_json(output.comparisons, tables.set.kind)},
+                       {"omnibus", omnibus_json(output.comparisons, tables.set.kind)},
                        {"excluded", tables.set.exclusions.size()}};
   return result.dump(2, ' ', false, json::error_handler_t::replace);
 }

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "analysis/commands/analysis_json.h"
+#include "analysis/commands/power_tables.h"
 #include "analysis/publication/analyze_study.h"
+#include "renderer/base/error.h"
 
 namespace foveola::analysis {
 namespace {
@@ -16,9 +18,24 @@ struct AnalyzeArguments {
   std::filesystem::path database;
   std::filesystem::path folder;
   bool json = false;
+  bool power = false;
+  PowerSettings planning;
 };
 
+void run_power(const PowerSettings& settings, bool json) {
+  const PowerPlan plan = plan_power(settings);
+  fmt::print("{}", json ? power_json(settings, plan) + "\n" : power_text(settings, plan));
+}
+
 void run_analyze(const AnalyzeArguments& arguments) {
+  if (arguments.power) {
+    run_power(arguments.planning, arguments.json);
+    return;
+  }
+  if (arguments.database.empty() || arguments.folder.empty()) {
+    throw UsageError(arguments.database.empty() ? "STUDY" : "--output", "is missing",
+                     "see foveola analyze --help");
+  }
   const AnalysisOutput output = analyze_study(arguments.database, arguments.folder);
   if (arguments.json) {
     fmt::print("{}\n", analysis_json(output));
@@ -31,6 +48,23 @@ void run_analyze(const AnalyzeArguments& arguments) {
   fmt::print("Report: {}\n", output.report.string());
 }
 
+void add_planning(CLI::App& command, AnalyzeArguments& arguments) {
+  PowerSettings& planning = arguments.planning;
+  command.add_flag("--power", arguments.power,
+                   "Plan a study instead: participants and power, by formula and by simulation");
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    return command.add_option(name, value, help)->needs("--power")->capture_default_str();
+  };
+  add("--ratio", planning.ratio_percent, "Expected time, in per cent of the baseline's");
+  add("--spread", planning.spread, "Factor by which participants' own ratios spread, above 1");
+  add("--alpha", planning.alpha, "Level of the two-sided test")->check(CLI::Range(1e-6, 0.5));
+  add("--target", planning.power, "Power to be reached")->check(CLI::Range(0.06, 0.9999));
+  add("--participants", planning.participants, "Tell the power of so many instead")
+      ->check(CLI::Range(2, 1'000'000));
+  add("--studies", planning.studies, "How many to simulate")->check(CLI::Range(1, 10'000'000));
+  add("--seed", planning.seed, "Of the simulation");
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): every room adds its commands alike.
@@ -38,13 +72,14 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   const auto arguments = std::make_shared<AnalyzeArguments>();
   CLI::App* command =
       app.add_subcommand("analyze", "Tables, figures and a report from a study's file");
-  command->add_option("STUDY", arguments->database, "A study's .sqlite file")->required();
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "A folder for the results; made if its parent exists")
-      ->required();
+  command->add_option("STUDY", arguments->database, "A study's .sqlite file");
+  command->add_option("-o,--output", arguments->folder,
+                      "A folder for the results; made if its parent exists");
   command->add_flag("--json", arguments->json, "Print paths and main numbers as JSON");
-  command->footer("Example: foveola analyze study.sqlite -o results");
+  add_planning(*command, *arguments);
+  command->footer(
+      "Examples: foveola analyze study.sqlite -o results\n"
+      "          foveola analyze --power --ratio 70 --spread 1.8");
   command->callback([arguments] { run_analyze(*arguments); });
 }
 

@@ -133,8 +133,13 @@ std::vector<bool> fill_cells(const StudyRecords& records, AnalysisSet& set) {
       throw Error(row_name(row), "appears twice", "analyse each session once");
     }
     has_row[index] = true;
-    set.cells[index] = {{mark_time(row, Mark::outline), mark_time(row, Mark::material)},
-                        rating(row)};
+    const auto methods_in_scene = static_cast<int>(set.methods.size());
+    set.cells[index] = {
+        .times = {mark_time(row, Mark::outline), mark_time(row, Mark::material)},
+        .rating = rating(row),
+        .trial_position = row.scene_position * methods_in_scene + row.method_position,
+        .method_position = row.method_position,
+        .attempts = row.attempts};
   }
   return has_row;
 }

@@ -32,6 +32,9 @@ struct MarkTime {
 struct Cell {
   std::array<MarkTime, marks.size()> times;
   std::optional<int> rating;  ///< 1 none ... 5 not discernible at all
+  int trial_position = 0;     ///< among the session's trials, as planned, from 0
+  int method_position = 0;    ///< among the methods in the scene, as planned, from 0
+  int attempts = 0;           ///< more than 1: it was timed again, and the last time counts
 
   const MarkTime& time(Mark mark) const { return times[static_cast<std::size_t>(mark)]; }
 };

@@ -1,13 +1,21 @@
 #include "analysis/publication/analyze_study.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include <fmt/format.h>
 
+#include "analysis/publication/analysis_plan.h"
+#include "analysis/publication/comparison_tables.h"
 #include "analysis/publication/figures.h"
+#include "analysis/publication/latex_tables.h"
 #include "analysis/publication/output_folder.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/report.h"
 #include "analysis/publication/summary.h"
 #include "analysis/publication/table_files.h"
+#include "analysis/publication/trial_data.h"
 #include "analysis/publication/wording.h"
 #include "renderer/base/files.h"
 
@@ -36,15 +44,29 @@ std::vector<std::string> warnings_about(const StudyTables& tables) {
 }
 
 /// The report comes last, so that it never stands beside tables older than itself.
-std::vector<TextFile> files_of(const StudyTables& tables) {
+void append(std::vector<TextFile>& files, std::vector<TextFile> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(files));
+}
+
+std::vector<TextFile> files_of(const StudyTables& tables, const Comparisons& comparisons,
+                               const std::vector<study::BackgroundRow>& answers) {
   const std::vector<Figure> figures = draw_figures(tables);
   const std::vector<PublishedMean> published =
       read_published_means(resource_folder() / "data" / "koskela2018" / "mean_percent_of_od.csv");
   std::vector<TextFile> files = table_files(tables);
+  files.push_back({"comparisons.csv", comparisons_csv(comparisons, tables.set.kind)});
+  files.push_back({"omnibus.csv", omnibus_csv(comparisons, tables.set.kind)});
+  files.push_back({"order_effects.csv", order_csv(comparisons, tables.set.kind)});
+  append(files, latex_tables(tables, comparisons));
+  files.push_back({"trials_long.csv", trials_long_csv(tables.set)});
+  files.push_back({"participants_wide.csv", participants_wide_csv(tables.set, answers)});
+  files.push_back({"codebook.csv", codebook_csv()});
+  append(files, psych_ds_files(tables, answers));
+  append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
   }
-  files.push_back({"report.html", report_html(tables, figures, published)});
+  files.push_back({"report.html", report_html(tables, comparisons, figures, published)});
   return files;
 }
 
@@ -53,11 +75,14 @@ std::vector<TextFile> files_of(const StudyTables& tables) {
 AnalysisOutput analyze_records(const study::StudyRecords& records, const fs::path& folder) {
   AnalysisOutput output;
   output.tables = tabulate_study(records);
+  output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
   output.summary = terminal_summary(output.tables);
   output.warnings = warnings_about(output.tables);
-  const std::vector<TextFile> files = files_of(output.tables);
+  const std::vector<TextFile> files =
+      files_of(output.tables, output.comparisons, records.background);
   make_output_folder(folder);
   for (const TextFile& file : files) {
+    fs::create_directories((folder / file.name).parent_path());
     write_file(folder / file.name, file.content);
     output.files.push_back(folder / file.name);
   }

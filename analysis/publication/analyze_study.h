@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/publication/comparisons.h"
 #include "analysis/publication/study_tables.h"
 
 namespace foveola::analysis {
@@ -15,6 +16,7 @@ struct AnalysisOutput {
   std::string summary;  ///< a table for the terminal, several lines, ready to print
   std::vector<std::string> warnings;
   StudyTables tables;
+  Comparisons comparisons;
 };
 
 /// Reads the study's file and writes the published tables and figures to `folder`, which is made if

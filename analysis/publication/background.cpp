@@ -120,6 +120,26 @@ BackgroundScale choose_background_scale(const std::vector<BackgroundRow>& answer
   return scale;
 }
 
+std::vector<QuestionAnswers> describe_background(const AnalysisSet& set,
+                                                 const std::vector<BackgroundRow>& rows) {
+  const Answers answers = answers_by_participant(rows);
+  std::vector<QuestionAnswers> result;
+  for (const auto& [question, five_point] : questions_of(rows)) {
+    std::vector<double> values;
+    for (const std::string& participant : set.participants) {
+      const auto given = answers.find(participant);
+      if (given != answers.end() && given->second.contains(question)) {
+        values.push_back(given->second.at(question));
+      }
+    }
+    result.push_back({question, describe(values), set.participants.size() - values.size()});
+  }
+  std::sort(result.begin(), result.end(), [](const QuestionAnswers& a, const QuestionAnswers& b) {
+    return a.question < b.question;
+  });
+  return result;
+}
+
 std::vector<Exclusion> list_missing_answers(const AnalysisSet& set,
                                             const std::vector<BackgroundRow>& rows,
                                             const BackgroundScale& scale) {

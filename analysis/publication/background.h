@@ -18,6 +18,17 @@ struct BackgroundScale {
   bool as_published = false;  ///< experience with offline rendering and with virtual reality
 };
 
+/// One row of Table 1: what the analysed participants answered to one question.
+struct QuestionAnswers {
+  std::string question;
+  Description answers;
+  std::size_t missing = 0;  ///< participants without a number
+};
+
+/// In the alphabetical order of the questions.
+std::vector<QuestionAnswers> describe_background(const AnalysisSet& set,
+                                                 const std::vector<study::BackgroundRow>& answers);
+
 /// Whether background goes with speed-up: the mean over scenes of baseline minus method, seconds.
 struct BackgroundCorrelation {
   std::string method;

@@ -44,13 +44,15 @@ std::string citation_section() {
 
 }  // namespace
 
-std::string report_html(const StudyTables& tables, const std::vector<Figure>& figures,
+std::string report_html(const StudyTables& tables, const Comparisons& comparisons,
+                        const std::vector<Figure>& figures,
                         const std::vector<PublishedMean>& published) {
   return report_page(
       tables, "Foveola study report",
       findings_html(tables) + scenes_section(tables) + methods_section(tables, figures, published) +
-          ratings_section(tables, figures) + background_section(tables) +
-          exclusions_section(tables) + definitions_section(tables) + citation_section());
+          ratings_section(tables, figures) + comparisons_section(tables, comparisons) +
+          background_section(tables) + exclusions_section(tables) + definitions_section(tables) +
+          citation_section());
 }
 
 }  // namespace foveola::analysis

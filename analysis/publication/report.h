@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/publication/comparisons.h"
 #include "analysis/publication/figures.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
@@ -12,7 +13,8 @@ namespace foveola::analysis {
 
 /// The whole page. It says at its top and in each caption when its data are not people's, lists
 /// what was left out and why, and defines every number.
-std::string report_html(const StudyTables& tables, const std::vector<Figure>& figures,
+std::string report_html(const StudyTables& tables, const Comparisons& comparisons,
+                        const std::vector<Figure>& figures,
                         const std::vector<PublishedMean>& published);
 
 }  // namespace foveola::analysis

@@ -41,10 +41,26 @@ std::vector<std::string> correlation_row(const BackgroundCorrelation& row,
   return {name, n, fixed(found.r, 2), interval, fixed(found.t, 2), p_value(found.p)};
 }
 
+std::string background_answers_table(const StudyTables& tables) {
+  HtmlTable table;
+  table.caption_html =
+      caption_start(tables, "Participants’ background.") +
+      "Table 1 of the published study: mean, standard deviation (sd) and median of "
+      "the answers that are numbers.";
+  table.columns = {"Question", "n", "mean", "sd", "median", "missing"};
+  for (const QuestionAnswers& row : tables.background_answers) {
+    table.rows.push_back({row.question, std::to_string(row.answers.n), fixed(row.answers.mean, 2),
+                          fixed(row.answers.standard_deviation, 2), fixed(row.answers.median, 1),
+                          std::to_string(row.missing)});
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
 }  // namespace
 
 std::string background_section(const StudyTables& tables) {
   std::string html =
+      background_answers_table(tables) +
       fmt::format("<p>{}</p>\n", escape_html(background_scale_in_words(tables.background)));
   if (tables.background.questions.empty()) {
     return html_section("Background and speed-up", html);

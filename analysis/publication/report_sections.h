@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/publication/comparisons.h"
 #include "analysis/publication/figures.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
@@ -21,6 +22,9 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
 
 /// Fig. 6.
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures);
+
+/// Planned and exploratory tests; empty for a single method.
+std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons);
 
 /// The P-value of background.
 std::string background_section(const StudyTables& tables);

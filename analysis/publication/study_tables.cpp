@@ -137,6 +137,7 @@ StudyTables tabulate_study(const study::StudyRecords& records) {
   for (std::size_t method = 0; method < set.methods.size(); ++method) {
     tables.ratings.push_back(tabulate_ratings(set, method));
   }
+  tables.background_answers = describe_background(set, records.background);
   tables.background = choose_background_scale(records.background);
   tables.background_correlations = correlate_background(set, records.background, tables.background);
   exclude(list_missing_answers(set, records.background, tables.background), tables.set);

@@ -64,6 +64,7 @@ struct StudyTables {
   std::vector<SceneTimes> scene_times;    ///< mark by mark, scene by scene, method by method
   std::vector<MethodTimes> method_times;  ///< mark by mark, method by method
   std::vector<MethodRatings> ratings;     ///< method by method
+  std::vector<QuestionAnswers> background_answers;  ///< Table 1
   BackgroundScale background;
   std::vector<BackgroundCorrelation> background_correlations;  ///< mark by mark, without baseline
   std::size_t incomplete_scenes = 0;  ///< (participant, scene, mark) triples left out of Fig. 5

@@ -103,6 +103,16 @@ std::string background_csv(const StudyTables& tables) {
   return finished_csv(std::move(rows), tables);
 }
 
+std::string background_answers_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {{"question", "n", "mean", "sd", "median", "missing"}};
+  for (const QuestionAnswers& row : tables.background_answers) {
+    rows.push_back({row.question, std::to_string(row.answers.n), csv_number(row.answers.mean),
+                    csv_number(row.answers.standard_deviation), csv_number(row.answers.median),
+                    std::to_string(row.missing)});
+  }
+  return finished_csv(std::move(rows), tables);
+}
+
 std::string exclusions_csv(const StudyTables& tables) {
   std::vector<CsvRow> rows = {
       {"participant", "scene", "method", "measure", "reason", "participant_kind"}};
@@ -117,7 +127,8 @@ std::string exclusions_csv(const StudyTables& tables) {
 }  // namespace
 
 std::vector<TextFile> table_files(const StudyTables& tables) {
-  return {{"table2_times.csv", scene_times_csv(tables)},
+  return {{"table1_background.csv", background_answers_csv(tables)},
+          {"table2_times.csv", scene_times_csv(tables)},
           {"figure5_geometric_means.csv", method_times_csv(tables)},
           {"figure6_artifact_ratings.csv", ratings_csv(tables)},
           {"background_correlation.csv", background_csv(tables)},

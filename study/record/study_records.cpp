@@ -23,11 +23,13 @@ std::vector<std::string> read_names(SQLite::Database& database, const char* sql)
 
 void read_protocol(SQLite::Database& database, StudyRecords& records) {
   SQLite::Statement study(database,
-                          "SELECT protocol_name, protocol_title, protocol_sha256 FROM study");
+                          "SELECT protocol_name, protocol_title, protocol_sha256, protocol_text"
+                          " FROM study");
   study.executeStep();
   records.protocol_name = study.getColumn("protocol_name").getString();
   records.protocol_title = study.getColumn("protocol_title").getString();
   records.protocol_sha256 = study.getColumn("protocol_sha256").getString();
+  records.protocol_text = study.getColumn("protocol_text").getString();
   records.scenes = read_names(database, "SELECT name FROM study_scene ORDER BY position");
   records.methods = read_names(database, "SELECT name FROM study_method ORDER BY position");
 }

@@ -53,6 +53,7 @@ struct StudyRecords {
   std::string protocol_name;
   std::string protocol_title;
   std::string protocol_sha256;
+  std::string protocol_text;         ///< the researcher's file, to the letter
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
   std::vector<SessionRow> sessions;

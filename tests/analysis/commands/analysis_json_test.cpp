@@ -14,6 +14,7 @@ nlohmann::json json_of(const study::StudyRecords& records) {
   output.report = "results/report.html";
   output.files = {"results/report.html"};
   output.tables = tabulate_study(records);
+  output.comparisons = compare_methods(output.tables.set, {});
   return nlohmann::json::parse(analysis_json(output));
 }
 
@@ -51,6 +52,21 @@ TEST(AnalysisJson, SaysWhoseDataItShows) {
       EXPECT_EQ(row["participant_kind"], "simulated") << table;
     }
   }
+}
+
+TEST(AnalysisJson, HasTheTests) {
+  const auto golden = golden_study();
+  const nlohmann::json json = json_of(golden_study_records());
+  const nlohmann::json& fv = json["comparisons"].at(1);
+  EXPECT_EQ(fv["measure"], "outline");
+  EXPECT_EQ(fv["method"], "fv");
+  EXPECT_EQ(fv["status"], "exploratory");
+  EXPECT_GOLDEN(100.0 * fv["times"]["ratio"].get<double>(),
+                golden.at("outline.fv.geometric_mean_percent"));
+  EXPECT_TRUE(fv["ratings"].is_null());
+  EXPECT_EQ(fv["wilcoxon"]["exact"], true);
+  EXPECT_GT(json["omnibus"].at(0)["anova"]["f"].get<double>(), 1.0);
+  EXPECT_TRUE(json_of(complete_study(1))["comparisons"].at(0)["times"].is_null());
 }
 
 TEST(AnalysisJson, WhatDoesNotExistIsNull) {

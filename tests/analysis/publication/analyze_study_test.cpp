@@ -44,11 +44,19 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
   const AnalysisOutput output = analyze_records(golden_study_records(), folder);
   EXPECT_THAT(
       names_in(folder),
-      ElementsAre("background_correlation.csv", "exclusions.csv", "figure5_geometric_means.csv",
-                  "figure5_relative.svg", "figure5_seconds.svg", "figure6_artifact_ratings.csv",
-                  "figure6_artifact_ratings.svg", "report.html", "table2_times.csv"));
+      ElementsAre("background_correlation.csv", "codebook.csv", "comparisons.csv",
+                  "comparisons.tex", "exclusions.csv", "figure5_geometric_means.csv",
+                  "figure5_geometric_means.tex", "figure5_relative.svg", "figure5_seconds.svg",
+                  "figure6_artifact_ratings.csv", "figure6_artifact_ratings.svg",
+                  "figure6_artifact_ratings.tex", "models_ratings.R", "models_times.R",
+                  "omnibus.csv", "order_effects.csv", "participants_wide.csv", "psych-ds",
+                  "report.html", "table1_background.csv", "table2_times.csv", "table2_times.tex",
+                  "trials_long.csv"));
+  EXPECT_THAT(
+      names_in(folder / "psych-ds" / "data"),
+      ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));
   EXPECT_EQ(output.report, folder / "report.html");
-  EXPECT_EQ(output.files.size(), 9U);
+  EXPECT_EQ(output.files.size(), 25U);
   EXPECT_THAT(output.summary, HasSubstr("geometric mean"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("6 sessions or values are left out")));
 }

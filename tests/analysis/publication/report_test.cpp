@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/publication/analysis_plan.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 
@@ -17,7 +18,8 @@ const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}}
 
 std::string report_of(const study::StudyRecords& records) {
   const StudyTables tables = tabulate_study(records);
-  return report_html(tables, draw_figures(tables), published);
+  return report_html(tables, compare_methods(tables.set, plan_of(records.protocol_text)),
+                     draw_figures(tables), published);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {

@@ -1,0 +1,97 @@
+#include "analysis/commands/bench_statistics.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/publication/coverage.h"
+#include "renderer/base/error.h"
+#include "renderer/base/progress.h"
+
+namespace foveola::analysis {
+namespace {
+
+void print_json(const CoverageSettings& settings, const std::vector<CoverageFigure>& figures) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const CoverageFigure& figure : figures) {
+    nlohmann::ordered_json row = {
+        {"name", figure.name},        {"claim", figure.claim},        {"percent", figure.percent},
+        {"low", figure.interval.low}, {"high", figure.interval.high}, {"studies", figure.studies},
+        {"asked", nullptr},           {"met", figure.is_met()}};
+    if (figure.asked) {
+      row["asked"] = {figure.asked->low, figure.asked->high};
+    }
+    rows.push_back(std::move(row));
+  }
+  const nlohmann::ordered_json json = {{"participants", settings.participants},
+                                       {"seed", settings.seed},
+                                       {"resamples", settings.resamples},
+                                       {"participant_kind", "simulated"},
+                                       {"figures", rows}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_table(const CoverageSettings& settings, const std::vector<CoverageFigure>& figures) {
+  std::size_t width = 0;
+  for (const CoverageFigure& figure : figures) {
+    width = std::max(width, figure.name.size());
+  }
+  fmt::print("Data-only studies of {} simulated participants\n", settings.participants);
+  for (const CoverageFigure& figure : figures) {
+    const std::string asked =
+        figure.asked ? fmt::format("asked {} to {} %", figure.asked->low, figure.asked->high)
+                     : "as measured";
+    fmt::print("{:<{}}  {:<26} {:6.2f} % [{:.2f}, {:.2f}] of {}; {}\n", figure.name, width,
+               figure.claim, figure.percent, figure.interval.low, figure.interval.high,
+               figure.studies, asked);
+  }
+}
+
+void run_bench_statistics(const CoverageSettings& settings, bool json,
+                          const std::stop_token& stop) {
+  std::vector<CoverageFigure> figures;
+  {
+    Progress progress("Planted studies");
+    figures = measure_coverage(
+        settings, [&](double done) { progress.update(done); }, stop);
+  }
+  json ? print_json(settings, figures) : print_table(settings, figures);
+  for (const CoverageFigure& figure : figures) {
+    if (!figure.is_met()) {
+      throw Error(figure.name,
+                  fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim,
+                              figure.percent, figure.asked->low, figure.asked->high),
+                  "fewer than 4000 studies may miss by chance; else the analysis is wrong");
+    }
+  }
+}
+
+}  // namespace
+
+void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
+  const auto settings = std::make_shared<CoverageSettings>();
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "statistics", "How often intervals and tests are right, over studies with a planted truth");
+  command->add_option("--studies", settings->studies, "How many for each figure")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--participants", settings->participants, "In each study")
+      ->check(CLI::Range(2, 10'000))
+      ->capture_default_str();
+  command->add_option("--seed", settings->seed, "Same seed, same figures")->capture_default_str();
+  command->add_option("--resamples", settings->resamples, "Of each bootstrap interval")
+      ->check(CLI::Range(99, 99'999))
+      ->capture_default_str();
+  command->add_option("--threads", settings->threads, "0: every core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--json", *json, "Print the figures as JSON");
+  command->footer("Example: foveola bench statistics --studies 4000");
+  command->callback([=] { run_bench_statistics(*settings, *json, stop); });
+}
+
+}  // namespace foveola::analysis

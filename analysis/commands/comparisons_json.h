@@ -1,0 +1,18 @@
+// The tests of methods against methods, for machines.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "analysis/publication/comparisons.h"
+
+namespace foveola::analysis {
+
+/// An array with an object for each comparison; what is not defined is null.
+nlohmann::ordered_json comparisons_json(const Comparisons& comparisons, const std::string& kind);
+
+/// An array with an object for each measure.
+nlohmann::ordered_json omnibus_json(const Comparisons& comparisons, const std::string& kind);
+
+}  // namespace foveola::analysis

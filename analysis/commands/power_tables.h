@@ -1,0 +1,39 @@
+// `foveola analyze --power`: how many participants a comparison of times needs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace foveola::analysis {
+
+struct PowerSettings {
+  double ratio_percent = 50.0;  ///< the expected time, in per cent of the baseline's; not 100
+  double spread = 2.0;          ///< the factor by which participants' own ratios spread, above 1
+  double alpha = 0.05;
+  double power = 0.9;                       ///< to be reached
+  std::optional<std::size_t> participants;  ///< instead of searching: the power of so many
+  std::size_t studies = 10'000;             ///< simulated
+  std::uint64_t seed = 1;
+};
+
+/// The plan: participants, power by formula and by simulation.
+struct PowerPlan {
+  std::size_t participants = 0;
+  double power = 0.0;
+  double simulated_power = 0.0;
+  double simulated_low = 0.0;
+  double simulated_high = 0.0;
+};
+
+/// Throws Error if a million participants are too few, or for an effect or spread that is none.
+PowerPlan plan_power(const PowerSettings& settings);
+
+/// Several lines for the terminal, ended by a line break.
+std::string power_text(const PowerSettings& settings, const PowerPlan& plan);
+
+/// A JSON object, indented.
+std::string power_json(const PowerSettings& settings, const PowerPlan& plan);
+
+}  // namespace foveola::analysis

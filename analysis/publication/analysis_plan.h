@@ -1,0 +1,21 @@
+// What the protocol planned to compare before there were data; anything else is exploratory.
+#pragma once
+
+#include <string>
+
+#include "study/protocol/protocol.h"
+
+namespace foveola::analysis {
+
+/// The table [analysis] of a protocol's text, which was valid when the study began; an empty text
+/// has an empty plan. Throws Error, with its place, for what is no TOML or no plan.
+study::AnalysisPlan plan_of(const std::string& protocol_text);
+
+bool is_primary(const study::AnalysisPlan& plan, const std::string& measure,
+                const std::string& method, const std::string& reference);
+
+/// Empty where the plan says nothing.
+std::optional<double> equivalence_margin(const study::AnalysisPlan& plan,
+                                         const std::string& measure);
+
+}  // namespace foveola::analysis

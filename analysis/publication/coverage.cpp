@@ -1,0 +1,190 @@
+#include "analysis/publication/coverage.h"
+
+#include <cmath>
+#include <string_view>
+
+#include "analysis/publication/participant_values.h"
+#include "analysis/publication/planted_studies.h"
+#include "analysis/publication/study_tables.h"
+#include "analysis/statistics/bootstrap.h"
+#include "analysis/statistics/equivalence.h"
+#include "analysis/statistics/friedman.h"
+#include "analysis/statistics/paired_t.h"
+#include "analysis/statistics/proportion.h"
+#include "analysis/statistics/repeated_measures.h"
+#include "analysis/statistics/wilcoxon.h"
+#include "renderer/base/parallel.h"
+
+namespace foveola::analysis {
+namespace {
+
+constexpr Interval nominal_coverage = {93.5, 96.5};
+constexpr Interval nominal_rejection = {4.0, 6.0};
+
+/// Whether one study hits; empty where it has no such interval or test.
+using Outcome = std::optional<bool>;
+
+Outcome covers(const std::optional<Interval>& interval, double truth) {
+  return interval ? Outcome(interval->low <= truth && truth <= interval->high) : std::nullopt;
+}
+
+Outcome covers_percent(const StudyTables& tables, Mark mark, std::size_t method, double ratio) {
+  const auto& estimate = tables.method_times_of(mark, method).percent_of_baseline;
+  return estimate ? covers(estimate->interval, 100.0 * ratio) : std::nullopt;
+}
+
+/// The logarithms of all participants' ratios of the last method to the baseline.
+std::vector<double> log_ratios(const AnalysisSet& set) {
+  std::vector<double> ratios;
+  for (const auto& row : mean_log_times(set, Mark::outline)) {
+    if (row.front() && row.back()) {
+      ratios.push_back(*row.back() - *row.front());
+    }
+  }
+  return ratios;
+}
+
+Outcome censored_interval_covers(const AnalysisSet& set, double ratio) {
+  std::vector<BoundedValue> ratios;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    ratios.push_back(
+        bounded_log_ratio(set, participant, Mark::outline, set.methods.size() - 1, baseline));
+  }
+  const std::optional<CensoredMean> found = censored_mean(ratios);
+  return found ? covers(found->interval, std::log(ratio)) : std::nullopt;
+}
+
+/// What is asked of one study, and what is said of the share that hits.
+struct Question {
+  std::string_view name;
+  std::string_view claim;
+  std::optional<Interval> asked;
+  PlantedTruth truth;
+  std::function<Outcome(const AnalysisSet&, const StudyTables&)> ask;
+};
+
+std::vector<Question> planted_questions(const CoverageSettings& settings) {
+  const PlantedTruth truth{.participants = settings.participants};
+  PlantedTruth learning = truth;
+  learning.change_per_trial = -0.02;
+  PlantedTruth hurried = truth;
+  hurried.timeout_s = 60.0;
+  std::vector<Question> questions;
+  for (const Mark mark : marks) {
+    for (const std::size_t method : {std::size_t{1}, std::size_t{2}}) {
+      const double ratio = truth.ratios[method];
+      // Only the outline's truth is planted; the material mark is some time after it, alike.
+      const std::string_view name =
+          mark == Mark::outline
+              ? (method == 1 ? "t interval, VP 32 %, outline" : "t interval, FV 10 %, outline")
+              : (method == 1 ? "t interval, VP 32 %, material" : "t interval, FV 10 %, material");
+      questions.push_back({name, "covers the planted ratio", nominal_coverage, truth,
+                           [=](const AnalysisSet&, const StudyTables& tables) {
+                             return covers_percent(tables, mark, method, ratio);
+                           }});
+    }
+  }
+  questions.push_back({"BCa interval, FV 10 %, outline", "covers the planted ratio", std::nullopt,
+                       truth, [=](const AnalysisSet&, const StudyTables& tables) {
+                         const MethodTimes& times = tables.method_times_of(Mark::outline, 2);
+                         return covers(bca_geometric_mean(times.participant_percent,
+                                                          {.resamples = settings.resamples}),
+                                       100.0 * truth.ratios[2]);
+                       }});
+  questions.push_back(
+      {"t interval, learning 2 % per trial", "covers the planted change", nominal_coverage,
+       learning, [=](const AnalysisSet& set, const StudyTables&) {
+         const auto found = order_effect(ordered_log_times(set, Mark::outline, OrderOf::trials));
+         return found ? covers(found->interval, learning.change_per_trial) : std::nullopt;
+       }});
+  questions.push_back({"interval of times that ran out, FV 10 %", "covers the planted ratio",
+                       std::nullopt, hurried, [=](const AnalysisSet& set, const StudyTables&) {
+                         return censored_interval_covers(set, hurried.ratios.back());
+                       }});
+  return questions;
+}
+
+Outcome below(std::optional<double> p) { return p ? Outcome(*p < 0.05) : std::nullopt; }
+
+template <typename Test>
+std::optional<double> p_of(const std::optional<Test>& test) {
+  return test ? std::optional(test->p) : std::nullopt;
+}
+
+std::vector<Question> null_questions(const CoverageSettings& settings) {
+  PlantedTruth null{.participants = settings.participants};
+  null.ratios = {1.0, 1.0, 1.0};
+  PlantedTruth at_margin = null;
+  at_margin.ratios.back() = 1.25;
+  const auto measures = [](const AnalysisSet& set) {
+    return complete_participants(mean_log_times(set, Mark::outline));
+  };
+  return {{"paired t on logs, no effect", "rejects at 5 %", nominal_rejection, null,
+           [](const AnalysisSet& set, const StudyTables&) {
+             return below(p_of(one_sample_t(log_ratios(set))));
+           }},
+          {"Wilcoxon signed-rank, no effect", "rejects at 5 %", std::nullopt, null,
+           [](const AnalysisSet& set, const StudyTables&) {
+             return below(p_of(signed_rank(log_ratios(set))));
+           }},
+          {"ANOVA, Greenhouse-Geisser, no effect", "rejects at 5 %", std::nullopt, null,
+           [=](const AnalysisSet& set, const StudyTables&) {
+             const auto test = repeated_measures_anova(measures(set));
+             return test ? below(test->p_greenhouse_geisser) : std::nullopt;
+           }},
+          {"Friedman, no effect", "rejects at 5 %", std::nullopt, null,
+           [=](const AnalysisSet& set, const StudyTables&) {
+             return below(p_of(friedman(measures(set))));
+           }},
+          {"equivalence within 25 %, truth at the margin", "wrongly declared at 5 %", std::nullopt,
+           at_margin, [](const AnalysisSet& set, const StudyTables&) {
+             return below(p_of(equivalence(log_ratios(set), std::log(1.25))));
+           }}};
+}
+
+/// A study's number seeds it, whatever thread it runs on.
+CoverageFigure answer(const Question& question, const CoverageSettings& settings,
+                      std::uint64_t stream, const Workers& workers) {
+  std::vector<Outcome> outcomes(static_cast<std::size_t>(settings.studies));
+  workers.for_each_block(outcomes.size(), 50, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t study = begin; study < end; ++study) {
+      const std::uint64_t seed = (settings.seed << 40U) + (stream << 32U) + study;
+      const StudyTables tables = tabulate_study(plant_study(question.truth, seed));
+      outcomes[study] = question.ask(tables.set, tables);
+    }
+  });
+  CoverageFigure figure{std::string(question.name), std::string(question.claim)};
+  figure.asked = question.asked;
+  for (const Outcome& outcome : outcomes) {
+    figure.studies += outcome ? 1 : 0;
+    figure.hits += outcome.value_or(false) ? 1 : 0;
+  }
+  if (figure.studies > 0) {
+    figure.percent = 100.0 * static_cast<double>(figure.hits) / static_cast<double>(figure.studies);
+    const Interval share = clopper_pearson(figure.hits, figure.studies);
+    figure.interval = {100.0 * share.low, 100.0 * share.high};
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
+                                             const std::function<void(double)>& on_progress,
+                                             const std::stop_token& stop) {
+  std::vector<Question> questions = planted_questions(settings);
+  const std::vector<Question> nulls = null_questions(settings);
+  questions.insert(questions.end(), nulls.begin(), nulls.end());
+  const Workers workers(settings.threads);
+  std::vector<CoverageFigure> figures;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    if (stop.stop_requested()) {
+      return {};
+    }
+    figures.push_back(answer(questions[i], settings, i, workers));
+    on_progress(static_cast<double>(i + 1) / static_cast<double>(questions.size()));
+  }
+  return figures;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cctype>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/publication/trial_data.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// Psych-DS allows letters and digits in the values of a file's name.
+std::string file_word(const std::string& name) {
+  std::string word;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(word),
+               [](unsigned char c) { return c < 0x80 && std::isalnum(c) != 0; });
+  return word.empty() ? "study" : word;
+}
+
+std::string dataset_description(const StudyTables& tables) {
+  nlohmann::ordered_json variables = nlohmann::ordered_json::array();
+  for (const Variable& variable : trial_variables()) {
+    nlohmann::ordered_json entry = {
+        {"@type", "PropertyValue"}, {"name", variable.name}, {"description", variable.description}};
+    if (!variable.unit.empty()) {
+      entry["unitText"] = variable.unit;
+    }
+    variables.push_back(std::move(entry));
+  }
+  const std::string warning = data_warning(tables);
+  const nlohmann::ordered_json json = {
+      {"@context", "https://schema.org/"},
+      {"@type", "Dataset"},
+      {"name", tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title},
+      {"description",
+       (warning.empty() ? "" : warning + " ") +
+           "Times and ratings of progressive previews, one row per trial; protocol " +
+           tables.protocol_name + ", SHA-256 " + tables.protocol_sha256},
+      {"variableMeasured", variables}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+constexpr const char* times_script =
+    R"r(# Mixed models of log times: participants and scenes may have missing cells.
+# Rscript models_times.R, in the folder of this file; needs lme4 and lmerTest.
+library(lmerTest)
+
+trials <- read.csv("trials_long.csv", stringsAsFactors = TRUE)
+if (any(trials$participant_kind != "human")) {
+  message("Not people's data: ", paste(unique(trials$participant_kind), collapse = ", "))
+}
+trials$method <- relevel(trials$method, ref = as.character(trials$method[1]))
+
+for (mark in c("outline", "material")) {
+  # Times that ran out are only bounds; they are left out here and counted.
+  time <- trials[[paste0(mark, "_s")]]
+  censored <- trials[[paste0(mark, "_censored")]] %in% c("true", TRUE)
+  rows <- trials[!is.na(time) & !censored, ]
+  rows$log_time <- log(time[!is.na(time) & !censored])
+  cat("\n", mark, ": ", nrow(rows), " times; ", sum(censored), " ran out\n", sep = "")
+  model <- lmer(log_time ~ method * scene + trial_position + (1 | participant), data = rows)
+  print(anova(model))
+  print(summary(model)$coefficients)
+}
+)r";
+
+constexpr const char* ratings_script =
+    R"r(# Ordinal models of artifact ratings: steps of the scale need not be equal.
+# Rscript models_ratings.R, in the folder of this file; needs ordinal.
+library(ordinal)
+
+trials <- read.csv("trials_long.csv", stringsAsFactors = TRUE)
+if (any(trials$participant_kind != "human")) {
+  message("Not people's data: ", paste(unique(trials$participant_kind), collapse = ", "))
+}
+trials$method <- relevel(trials$method, ref = as.character(trials$method[1]))
+trials <- trials[!is.na(trials$artifacts_rating), ]
+trials$rating <- ordered(trials$artifacts_rating, levels = 1:5)
+model <- clmm(rating ~ method + (1 | participant) + (1 | scene), data = trials)
+print(summary(model))
+)r";
+
+}  // namespace
+
+std::vector<TextFile> psych_ds_files(const StudyTables& tables,
+                                     const std::vector<study::BackgroundRow>& answers) {
+  const std::string data = "psych-ds/data/study-" + file_word(tables.protocol_name);
+  return {{"psych-ds/dataset_description.json", dataset_description(tables)},
+          {data + "_type-trials_data.csv", trials_long_csv(tables.set)},
+          {data + "_type-participants_data.csv", participants_wide_csv(tables.set, answers)}};
+}
+
+std::vector<TextFile> r_scripts() {
+  return {{"models_times.R", times_script}, {"models_ratings.R", ratings_script}};
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,35 @@
+// What each participant gives to the tests: one value per method, since the participant, not the
+// trial, is the unit.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/publication/analysis_set.h"
+#include "analysis/statistics/censored_mean.h"
+#include "analysis/statistics/order_effect.h"
+
+namespace foveola::analysis {
+
+/// [participant][method]; empty where a participant has none.
+using ParticipantValues = std::vector<std::vector<std::optional<double>>>;
+
+/// The mean logarithm of the times in seconds, over the scenes in which every method's time was
+/// measured, so that the methods are compared over the same scenes.
+ParticipantValues mean_log_times(const AnalysisSet& set, Mark mark);
+
+/// The mean artifact rating, over the scenes in which every method was rated.
+ParticipantValues mean_ratings(const AnalysisSet& set);
+
+/// What is known of a participant's mean log ratio of `method` to `reference`, over the scenes
+/// where both have a time and not both timed out: a time that ran out bounds it on one side. It
+/// says nothing where bounds of both sides meet, or without such a scene.
+BoundedValue bounded_log_ratio(const AnalysisSet& set, std::size_t participant, Mark mark,
+                               std::size_t method, std::size_t reference);
+
+/// The logarithms of all measured times with their place in the session, counted in trials from 0,
+/// or in the order of methods within the scene.
+enum class OrderOf { trials, methods };
+std::vector<OrderedValue> ordered_log_times(const AnalysisSet& set, Mark mark, OrderOf order);
+
+}  // namespace foveola::analysis

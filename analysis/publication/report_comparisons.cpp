@@ -1,0 +1,227 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/html.h"
+#include "analysis/publication/report_parts.h"
+#include "analysis/publication/report_sections.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string p_or_dash(const std::optional<double>& p) { return p ? p_value(*p) : "–"; }
+
+std::string bracketed(const Interval& interval, double scale, int decimals) {
+  return fmt::format("[{:.{}f}, {:.{}f}]", scale * interval.low, decimals, scale * interval.high,
+                     decimals);
+}
+
+std::string pair_name(const MethodComparison& row) {
+  return fmt::format("{} / {}, {}", method_label(row.method), method_label(row.reference),
+                     row.measure);
+}
+
+/// Of the median ratio with times that ran out as bounds.
+std::string bounded_ratio(const MethodComparison& row) {
+  if (!row.bounded) {
+    return "–";
+  }
+  const Interval ratio = {std::exp(row.bounded->interval.low),
+                          std::exp(row.bounded->interval.high)};
+  return fmt::format("{:.1f} {}", 100.0 * std::exp(row.bounded->mean), bracketed(ratio, 100.0, 1));
+}
+
+std::vector<std::string> ratio_row(const MethodComparison& row) {
+  std::vector<std::string> cells = {pair_name(row), std::to_string(row.n)};
+  if (row.ratio) {
+    const TTest& logs = row.ratio->logs;
+    cells.push_back(fmt::format("{:.1f} {}", 100.0 * row.ratio->ratio,
+                                bracketed(row.ratio->interval, 100.0, 1)));
+    cells.push_back(row.ratio_bca ? bracketed(*row.ratio_bca, 100.0, 1) : "–");
+    cells.push_back(fmt::format("{:.2f} ({:g})", logs.t, logs.degrees_of_freedom));
+    cells.push_back(p_value(logs.p));
+    cells.push_back(p_or_dash(row.p_holm));
+    cells.push_back(fmt::format("{:.2f}", logs.d_z));
+  } else {
+    cells.insert(cells.end(), 6, "–");
+  }
+  cells.push_back(row.ranks ? p_value(row.ranks->p) : "–");
+  cells.push_back(fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2));
+  cells.push_back(bounded_ratio(row));
+  return cells;
+}
+
+std::string ratio_table(const StudyTables& tables, const Comparisons& comparisons, bool primary) {
+  HtmlTable table;
+  table.caption_html =
+      caption_start(
+          tables, primary ? "Planned comparisons of times." : "Exploratory comparisons of times.") +
+      "Ratio of times in per cent: geometric mean over participants with t interval, then BCa "
+      "bootstrap interval; paired t on logarithms; Wilcoxon signed-rank. Last: with times that ran "
+      "out as bounds, where there are any.";
+  table.columns = {"Methods, mark",
+                   "n",
+                   "ratio, % [95 %]",
+                   "BCa 95 %",
+                   "t (df)",
+                   "P",
+                   "P, Holm",
+                   "d_z",
+                   "P, Wilcoxon",
+                   "r, rank",
+                   "ratio with bounds, % [95 %]"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.measure != artifacts_measure && row.primary == primary) {
+      table.rows.push_back(ratio_row(row));
+    }
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
+std::vector<std::string> rating_row(const MethodComparison& row) {
+  return {fmt::format("{} − {}{}", method_label(row.method), method_label(row.reference),
+                      row.primary ? " (planned)" : ""),
+          std::to_string(row.n),
+          row.points
+              ? fmt::format("{:.2f} {}", row.points->mean, bracketed(row.points->interval, 1.0, 2))
+              : "–",
+          row.ranks ? fmt::format("{:g} / {:g}", row.ranks->w_plus, row.ranks->w_minus) : "–",
+          row.ranks ? p_value(row.ranks->p) : "–",
+          p_or_dash(row.p_holm),
+          fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2)};
+}
+
+std::string rating_table(const StudyTables& tables, const Comparisons& comparisons) {
+  HtmlTable table;
+  table.caption_html =
+      caption_start(tables, "Artifact ratings, method against method.") +
+      "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
+      "participants; the difference of means stands beside it as in the published study.";
+  table.columns = {"Methods", "n",      "difference, points [95 %]", "W+ / W−", "P, Wilcoxon",
+                   "P, Holm", "r, rank"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.measure == artifacts_measure) {
+      table.rows.push_back(rating_row(row));
+    }
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
+std::string equivalence_table(const StudyTables& tables, const Comparisons& comparisons) {
+  HtmlTable table;
+  table.caption_html = caption_start(tables, "Equivalence.") +
+                       "Two one-sided t tests against the protocol’s margins. Below the level, the "
+                       "difference is too small to matter.";
+  table.columns = {"Methods, measure", "margin", "interval", "P"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (!row.equivalent) {
+      continue;
+    }
+    const bool points = row.measure == artifacts_measure;
+    const Interval& found = row.equivalent->interval;
+    const Interval ratio = {std::exp(found.low), std::exp(found.high)};
+    table.rows.push_back({pair_name(row),
+                          points ? fmt::format("± {:g} points", *row.margin)
+                                 : fmt::format("factor {:g}", *row.margin),
+                          points ? bracketed(found, 1.0, 2) : bracketed(ratio, 1.0, 2),
+                          p_value(row.equivalent->p)});
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
+std::vector<std::string> omnibus_row(const OmnibusTest& row) {
+  std::vector<std::string> cells = {row.measure};
+  if (row.variance) {
+    const VarianceAnalysis& found = *row.variance;
+    cells.push_back(fmt::format("{:.2f} ({:.2f}, {:.2f})", found.f,
+                                found.greenhouse_geisser * found.degrees_of_freedom,
+                                found.greenhouse_geisser * found.residual_degrees_of_freedom));
+    cells.push_back(fmt::format("{:.3f}", found.greenhouse_geisser));
+    cells.push_back(p_value(found.p_greenhouse_geisser));
+    cells.push_back(fmt::format("{:.2f}", found.partial_eta_squared));
+  } else {
+    cells.insert(cells.end(), 4, "–");
+  }
+  if (row.ranks) {
+    cells.push_back(
+        fmt::format("{:.2f} ({:g})", row.ranks->chi_squared, row.ranks->degrees_of_freedom));
+    cells.push_back(p_value(row.ranks->p));
+    cells.push_back(fmt::format("{:.2f}", row.ranks->kendalls_w));
+  } else {
+    cells.insert(cells.end(), 3, "–");
+  }
+  cells.push_back(std::to_string(row.left_out));
+  return cells;
+}
+
+std::string omnibus_table(const StudyTables& tables, const Comparisons& comparisons) {
+  HtmlTable table;
+  table.caption_html =
+      caption_start(tables, "All methods at once.") +
+      "Repeated-measures analysis of variance of log times with Greenhouse and Geisser’s "
+      "correction; Friedman’s test, with ties; participants with a gap are left out of both.";
+  table.columns = {"Measure", "F (df)",      "ε", "P",       "partial η²",
+                   "χ² (df)", "P, Friedman", "W", "left out"};
+  for (const OmnibusTest& row : comparisons.omnibus) {
+    table.rows.push_back(omnibus_row(row));
+  }
+  return render(table);
+}
+
+std::string order_table(const StudyTables& tables, const Comparisons& comparisons) {
+  HtmlTable table;
+  table.caption_html = caption_start(tables, "Order and learning.") +
+                       "Change of the time with each step, with 95 % interval over participants; "
+                       "participants, scenes and methods are taken out first.";
+  table.columns = {"Mark, per", "n", "change, % [95 %]", "t (df)", "P"};
+  for (const OrderTest& row : comparisons.order) {
+    const std::string name = fmt::format("{}, {}", name_of(row.mark), row.of);
+    if (!row.change_per_step) {
+      table.rows.push_back({name, "–", "–", "–", "–"});
+      continue;
+    }
+    const TTest& test = *row.change_per_step;
+    const Interval change = {std::expm1(test.interval.low), std::expm1(test.interval.high)};
+    table.rows.push_back(
+        {name, std::to_string(test.n),
+         fmt::format("{:.1f} {}", 100.0 * std::expm1(test.mean), bracketed(change, 100.0, 1)),
+         fmt::format("{:.2f} ({:g})", test.t, test.degrees_of_freedom), p_value(test.p)});
+  }
+  return render(table);
+}
+
+std::string plan_in_words(const Comparisons& comparisons, std::size_t participants) {
+  const study::AnalysisPlan& plan = comparisons.plan;
+  std::string text =
+      plan.primary.empty()
+          ? "The protocol plans no comparison: all of these are exploratory."
+          : fmt::format(
+                "The protocol planned {} before there were data, at a level of {:g} for all "
+                "of them together (Holm); everything else is exploratory, and adjusted "
+                "within its measure.",
+                counted(plan.primary.size(), "primary comparison"), plan.alpha);
+  if (plan.participants && static_cast<std::size_t>(*plan.participants) != participants) {
+    text += fmt::format(" It planned {}; {} analysed.",
+                        counted(static_cast<std::size_t>(*plan.participants), "participant"),
+                        participants == 1 ? "1 is" : fmt::format("{} are", participants));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons) {
+  if (tables.set.methods.size() < 2) {
+    return "";
+  }
+  return html_section(
+      "Method against method",
+      fmt::format("<p>{}</p>\n",
+                  escape_html(plan_in_words(comparisons, tables.set.participants.size()))) +
+          ratio_table(tables, comparisons, true) + ratio_table(tables, comparisons, false) +
+          rating_table(tables, comparisons) + equivalence_table(tables, comparisons) +
+          omnibus_table(tables, comparisons) + order_table(tables, comparisons));
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,153 @@
+#include "analysis/publication/trial_data.h"
+
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "renderer/base/csv.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// A time that ran out is the bound, marked as such.
+std::string seconds_of(const MarkTime& time) {
+  return time.state == MarkTime::State::missing || time.seconds <= 0.0 ? ""
+                                                                       : csv_number(time.seconds);
+}
+
+std::string censored_of(const MarkTime& time) {
+  return time.state == MarkTime::State::missing    ? ""
+         : time.state == MarkTime::State::censored ? "true"
+                                                   : "false";
+}
+
+std::string rating_of(const Cell& cell) { return cell.rating ? std::to_string(*cell.rating) : ""; }
+
+CsvRow long_row(const AnalysisSet& set, std::size_t participant, std::size_t scene,
+                std::size_t method) {
+  const Cell& cell = set.cell(participant, scene, method);
+  const MarkTime& outline = cell.time(Mark::outline);
+  const MarkTime& material = cell.time(Mark::material);
+  return {set.participants[participant],
+          set.kind,
+          set.scenes[scene],
+          set.methods[method],
+          std::to_string(cell.trial_position),
+          std::to_string(cell.method_position),
+          std::to_string(cell.attempts),
+          seconds_of(outline),
+          censored_of(outline),
+          seconds_of(material),
+          censored_of(material),
+          rating_of(cell)};
+}
+
+struct WideAnswers {
+  std::map<std::string, std::map<std::string, double>> by_participant;
+  std::set<std::string> questions;
+};
+
+WideAnswers wide_answers(const std::vector<study::BackgroundRow>& answers) {
+  WideAnswers wide;
+  for (const study::BackgroundRow& row : answers) {
+    wide.by_participant[row.participant][row.question] = row.value;
+    wide.questions.insert(row.question);
+  }
+  return wide;
+}
+
+CsvRow wide_heading(const AnalysisSet& set, const WideAnswers& answers) {
+  CsvRow row = {"participant", "participant_kind"};
+  for (const std::string& scene : set.scenes) {
+    for (const std::string& method : set.methods) {
+      for (const char* measure : {"outline_s", "outline_censored", "material_s",
+                                  "material_censored", "artifacts_rating"}) {
+        row.push_back(fmt::format("{}.{}.{}", measure, scene, method));
+      }
+    }
+  }
+  for (const std::string& question : answers.questions) {
+    row.push_back("background." + question);
+  }
+  return row;
+}
+
+CsvRow wide_row(const AnalysisSet& set, const WideAnswers& answers, std::size_t participant) {
+  CsvRow row = {set.participants[participant], set.kind};
+  for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      const Cell& cell = set.cell(participant, scene, method);
+      for (const Mark mark : marks) {
+        row.push_back(seconds_of(cell.time(mark)));
+        row.push_back(censored_of(cell.time(mark)));
+      }
+      row.push_back(rating_of(cell));
+    }
+  }
+  const auto given = answers.by_participant.find(set.participants[participant]);
+  for (const std::string& question : answers.questions) {
+    std::optional<double> value;
+    if (given != answers.by_participant.end() && given->second.contains(question)) {
+      value = given->second.at(question);
+    }
+    row.push_back(csv_number(value));
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<Variable> trial_variables() {
+  return {
+      {"participant", "", "string", "Code of the participant"},
+      {"participant_kind", "", "string", "Who took part: human, pilot or simulated"},
+      {"scene", "", "string", "Name of the scene"},
+      {"method", "", "string", "How samples were placed: od, vp, fv or another sampler"},
+      {"trial_position", "", "integer", "Place among the session's trials as planned, from 0"},
+      {"method_position", "", "integer", "Place among the methods in the scene, from 0"},
+      {"attempts", "", "integer", "How often it was timed; the last time counts; 0: never begun"},
+      {"outline_s", "s", "number",
+       "From the first presented frame to the mark that the outline was visible"},
+      {"outline_censored", "", "boolean", "True: it timed out, and outline_s is a lower bound"},
+      {"material_s", "s", "number",
+       "From the first presented frame to the mark that the material was visible"},
+      {"material_censored", "", "boolean", "True: it timed out, and material_s is a lower bound"},
+      {"artifacts_rating", "points", "integer",
+       "Artifacts in other areas, 1 none to 5 not discernible at all"}};
+}
+
+std::string trials_long_csv(const AnalysisSet& set) {
+  std::vector<CsvRow> rows(1);
+  for (const Variable& variable : trial_variables()) {
+    rows.front().push_back(variable.name);
+  }
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+      for (std::size_t method = 0; method < set.methods.size(); ++method) {
+        rows.push_back(long_row(set, participant, scene, method));
+      }
+    }
+  }
+  return format_csv(rows);
+}
+
+std::string participants_wide_csv(const AnalysisSet& set,
+                                  const std::vector<study::BackgroundRow>& answers) {
+  const WideAnswers wide = wide_answers(answers);
+  std::vector<CsvRow> rows = {wide_heading(set, wide)};
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    rows.push_back(wide_row(set, wide, participant));
+  }
+  return format_csv(rows);
+}
+
+std::string codebook_csv() {
+  std::vector<CsvRow> rows = {{"variable", "type", "unit", "description"}};
+  for (const Variable& variable : trial_variables()) {
+    rows.push_back({variable.name, variable.type, variable.unit, variable.description});
+  }
+  return format_csv(rows);
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,46 @@
+// The data behind the numbers, for other programs: a row per trial, a row per participant, what
+// each column means, and scripts that read them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/publication/analysis_set.h"
+#include "analysis/publication/study_tables.h"
+#include "analysis/publication/table_files.h"
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+
+/// A column of the data files.
+struct Variable {
+  std::string name;
+  std::string unit;  ///< "s", "points", or empty
+  std::string type;  ///< "string", "integer", "number" or "boolean"
+  std::string description;
+};
+
+/// The columns of the long table, in their order.
+std::vector<Variable> trial_variables();
+
+/// One row per participant, scene and method of the analysed participants; what is missing is
+/// empty.
+std::string trials_long_csv(const AnalysisSet& set);
+
+/// One row per participant: their values in each scene with each method, then their answers about
+/// their background. Columns are named MEASURE.SCENE.METHOD and background.QUESTION.
+std::string participants_wide_csv(const AnalysisSet& set,
+                                  const std::vector<study::BackgroundRow>& answers);
+
+/// What each column of the long table is.
+std::string codebook_csv();
+
+/// A folder as Psych-DS 1 describes it: dataset_description.json and data/*_data.csv.
+std::vector<TextFile> psych_ds_files(const StudyTables& tables,
+                                     const std::vector<study::BackgroundRow>& answers);
+
+/// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4), and
+/// ordinal models of ratings (ordinal). They read the long table beside them.
+std::vector<TextFile> r_scripts();
+
+}  // namespace foveola::analysis

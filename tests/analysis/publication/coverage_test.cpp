@@ -1,0 +1,73 @@
+#include "analysis/publication/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include "analysis/publication/planted_studies.h"
+#include "analysis/publication/study_tables.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::vector<CoverageFigure> measure(const CoverageSettings& settings) {
+  return measure_coverage(settings, [](double) {}, {});
+}
+
+TEST(Coverage, DoesNotDependOnThreads) {
+  CoverageSettings settings{.studies = 60, .participants = 8, .resamples = 99, .threads = 1};
+  const std::vector<CoverageFigure> alone = measure(settings);
+  settings.threads = 4;
+  const std::vector<CoverageFigure> together = measure(settings);
+  ASSERT_EQ(alone.size(), together.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(alone[i].hits, together[i].hits) << alone[i].name;
+    EXPECT_EQ(alone[i].studies, 60U) << alone[i].name;
+  }
+}
+
+TEST(Coverage, IntervalsCoverAndTestsSeldomReject) {
+  for (const CoverageFigure& figure : measure({.studies = 200, .resamples = 199})) {
+    const bool is_coverage = figure.claim.starts_with("covers");
+    EXPECT_GT(figure.percent, is_coverage ? 80.0 : -1.0) << figure.name;
+    EXPECT_LT(figure.percent, is_coverage ? 100.1 : 15.0) << figure.name;
+    EXPECT_LE(figure.interval.low, figure.percent);
+    EXPECT_GE(figure.interval.high, figure.percent);
+  }
+}
+
+TEST(Coverage, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(measure_coverage(
+                  {}, [](double) {}, stop.get_token())
+                  .empty());
+}
+
+TEST(PlantedStudies, AreSimulatedAndComplete) {
+  const study::StudyRecords records = plant_study({.participants = 5, .scenes = 3}, 4);
+  EXPECT_EQ(records.trials.size(), 5U * 3U * 3U);
+  EXPECT_TRUE(records.has_simulated());
+  EXPECT_TRUE(tabulate_study(records).set.exclusions.empty());
+}
+
+TEST(PlantedStudies, HoldTheTruthThatWasPlanted) {
+  PlantedTruth truth{.participants = 400};
+  const StudyTables tables = tabulate_study(plant_study(truth, 11));
+  // The standard error is a percent and a half of the value.
+  EXPECT_NEAR(tables.method_times_of(Mark::outline, 2).percent_of_baseline->value, 10.0, 0.6);
+  EXPECT_NEAR(tables.method_times_of(Mark::outline, 1).percent_of_baseline->value, 32.0, 2.0);
+}
+
+TEST(PlantedStudies, TimesBeyondTheTimeoutRunOut) {
+  PlantedTruth truth{.participants = 50};
+  truth.timeout_s = 20.0;
+  std::size_t censored = 0;
+  for (const study::TrialRow& row : plant_study(truth, 3).trials) {
+    censored += row.outline_censored ? 1 : 0;
+    EXPECT_LE(*row.outline_s, 20.0);
+    EXPECT_EQ(row.outline_censored, *row.outline_s == 20.0);
+  }
+  EXPECT_GT(censored, 10U);
+}
+
+}  // namespace
+}  // namespace foveola::analysis
