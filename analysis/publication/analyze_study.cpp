@@ -48,8 +48,7 @@ void append(std::vector<TextFile>& files, std::vector<TextFile> more) {
   std::move(more.begin(), more.end(), std::back_inserter(files));
 }
 
-std::vector<TextFile> files_of(const StudyTables& tables, const Comparisons& comparisons,
-                               const std::vector<study::BackgroundRow>& answers) {
+std::vector<TextFile> files_of(const StudyTables& tables, const Comparisons& comparisons) {
   const std::vector<Figure> figures = draw_figures(tables);
   const std::vector<PublishedMean> published =
       read_published_means(resource_folder() / "data" / "koskela2018" / "mean_percent_of_od.csv");
@@ -58,16 +57,35 @@ std::vector<TextFile> files_of(const StudyTables& tables, const Comparisons& com
   files.push_back({"omnibus.csv", omnibus_csv(comparisons, tables.set.kind)});
   files.push_back({"order_effects.csv", order_csv(comparisons, tables.set.kind)});
   append(files, latex_tables(tables, comparisons));
-  files.push_back({"trials_long.csv", trials_long_csv(tables.set)});
-  files.push_back({"participants_wide.csv", participants_wide_csv(tables.set, answers)});
   files.push_back({"codebook.csv", codebook_csv()});
-  append(files, psych_ds_files(tables, answers));
+  files.push_back(psych_ds(tables).description);
   append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
   }
   files.push_back({"report.html", report_html(tables, comparisons, figures, published)});
   return files;
+}
+
+void write_output(const fs::path& folder, const std::string& name, const std::string& content,
+                  AnalysisOutput& output) {
+  fs::create_directories((folder / name).parent_path());
+  write_file(folder / name, content);
+  output.files.push_back(folder / name);
+}
+
+/// The data, which may be large: one table in memory at a time.
+void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path& folder,
+                AnalysisOutput& output) {
+  const PsychDs shared = psych_ds(output.tables);
+  {
+    const std::string trials = trials_long_csv(output.tables.set);
+    write_output(folder, "trials_long.csv", trials, output);
+    write_output(folder, shared.trials_name, trials, output);
+  }
+  const std::string participants = participants_wide_csv(output.tables.set, answers);
+  write_output(folder, "participants_wide.csv", participants, output);
+  write_output(folder, shared.participants_name, participants, output);
 }
 
 }  // namespace
@@ -78,13 +96,11 @@ AnalysisOutput analyze_records(const study::StudyRecords& records, const fs::pat
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
   output.summary = terminal_summary(output.tables);
   output.warnings = warnings_about(output.tables);
-  const std::vector<TextFile> files =
-      files_of(output.tables, output.comparisons, records.background);
+  const std::vector<TextFile> files = files_of(output.tables, output.comparisons);
   make_output_folder(folder);
+  write_data(records.background, folder, output);
   for (const TextFile& file : files) {
-    fs::create_directories((folder / file.name).parent_path());
-    write_file(folder / file.name, file.content);
-    output.files.push_back(folder / file.name);
+    write_output(folder, file.name, file.content, output);
   }
   output.report = output.files.back();
   return output;

@@ -82,12 +82,11 @@ print(summary(model))
 
 }  // namespace
 
-std::vector<TextFile> psych_ds_files(const StudyTables& tables,
-                                     const std::vector<study::BackgroundRow>& answers) {
+PsychDs psych_ds(const StudyTables& tables) {
   const std::string data = "psych-ds/data/study-" + file_word(tables.protocol_name);
   return {{"psych-ds/dataset_description.json", dataset_description(tables)},
-          {data + "_type-trials_data.csv", trials_long_csv(tables.set)},
-          {data + "_type-participants_data.csv", participants_wide_csv(tables.set, answers)}};
+          data + "_type-trials_data.csv",
+          data + "_type-participants_data.csv"};
 }
 
 std::vector<TextFile> r_scripts() {

@@ -65,8 +65,9 @@ std::string time_data(const StudyTables& tables, Mark mark, const std::vector<st
   for (std::size_t row = 0; row < methods.size(); ++row) {
     const MethodTimes& times = tables.method_times_of(mark, methods[row]);
     const double y = static_cast<double>(row) + offset;
-    for (const double value : times.*measure.participants) {
-      dots += fmt::format("{} {}\n", value, y);
+    const std::vector<double>& values = times.*measure.participants;
+    for (std::size_t i = 0; values.size() <= most_dots && i < values.size(); ++i) {
+      dots += fmt::format("{} {}\n", values[i], y);
     }
     if (const auto& estimate = times.*measure.estimate) {
       const Interval interval =

@@ -8,6 +8,9 @@
 
 namespace foveola::analysis {
 
+/// Above so many participants the figures of times leave out the dots of single ones.
+inline constexpr std::size_t most_dots = 500;
+
 struct Figure {
   std::string name;  ///< a file name without its extension
   std::string svg;   ///< a file of its own, on white

@@ -115,6 +115,11 @@ std::string method_times_table(const StudyTables& tables,
   return render(table);
 }
 
+/// What the pale dots are, if there are any; ends the sentence.
+std::string dots_in_words(const StudyTables& tables) {
+  return tables.set.participants.size() > most_dots ? "." : "; each pale dot is one participant.";
+}
+
 }  // namespace
 
 std::string scenes_section(const StudyTables& tables) {
@@ -135,17 +140,15 @@ std::string scenes_section(const StudyTables& tables) {
 
 std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
                             const std::vector<PublishedMean>& published) {
+  const std::string what_is_drawn =
+      "Geometric mean over scenes and 95 % interval over participants" + dots_in_words(tables);
+  const std::string off_the_axis = " An interval may run off the axis; the table has it.";
   std::string html = "<p>Fig. 5 of the published study.</p>\n";
-  html += figure_html(
-      tables, figures, "figure5_relative",
-      fmt::format("Time relative to {}.", baseline_label(tables)),
-      "Geometric mean over scenes and 95 % interval over participants; each pale dot is one "
-      "participant. The dark vertical line is no change. An interval "
-      "may run off the axis; the table has it.");
-  html +=
-      figure_html(tables, figures, "figure5_seconds", "Time in seconds.",
-                  "Geometric mean over scenes and 95 % interval over participants; each pale "
-                  "dot is one participant. An interval may run off the axis; the table has it.");
+  html += figure_html(tables, figures, "figure5_relative",
+                      fmt::format("Time relative to {}.", baseline_label(tables)),
+                      what_is_drawn + " The dark vertical line is no change." + off_the_axis);
+  html += figure_html(tables, figures, "figure5_seconds", "Time in seconds.",
+                      what_is_drawn + off_the_axis);
   html += method_times_table(tables, published);
   if (tables.incomplete_scenes > 0) {
     html += fmt::format(

@@ -118,28 +118,29 @@ std::vector<Variable> trial_variables() {
 }
 
 std::string trials_long_csv(const AnalysisSet& set) {
-  std::vector<CsvRow> rows(1);
+  CsvRow heading;
   for (const Variable& variable : trial_variables()) {
-    rows.front().push_back(variable.name);
+    heading.push_back(variable.name);
   }
+  std::string text = format_csv({heading});
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
     for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
       for (std::size_t method = 0; method < set.methods.size(); ++method) {
-        rows.push_back(long_row(set, participant, scene, method));
+        text += format_csv({long_row(set, participant, scene, method)});
       }
     }
   }
-  return format_csv(rows);
+  return text;
 }
 
 std::string participants_wide_csv(const AnalysisSet& set,
                                   const std::vector<study::BackgroundRow>& answers) {
   const WideAnswers wide = wide_answers(answers);
-  std::vector<CsvRow> rows = {wide_heading(set, wide)};
+  std::string text = format_csv({wide_heading(set, wide)});
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-    rows.push_back(wide_row(set, wide, participant));
+    text += format_csv({wide_row(set, wide, participant)});
   }
-  return format_csv(rows);
+  return text;
 }
 
 std::string codebook_csv() {

@@ -35,9 +35,14 @@ std::string participants_wide_csv(const AnalysisSet& set,
 /// What each column of the long table is.
 std::string codebook_csv();
 
-/// A folder as Psych-DS 1 describes it: dataset_description.json and data/*_data.csv.
-std::vector<TextFile> psych_ds_files(const StudyTables& tables,
-                                     const std::vector<study::BackgroundRow>& answers);
+/// A folder as Psych-DS 1 describes it: its description, and the names of its data files, which
+/// hold the long and the wide table.
+struct PsychDs {
+  TextFile description;
+  std::string trials_name;
+  std::string participants_name;
+};
+PsychDs psych_ds(const StudyTables& tables);
 
 /// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4), and
 /// ordinal models of ratings (ordinal). They read the long table beside them.

@@ -11,7 +11,7 @@
 
 namespace foveola::analysis {
 
-/// A number of a sample; called with samples of the same size.
+/// A number of a sample; called with samples of one size, and one less for the jackknife.
 using Statistic = std::function<double(std::span<const double>)>;
 
 struct BootstrapSettings {
@@ -21,8 +21,9 @@ struct BootstrapSettings {
 };
 
 /// The bias-corrected and accelerated interval (Efron 1987) of `statistic`, with the acceleration
-/// from the jackknife. Empty for fewer than two values or when every resample gives the same value.
-/// Of a mean of 16 normal values a 95 % interval covers about 92 %, where t covers 95 %.
+/// from the jackknife, which calls `statistic` once for each value. Empty for fewer than two values
+/// or when every resample gives the same value. Of a mean of 16 normal values a 95 % interval
+/// covers about 92 %, where t covers 95 %.
 std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
                                      const BootstrapSettings& settings = {});
 

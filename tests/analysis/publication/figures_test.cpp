@@ -49,6 +49,14 @@ TEST(Figures, EveryFileSaysWhoseDataItShows) {
   }
 }
 
+TEST(Figures, ACrowdIsDrawnWithoutItsDots) {
+  const auto length_of = [](int participants) {
+    const std::vector<Figure> figures = draw_figures(tabulate_study(complete_study(participants)));
+    return figures.at(0).svg.size();
+  };
+  EXPECT_LT(length_of(static_cast<int>(most_dots) + 1), length_of(50));
+}
+
 TEST(Figures, OneParticipantIsDrawnWithoutIntervals) {
   EXPECT_EQ(draw_figures(tabulate_study(complete_study(1))).size(), 3U);
 }

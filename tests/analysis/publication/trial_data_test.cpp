@@ -69,13 +69,12 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  const std::vector<TextFile> files = psych_ds_files(tabulate_study(records), records.background);
-  ASSERT_EQ(files.size(), 3U);
-  const nlohmann::json json = nlohmann::json::parse(files[0].content);
+  const PsychDs shared = psych_ds(tabulate_study(records));
+  const nlohmann::json json = nlohmann::json::parse(shared.description.content);
   EXPECT_EQ(json["@type"], "Dataset");
   EXPECT_EQ(json["variableMeasured"].size(), trial_variables().size());
   EXPECT_THAT(json["description"].get<std::string>(), HasSubstr("Simulated data"));
-  EXPECT_EQ(files[1].name, "psych-ds/data/study-mystudy2_type-trials_data.csv");
+  EXPECT_EQ(shared.trials_name, "psych-ds/data/study-mystudy2_type-trials_data.csv");
 }
 
 TEST(TrialData, ScriptsReadTheLongTable) {
