@@ -38,6 +38,12 @@ enum class Task {
   look_around,    ///< and afterwards rate the artifacts
 };
 
+/// An attempt at a trial, or a look at all targets.
+struct Occasion {
+  std::uint32_t conduct = 0;  ///< a number for each; all that is left to chance follows from it
+  int trials_before = 0;      ///< in the session, whatever came of them
+};
+
 /// Times are those of an occasion: of an attempt at a trial, or of one look at all targets. What
 /// happens in it depends on nothing that was before, so that it can be had again after a crash.
 class Participant {
@@ -56,9 +62,8 @@ class Participant {
   virtual std::size_t choose_object(const std::string& scene,
                                     const std::vector<OfferedObject>& offered) = 0;
 
-  /// From now on, time 0, it is another occasion: head and eye are straight ahead. conduct: a
-  /// number for each; all that is left to chance follows from it.
-  virtual void begin_occasion(std::uint32_t conduct) = 0;
+  /// From now on, time 0, it is another occasion: head and eye are straight ahead.
+  virtual void begin_occasion(const Occasion& occasion) = 0;
 
   /// Turns to the object of `scene` that the next tasks are about.
   virtual void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) = 0;
@@ -78,6 +83,14 @@ class Participant {
   /// Shows the participant what is on the display. Returns the time of the key press, not earlier
   /// than the percept, once the mark that the task asks for is made.
   virtual std::optional<Nanoseconds> see(const Percept& percept) = 0;
+
+  /// After a mark, or before a rating: whether the timing of this occasion's trial failed, since
+  /// the key was pressed too early. The session is then to be asked to time it again.
+  virtual bool wants_retime() const = 0;
+
+  /// Whether the participant, asked between trials, wants to end the session here. trials_before:
+  /// as of an occasion.
+  virtual bool wants_to_withdraw(int trials_before) const = 0;
 
   /// The answers to the ratings of what was seen while looking around.
   virtual std::vector<Answer> rate(const std::vector<Question>& ratings) = 0;

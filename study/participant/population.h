@@ -1,71 +1,112 @@
-// Who the simulated participants are: the parameters of people, with where they come from.
+// Who the simulated participants are: the parameters of people. Their numbers, with units and
+// sources, are in data/participants/*.toml; read_population() reads them.
 #pragma once
 
 namespace foveola::study {
 
 /// The eye's movements.
 struct GazeHabits {
-  /// Fixations while viewing scenes (Henderson 2003).
-  double shortest_fixation_s = 0.20;
-  double longest_fixation_s = 0.35;
-  /// From a target's appearance until the eye moves to it (180 to 200 ms are usual).
-  double saccade_latency_s = 0.2;
-  /// A saccade of A degrees takes 2.2 A + 21 ms (Carpenter 1988).
-  double saccade_s = 0.021;
-  double saccade_s_per_deg = 0.0022;
+  double shortest_fixation_s = 0.0;
+  double longest_fixation_s = 0.0;
+  /// From a target's appearance until the eye moves to it.
+  double saccade_latency_s = 0.0;
+  /// A saccade of A degrees takes saccade_s + saccade_s_per_deg A.
+  double saccade_s = 0.0;
+  double saccade_s_per_deg = 0.0;
   /// Fixations on the chosen object stay within this part of its angular radius.
-  double examined_part = 0.7;
-  /// While looking around: the head's range to both sides of the object and up and down (assumed),
-  /// the time of a turn, and the standard deviation of the eye in the head (few shifts leave +-20
-  /// degrees, Stahl 1999).
-  double head_azimuth_deg = 40.0;
-  double head_elevation_deg = 15.0;
-  double head_turn_s = 0.5;
-  double eye_in_head_deg = 10.0;
-  int fixations_per_head_turn = 3;
+  double examined_part = 0.0;
+  /// While looking around: the head's range to both sides of the object and up and down, the time
+  /// of a turn, and the standard deviation of the eye in the head.
+  double head_azimuth_deg = 0.0;
+  double head_elevation_deg = 0.0;
+  double head_turn_s = 0.0;
+  double eye_in_head_deg = 0.0;
+  int fixations_per_head_turn = 0;
 };
 
-/// How pixels are judged, and how people differ in it.
-struct ObserverModel {
-  /// A just noticeable difference: 2.3 units of CIELAB (Mahy et al. 1994), whose lightness follows
-  /// 100 times the sRGB value to within a few units.
-  double jnd_srgb = 0.023;
-  /// The linear cortical magnification falls as 1 / (e + e2) with the eccentricity e (Dougherty et
-  /// al. 2003).
-  double half_magnification_deg = 3.67;
+/// What eyes tell apart.
+struct Vision {
+  /// A just noticeable difference, in units of CIELAB.
+  double jnd_lab = 0.0;
+  /// Thresholds rise with the frequency f (cycles per degree) and the eccentricity e as
+  /// exp(decay_deg f e / half_resolution_deg), relative to the gaze (Geisler and Perry 1998).
+  double decay_deg = 0.0;
+  double half_resolution_deg = 0.0;
+  /// Those of red-green differences rise by this factor's power of 10 more in each degree.
+  double red_green_decades_per_deg = 0.0;
+  /// Of line pairs across an object that lets it be recognised.
+  double recognition_line_pairs = 0.0;
+  /// An outline is judged over the object and as much of its surroundings as this factor of its
+  /// radius takes in.
+  double surround = 0.0;
+  double material_cell_deg = 0.0;
+  double view_cell_deg = 0.0;
+  /// Cells are grouped in patches of these sizes, which have one eccentricity.
+  double object_patch_deg = 0.0;
+  double view_patch_deg = 0.0;
+};
 
-  /// An outline is judged on patches of this size, over the object and as much of its surroundings
-  /// as this factor of its radius takes in (both assumed).
-  double outline_patch_deg = 4.0;
-  double outline_surround = 1.5;
-  /// What stands out of noise is five times as strong as the noise (Rose 1948).
-  double outline_signal_to_noise = 5.0;
+/// How decisions are made of what is seen, and how people differ in it.
+struct DecisionHabits {
+  /// How many times stronger than noise stands out of it.
+  double outline_signal_to_noise = 0.0;
+  /// How many just noticeable differences still pass for "as it will look".
+  double material_jnd = 0.0;
+  /// The time constant over which the logarithm of the evidence is averaged; nothing is decided
+  /// sooner.
+  double integration_s = 0.0;
+  /// Evidence is no stronger than this (natural logarithm of its ratio to the criterion).
+  double evidence_limit = 0.0;
+  /// Standard deviation of the noise of each glance's logarithm of evidence.
+  double glance_noise = 0.0;
+  /// Standard deviation between people of the natural logarithm of each criterion.
+  double criterion_spread = 0.0;
+  /// Standard deviation between people of the change of that logarithm from trial to trial.
+  double drift_per_trial = 0.0;
+  /// The reaction time: a normal part and an exponential one; people's means differ by a factor
+  /// whose natural logarithm has the standard deviation reaction_spread.
+  double reaction_mean_s = 0.0;
+  double reaction_deviation_s = 0.0;
+  double reaction_tail_s = 0.0;
+  double reaction_spread = 0.0;
+  /// How many marks are made late for want of attention, and by how much in the mean.
+  double lapse_part = 0.0;
+  double lapse_s = 0.0;
+  /// How many marks are made early, when the evidence is by a factor short of the criterion, and
+  /// how many of these are noticed, so that the trial is timed again.
+  double early_part = 0.0;
+  double early_factor = 0.0;
+  double early_noticed_part = 0.0;
+};
 
-  /// A material is judged on the finest details that contrast sensitivity favours: half a period at
-  /// 2 cycles per degree (Robson 1966); larger pixels limit it.
-  double material_patch_deg = 0.25;
-  /// How many just noticeable differences still pass for "as it will look" (assumed).
-  double material_criterion_jnd = 1.5;
+/// Ratings of artifacts.
+struct RatingHabits {
+  /// The just noticeable differences at which a five-point scale's second point begins, and the
+  /// factor to that of each next one.
+  double second_point_jnd = 0.0;
+  double step = 0.0;
+  /// Standard deviations of the natural logarithm of what is noticed: between people, and from
+  /// rating to rating.
+  double bias_spread = 0.0;
+  double noise = 0.0;
+};
 
-  /// What is seen must hold this long before the decision is made (assumed: about one fixation).
-  double integration_s = 0.2;
-  /// Standard deviation between people of the natural logarithm of a criterion (assumed).
-  double criterion_spread = 0.25;
-
-  /// Simple reaction time: a normal part and an exponential one (Luce 1986).
-  double reaction_mean_s = 0.250;
-  double reaction_deviation_s = 0.030;
-  double reaction_tail_s = 0.070;
-
-  /// The just noticeable differences at which a scale's second point begins (2 of 1 to 5), and the
-  /// factor to that of each next one: one doubling after another (assumed).
-  double rating_2_jnd = 1.0;
-  double rating_step = 2.0;
+/// What people say of themselves.
+struct Background {
+  double age_mean = 0.0;  ///< years
+  double age_deviation = 0.0;
+  double first_option_part = 0.0;  ///< of those asked for their gender
+  /// Of answers on scales and other numbers, as parts of their range.
+  double scale_mean = 0.0;
+  double scale_deviation = 0.0;
 };
 
 struct Population {
   GazeHabits gaze;
-  ObserverModel observer;
+  Vision vision;
+  DecisionHabits decision;
+  RatingHabits rating;
+  Background background;
 };
 
 }  // namespace foveola::study

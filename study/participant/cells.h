@@ -1,0 +1,79 @@
+// How a view is cut up for judging: pixels into cells that the eye sees as one, cells into patches.
+//
+// Cells lie on the world, not on the display, so that a judgement does not depend on the display's
+// pixels, nor on the film's. A cell's value is the mean of its pixels' values in each channel.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/image/image.h"
+#include "renderer/view/viewport.h"
+#include "study/participant/population.h"
+#include "study/participant/visibility.h"
+
+namespace foveola::study {
+
+/// A part of the sphere that is cut into square cells, and these into patches.
+class Cells {
+ public:
+  /// Within radius_deg of `center` (unit length, world): a square grid on the tangent plane there,
+  /// level with the horizon; a cell belongs to it if its middle does. patch_deg is rounded to a
+  /// whole number of cells, but at least one.
+  static Cells around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg);
+  /// All directions: rows of equal elevation, each cut into equal azimuths about as wide as the
+  /// row is high. patch_deg: likewise.
+  static Cells everywhere(double cell_deg, double patch_deg);
+
+  struct Patch {
+    Vec3 direction{0.0F};     ///< of its middle; unit length, world
+    std::uint32_t cells = 0;  ///< how many it is made of
+  };
+  const std::vector<Patch>& patches() const { return patches_; }
+  double cell_deg() const { return cell_deg_; }
+  std::size_t count() const { return patch_of_cell_.size(); }
+  std::uint32_t patch_of(std::uint32_t cell) const { return patch_of_cell_[cell]; }
+
+  static constexpr std::uint32_t none = 0xffffffffU;
+  /// The cell that `direction` (unit length, world) lies in, or none.
+  std::uint32_t at(const Vec3& direction) const;
+
+ private:
+  Cells() = default;
+  std::uint32_t on_plane(const Vec3& direction) const;
+  std::uint32_t on_sphere(const Vec3& direction) const;
+
+  double cell_deg_ = 0.0;
+  std::vector<Patch> patches_;
+  std::vector<std::uint32_t> patch_of_cell_;
+  // Of a tangent plane; across_ is 0 for the sphere.
+  int across_ = 0;
+  double cell_size_ = 0.0;  ///< on the plane at distance 1
+  Vec3 right_{0.0F};
+  Vec3 up_{0.0F};
+  Vec3 forward_{0.0F};
+  std::vector<std::uint32_t> cell_of_square_;
+  // Of the sphere.
+  struct Row {
+    std::uint32_t first_cell = 0;
+    std::uint32_t cells = 0;
+  };
+  std::vector<Row> rows_;
+};
+
+/// Which pixels of a view lie in which cells.
+struct CellPixels {
+  struct Member {
+    std::uint32_t pixel = 0;  ///< index into the image
+    std::uint32_t cell = 0;
+  };
+  std::vector<Member> members;
+  std::vector<std::uint32_t> pixels_in_cell;
+};
+CellPixels pixels_of(const Cells& cells, const Viewport& viewport, int width, int height);
+
+/// The means of cells in an sRGB-encoded image; 0 for cells without pixels.
+std::vector<ChannelValues> cell_means(const RgbImage& image, const CellPixels& pixels,
+                                      double jnd_lab);
+
+}  // namespace foveola::study

@@ -1,0 +1,43 @@
+// What an eye can tell apart, by where it is seen: channels of colour and their thresholds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "renderer/base/vec.h"
+#include "study/participant/population.h"
+
+namespace foveola::study {
+
+/// Achromatic, red-green and blue-yellow: a value of each.
+enum class Channel : std::size_t { achromatic, red_green, blue_yellow };
+inline constexpr std::size_t channel_count = 3;
+using ChannelValues = std::array<double, channel_count>;
+
+/// Of an sRGB-encoded colour, in just noticeable differences at the gaze: CIELAB (D65, whose L*, a*
+/// and b* are the three channels), linearised at middle grey (encoded 0.5), over jnd_lab. Between
+/// greys of 0.1 and 1 its derivatives by encoded values stay within 15 % of those.
+ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab);
+
+/// The threshold of `channel` at eccentricity_deg over that at the gaze, for cells of cell_deg, of
+/// which two make a period: exp(decay f e / e2) with f = 1 / (2 cell_deg) (Geisler and Perry 1998,
+/// eq. 1, over its value at the gaze), for red-green times 10^(decades e) (Mullen and Kingdom
+/// 2002).
+double relative_threshold(const Vision& vision, Channel channel, double cell_deg,
+                          double eccentricity_deg);
+
+/// The inverse squares of thresholds over eccentricity for cells of one size, tabulated.
+class Visibility {
+ public:
+  Visibility(const Vision& vision, double cell_deg);
+
+  /// 1 / threshold^2 of each channel where the direction's cosine with the gaze is `cosine`: 1 at
+  /// the gaze, falling. At steps of 0.03 degrees, more than 90 degrees away as at 90.
+  const std::array<float, channel_count>& at(float cosine) const;
+
+ private:
+  std::vector<std::array<float, channel_count>> by_chord_;
+};
+
+}  // namespace foveola::study
