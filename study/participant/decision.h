@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/random.h"
 #include "study/participant/participant.h"
 #include "study/participant/population.h"
 #include "study/participant/sighting.h"

@@ -1,5 +1,5 @@
 // Who the simulated participants are: the parameters of people. Their numbers, with units and
-// sources, are in data/participants/*.toml; read_population() reads them.
+// sources, are in data/participants/*.toml; read_people() reads them.
 #pragma once
 
 namespace foveola::study {
@@ -21,7 +21,7 @@ struct GazeHabits {
   double head_elevation_deg = 0.0;
   double head_turn_s = 0.0;
   double eye_in_head_deg = 0.0;
-  int fixations_per_head_turn = 0;
+  double fixations_per_head_turn = 0.0;  ///< rounded
 };
 
 /// What eyes tell apart.
@@ -32,13 +32,13 @@ struct Vision {
   /// exp(decay_deg f e / half_resolution_deg), relative to the gaze (Geisler and Perry 1998).
   double decay_deg = 0.0;
   double half_resolution_deg = 0.0;
-  /// Those of red-green differences rise by this factor's power of 10 more in each degree.
+  /// Those of red-green differences rise by so many powers of 10 more in each degree.
   double red_green_decades_per_deg = 0.0;
-  /// Of line pairs across an object that lets it be recognised.
+  /// How many across an object let it be recognised.
   double recognition_line_pairs = 0.0;
   /// An outline is judged over the object and as much of its surroundings as this factor of its
   /// radius takes in.
-  double surround = 0.0;
+  double surround_factor = 0.0;
   double material_cell_deg = 0.0;
   double view_cell_deg = 0.0;
   /// Cells are grouped in patches of these sizes, which have one eccentricity.
@@ -84,21 +84,21 @@ struct RatingHabits {
   /// The just noticeable differences at which a five-point scale's second point begins, and the
   /// factor to that of each next one.
   double second_point_jnd = 0.0;
-  double step = 0.0;
+  double step_factor = 0.0;
   /// Standard deviations of the natural logarithm of what is noticed: between people, and from
   /// rating to rating.
   double bias_spread = 0.0;
-  double noise = 0.0;
+  double noise_spread = 0.0;
 };
 
 /// What people say of themselves.
 struct Background {
-  double age_mean = 0.0;  ///< years
-  double age_deviation = 0.0;
-  double first_option_part = 0.0;  ///< of those asked for their gender
+  double age_mean_years = 0.0;
+  double age_deviation_years = 0.0;
+  double first_gender_part = 0.0;  ///< that chooses the first option, not the second
   /// Of answers on scales and other numbers, as parts of their range.
-  double scale_mean = 0.0;
-  double scale_deviation = 0.0;
+  double scale_mean_part = 0.0;
+  double scale_deviation_part = 0.0;
 };
 
 struct Population {

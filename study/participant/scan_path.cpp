@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "study/participant/chance.h"
+
 namespace foveola::study {
 namespace {
 
@@ -17,10 +19,10 @@ double eased(Nanoseconds time, Nanoseconds start, Nanoseconds end) {
 }
 
 /// The last item of a path that has begun by `time`; the first if none has.
-template <typename Items, typename StartOf>
-std::size_t current(const Items& items, Nanoseconds time, const StartOf& start_of) {
+template <typename Items>
+std::size_t current(const Items& items, Nanoseconds time) {
   std::size_t i = items.size() - 1;
-  while (i > 0 && start_of(items[i]) > time) {
+  while (i > 0 && items[i].start > time) {
     --i;
   }
   return i;
@@ -33,7 +35,7 @@ double between(double low, double high, Pcg32& random) {
 }  // namespace
 
 ScanPath::ScanPath(const GazeHabits& habits, std::uint64_t seed)
-    : habits_(habits), random_(seed), fixations_(1), turns_(1) {}
+    : habits_(habits), random_(chance(seed, Chance::path)), saccades_(1), turns_(1) {}
 
 void ScanPath::fixate(const Vec3& target, Nanoseconds start) {
   begin(start);
@@ -54,13 +56,13 @@ void ScanPath::explore(const AzimuthElevation& around, Nanoseconds start) {
   begin(start);
   exploring_ = true;
   around_ = around;
-  fixations_since_turn_ = habits_.fixations_per_head_turn;
+  fixations_since_turn_ = fixations_per_turn();
 }
 
 void ScanPath::begin(Nanoseconds start) {
-  const Fixation fixation{.saccade_start = start, .saccade_end = start, .direction = gaze(start)};
+  const Saccade none{.start = start, .end = start, .target = gaze(start)};
   const HeadTurn turn{.start = start, .heading = head(start)};
-  fixations_.assign(1, fixation);
+  saccades_.assign(1, none);
   turns_.assign(1, turn);
   next_saccade_ = start;
 }
@@ -72,17 +74,30 @@ void ScanPath::turn_head(const AzimuthElevation& heading, Nanoseconds start) {
 
 Vec3 ScanPath::gaze(Nanoseconds time) {
   continue_to(time);
-  const std::size_t i =
-      current(fixations_, time, [](const Fixation& f) { return f.saccade_start; });
-  const Fixation& to = fixations_[i];
-  const Fixation& from = fixations_[i > 0 ? i - 1 : 0];
-  const auto part = static_cast<float>(eased(time, to.saccade_start, to.saccade_end));
-  return glm::normalize(glm::mix(from.direction, to.direction, part));
+  const std::size_t i = current(saccades_, time);
+  const Saccade& to = saccades_[i];
+  if (time >= to.end) {
+    return to.target;
+  }
+  const Saccade& from = saccades_[i > 0 ? i - 1 : 0];
+  const auto part = static_cast<float>(eased(time, to.start, to.end));
+  return glm::normalize(glm::mix(from.target, to.target, part));
+}
+
+ScanPath::Fixation ScanPath::fixation(Nanoseconds time) {
+  continue_to(time);
+  const std::size_t i = current(saccades_, time);
+  const Saccade& saccade = saccades_[i];
+  Nanoseconds end = wanders() ? next_saccade_ : Nanoseconds::max();
+  if (i + 1 < saccades_.size()) {
+    end = saccades_[i + 1].start;
+  }
+  return {.begin = saccade.start, .landing = saccade.end, .end = end, .direction = saccade.target};
 }
 
 AzimuthElevation ScanPath::head(Nanoseconds time) {
   continue_to(time);
-  const std::size_t i = current(turns_, time, [](const HeadTurn& t) { return t.start; });
+  const std::size_t i = current(turns_, time);
   const AzimuthElevation& to = turns_[i].heading;
   const AzimuthElevation& from = turns_[i > 0 ? i - 1 : 0].heading;
   const Nanoseconds end = turns_[i].start + nanoseconds_from_seconds(habits_.head_turn_s);
@@ -93,8 +108,7 @@ AzimuthElevation ScanPath::head(Nanoseconds time) {
 }
 
 void ScanPath::continue_to(Nanoseconds time) {
-  const bool anything_to_look_at = exploring_ || radius_deg_ > 0.0;
-  while (anything_to_look_at && next_saccade_ <= time) {
+  while (wanders() && next_saccade_ <= time) {
     const Nanoseconds landing = add_saccade(next_target(), next_saccade_);
     next_saccade_ =
         landing + nanoseconds_from_seconds(
@@ -103,11 +117,11 @@ void ScanPath::continue_to(Nanoseconds time) {
 }
 
 Nanoseconds ScanPath::add_saccade(const Vec3& target, Nanoseconds start) {
-  const double amplitude_deg = degrees(angle_between(fixations_.back().direction, target));
+  const double amplitude_deg = degrees(angle_between(saccades_.back().target, target));
   const Nanoseconds landing =
       start +
       nanoseconds_from_seconds(habits_.saccade_s + habits_.saccade_s_per_deg * amplitude_deg);
-  fixations_.push_back({.saccade_start = start, .saccade_end = landing, .direction = target});
+  saccades_.push_back({.start = start, .end = landing, .target = target});
   return landing;
 }
 
@@ -124,7 +138,7 @@ Vec3 ScanPath::target_on_object() {
 }
 
 Vec3 ScanPath::target_around() {
-  if (fixations_since_turn_ == habits_.fixations_per_head_turn) {
+  if (fixations_since_turn_ == fixations_per_turn()) {
     fixations_since_turn_ = 0;
     const double right_deg = between(-habits_.head_azimuth_deg, habits_.head_azimuth_deg, random_);
     const double up_deg = between(-habits_.head_elevation_deg, habits_.head_elevation_deg, random_);

@@ -1,6 +1,7 @@
 // Where a simulated participant looks: fixations, saccades and turns of the head over time.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -30,21 +31,34 @@ class ScanPath {
   Vec3 gaze(Nanoseconds time);
   AzimuthElevation head(Nanoseconds time);
 
- private:
+  /// A saccade and the fixation that it leads to.
   struct Fixation {
-    Nanoseconds saccade_start{0};
-    Nanoseconds saccade_end{0};
-    Vec3 direction{0.0F, 0.0F, -1.0F};
+    Nanoseconds begin{0};  ///< of the saccade
+    Nanoseconds landing{0};
+    Nanoseconds end{0};  ///< when the next saccade begins; the latest time there is if none will
+    Vec3 direction{0.0F, 0.0F, -1.0F};  ///< of the eye after landing; unit length, world
+  };
+  /// The one with `time` in [begin, end), so that fixation(f.end) follows f; before the last start,
+  /// where the eye was at the start.
+  Fixation fixation(Nanoseconds time);
+
+ private:
+  struct Saccade {
+    Nanoseconds start{0};
+    Nanoseconds end{0};
+    Vec3 target{0.0F, 0.0F, -1.0F};
   };
   struct HeadTurn {
     Nanoseconds start{0};
     AzimuthElevation heading;
   };
 
+  long fixations_per_turn() const { return std::lround(habits_.fixations_per_head_turn); }
   /// Forgets everything but where head and eye are at `start`.
   void begin(Nanoseconds start);
   void turn_head(const AzimuthElevation& heading, Nanoseconds start);
-  /// Adds fixations until one lasts beyond `time`.
+  bool wanders() const { return exploring_ || radius_deg_ > 0.0; }
+  /// Adds saccades until the eye rests beyond `time`.
   void continue_to(Nanoseconds time);
   /// Returns when it lands.
   Nanoseconds add_saccade(const Vec3& target, Nanoseconds start);
@@ -54,11 +68,11 @@ class ScanPath {
 
   GazeHabits habits_;
   Pcg32 random_;
-  std::vector<Fixation> fixations_;  ///< the first is where the eye was at the start
-  std::vector<HeadTurn> turns_;      ///< likewise
+  std::vector<Saccade> saccades_;  ///< the first is none: where the eye was at the start
+  std::vector<HeadTurn> turns_;    ///< likewise
   Nanoseconds next_saccade_{0};
   bool exploring_ = false;
-  int fixations_since_turn_ = 0;
+  long fixations_since_turn_ = 0;
   Vec3 object_{0.0F, 0.0F, -1.0F};
   double radius_deg_ = 0.0;
   AzimuthElevation around_;

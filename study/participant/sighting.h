@@ -35,7 +35,7 @@ struct PatchEnergies {
 };
 
 /// An object's outline is judged on cells of half a line pair where recognition_line_pairs go
-/// across the object (Johnson 1958), over `surround` times its radius.
+/// across the object (Johnson 1958), over surround_factor times its radius.
 Cells outline_cells(const Vision& vision, const Vec3& object, double radius_deg);
 /// An object's material: cells of material_cell_deg within its radius.
 Cells material_cells(const Vision& vision, const Vec3& object, double radius_deg);

@@ -6,16 +6,11 @@
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
 #include "study/participant/answers.h"
+#include "study/participant/chance.h"
+#include "study/participant/ratings.h"
 
 namespace foveola::study {
 namespace {
-
-/// Independent streams of one person's seed.
-enum class Stream : std::uint64_t { traits, answers, choices, reactions, decisions };
-
-Pcg32 stream(std::uint64_t seed, Stream purpose, std::uint32_t key = 0) {
-  return Pcg32(seed, static_cast<std::uint64_t>(purpose) | std::uint64_t{key} << 32U);
-}
 
 /// A number for a text, the same everywhere.
 std::uint32_t key_of(const std::string& text) {
@@ -26,64 +21,62 @@ std::uint32_t key_of(const std::string& text) {
   return key;
 }
 
-/// A factor that is 1 in the median, its logarithm normal with deviation `spread`.
-double log_normal_factor(double spread, Pcg32& random) {
-  return std::exp(spread * random.normal());
-}
-
 }  // namespace
 
 SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKnowledge knowledge,
                                            std::uint64_t seed)
-    : observer_(population.observer),
-      habits_(population.gaze),
+    : population_(population),
       knowledge_(std::move(knowledge)),
       seed_(seed),
-      random_(stream(seed, Stream::traits)),
+      traits_(draw_traits(population, seed)),
+      decision_(population.decision, traits_, seed),
       path_(population.gaze, seed),
-      outline_criterion_(observer_.outline_signal_to_noise *
-                         log_normal_factor(observer_.criterion_spread, random_)),
-      material_criterion_(observer_.material_criterion_jnd *
-                          log_normal_factor(observer_.criterion_spread, random_)),
-      rating_bias_(log_normal_factor(observer_.criterion_spread, random_)) {}
+      view_cells_(study::view_cells(population.vision)),
+      material_visibility_(population.vision, population.vision.material_cell_deg),
+      view_visibility_(population.vision, population.vision.view_cell_deg) {}
 
 std::vector<Answer> SimulatedParticipant::answer(const std::string& form,
                                                  const std::vector<Question>& questions) {
-  Pcg32 random = stream(seed_, Stream::answers, key_of(form));
-  return draw_answers(questions, random);
+  Pcg32 random = chance(seed_, Chance::answers, {key_of(form)});
+  return draw_answers(questions, population_.background, random);
 }
 
 Nanoseconds SimulatedParticipant::react(std::uint32_t occasion) {
-  Pcg32 random = stream(seed_, Stream::reactions, occasion);
-  return reaction_time(random);
+  Pcg32 random = chance(seed_, Chance::reactions, {occasion});
+  return draw_reaction(population_.decision, traits_, random);
 }
 
 std::size_t SimulatedParticipant::choose_object(const std::string& scene,
                                                 const std::vector<OfferedObject>& offered) {
-  Pcg32 random = stream(seed_, Stream::choices, key_of(scene));
+  Pcg32 random = chance(seed_, Chance::choices, {key_of(scene)});
   return random.below(static_cast<std::uint32_t>(offered.size()));
 }
 
-void SimulatedParticipant::begin_occasion(std::uint32_t conduct) {
-  random_ = stream(seed_, Stream::decisions, conduct);
-  path_ = ScanPath(habits_, seed_ ^ std::uint64_t{conduct} << 32U);
+void SimulatedParticipant::begin_occasion(const Occasion& occasion) {
+  occasion_ = occasion;
+  decision_.begin_occasion(occasion);
+  path_ = ScanPath(population_.gaze, seed_ ^ std::uint64_t{occasion.conduct} << 32U);
   task_.reset();
+  artifacts_jnd_ = 0.0;
+  looks_ = 0;
 }
 
 void SimulatedParticipant::turn_to(const std::string& scene, const OfferedObject& object,
                                    Nanoseconds now) {
+  const Vision& vision = population_.vision;
   scene_ = knowledge_(scene);
   object_ = object;
-  expectation_.reset();
+  area_.reset();
+  object_cells_ = {.outline = outline_cells(vision, object.direction, object.radius_deg),
+                   .material = material_cells(vision, object.direction, object.radius_deg)};
+  outline_visibility_.emplace(vision, object_cells_->outline.cell_deg());
   path_.examine(object_.direction, object_.radius_deg, now);
 }
 
 void SimulatedParticipant::begin(Task task, Nanoseconds now) {
   task_ = task;
-  satisfied_since_.reset();
+  decision_.begin(task, now);
   if (task == Task::look_around) {
-    noticed_jnd_ = 0.0;
-    looks_ = 0;
     path_.explore(azimuth_elevation(object_.direction), now);
   } else {
     path_.examine(object_.direction, object_.radius_deg, now);
@@ -91,100 +84,87 @@ void SimulatedParticipant::begin(Task task, Nanoseconds now) {
 }
 
 std::optional<Nanoseconds> SimulatedParticipant::see(const Percept& percept) {
-  if (!task_) {
+  return task_ ? consider(look(percept), percept.presented) : std::nullopt;
+}
+
+std::optional<Nanoseconds> SimulatedParticipant::consider(const Sighting& sighting,
+                                                          Nanoseconds now) {
+  if (task_ && *task_ == Task::look_around) {
+    artifacts_jnd_ += sighting.artifacts_jnd;
+    ++looks_;
     return std::nullopt;
   }
-  if (*task_ == Task::look_around) {
-    notice_artifacts(percept);
-    return std::nullopt;
+  const std::optional<Nanoseconds> press = decision_.consider(sighting, now);
+  if (press) {
+    task_.reset();
   }
-  const bool satisfied =
-      *task_ == Task::mark_outline ? outline_stands_out(percept) : material_is_right(percept);
-  if (!satisfied) {
-    satisfied_since_.reset();
-    return std::nullopt;
-  }
-  satisfied_since_ = satisfied_since_.value_or(percept.presented);
-  if (percept.presented - *satisfied_since_ < nanoseconds_from_seconds(observer_.integration_s)) {
-    return std::nullopt;
-  }
-  task_.reset();
-  return percept.presented + reaction_time(random_);
+  return press;
 }
 
 std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& ratings) {
   task_.reset();
-  std::vector<Answer> answers = draw_answers(ratings, random_);
+  Pcg32 random = chance(seed_, Chance::ratings, {occasion_.conduct});
+  const double noticed = noticed_jnd(random);
+  std::vector<Answer> answers = draw_answers(ratings, population_.background, random);
   for (Answer& answer : answers) {
     const auto asked = std::find_if(ratings.begin(), ratings.end(), [&](const Question& question) {
       return question.id == answer.question;
     });
     if (asked->id == "artifacts" && asked->kind == QuestionKind::likert) {
-      answer.value = judge_artifacts(*asked);
+      answer.value = rate_artifacts(population_.rating, *asked, noticed);
     }
   }
   return answers;
 }
 
-double SimulatedParticipant::judge_artifacts(const Question& scale) const {
-  const double mean_jnd = looks_ > 0 ? noticed_jnd_ / looks_ : 0.0;
-  double rating = scale.minimum;
-  double threshold_jnd = observer_.rating_2_jnd;
-  while (rating < scale.maximum && rating_bias_ * mean_jnd >= threshold_jnd) {
-    rating += 1.0;
-    threshold_jnd *= observer_.rating_step;
+double SimulatedParticipant::noticed_jnd(Pcg32& random) const {
+  const double mean_jnd = looks_ > 0 ? artifacts_jnd_ / looks_ : 0.0;
+  return mean_jnd * traits_.rating_bias *
+         std::exp(population_.rating.noise_spread * random.normal());
+}
+
+const Cells& SimulatedParticipant::judged_cells() const {
+  switch (*task_) {
+    case Task::mark_outline:
+      return object_cells_->outline;
+    case Task::mark_material:
+      return object_cells_->material;
+    case Task::look_around:
+      break;
   }
-  return rating;
+  return view_cells_;
 }
 
-const SimulatedParticipant::Expectation& SimulatedParticipant::expect(const Percept& percept) {
-  const int width = percept.image.width;
-  const int height = percept.image.height;
-  const bool current = expectation_ && expectation_->viewport == percept.viewport &&
-                       expectation_->image.width == width && expectation_->image.height == height;
-  if (!current) {
-    expectation_ = Expectation{
-        .viewport = percept.viewport,
-        .image = display_image(viewport_image(*scene_.panorama, percept.viewport, width, height),
-                               scene_.exposure_stops),
-        .outline = region_around(percept.viewport, width, height, object_.direction,
-                                 object_.radius_deg * observer_.outline_surround,
-                                 observer_.outline_patch_deg),
-        .material = region_around(percept.viewport, width, height, object_.direction,
-                                  object_.radius_deg, observer_.material_patch_deg)};
+Sighting SimulatedParticipant::look(const Percept& percept) {
+  const bool is_outline = *task_ == Task::mark_outline;
+  const Area& area = expect(percept);
+  const std::vector<PatchEnergies> patches =
+      patch_energies(judged_cells(), area.pixels,
+                     cell_means(percept.image, area.pixels, population_.vision.jnd_lab),
+                     area.expected, is_outline);
+  if (is_outline) {
+    return {.outline_signal_to_noise =
+                outline_signal_to_noise(patches, *outline_visibility_, percept.gaze,
+                                        population_.decision.outline_signal_to_noise)};
   }
-  return *expectation_;
+  if (*task_ == Task::mark_material) {
+    return {.material_jnd = visible_difference_jnd(patches, material_visibility_, percept.gaze)};
+  }
+  return {.artifacts_jnd = visible_difference_jnd(patches, view_visibility_, percept.gaze)};
 }
 
-bool SimulatedParticipant::outline_stands_out(const Percept& percept) {
-  const Expectation& expected = expect(percept);
-  const Eye eye{.gaze = percept.gaze, .half_magnification_deg = observer_.half_magnification_deg};
-  const double noise = visible_difference(percept.image, expected.image, expected.outline, eye);
-  const double contrast = visible_contrast(expected.image, expected.outline, eye);
-  // Where there is hardly anything to see, noise below a just noticeable difference will do.
-  return noise * outline_criterion_ <= std::max(contrast, observer_.jnd_srgb * outline_criterion_);
-}
-
-bool SimulatedParticipant::material_is_right(const Percept& percept) {
-  const Expectation& expected = expect(percept);
-  const Eye eye{.gaze = percept.gaze, .half_magnification_deg = observer_.half_magnification_deg};
-  const double noise = visible_difference(percept.image, expected.image, expected.material, eye);
-  return noise <= material_criterion_ * observer_.jnd_srgb;
-}
-
-void SimulatedParticipant::notice_artifacts(const Percept& percept) {
-  const Expectation& expected = expect(percept);
-  const Region view = whole_view(percept.viewport, percept.image.width, percept.image.height);
-  const Eye eye{.gaze = percept.gaze, .half_magnification_deg = observer_.half_magnification_deg};
-  noticed_jnd_ += visible_difference(percept.image, expected.image, view, eye) / observer_.jnd_srgb;
-  ++looks_;
-}
-
-Nanoseconds SimulatedParticipant::reaction_time(Pcg32& random) const {
-  const double normal_part =
-      observer_.reaction_mean_s + observer_.reaction_deviation_s * random.normal();
-  const double tail = observer_.reaction_tail_s * random.exponential();
-  return nanoseconds_from_seconds(std::max(0.0, normal_part) + tail);
+const SimulatedParticipant::Area& SimulatedParticipant::expect(const Percept& percept) {
+  if (!area_ || area_->task != *task_ || area_->view != percept.viewport) {
+    const int width = percept.image.width;
+    const int height = percept.image.height;
+    const RgbImage image = display_image(
+        viewport_image(*scene_.panorama, percept.viewport, width, height), scene_.exposure_stops);
+    area_ = Area{.task = *task_,
+                 .view = percept.viewport,
+                 .pixels = pixels_of(judged_cells(), percept.viewport, width, height)};
+    area_->expected = cell_means(image, area_->pixels, population_.vision.jnd_lab);
+  }
+  return *area_;
 }
 
 }  // namespace foveola::study

@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "study/participant/participant.h"
+#include "study/participant/cells.h"
+#include "study/participant/decision.h"
 #include "study/participant/population.h"
-#include "study/participant/scan_path.h"
-#include "study/participant/visible_difference.h"
+#include "study/participant/simulated_observer.h"
 
 namespace foveola::study {
 
@@ -17,10 +17,10 @@ struct KnownScene {
 };
 using SceneKnowledge = std::function<KnownScene(const std::string& scene)>;
 
-/// Marks an outline when the object's contrast stands out of the presented image's deviation from
-/// what is expected, and a material when that deviation is no longer noticed; then reacts. Rates by
-/// the deviation noticed while looking around. Same seed, same person.
-class SimulatedParticipant final : public Participant {
+/// Marks an outline when it stands out of what differs from the picture that is expected, and a
+/// material when no such difference is noticed any more; then reacts. Rates by the difference
+/// noticed while looking around. Same seed, same person.
+class SimulatedParticipant final : public SimulatedObserver {
  public:
   SimulatedParticipant(const Population& population, SceneKnowledge knowledge, std::uint64_t seed);
 
@@ -30,48 +30,60 @@ class SimulatedParticipant final : public Participant {
   /// Stays with one object per scene, so that methods are compared on the same one.
   std::size_t choose_object(const std::string& scene,
                             const std::vector<OfferedObject>& offered) override;
-  void begin_occasion(std::uint32_t conduct) override;
+  void begin_occasion(const Occasion& occasion) override;
   void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override;
   void look_at(const Vec3& target, Nanoseconds now) override { path_.fixate(target, now); }
   void begin(Task task, Nanoseconds now) override;
   AzimuthElevation head(Nanoseconds time) override { return path_.head(time); }
   Vec3 gaze(Nanoseconds time) override { return path_.gaze(time); }
   std::optional<Nanoseconds> see(const Percept& percept) override;
+  bool wants_retime() const override { return decision_.wants_retime(); }
+  bool wants_to_withdraw(int /*trials_before*/) const override { return false; }
   /// "artifacts" by what was noticed, others as if it were asked on a form.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
+  std::optional<Nanoseconds> consider(const Sighting& sighting, Nanoseconds now) override;
+  bool looks() const override { return true; }
+  ScanPath& path() override { return path_; }
+
  private:
-  /// What a view should look like, and where in it to look.
-  struct Expectation {
-    Viewport viewport;
-    RgbImage image;  ///< sRGB-encoded
-    Region outline;
-    Region material;
+  /// What a task is judged by, in one view: where its pixels are, and what they should look like.
+  struct Area {
+    Task task = Task::mark_outline;
+    Viewport view;
+    CellPixels pixels;
+    std::vector<ChannelValues> expected;
+  };
+  /// Whatever is judged of one object.
+  struct ObjectCells {
+    Cells outline;
+    Cells material;
   };
 
-  /// The expectation for the percept's view; made anew only when the view changes.
-  const Expectation& expect(const Percept& percept);
-  bool outline_stands_out(const Percept& percept);
-  bool material_is_right(const Percept& percept);
-  void notice_artifacts(const Percept& percept);
-  double judge_artifacts(const Question& scale) const;
-  Nanoseconds reaction_time(Pcg32& random) const;
+  Sighting look(const Percept& percept);
+  /// The cells that the task is judged by.
+  const Cells& judged_cells() const;
+  /// What they should look like in the percept's view; made anew only when view or task change.
+  const Area& expect(const Percept& percept);
+  double noticed_jnd(Pcg32& random) const;
 
-  ObserverModel observer_;
-  GazeHabits habits_;
+  Population population_;
   SceneKnowledge knowledge_;
   std::uint64_t seed_;
-  Pcg32 random_;  ///< of the occasion
+  Traits traits_;
+  Decision decision_;
   ScanPath path_;
-  double outline_criterion_;   ///< individual
-  double material_criterion_;  ///< individual, in just noticeable differences
-  double rating_bias_;         ///< individual; multiplies what is noticed
+  Cells view_cells_;
+  Visibility material_visibility_;
+  Visibility view_visibility_;
+  Occasion occasion_;
   KnownScene scene_;
   OfferedObject object_;
-  std::optional<Expectation> expectation_;
+  std::optional<ObjectCells> object_cells_;
+  std::optional<Visibility> outline_visibility_;  ///< of the object's cells
+  std::optional<Area> area_;
   std::optional<Task> task_;
-  std::optional<Nanoseconds> satisfied_since_;
-  double noticed_jnd_ = 0.0;  ///< sum over the looks around
+  double artifacts_jnd_ = 0.0;  ///< sum over the looks around
   int looks_ = 0;
 };
 

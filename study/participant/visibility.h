@@ -16,8 +16,8 @@ inline constexpr std::size_t channel_count = 3;
 using ChannelValues = std::array<double, channel_count>;
 
 /// Of an sRGB-encoded colour, in just noticeable differences at the gaze: CIELAB (D65, whose L*, a*
-/// and b* are the three channels), linearised at middle grey (encoded 0.5), over jnd_lab. Between
-/// greys of 0.1 and 1 its derivatives by encoded values stay within 15 % of those.
+/// and b* are the three channels), linearised at middle grey (encoded 0.5), over jnd_lab. For greys
+/// from 0.2 to 1, CIELAB's derivatives by encoded values stay within 17 % of those.
 ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab);
 
 /// The threshold of `channel` at eccentricity_deg over that at the gaze, for cells of cell_deg, of
@@ -33,7 +33,7 @@ class Visibility {
   Visibility(const Vision& vision, double cell_deg);
 
   /// 1 / threshold^2 of each channel where the direction's cosine with the gaze is `cosine`: 1 at
-  /// the gaze, falling. At steps of 0.03 degrees, more than 90 degrees away as at 90.
+  /// the gaze, falling. In steps of 0.02 degrees; more than 90 degrees away as at 90.
   const std::array<float, channel_count>& at(float cosine) const;
 
  private:

@@ -1,0 +1,37 @@
+// What is left to chance in a simulated participant: independent streams of one person's seed.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+
+#include "renderer/base/random.h"
+
+namespace foveola::study {
+
+/// What something is drawn for; keeps the streams apart.
+enum class Chance : std::uint32_t {
+  traits = 1,
+  answers,
+  choices,
+  reactions,
+  path,
+  conduct,
+  glances,
+  ratings,
+  planted_times,
+  planted_effects,
+};
+
+/// The stream for `purpose` at `place`, such as {occasion, glance}: a function of these alone.
+inline Pcg32 chance(std::uint64_t seed, Chance purpose,
+                    std::initializer_list<std::uint32_t> place = {}) {
+  std::uint32_t low = mix(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(purpose));
+  std::uint32_t high = mix(static_cast<std::uint32_t>(seed >> 32U), ~low);
+  for (const std::uint32_t index : place) {
+    low = mix(low, index);
+    high = mix(high, ~index);
+  }
+  return Pcg32(std::uint64_t{high} << 32U | low);
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,98 @@
+#include "study/participant/decision.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/participant/chance.h"
+
+namespace foveola::study {
+namespace {
+
+/// A factor that is 1 in the median, its logarithm normal with deviation `spread`.
+double log_normal_factor(double spread, Pcg32& random) {
+  return std::exp(spread * random.normal());
+}
+
+}  // namespace
+
+Traits draw_traits(const Population& population, std::uint64_t seed) {
+  const DecisionHabits& habits = population.decision;
+  Pcg32 random = chance(seed, Chance::traits);
+  Traits traits;
+  traits.outline_criterion = log_normal_factor(habits.criterion_spread, random);
+  traits.material_criterion = log_normal_factor(habits.criterion_spread, random);
+  traits.reaction = log_normal_factor(habits.reaction_spread, random);
+  traits.rating_bias = log_normal_factor(population.rating.bias_spread, random);
+  traits.drift_per_trial = habits.drift_per_trial * random.normal();
+  return traits;
+}
+
+Nanoseconds draw_reaction(const DecisionHabits& habits, const Traits& traits, Pcg32& random) {
+  const double normal_part = habits.reaction_mean_s + habits.reaction_deviation_s * random.normal();
+  const double tail = habits.reaction_tail_s * random.exponential();
+  return nanoseconds_from_seconds(traits.reaction * (std::max(0.0, normal_part) + tail));
+}
+
+Decision::Decision(const DecisionHabits& habits, const Traits& traits, std::uint64_t seed)
+    : habits_(habits), traits_(traits), seed_(seed) {}
+
+void Decision::begin_occasion(const Occasion& occasion) {
+  occasion_ = occasion;
+  task_.reset();
+  mark_ = 0;
+  regrets_ = false;
+}
+
+void Decision::begin(Task task, Nanoseconds now) {
+  task_ = task;
+  ++mark_;
+  glance_ = 0;
+  begun_ = now;
+  conduct_ = draw_conduct();
+}
+
+Decision::Conduct Decision::draw_conduct() const {
+  Pcg32 random = chance(seed_, Chance::conduct, {occasion_.conduct, mark_});
+  Conduct conduct;
+  conduct.early = random.uniform() < habits_.early_part;
+  conduct.noticed = random.uniform() < habits_.early_noticed_part;
+  conduct.delay = draw_reaction(habits_, traits_, random);
+  if (random.uniform() < habits_.lapse_part) {
+    conduct.delay += nanoseconds_from_seconds(habits_.lapse_s * random.exponential());
+  }
+  return conduct;
+}
+
+double Decision::evidence(const Sighting& sighting) const {
+  const double drift = traits_.drift_per_trial * occasion_.trials_before;
+  const double ratio =
+      *task_ == Task::mark_outline
+          ? sighting.outline_signal_to_noise /
+                (habits_.outline_signal_to_noise * traits_.outline_criterion)
+          : habits_.material_jnd * traits_.material_criterion / sighting.material_jnd;
+  return std::clamp(std::log(ratio) - drift, -habits_.evidence_limit, habits_.evidence_limit);
+}
+
+std::optional<Nanoseconds> Decision::consider(const Sighting& sighting, Nanoseconds now) {
+  if (!task_ || *task_ == Task::look_around) {
+    return std::nullopt;
+  }
+  Pcg32 random = chance(seed_, Chance::glances, {occasion_.conduct, mark_, glance_});
+  const double seen = evidence(sighting) + habits_.glance_noise * random.normal();
+  const double since_s = seconds(now - last_glance_);
+  const double weight = glance_ == 0 || habits_.integration_s == 0.0
+                            ? 1.0
+                            : -std::expm1(-since_s / habits_.integration_s);
+  mean_ = glance_ == 0 ? seen : mean_ + weight * (seen - mean_);
+  ++glance_;
+  last_glance_ = now;
+  const double enough = conduct_.early ? -std::log(habits_.early_factor) : 0.0;
+  if (mean_ < enough || now - begun_ < nanoseconds_from_seconds(habits_.integration_s)) {
+    return std::nullopt;
+  }
+  regrets_ = regrets_ || (conduct_.early && conduct_.noticed);
+  task_.reset();
+  return now + conduct_.delay;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,218 @@
+#include "study/participant/population_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/toml_reader.h"
+#include "renderer/gaze/profiles.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+/// Where a number stands in a file and in a Population, and what it may be.
+struct Parameter {
+  std::string_view table;
+  std::string_view key;
+  double minimum;
+  double maximum;
+  double& (*in)(Population& population);
+};
+
+constexpr double tiny = 1e-6;
+constexpr double none = 0.0;
+
+// The members' order is that of Population.
+constexpr std::array parameters{
+    Parameter{"gaze", "shortest_fixation_s", 0.02, 10.0,
+              [](Population& p) -> double& { return p.gaze.shortest_fixation_s; }},
+    Parameter{"gaze", "longest_fixation_s", 0.02, 10.0,
+              [](Population& p) -> double& { return p.gaze.longest_fixation_s; }},
+    Parameter{"gaze", "saccade_latency_s", none, 2.0,
+              [](Population& p) -> double& { return p.gaze.saccade_latency_s; }},
+    Parameter{"gaze", "saccade_s", 0.001, 0.5,
+              [](Population& p) -> double& { return p.gaze.saccade_s; }},
+    Parameter{"gaze", "saccade_s_per_deg", none, 0.1,
+              [](Population& p) -> double& { return p.gaze.saccade_s_per_deg; }},
+    Parameter{"gaze", "examined_part", none, 1.5,
+              [](Population& p) -> double& { return p.gaze.examined_part; }},
+    Parameter{"gaze", "head_azimuth_deg", none, 180.0,
+              [](Population& p) -> double& { return p.gaze.head_azimuth_deg; }},
+    Parameter{"gaze", "head_elevation_deg", none, 90.0,
+              [](Population& p) -> double& { return p.gaze.head_elevation_deg; }},
+    Parameter{"gaze", "head_turn_s", 0.01, 10.0,
+              [](Population& p) -> double& { return p.gaze.head_turn_s; }},
+    Parameter{"gaze", "eye_in_head_deg", none, 45.0,
+              [](Population& p) -> double& { return p.gaze.eye_in_head_deg; }},
+    Parameter{"gaze", "fixations_per_head_turn", 1.0, 100.0,
+              [](Population& p) -> double& { return p.gaze.fixations_per_head_turn; }},
+
+    Parameter{"vision", "jnd_lab", 0.01, 100.0,
+              [](Population& p) -> double& { return p.vision.jnd_lab; }},
+    Parameter{"vision", "decay_deg", none, 10.0,
+              [](Population& p) -> double& { return p.vision.decay_deg; }},
+    Parameter{"vision", "half_resolution_deg", 0.1, 100.0,
+              [](Population& p) -> double& { return p.vision.half_resolution_deg; }},
+    Parameter{"vision", "red_green_decades_per_deg", none, 1.0,
+              [](Population& p) -> double& { return p.vision.red_green_decades_per_deg; }},
+    Parameter{"vision", "recognition_line_pairs", 0.5, 100.0,
+              [](Population& p) -> double& { return p.vision.recognition_line_pairs; }},
+    Parameter{"vision", "surround_factor", 1.0, 5.0,
+              [](Population& p) -> double& { return p.vision.surround_factor; }},
+    Parameter{"vision", "material_cell_deg", 0.05, 10.0,
+              [](Population& p) -> double& { return p.vision.material_cell_deg; }},
+    Parameter{"vision", "view_cell_deg", 0.25, 30.0,
+              [](Population& p) -> double& { return p.vision.view_cell_deg; }},
+    Parameter{"vision", "object_patch_deg", 0.05, 90.0,
+              [](Population& p) -> double& { return p.vision.object_patch_deg; }},
+    Parameter{"vision", "view_patch_deg", 0.25, 90.0,
+              [](Population& p) -> double& { return p.vision.view_patch_deg; }},
+
+    Parameter{"decision", "outline_signal_to_noise", tiny, 1e6,
+              [](Population& p) -> double& { return p.decision.outline_signal_to_noise; }},
+    Parameter{"decision", "material_jnd", tiny, 1e6,
+              [](Population& p) -> double& { return p.decision.material_jnd; }},
+    Parameter{"decision", "integration_s", none, 60.0,
+              [](Population& p) -> double& { return p.decision.integration_s; }},
+    Parameter{"decision", "evidence_limit", 0.01, 100.0,
+              [](Population& p) -> double& { return p.decision.evidence_limit; }},
+    Parameter{"decision", "glance_noise", none, 10.0,
+              [](Population& p) -> double& { return p.decision.glance_noise; }},
+    Parameter{"decision", "criterion_spread", none, 10.0,
+              [](Population& p) -> double& { return p.decision.criterion_spread; }},
+    Parameter{"decision", "drift_per_trial", none, 1.0,
+              [](Population& p) -> double& { return p.decision.drift_per_trial; }},
+    Parameter{"decision", "reaction_mean_s", none, 60.0,
+              [](Population& p) -> double& { return p.decision.reaction_mean_s; }},
+    Parameter{"decision", "reaction_deviation_s", none, 10.0,
+              [](Population& p) -> double& { return p.decision.reaction_deviation_s; }},
+    Parameter{"decision", "reaction_tail_s", none, 60.0,
+              [](Population& p) -> double& { return p.decision.reaction_tail_s; }},
+    Parameter{"decision", "reaction_spread", none, 10.0,
+              [](Population& p) -> double& { return p.decision.reaction_spread; }},
+    Parameter{"decision", "lapse_part", none, 1.0,
+              [](Population& p) -> double& { return p.decision.lapse_part; }},
+    Parameter{"decision", "lapse_s", none, 60.0,
+              [](Population& p) -> double& { return p.decision.lapse_s; }},
+    Parameter{"decision", "early_part", none, 1.0,
+              [](Population& p) -> double& { return p.decision.early_part; }},
+    Parameter{"decision", "early_factor", 1.0, 1e6,
+              [](Population& p) -> double& { return p.decision.early_factor; }},
+    // Not all, or a person who is always early would be timed for ever.
+    Parameter{"decision", "early_noticed_part", none, 0.9,
+              [](Population& p) -> double& { return p.decision.early_noticed_part; }},
+
+    Parameter{"rating", "second_point_jnd", tiny, 1e6,
+              [](Population& p) -> double& { return p.rating.second_point_jnd; }},
+    Parameter{"rating", "step_factor", 1.01, 1e3,
+              [](Population& p) -> double& { return p.rating.step_factor; }},
+    Parameter{"rating", "bias_spread", none, 10.0,
+              [](Population& p) -> double& { return p.rating.bias_spread; }},
+    Parameter{"rating", "noise_spread", none, 10.0,
+              [](Population& p) -> double& { return p.rating.noise_spread; }},
+
+    Parameter{"background", "age_mean_years", none, 150.0,
+              [](Population& p) -> double& { return p.background.age_mean_years; }},
+    Parameter{"background", "age_deviation_years", none, 100.0,
+              [](Population& p) -> double& { return p.background.age_deviation_years; }},
+    Parameter{"background", "first_gender_part", none, 1.0,
+              [](Population& p) -> double& { return p.background.first_gender_part; }},
+    Parameter{"background", "scale_mean_part", none, 1.0,
+              [](Population& p) -> double& { return p.background.scale_mean_part; }},
+    Parameter{"background", "scale_deviation_part", none, 1.0,
+              [](Population& p) -> double& { return p.background.scale_deviation_part; }}};
+
+fs::path people_folder() { return resource_folder() / "data" / "participants"; }
+
+fs::path people_file(const std::string& name_or_path) {
+  if (is_profile_path(name_or_path)) {
+    return name_or_path;
+  }
+  const std::vector<std::string> names = people_names();
+  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+    throw Error(fmt::format("people '{}'", name_or_path), "are none of those that are known",
+                fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
+  }
+  return people_folder() / (name_or_path + ".toml");
+}
+
+std::string name_of(const Parameter& parameter) {
+  return fmt::format("{}.{}", parameter.table, parameter.key);
+}
+
+/// { value = 0.2, source = "assumed" }
+StatedNumber read_number(TomlReader& table, const Parameter& parameter) {
+  StatedNumber number{.name = name_of(parameter)};
+  table.require(parameter.key);
+  TomlReader inner = table.table(parameter.key);
+  inner.require("value");
+  inner.read("value", number.value, parameter.minimum, parameter.maximum);
+  number.source = inner.require_text("source");
+  inner.reject_unknown_keys();
+  return number;
+}
+
+/// Reads the numbers of one table, whose parameters follow one another.
+void read_table(TomlReader& file, std::string_view name, People& people) {
+  file.require(name);
+  TomlReader table = file.table(name);
+  for (const Parameter& parameter : parameters) {
+    if (parameter.table == name) {
+      people.numbers.push_back(read_number(table, parameter));
+      parameter.in(people.population) = people.numbers.back().value;
+    }
+  }
+  table.reject_unknown_keys();
+  const GazeHabits& gaze = people.population.gaze;
+  if (name == "gaze" && gaze.shortest_fixation_s > gaze.longest_fixation_s) {
+    table.fail(table.source("longest_fixation_s"),
+               "the longest fixation is shorter than the shortest", "exchange them");
+  }
+}
+
+}  // namespace
+
+People read_people(const std::string& name_or_path) {
+  const fs::path file = people_file(name_or_path);
+  People people{.name = file.stem().string(), .toml = read_file(file)};
+  const toml::table content =
+      parse_toml(file.string(), people.toml,
+                 fmt::format("see {}", (people_folder() / "adults.toml").string()));
+  TomlReader reader(file.string(), content, "");
+  people.title = reader.require_text("title");
+  for (const std::string_view table : {"gaze", "vision", "decision", "rating", "background"}) {
+    read_table(reader, table, people);
+  }
+  reader.reject_unknown_keys();
+  return people;
+}
+
+std::vector<std::string> people_names() { return toml_names_in(people_folder()); }
+
+Population with_number(Population population, const std::string& name, double value) {
+  const auto* const parameter =
+      std::find_if(parameters.begin(), parameters.end(),
+                   [&](const Parameter& candidate) { return name_of(candidate) == name; });
+  if (parameter == parameters.end()) {
+    throw Error(fmt::format("parameter '{}'", name), "is none of people",
+                "see the names in data/participants/adults.toml");
+  }
+  if (!(value >= parameter->minimum && value <= parameter->maximum)) {
+    throw Error(fmt::format("parameter '{}'", name), fmt::format("cannot be {}", value),
+                fmt::format("choose one from {} to {}", parameter->minimum, parameter->maximum));
+  }
+  parameter->in(population) = value;
+  return population;
+}
+
+}  // namespace foveola::study

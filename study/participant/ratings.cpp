@@ -1,0 +1,15 @@
+#include "study/participant/ratings.h"
+
+namespace foveola::study {
+
+double rate_artifacts(const RatingHabits& habits, const Question& scale, double noticed_jnd) {
+  double rating = scale.minimum;
+  double threshold_jnd = habits.second_point_jnd;
+  while (rating < scale.maximum && noticed_jnd >= threshold_jnd) {
+    rating += 1.0;
+    threshold_jnd *= habits.step_factor;
+  }
+  return rating;
+}
+
+}  // namespace foveola::study
