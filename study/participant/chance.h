@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 
 #include "renderer/base/random.h"
 
@@ -18,9 +19,20 @@ enum class Chance : std::uint32_t {
   conduct,
   glances,
   ratings,
-  planted_times,
-  planted_effects,
+  planted_person,
+  planted_scene,
+  planted_trial,
+  planted_dropout,
 };
+
+/// A number for a text, the same everywhere.
+inline std::uint32_t key_of(const std::string& text) {
+  std::uint32_t key = 0;
+  for (const char character : text) {
+    key = mix(key, static_cast<unsigned char>(character));
+  }
+  return key;
+}
 
 /// The stream for `purpose` at `place`, such as {occasion, glance}: a function of these alone.
 inline Pcg32 chance(std::uint64_t seed, Chance purpose,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
@@ -10,19 +11,6 @@
 #include "study/participant/ratings.h"
 
 namespace foveola::study {
-namespace {
-
-/// A number for a text, the same everywhere.
-std::uint32_t key_of(const std::string& text) {
-  std::uint32_t key = 0;
-  for (const char character : text) {
-    key = mix(key, static_cast<unsigned char>(character));
-  }
-  return key;
-}
-
-}  // namespace
-
 SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKnowledge knowledge,
                                            std::uint64_t seed)
     : population_(population),
@@ -30,10 +18,7 @@ SimulatedParticipant::SimulatedParticipant(const Population& population, SceneKn
       seed_(seed),
       traits_(draw_traits(population, seed)),
       decision_(population.decision, traits_, seed),
-      path_(population.gaze, seed),
-      view_cells_(study::view_cells(population.vision)),
-      material_visibility_(population.vision, population.vision.material_cell_deg),
-      view_visibility_(population.vision, population.vision.view_cell_deg) {}
+      path_(population.gaze, seed) {}
 
 std::vector<Answer> SimulatedParticipant::answer(const std::string& form,
                                                  const std::vector<Question>& questions) {
@@ -63,13 +48,9 @@ void SimulatedParticipant::begin_occasion(const Occasion& occasion) {
 
 void SimulatedParticipant::turn_to(const std::string& scene, const OfferedObject& object,
                                    Nanoseconds now) {
-  const Vision& vision = population_.vision;
   scene_ = knowledge_(scene);
   object_ = object;
   area_.reset();
-  object_cells_ = {.outline = outline_cells(vision, object.direction, object.radius_deg),
-                   .material = material_cells(vision, object.direction, object.radius_deg)};
-  outline_visibility_.emplace(vision, object_cells_->outline.cell_deg());
   path_.examine(object_.direction, object_.radius_deg, now);
 }
 
@@ -123,46 +104,52 @@ double SimulatedParticipant::noticed_jnd(Pcg32& random) const {
          std::exp(population_.rating.noise_spread * random.normal());
 }
 
-const Cells& SimulatedParticipant::judged_cells() const {
+Cells SimulatedParticipant::judged_cells() const {
+  const Vision& vision = population_.vision;
   switch (*task_) {
     case Task::mark_outline:
-      return object_cells_->outline;
+      return outline_cells(vision, object_.direction, object_.radius_deg);
     case Task::mark_material:
-      return object_cells_->material;
+      return material_cells(vision, object_.direction, object_.radius_deg);
     case Task::look_around:
       break;
   }
-  return view_cells_;
+  return view_cells(vision);
 }
 
 Sighting SimulatedParticipant::look(const Percept& percept) {
   const bool is_outline = *task_ == Task::mark_outline;
   const Area& area = expect(percept);
-  const std::vector<PatchEnergies> patches =
-      patch_energies(judged_cells(), area.pixels,
-                     cell_means(percept.image, area.pixels, population_.vision.jnd_lab),
-                     area.expected, is_outline);
+  const std::vector<PatchEnergies> patches = patch_energies(
+      area.cells, area.pixels, cell_means(percept.image, area.pixels, population_.vision.jnd_lab),
+      area.expected, is_outline);
   if (is_outline) {
     return {.outline_signal_to_noise =
-                outline_signal_to_noise(patches, *outline_visibility_, percept.gaze,
+                outline_signal_to_noise(patches, area.visibility, percept.gaze,
                                         population_.decision.outline_signal_to_noise)};
   }
-  if (*task_ == Task::mark_material) {
-    return {.material_jnd = visible_difference_jnd(patches, material_visibility_, percept.gaze)};
-  }
-  return {.artifacts_jnd = visible_difference_jnd(patches, view_visibility_, percept.gaze)};
+  const double difference_jnd = visible_difference_jnd(patches, area.visibility, percept.gaze);
+  return *task_ == Task::mark_material ? Sighting{.material_jnd = difference_jnd}
+                                       : Sighting{.artifacts_jnd = difference_jnd};
 }
 
 const SimulatedParticipant::Area& SimulatedParticipant::expect(const Percept& percept) {
   if (!area_ || area_->task != *task_ || area_->view != percept.viewport) {
+    const Vision& vision = population_.vision;
     const int width = percept.image.width;
     const int height = percept.image.height;
+    Cells cells = judged_cells();
+    CellPixels pixels = pixels_of(cells, percept.viewport, width, height);
     const RgbImage image = display_image(
         viewport_image(*scene_.panorama, percept.viewport, width, height), scene_.exposure_stops);
+    std::vector<ChannelValues> expected = cell_means(image, pixels, vision.jnd_lab);
+    const Visibility visibility(vision, cells.cell_deg());
     area_ = Area{.task = *task_,
                  .view = percept.viewport,
-                 .pixels = pixels_of(judged_cells(), percept.viewport, width, height)};
-    area_->expected = cell_means(image, area_->pixels, population_.vision.jnd_lab);
+                 .cells = std::move(cells),
+                 .visibility = visibility,
+                 .pixels = std::move(pixels),
+                 .expected = std::move(expected)};
   }
   return *area_;
 }

@@ -51,18 +51,14 @@ class SimulatedParticipant final : public SimulatedObserver {
   struct Area {
     Task task = Task::mark_outline;
     Viewport view;
+    Cells cells;
+    Visibility visibility;
     CellPixels pixels;
     std::vector<ChannelValues> expected;
   };
-  /// Whatever is judged of one object.
-  struct ObjectCells {
-    Cells outline;
-    Cells material;
-  };
-
   Sighting look(const Percept& percept);
   /// The cells that the task is judged by.
-  const Cells& judged_cells() const;
+  Cells judged_cells() const;
   /// What they should look like in the percept's view; made anew only when view or task change.
   const Area& expect(const Percept& percept);
   double noticed_jnd(Pcg32& random) const;
@@ -73,14 +69,9 @@ class SimulatedParticipant final : public SimulatedObserver {
   Traits traits_;
   Decision decision_;
   ScanPath path_;
-  Cells view_cells_;
-  Visibility material_visibility_;
-  Visibility view_visibility_;
   Occasion occasion_;
   KnownScene scene_;
   OfferedObject object_;
-  std::optional<ObjectCells> object_cells_;
-  std::optional<Visibility> outline_visibility_;  ///< of the object's cells
   std::optional<Area> area_;
   std::optional<Task> task_;
   double artifacts_jnd_ = 0.0;  ///< sum over the looks around
