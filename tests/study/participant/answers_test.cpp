@@ -19,18 +19,18 @@ const std::vector<Question> questions = {
     {.id = "name_a_colour", .kind = QuestionKind::text},
     {.id = "comments", .kind = QuestionKind::text, .required = false}};
 
-constexpr Background background{.age_mean_years = 30.0,
-                                .age_deviation_years = 10.0,
-                                .first_gender_part = 0.5,
-                                .scale_mean_part = 0.4,
-                                .scale_deviation_part = 0.3};
+constexpr Background usual{.age_mean_years = 30.0,
+                           .age_deviation_years = 10.0,
+                           .first_gender_part = 0.5,
+                           .scale_mean_part = 0.4,
+                           .scale_deviation_part = 0.3};
 
 /// Everything that so many people answered to the question of this index.
 std::set<std::variant<double, std::string>> given_answers(std::size_t question) {
   Pcg32 random(2);
   std::set<std::variant<double, std::string>> given;
   for (int person = 0; person < 1000; ++person) {
-    given.insert(draw_answers(questions, background, random).at(question).value);
+    given.insert(draw_answers(questions, usual, random).at(question).value);
   }
   return given;
 }
@@ -38,7 +38,7 @@ std::set<std::variant<double, std::string>> given_answers(std::size_t question) 
 TEST(Answers, AreGoodOnesToEachQuestionThatNeedsOne) {
   Pcg32 random(1);
   for (int person = 0; person < 1000; ++person) {
-    const std::vector<Answer> answers = draw_answers(questions, background, random);
+    const std::vector<Answer> answers = draw_answers(questions, usual, random);
     ASSERT_EQ(answers.size(), 5U);
     for (std::size_t i = 0; i < answers.size(); ++i) {
       EXPECT_EQ(answers[i].question, questions[i].id);

@@ -5,12 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include "study/participant/population_file.h"
+
 namespace foveola::study {
 namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+const GazeHabits habits = read_people("adults").population.gaze;
 const Vec3 object = direction_from({.azimuth_rad = 0.7, .elevation_rad = -0.2});
 constexpr double object_radius_deg = 6.0;
 
@@ -19,7 +22,7 @@ double head_offset_deg(const AzimuthElevation& head, const Vec3& direction) {
 }
 
 TEST(ScanPath, KeepsTheEyeOnTheExaminedObjectAndTheHeadFacingIt) {
-  ScanPath path(GazeHabits{}, 3);
+  ScanPath path(habits, 3);
   path.examine(object, object_radius_deg, seconds(2));
   for (Nanoseconds time = seconds(3); time < seconds(20); time += milliseconds(5)) {
     EXPECT_LT(degrees(angle_between(path.gaze(time), object)), object_radius_deg);
@@ -28,7 +31,6 @@ TEST(ScanPath, KeepsTheEyeOnTheExaminedObjectAndTheHeadFacingIt) {
 }
 
 TEST(ScanPath, GoesToATargetAndStaysWhileTheHeadDoesNotMove) {
-  const GazeHabits habits;
   ScanPath path(habits, 6);
   path.examine(object, object_radius_deg, Nanoseconds(0));
   const Nanoseconds start = seconds(5);
@@ -48,7 +50,6 @@ TEST(ScanPath, GoesToATargetAndStaysWhileTheHeadDoesNotMove) {
 }
 
 TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
-  const GazeHabits habits;
   ScanPath path(habits, 4);
   path.examine(object, object_radius_deg, Nanoseconds(0));
   // The lengths of the stretches during which the eye stands still, at 1 ms.
@@ -71,7 +72,6 @@ TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
 }
 
 TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
-  const GazeHabits habits;
   ScanPath path(habits, 5);
   path.explore({.azimuth_rad = 3.0, .elevation_rad = 0.1}, Nanoseconds(0));
   double leftmost_deg = 0.0;
@@ -91,7 +91,7 @@ TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
 }
 
 TEST(ScanPath, NeverJumps) {
-  ScanPath path(GazeHabits{}, 6);
+  ScanPath path(habits, 6);
   path.examine(object, object_radius_deg, Nanoseconds(0));
   path.gaze(seconds(3));
   path.explore(azimuth_elevation(object), seconds(3));
@@ -106,9 +106,9 @@ TEST(ScanPath, NeverJumps) {
 }
 
 TEST(ScanPath, IsTheSameHoweverOftenItIsAsked) {
-  ScanPath often(GazeHabits{}, 7);
-  ScanPath seldom(GazeHabits{}, 7);
-  ScanPath other(GazeHabits{}, 8);
+  ScanPath often(habits, 7);
+  ScanPath seldom(habits, 7);
+  ScanPath other(habits, 8);
   for (ScanPath* path : {&often, &seldom, &other}) {
     path->explore({}, Nanoseconds(0));
   }
@@ -118,6 +118,34 @@ TEST(ScanPath, IsTheSameHoweverOftenItIsAsked) {
   EXPECT_EQ(often.gaze(seconds(9)), seldom.gaze(seconds(9)));
   EXPECT_NE(often.gaze(seconds(9)), other.gaze(seconds(9)));
   EXPECT_EQ(often.gaze(seconds(4)), seldom.gaze(seconds(4)));
+}
+
+TEST(ScanPath, FixationsFollowOneAnotherWithoutAGapAndAreWhatTheGazeDoes) {
+  ScanPath path(habits, 9);
+  ScanPath watched(habits, 9);
+  for (ScanPath* each : {&path, &watched}) {
+    each->examine(object, object_radius_deg, seconds(1));
+  }
+  ScanPath::Fixation fixation = path.fixation(seconds(1));
+  for (int i = 0; i < 200; ++i) {
+    const ScanPath::Fixation next = path.fixation(fixation.end);
+    EXPECT_EQ(next.begin, fixation.end);
+    EXPECT_LT(next.begin, next.landing);
+    EXPECT_LT(next.landing, next.end);
+    EXPECT_EQ(watched.gaze(next.landing), next.direction);
+    EXPECT_EQ(watched.gaze(next.end - Nanoseconds(1)), next.direction);
+    EXPECT_NE(watched.gaze(next.end + milliseconds(20)), next.direction);
+    fixation = next;
+  }
+}
+
+TEST(ScanPath, WhatIsFixatedIsFixatedForEver) {
+  ScanPath path(habits, 9);
+  path.fixate(object, seconds(1));
+  const ScanPath::Fixation waiting = path.fixation(seconds(1));
+  const ScanPath::Fixation fixation = path.fixation(waiting.end);
+  EXPECT_EQ(fixation.direction, object);
+  EXPECT_EQ(fixation.end, Nanoseconds::max());
 }
 
 }  // namespace

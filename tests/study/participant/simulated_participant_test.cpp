@@ -4,6 +4,7 @@
 
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
+#include "study/participant/population_file.h"
 
 namespace foveola::study {
 namespace {
@@ -26,6 +27,14 @@ RgbImage made_up_panorama() {
     }
   }
   return panorama;
+}
+
+/// Without lapses and early presses, which are for the tests of decisions.
+Population careful_adults() {
+  Population population = read_people("adults").population;
+  population.decision.lapse_part = 0.0;
+  population.decision.early_part = 0.0;
+  return population;
 }
 
 /// What a rendering shows `time_s` after its first frame.
@@ -51,7 +60,7 @@ RgbImage scrambled(RgbImage image) {
 
 /// Sits down for a trial at an object of "scene".
 void sit_down(SimulatedParticipant& person, std::size_t object, std::uint32_t conduct = 7) {
-  person.begin_occasion(conduct);
+  person.begin_occasion({.conduct = conduct});
   person.turn_to("scene", offered[object], Nanoseconds(0));
 }
 
@@ -64,7 +73,7 @@ struct Marks {
 class SimulatedParticipantTest : public ::testing::Test {
  protected:
   SimulatedParticipant participant(std::uint64_t seed) const {
-    return {Population{}, [this](const std::string&) { return KnownScene{.panorama = &panorama_}; },
+    return {population_, [this](const std::string&) { return KnownScene{.panorama = &panorama_}; },
             seed};
   }
 
@@ -129,6 +138,7 @@ class SimulatedParticipantTest : public ::testing::Test {
     return std::get<double>(answers.at(0).value);
   }
 
+  Population population_ = careful_adults();
   RgbImage panorama_ = made_up_panorama();
   std::size_t chosen_ = 0;
   mutable std::optional<Quat> converged_head_;
@@ -168,6 +178,7 @@ TEST_F(SimulatedParticipantTest, MarksWhatTheRenderingShowsAndNotWhatIsScrambled
 }
 
 TEST_F(SimulatedParticipantTest, MarksTheOutlineBeforeTheMaterialIsRight) {
+  population_.decision.criterion_spread = 0.0;
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     const Marks m = marks(participant(seed), rendering);
     ASSERT_TRUE(m.outline_s && m.material_s);
@@ -178,12 +189,17 @@ TEST_F(SimulatedParticipantTest, MarksTheOutlineBeforeTheMaterialIsRight) {
 TEST_F(SimulatedParticipantTest, LooksAtTheChosenObjectOnly) {
   const Display finished_at_object = [this](const RgbImage& image, double) {
     RgbImage half = black(image, 0.0);
-    const Viewport facing(head_orientation(azimuth_elevation(offered[chosen_].direction)),
-                          radians(100.0), radians(100.0));
-    const Region around = region_around(facing, view_size, view_size, offered[chosen_].direction,
-                                        offered[chosen_].radius_deg * 1.5 + 2.0, 0.1);
-    for (const std::size_t pixel : around.pixels) {
-      half.pixels[pixel] = image.pixels[pixel];
+    const Vec3& object = offered[chosen_].direction;
+    const Viewport facing(head_orientation(azimuth_elevation(object)), radians(100.0),
+                          radians(100.0));
+    for (int y = 0; y < view_size; ++y) {
+      for (int x = 0; x < view_size; ++x) {
+        const Vec2 plane(Vec2(x, y) / static_cast<float>(view_size) + 0.5F / view_size);
+        const double away_deg = degrees(angle_between(facing.direction(plane), object));
+        if (away_deg < offered[chosen_].radius_deg * 1.5 + 2.0) {
+          half.at(x, y) = image.at(x, y);
+        }
+      }
     }
     return half;
   };
@@ -226,7 +242,7 @@ TEST_F(SimulatedParticipantTest, StaysWithOneObjectPerSceneAndDiffersInItsChoice
 
 TEST_F(SimulatedParticipantTest, RatesByWhatIsWrongWithTheImage) {
   const Display slightly_noisy = [](const RgbImage& image, double) {
-    return noisy(image, 1.0, 0.06);
+    return noisy(image, 1.0, 0.15);
   };
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     EXPECT_EQ(rating(participant(seed), finished), 1);
@@ -262,8 +278,69 @@ TEST_F(SimulatedParticipantTest, AnswersAFormAlwaysTheSameAndAnotherDifferently)
   EXPECT_NE(participant(3).answer("background", questions), first);
 }
 
-// Luce 1986: a normal part of 250 ms and 30 ms, and an exponential one of 70 ms.
+TEST_F(SimulatedParticipantTest, SwappingTwoRenderingsSwapsTheirTimes) {
+  const Display slow = [](const RgbImage& image, double time_s) {
+    return noisy(image, time_s, 0.2);
+  };
+  const Display fast = [](const RgbImage& image, double time_s) {
+    return noisy(image, 4.0 * time_s, 0.2);
+  };
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Marks od = marks(participant(seed), slow, 1);
+    const Marks fv = marks(participant(seed), fast, 1);
+    ASSERT_TRUE(od.material_s && fv.material_s);
+    EXPECT_GT(*od.material_s, *fv.material_s);
+    EXPECT_EQ(marks(participant(seed), fast, 1), fv) << "whichever was first";
+  }
+}
+
+// A person who is shown, as another scene's knowledge has it, the same pixels through the same view
+// presses at the same time: there is nothing else that could tell.
+TEST_F(SimulatedParticipantTest, TheSamePixelsGiveTheSamePress) {
+  std::vector<RgbImage> shown;
+  const Display recorded = [&shown](const RgbImage& image, double time_s) {
+    shown.push_back(rendering(image, time_s));
+    return shown.back();
+  };
+  const Marks first = marks(participant(6), recorded);
+  std::size_t frame = 0;
+  const Display replayed = [&](const RgbImage&, double) { return shown.at(frame++); };
+  ASSERT_TRUE(first.material_s);
+  EXPECT_EQ(marks(participant(6), replayed), first);
+}
+
+TEST_F(SimulatedParticipantTest, ConsideringWhatIsSeenIsSeeing) {
+  SimulatedParticipant person = participant(8);
+  sit_down(person, 0);
+  person.begin(Task::mark_material, Nanoseconds(0));
+  std::optional<Nanoseconds> press;
+  for (int glance = 0; !press && glance < 10; ++glance) {
+    press = person.consider({.material_jnd = 0.1}, nanoseconds_from_seconds(glance * glance_s));
+  }
+  EXPECT_TRUE(press);
+  EXPECT_FALSE(person.wants_retime());
+}
+
+TEST_F(SimulatedParticipantTest, RatesWorseWhatIsWorse) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    double before = 0.0;
+    for (const double noise : {0.0, 0.05, 0.1, 0.2, 0.4}) {
+      const double now = rating(participant(seed), [noise](const RgbImage& image, double) {
+        return noisy(image, 1.0, noise);
+      });
+      EXPECT_GE(now, before) << noise;
+      before = now;
+    }
+    EXPECT_GT(before, 2.0);
+  }
+}
+
+// The mean and the variance of an ex-Gaussian, times this person's own factor.
 TEST_F(SimulatedParticipantTest, ReactsLikePeople) {
+  population_.decision.reaction_spread = 0.0;
+  population_.decision.reaction_mean_s = 0.25;
+  population_.decision.reaction_deviation_s = 0.03;
+  population_.decision.reaction_tail_s = 0.07;
   SimulatedParticipant person = participant(5);
   constexpr int presses = 4000;
   double sum_s = 0.0;

@@ -1,0 +1,105 @@
+#include "study/participant/drawn_times.h"
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace foveola::study {
+namespace {
+
+constexpr int people = 20'000;
+
+/// ln of the ratio of two trials' first marks over many people: its mean and deviation.
+struct LogRatio {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+LogRatio log_ratio(const PlantedEffect& effect, const DrawnTrial& a, const DrawnTrial& b) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int person = 0; person < people; ++person) {
+    const auto log_time = [&](DrawnTrial trial) {
+      trial.seed = static_cast<std::uint64_t>(person);
+      return std::log(drawn_time_s({}, effect, trial, 0));
+    };
+    const double log = log_time(a) - log_time(b);
+    sum += log;
+    squares += log * log;
+  }
+  const double mean = sum / people;
+  return {.mean = mean, .deviation = std::sqrt(squares / people - mean * mean)};
+}
+
+const DrawnTrial fv{.scene = "arcade", .method = "fv"};
+const DrawnTrial od{.scene = "arcade", .method = "od"};
+const double deviation = std::sqrt(2.0) * TimesModel{}.trial_spread;
+const double tolerance = 4.0 * deviation / std::sqrt(people);
+
+TEST(DrawnTimes, WithoutAnEffectNoMethodIsFaster) {
+  const LogRatio ratio = log_ratio({}, fv, od);
+  EXPECT_NEAR(ratio.mean, 0.0, tolerance);
+  EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
+}
+
+TEST(DrawnTimes, AMethodIsAsMuchFasterAsPlanted) {
+  const LogRatio ratio = log_ratio(parse_planted_effect("faster:fv:2"), fv, od);
+  EXPECT_NEAR(ratio.mean, -std::log(2.0), tolerance);
+  EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
+}
+
+TEST(DrawnTimes, PracticeMakesFaster) {
+  DrawnTrial later = od;
+  later.scene = "church";
+  later.trials_before = 7;
+  DrawnTrial sooner = later;
+  sooner.method = "vp";
+  sooner.trials_before = 2;
+  EXPECT_NEAR(log_ratio(parse_planted_effect("order:0.9"), later, sooner).mean, 5.0 * std::log(0.9),
+              tolerance);
+}
+
+TEST(DrawnTimes, OnlyTheOutlierIsSlow) {
+  const PlantedEffect effect = parse_planted_effect("outlier:3:5");
+  const DrawnTrial usual{.seed = 9, .participant = 2, .scene = "arcade", .method = "od"};
+  DrawnTrial slow = usual;
+  slow.participant = 3;
+  EXPECT_EQ(drawn_time_s({}, effect, usual, 0), drawn_time_s({}, {}, usual, 0));
+  EXPECT_NEAR(drawn_time_s({}, effect, slow, 1), 5.0 * drawn_time_s({}, {}, slow, 1), 1e-9);
+}
+
+TEST(DrawnTimes, MarksFollowOneAnotherInAFixedRatio) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const DrawnTrial trial{.seed = seed, .scene = "arcade", .method = "od"};
+    EXPECT_NEAR(drawn_time_s({}, {}, trial, 1) / drawn_time_s({}, {}, trial, 0), 4.0, 1e-12);
+  }
+}
+
+// ln of the times of one scene: normal around the scene's part, with the variances' sum.
+TEST(DrawnTimes, PeopleDifferAsTheModelSays) {
+  const TimesModel model;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int person = 0; person < people; ++person) {
+    DrawnTrial trial = od;
+    trial.seed = static_cast<std::uint64_t>(person);
+    const double log = std::log(drawn_time_s(model, {}, trial, 0));
+    sum += log;
+    squares += log * log;
+  }
+  const double mean = sum / people;
+  const double expected = std::hypot(model.participant_spread, model.trial_spread);
+  EXPECT_NEAR(std::sqrt(squares / people - mean * mean), expected, 0.02 * expected);
+}
+
+TEST(DrawnTimes, AnotherTimingIsDrawnAnew) {
+  DrawnTrial again = od;
+  again.timing = 1;
+  EXPECT_NE(drawn_time_s({}, {}, od, 0), drawn_time_s({}, {}, again, 0));
+  EXPECT_EQ(drawn_time_s({}, {}, od, 0), drawn_time_s({}, {}, od, 0));
+}
+
+}  // namespace
+}  // namespace foveola::study

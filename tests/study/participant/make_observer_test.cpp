@@ -1,0 +1,106 @@
+#include "study/participant/make_observer.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "study/participant/drawn_times.h"
+#include "study/participant/population_file.h"
+
+namespace foveola::study {
+namespace {
+
+using std::chrono::milliseconds;
+
+const Plan plan{{.scene = "arcade", .method = "od"},
+                {.scene = "arcade", .method = "fv"},
+                {.scene = "arcade", .method = "fv", .kind = TrialKind::catch_trial},
+                {.scene = "church", .method = "fv"}};
+
+KnownScene knows_nothing(const std::string& /*scene*/) { return {}; }
+
+std::unique_ptr<SimulatedObserver> planted(const std::string& effect, std::uint64_t seed = 4,
+                                           int row = 0) {
+  return make_observer(read_people("adults").population, parse_planted_effect(effect),
+                       knows_nothing, seed, row, plan);
+}
+
+/// The marks of a trial, in seconds after its first look, with looks every 100 ms.
+std::vector<double> marks_s(SimulatedObserver& observer, const Occasion& occasion) {
+  constexpr Nanoseconds first = milliseconds(1014);
+  observer.begin_occasion(occasion);
+  observer.turn_to("arcade", {.name = "Ball"}, Nanoseconds(0));
+  std::vector<double> marks;
+  Nanoseconds now = first;
+  for (const Task task : {Task::mark_outline, Task::mark_material}) {
+    observer.begin(task, now);
+    for (int look = 0; look < 20; ++look) {
+      if (const auto press = observer.consider({}, now)) {
+        EXPECT_GE(*press, now);
+        marks.push_back(seconds(*press - first));
+        now = *press;
+        break;
+      }
+      now += milliseconds(100);
+    }
+  }
+  return marks;
+}
+
+TEST(MakeObserver, WithoutAnEffectItLooks) {
+  const auto observer =
+      make_observer(read_people("adults").population, std::nullopt, knows_nothing, 4, 0, plan);
+  EXPECT_TRUE(observer->looks());
+  EXPECT_FALSE(planted("none")->looks());
+}
+
+TEST(PlantedParticipant, PressesAtTheTimesThatAreDrawn) {
+  const auto observer = planted("faster:fv:3,outlier:2:1.5", 4, 1);
+  const DrawnTrial trial{.seed = 4,
+                         .participant = 2,
+                         .scene = "church",
+                         .method = "fv",
+                         .trials_before = 3,
+                         .timing = 77};
+  const PlantedEffect effect = parse_planted_effect("faster:fv:3,outlier:2:1.5");
+  const std::vector<double> marks = marks_s(*observer, {.conduct = 77, .trials_before = 3});
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_NEAR(marks[0], drawn_time_s({}, effect, trial, 0), 1e-6);
+  EXPECT_NEAR(marks[1], drawn_time_s({}, effect, trial, 1), 1e-6);
+  EXPECT_FALSE(observer->wants_retime());
+}
+
+TEST(PlantedParticipant, MarksNothingInACatchTrial) {
+  EXPECT_TRUE(marks_s(*planted("none"), {.conduct = 1, .trials_before = 2}).empty());
+}
+
+TEST(PlantedParticipant, DoesNotLook) {
+  const auto observer = planted("none");
+  const std::vector<double> marks = marks_s(*observer, {.conduct = 5});
+  observer->begin_occasion({.conduct = 5});
+  observer->begin(Task::mark_outline, milliseconds(1014));
+  const auto press =
+      observer->consider({.outline_signal_to_noise = 1e9, .material_jnd = 0.0}, milliseconds(1014));
+  ASSERT_TRUE(press);
+  EXPECT_EQ(seconds(*press - Nanoseconds(milliseconds(1014))), marks.at(0));
+}
+
+TEST(PlantedParticipant, WithdrawsAsOftenAsPlantedAndStaysAway) {
+  constexpr int sessions = 2000;
+  int withdrawn = 0;
+  for (std::uint64_t seed = 0; seed < sessions; ++seed) {
+    const auto observer = planted("dropout:0.25", seed);
+    EXPECT_FALSE(observer->wants_to_withdraw(0)) << "nobody leaves before the first trial";
+    bool gone = false;
+    for (int trial = 1; trial < 4; ++trial) {
+      EXPECT_TRUE(observer->wants_to_withdraw(trial) || !gone);
+      gone = observer->wants_to_withdraw(trial);
+    }
+    withdrawn += gone ? 1 : 0;
+  }
+  EXPECT_NEAR(withdrawn, 0.25 * sessions, 4.0 * std::sqrt(sessions * 0.25 * 0.75));
+  EXPECT_FALSE(planted("none")->wants_to_withdraw(3));
+}
+
+}  // namespace
+}  // namespace foveola::study

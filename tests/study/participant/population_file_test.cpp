@@ -1,0 +1,124 @@
+#include "study/participant/population_file.h"
+
+#include <algorithm>
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola::study {
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string adults() { return read_people("adults").toml; }
+
+/// The text with its one `from` replaced.
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = adults();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  EXPECT_EQ(text.find(from, at + 1), std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// The line of the text that `part` begins in, from 1 on.
+long line_of(const std::string& text, const std::string& part) {
+  const auto at = static_cast<long>(text.find(part));
+  return 1 + std::count(text.begin(), text.begin() + at, '\n');
+}
+
+std::string refusal(const std::string& text) {
+  const TemporaryFolder folder;
+  try {
+    read_people(folder.write("people.toml", text).string());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(People, AdultsAreReadWithASourceForEachNumber) {
+  const People people = read_people("adults");
+  EXPECT_EQ(people.name, "adults");
+  EXPECT_EQ(people.population.vision.jnd_lab, 2.3);
+  EXPECT_EQ(people.population.gaze.fixations_per_head_turn, 3.0);
+  EXPECT_EQ(people.population.background.age_mean_years, 30.0);
+  EXPECT_EQ(people.numbers.size() * sizeof(double), sizeof(Population))
+      << "all numbers are stated, and none else";
+  for (const StatedNumber& number : people.numbers) {
+    EXPECT_GT(number.source.size(), 6U) << number.name;
+  }
+  EXPECT_THAT(people_names(), Contains("adults"));
+}
+
+TEST(People, EveryNumberOfTheFileReachesItsOwnPlace) {
+  const People people = read_people("adults");
+  for (const StatedNumber& number : people.numbers) {
+    const double other = number.value == 0.5 ? 0.75 : number.value + 1e-3 * (1.0 + number.value);
+    const Population changed = with_number(people.population, number.name, other);
+    const auto* before = reinterpret_cast<const double*>(&people.population);
+    const auto* after = reinterpret_cast<const double*>(&changed);
+    const auto place = static_cast<std::size_t>(&number - people.numbers.data());
+    for (std::size_t i = 0; i < people.numbers.size(); ++i) {
+      EXPECT_EQ(after[i], i == place ? other : before[i]) << number.name;
+    }
+  }
+}
+
+TEST(People, AFileOfOnesOwnIsReadByItsPath) {
+  const TemporaryFolder folder;
+  const std::string text = with("value = 2.3, source = \"Mahy", "value = 1.0, source = \"Mahy");
+  const People people = read_people(folder.write("keen.toml", text).string());
+  EXPECT_EQ(people.name, "keen");
+  EXPECT_EQ(people.population.vision.jnd_lab, 1.0);
+  EXPECT_EQ(people.toml, text);
+}
+
+TEST(People, WhatIsWrongWithAFileIsSaidWithItsPlace) {
+  const std::string key = "glance_noise = { value = 0.1";
+  const std::string place = "people.toml:" + std::to_string(line_of(adults(), key)) + ":";
+  EXPECT_THAT(refusal(with(key, "glance_noise = { value = -0.1")),
+              AllOf(HasSubstr(place), HasSubstr("out of range")));
+  EXPECT_THAT(refusal(with(key, "glance_noise = { value = \"much\"")), HasSubstr(place));
+  EXPECT_THAT(refusal(with(key, "glance_nois = { value = 0.1")),
+              AllOf(HasSubstr("people.toml:"), HasSubstr("decision.glance_noise is missing")));
+  EXPECT_THAT(refusal(with(key, "glance_noise = { number = 0.1")),
+              AllOf(HasSubstr(place), HasSubstr("value is missing")));
+  EXPECT_THAT(refusal(with(key, "blinks = { value = 1.0, source = \"assumed\" }\n" + key)),
+              AllOf(HasSubstr(place), HasSubstr("unknown key 'decision.blinks'")));
+  EXPECT_THAT(refusal(with("[rating]", "[ratings]")), HasSubstr("people.toml:"));
+  EXPECT_THAT(refusal("title = \n"), HasSubstr("people.toml:1:"));
+}
+
+TEST(People, ANumberWithoutASourceIsRefused) {
+  const std::string lapse = "lapse_s = { value = 1.0, source = \"assumed\" }";
+  const std::string place = "people.toml:" + std::to_string(line_of(adults(), lapse)) + ":";
+  EXPECT_THAT(refusal(with(lapse, "lapse_s = { value = 1.0 }")),
+              AllOf(HasSubstr(place), HasSubstr("source is missing")));
+  EXPECT_THAT(refusal(with(lapse, "lapse_s = { value = 1.0, source = \"\" }")), HasSubstr(place));
+  EXPECT_THAT(refusal(with(lapse, "lapse_s = 1.0")), HasSubstr(place));
+}
+
+TEST(People, FixationsFromLongToShortAreRefused) {
+  EXPECT_THAT(
+      refusal(with("longest_fixation_s = { value = 0.35", "longest_fixation_s = { value = 0.1")),
+      AllOf(HasSubstr("people.toml:"), HasSubstr("shorter than the shortest")));
+}
+
+TEST(People, UnknownNamesAreRefused) {
+  EXPECT_THROW(read_people("martians"), Error);
+  const Population population = read_people("adults").population;
+  EXPECT_THROW(with_number(population, "decision.courage", 1.0), Error);
+  EXPECT_THROW(with_number(population, "vision.jnd_lab", -1.0), Error);
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,149 @@
+#include "study/participant/sighting.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/angles.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr Vision vision{.jnd_lab = 2.3,
+                        .decay_deg = 0.106,
+                        .half_resolution_deg = 2.3,
+                        .red_green_decades_per_deg = 0.04,
+                        .recognition_line_pairs = 4.0,
+                        .surround_factor = 1.5,
+                        .material_cell_deg = 0.5,
+                        .view_cell_deg = 2.0,
+                        .object_patch_deg = 2.0,
+                        .view_patch_deg = 10.0};
+const Vec3 ahead(0.0F, 0.0F, -1.0F);
+
+Vec3 right_of_gaze(double angle_deg) {
+  return direction_from({.azimuth_rad = radians(angle_deg), .elevation_rad = 0.0});
+}
+
+PatchEnergies patch(double eccentricity_deg, double cells, double noise, double contrast = 0.0) {
+  return {.direction = right_of_gaze(eccentricity_deg),
+          .cells = cells,
+          .noise = {noise, 0.0, 0.0},
+          .contrast = contrast};
+}
+
+TEST(JudgedCells, AreAnEighthOfTheObjectWideAndOverItsSurroundings) {
+  const Cells cells = outline_cells(vision, ahead, 4.0);
+  EXPECT_NEAR(cells.cell_deg(), 1.0, 1e-12);
+  EXPECT_NE(cells.at(right_of_gaze(5.0)), Cells::none);
+  EXPECT_EQ(cells.at(right_of_gaze(7.0)), Cells::none);
+  EXPECT_EQ(material_cells(vision, ahead, 4.0).at(right_of_gaze(5.0)), Cells::none);
+}
+
+TEST(OutlineSignalToNoise, OfOneJndWithoutNoiseIsJustWhatTells) {
+  const Visibility visibility(vision, 1.0);
+  const std::vector<PatchEnergies> contour{patch(0.0, 10.0, 0.0, 1.0)};
+  EXPECT_NEAR(outline_signal_to_noise(contour, visibility, ahead, 5.0), 5.0, 1e-6);
+  const std::vector<PatchEnergies> faint{patch(0.0, 10.0, 0.0, 0.25)};
+  EXPECT_NEAR(outline_signal_to_noise(faint, visibility, ahead, 5.0), 2.5, 1e-6);
+}
+
+// By hand, of two patches: the gaze's with 3 cells, and one of 1 cell at 10 degrees, where cells of
+// 0.5 degrees have a threshold of 1.58545, squared 2.51367: signal 3 x 36 + 9 / 2.51367 = 111.5804,
+// noise 3 x (4 + 0.04) + 16 / 2.51367 + 0.04 = 18.5252, the root of their ratio 2.4542.
+TEST(OutlineSignalToNoise, IsTheFormulasValue) {
+  const Visibility visibility(vision, 0.5);
+  const std::vector<PatchEnergies> patches{patch(0.0, 3.0, 4.0, 36.0), patch(10.0, 1.0, 16.0, 9.0)};
+  EXPECT_NEAR(outline_signal_to_noise(patches, visibility, ahead, 5.0), 2.4542, 2e-3);
+}
+
+TEST(OutlineSignalToNoise, FallsWithNoiseAndWithDistanceFromTheGaze) {
+  const Visibility visibility(vision, 0.5);
+  const auto at = [&](double eccentricity_deg, double noise) {
+    const std::vector<PatchEnergies> patches{patch(eccentricity_deg, 1.0, noise, 16.0)};
+    return outline_signal_to_noise(patches, visibility, ahead, 5.0);
+  };
+  EXPECT_GT(at(0.0, 1.0), at(0.0, 2.0));
+  EXPECT_GT(at(0.0, 0.1), at(20.0, 0.1));
+  EXPECT_EQ(outline_signal_to_noise({}, visibility, ahead, 5.0), 0.0) << "nothing to see";
+}
+
+// By hand: weights 3 and 1 / 2.51367; differences 4 and 16 / 2.51367 = 6.36519; their weighted mean
+// is (12 + 2.53223) / 3.39782 = 4.27699, its root 2.06809.
+TEST(VisibleDifference, IsTheFormulasValue) {
+  const Visibility visibility(vision, 0.5);
+  const std::vector<PatchEnergies> patches{patch(0.0, 3.0, 4.0), patch(10.0, 1.0, 16.0)};
+  EXPECT_NEAR(visible_difference_jnd(patches, visibility, ahead), 2.06809, 2e-3);
+}
+
+TEST(VisibleDifference, TakesAllChannelsTogether) {
+  const Visibility visibility(vision, 0.5);
+  const std::vector<PatchEnergies> patches{
+      {.direction = ahead, .cells = 5.0, .noise = {4.0, 4.0, 1.0}}};
+  EXPECT_NEAR(visible_difference_jnd(patches, visibility, ahead), 3.0, 1e-6);
+}
+
+TEST(VisibleDifference, OfWhatIsNotInViewIsInfinite) {
+  EXPECT_EQ(visible_difference_jnd({}, Visibility(vision, 0.5), ahead),
+            std::numeric_limits<double>::infinity());
+}
+
+/// A view of cells, each of which has pixels.
+struct View {
+  Cells cells = Cells::around(ahead, 6.0, 1.0, 2.0);
+  CellPixels pixels;
+  std::vector<ChannelValues> expected;
+
+  View() : expected(cells.count()) { pixels.pixels_in_cell.assign(cells.count(), 7); }
+};
+
+TEST(PatchEnergies, AreMeanSquaresOfDifferences) {
+  View view;
+  std::vector<ChannelValues> presented = view.expected;
+  for (std::size_t cell = 0; cell < presented.size(); ++cell) {
+    presented[cell] = {cell % 2 == 0 ? 2.0 : -2.0, 3.0, 0.0};
+  }
+  double cells = 0.0;
+  for (const PatchEnergies& energies :
+       patch_energies(view.cells, view.pixels, presented, view.expected, true)) {
+    EXPECT_NEAR(energies.noise[0], 4.0, 1e-12);
+    EXPECT_NEAR(energies.noise[1], 9.0, 1e-12);
+    EXPECT_NEAR(energies.noise[2], 0.0, 1e-12);
+    EXPECT_EQ(energies.contrast, 0.0) << "of a picture that is all the same";
+    cells += energies.cells;
+  }
+  EXPECT_EQ(cells, static_cast<double>(view.cells.count()));
+}
+
+TEST(PatchEnergies, ContrastIsTheDifferenceOfTwoTones) {
+  View view;
+  ASSERT_EQ(view.cells.count() % 2, 0U);
+  for (std::size_t cell = 0; cell < view.expected.size(); ++cell) {
+    view.expected[cell][0] = cell % 2 == 0 ? 10.0 : 17.0;
+  }
+  for (const PatchEnergies& energies :
+       patch_energies(view.cells, view.pixels, view.expected, view.expected, true)) {
+    EXPECT_NEAR(energies.contrast, 49.0, 1e-9);
+  }
+}
+
+TEST(PatchEnergies, CellsWithoutPixelsDoNotCount) {
+  View view;
+  std::vector<ChannelValues> presented = view.expected;
+  for (std::uint32_t cell = 0; cell < view.cells.count(); ++cell) {
+    if (view.cells.patch_of(cell) == 0) {
+      view.pixels.pixels_in_cell[cell] = 0;
+      presented[cell] = {1e6, 1e6, 1e6};
+    }
+  }
+  const std::vector<PatchEnergies> energies =
+      patch_energies(view.cells, view.pixels, presented, view.expected, true);
+  EXPECT_EQ(energies.size() + 1, view.cells.patches().size());
+  for (const PatchEnergies& of_patch : energies) {
+    EXPECT_EQ(of_patch.noise[0], 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace foveola::study
