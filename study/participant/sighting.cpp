@@ -11,17 +11,15 @@ constexpr auto achromatic = static_cast<std::size_t>(Channel::achromatic);
 
 double square(double x) { return x * x; }
 
-/// The mean achromatic value of the cells that have pixels.
+/// The mean achromatic value of all pixels in cells.
 double mean_lightness(const CellPixels& pixels, const std::vector<ChannelValues>& values) {
   double sum = 0.0;
-  std::size_t count = 0;
+  double count = 0.0;
   for (std::size_t cell = 0; cell < values.size(); ++cell) {
-    if (pixels.pixels_in_cell[cell] > 0) {
-      sum += values[cell][achromatic];
-      ++count;
-    }
+    sum += pixels.pixels_in_cell[cell] * values[cell][achromatic];
+    count += pixels.pixels_in_cell[cell];
   }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 }  // namespace
@@ -44,27 +42,30 @@ std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& 
                                           const std::vector<ChannelValues>& expected,
                                           bool with_contrast) {
   std::vector<PatchEnergies> patches(cells.patches().size());
+  std::vector<double> pixels_in_patch(patches.size());
   const double mean = with_contrast ? mean_lightness(pixels, expected) : 0.0;
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
-    if (pixels.pixels_in_cell[cell] == 0) {
+    const double count = pixels.pixels_in_cell[cell];
+    if (count == 0.0) {
       continue;
     }
     PatchEnergies& patch = patches[cells.patch_of(cell)];
+    pixels_in_patch[cells.patch_of(cell)] += count;
     patch.cells += 1.0;
     for (std::size_t channel = 0; channel < channel_count; ++channel) {
-      patch.noise[channel] += square(presented[cell][channel] - expected[cell][channel]);
+      patch.noise[channel] += count * square(presented[cell][channel] - expected[cell][channel]);
     }
     if (with_contrast) {
-      patch.contrast += square(2.0 * (expected[cell][achromatic] - mean));
+      patch.contrast += count * square(2.0 * (expected[cell][achromatic] - mean));
     }
   }
   for (std::size_t i = 0; i < patches.size(); ++i) {
     PatchEnergies& patch = patches[i];
     patch.direction = cells.patches()[i].direction;
     for (double& noise : patch.noise) {
-      noise /= patch.cells;
+      noise /= pixels_in_patch[i];
     }
-    patch.contrast /= patch.cells;
+    patch.contrast /= pixels_in_patch[i];
   }
   std::erase_if(patches, [](const PatchEnergies& patch) { return patch.cells == 0.0; });
   return patches;

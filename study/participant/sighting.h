@@ -42,7 +42,9 @@ Cells material_cells(const Vision& vision, const Vec3& object, double radius_deg
 /// Everything around: cells of view_cell_deg, patches of view_patch_deg.
 Cells view_cells(const Vision& vision);
 
-/// presented, expected: means of the same cells. Patches of which no cell has pixels are left out.
+/// presented, expected: means of the same cells. In a patch's means cells count by their pixels:
+/// the noise of a cell falls with its pixels, so that this is the noise of a solid angle, whether
+/// pixels are small or nearly as large as cells. Patches of which no cell has pixels are left out.
 /// with_contrast: whether to work it out.
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,

@@ -21,9 +21,9 @@ using ChannelValues = std::array<double, channel_count>;
 ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab);
 
 /// The threshold of `channel` at eccentricity_deg over that at the gaze, for cells of cell_deg, of
-/// which two make a period: exp(decay f e / e2) with f = 1 / (2 cell_deg) (Geisler and Perry 1998,
-/// eq. 1, over its value at the gaze), for red-green times 10^(decades e) (Mullen and Kingdom
-/// 2002).
+/// which two make a period: exp(decay f e / e2) with f = 1 / (2 cell_deg), which is the contrast
+/// threshold CT0 exp(decay f (e + e2) / e2) of Geisler and Perry (1998, eq. 1) over its value at e
+/// = 0; for red-green times 10^(decades e).
 double relative_threshold(const Vision& vision, Channel channel, double cell_deg,
                           double eccentricity_deg);
 

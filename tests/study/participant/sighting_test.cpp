@@ -1,11 +1,13 @@
 #include "study/participant/sighting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/random.h"
 
 namespace foveola::study {
 namespace {
@@ -95,7 +97,7 @@ struct View {
   CellPixels pixels;
   std::vector<ChannelValues> expected;
 
-  View() : expected(cells.count()) { pixels.pixels_in_cell.assign(cells.count(), 7); }
+  View() : expected(cells.count()) { pixels.pixels_in_cell.assign(cells.count(), 1); }
 };
 
 TEST(PatchEnergies, AreMeanSquaresOfDifferences) {
@@ -126,6 +128,35 @@ TEST(PatchEnergies, ContrastIsTheDifferenceOfTwoTones) {
        patch_energies(view.cells, view.pixels, view.expected, view.expected, true)) {
     EXPECT_NEAR(energies.contrast, 49.0, 1e-9);
   }
+}
+
+/// The visible difference of an object of 6 degrees from grey, when pixels have so much noise.
+double difference_of_noise_jnd(int width, double deviation) {
+  const Viewport viewport(head_orientation({}), radians(100.0), radians(100.0));
+  const Cells cells = material_cells(vision, ahead, 6.0);
+  const CellPixels pixels = pixels_of(cells, viewport, width, width);
+  RgbImage image(width, width);
+  Pcg32 random(5);
+  for (Rgb& pixel : image.pixels) {
+    pixel = Rgb(0.5F + static_cast<float>(deviation * random.normal()));
+  }
+  const RgbImage grey = [&] {
+    RgbImage filled(width, width);
+    std::fill(filled.pixels.begin(), filled.pixels.end(), Rgb(0.5F));
+    return filled;
+  }();
+  const std::vector<PatchEnergies> patches =
+      patch_energies(cells, pixels, cell_means(image, pixels, vision.jnd_lab),
+                     cell_means(grey, pixels, vision.jnd_lab), false);
+  return visible_difference_jnd(patches, Visibility(vision, cells.cell_deg()), ahead);
+}
+
+// Four times the pixels, each with a quarter of the samples, have twice the noise; a cell has the
+// same. 0.14 and 0.28 degrees are the pixels' widths at the middle.
+TEST(VisibleDifference, DependsOnTheNoiseOfASolidAngleAndNotOnThePixels) {
+  const double of_many = difference_of_noise_jnd(800, 0.2);
+  EXPECT_GT(of_many, 1.0);
+  EXPECT_NEAR(difference_of_noise_jnd(400, 0.1) / of_many, 1.0, 0.03);
 }
 
 TEST(PatchEnergies, CellsWithoutPixelsDoNotCount) {
