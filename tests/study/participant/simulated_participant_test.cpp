@@ -1,5 +1,8 @@
 #include "study/participant/simulated_participant.h"
 
+#include <set>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "renderer/film/viewport_image.h"
@@ -309,6 +312,65 @@ TEST_F(SimulatedParticipantTest, TheSamePixelsGiveTheSamePress) {
   EXPECT_EQ(marks(participant(6), replayed), first);
 }
 
+// Noise in the left half of an object of 40 degrees: how much of it is put up with depends on where
+// the eye points, be the pixels the same.
+TEST_F(SimulatedParticipantTest, WhatIsLookedAtCountsMoreThanWhatIsNot) {
+  population_.decision.criterion_spread = 0.0;
+  population_.decision.glance_noise = 0.0;
+  const OfferedObject wide{.name = "Wall", .direction = Vec3(0.0F, 0.0F, -1.0F), .radius_deg = 20};
+  const Viewport viewport(head_orientation({}), radians(100.0), radians(100.0));
+  const auto largest_noise_accepted = [&](double gaze_azimuth_deg) {
+    const Vec3 gaze = direction_from({.azimuth_rad = radians(gaze_azimuth_deg)});
+    double accepted = 0.0;
+    for (double noise = 0.02; noise < 0.2; noise *= 1.03) {
+      RgbImage image = noisy(converged(viewport), 1.0, noise);
+      for (int y = 0; y < view_size; ++y) {
+        for (int x = view_size / 2; x < view_size; ++x) {
+          image.at(x, y) = converged(viewport).at(x, y);
+        }
+      }
+      SimulatedParticipant person = participant(1);
+      person.begin_occasion({});
+      person.turn_to("scene", wide, Nanoseconds(0));
+      person.begin(Task::mark_material, Nanoseconds(0));
+      for (int glance = 0; glance < 4; ++glance) {
+        const auto press = person.see({.image = image,
+                                       .viewport = viewport,
+                                       .gaze = gaze,
+                                       .presented = nanoseconds_from_seconds(glance * glance_s)});
+        accepted = press ? noise : accepted;
+      }
+    }
+    return accepted;
+  };
+  EXPECT_GT(largest_noise_accepted(15.0), 1.2 * largest_noise_accepted(-15.0));
+}
+
+// Noise of single pixels, of a degree each, is averaged in the outline's cells of 5 degrees.
+TEST_F(SimulatedParticipantTest, JudgesAMaterialInFinerDetailThanAnOutline) {
+  population_.decision.criterion_spread = 0.0;
+  const OfferedObject wide{.name = "Wall", .direction = Vec3(0.0F, 0.0F, -1.0F), .radius_deg = 20};
+  const Viewport viewport(head_orientation({}), radians(100.0), radians(100.0));
+  const RgbImage image = noisy(converged(viewport), 1.0, 0.1);
+  SimulatedParticipant person = participant(1);
+  person.begin_occasion({});
+  person.turn_to("scene", wide, Nanoseconds(0));
+  const auto marks_within_a_second = [&](Task task) {
+    person.begin(task, Nanoseconds(0));
+    bool marked = false;
+    for (int glance = 0; glance < 10; ++glance) {
+      const Nanoseconds now = nanoseconds_from_seconds(glance * glance_s);
+      marked =
+          marked ||
+          person.see(
+              {.image = image, .viewport = viewport, .gaze = wide.direction, .presented = now});
+    }
+    return marked;
+  };
+  EXPECT_TRUE(marks_within_a_second(Task::mark_outline));
+  EXPECT_FALSE(marks_within_a_second(Task::mark_material));
+}
+
 TEST_F(SimulatedParticipantTest, ConsideringWhatIsSeenIsSeeing) {
   SimulatedParticipant person = participant(8);
   sit_down(person, 0);
@@ -333,6 +395,33 @@ TEST_F(SimulatedParticipantTest, RatesWorseWhatIsWorse) {
     }
     EXPECT_GT(before, 2.0);
   }
+}
+
+TEST_F(SimulatedParticipantTest,
+       RatingsDifferBetweenPeopleByTheirBiasAndBetweenTrialsByTheirNoise) {
+  const auto rated = [&](std::uint64_t seed, std::uint32_t conduct) {
+    SimulatedParticipant person = participant(seed);
+    person.begin_occasion({.conduct = conduct});
+    person.begin(Task::look_around, Nanoseconds(0));
+    person.consider({.artifacts_jnd = 2.8}, Nanoseconds(0));
+    return std::get<double>(
+        person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = 5.0}}).at(0).value);
+  };
+  const auto ratings = [&](double bias_spread, double noise_spread) {
+    population_.rating.bias_spread = bias_spread;
+    population_.rating.noise_spread = noise_spread;
+    std::set<double> of_people;
+    std::set<double> of_trials;
+    for (std::uint32_t i = 0; i < 30; ++i) {
+      of_people.insert(rated(i, 1));
+      of_trials.insert(rated(1, i));
+    }
+    return std::pair(of_people.size(), of_trials.size());
+  };
+  EXPECT_EQ(ratings(0.0, 0.0), std::pair(std::size_t{1}, std::size_t{1}));
+  EXPECT_GT(ratings(0.5, 0.0).first, 1U);
+  EXPECT_EQ(ratings(0.5, 0.0).second, 1U);
+  EXPECT_GT(ratings(0.0, 0.5).second, 1U);
 }
 
 // The mean and the variance of an ex-Gaussian, times this person's own factor.
