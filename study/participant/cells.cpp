@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "renderer/base/angles.h"
 
@@ -18,35 +19,44 @@ int parts_of(double whole, double size) {
   return std::max(1, static_cast<int>(std::lround(whole / size)));
 }
 
-/// Directions of cells, gathered by patch.
-class PatchSums {
+/// The place of a block or a patch among others of its kind.
+struct Place {
+  int row = 0;
+  int column = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// Cells, gathered in blocks and patches.
+class Gathering {
  public:
-  std::uint32_t add(std::uint64_t patch_key, const Vec3& direction) {
-    const auto [found, is_new] =
-        index_.try_emplace(patch_key, static_cast<std::uint32_t>(patches_.size()));
+  /// Returns the number of the cell's block.
+  std::uint32_t add(const Place& block, const Place& patch, const Vec3& direction) {
+    const std::uint32_t patch_number = number_of(patch_numbers_, patch, patches);
+    const std::uint32_t block_number = number_of(block_numbers_, {patch, block}, blocks);
+    patches[patch_number].direction += direction;
+    ++patches[patch_number].cells;
+    blocks[block_number].patch = patch_number;
+    ++blocks[block_number].cells;
+    return block_number;
+  }
+
+  std::vector<Cells::Patch> patches;
+  std::vector<Cells::Block> blocks;
+
+ private:
+  template <typename Key, typename Item>
+  static std::uint32_t number_of(std::map<Key, std::uint32_t>& numbers, const Key& key,
+                                 std::vector<Item>& items) {
+    const auto [found, is_new] = numbers.try_emplace(key, static_cast<std::uint32_t>(items.size()));
     if (is_new) {
-      patches_.emplace_back();
+      items.emplace_back();
     }
-    patches_[found->second].direction += direction;
-    ++patches_[found->second].cells;
     return found->second;
   }
 
-  std::vector<Cells::Patch> patches() && {
-    for (Cells::Patch& patch : patches_) {
-      patch.direction = glm::normalize(patch.direction);
-    }
-    return std::move(patches_);
-  }
-
- private:
-  std::map<std::uint64_t, std::uint32_t> index_;
-  std::vector<Cells::Patch> patches_;
+  std::map<Place, std::uint32_t> patch_numbers_;
+  std::map<std::pair<Place, Place>, std::uint32_t> block_numbers_;
 };
-
-std::uint64_t patch_key(int row, int column) {
-  return static_cast<std::uint64_t>(row) << 32U | static_cast<std::uint32_t>(column);
-}
 
 /// Which of `parts` equal parts of [0, 1) a position lies in.
 int part_at(double position, int parts) {
@@ -60,10 +70,12 @@ double azimuth_turns(const Vec3& direction) {
 
 }  // namespace
 
-Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg) {
+Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg,
+                    int block) {
   Cells cells;
   const Quat level = head_orientation(azimuth_elevation(center));
   cells.cell_deg_ = cell_deg;
+  cells.block_ = block;
   cells.cell_size_ = radians(cell_deg);
   cells.right_ = level * Vec3(1.0F, 0.0F, 0.0F);
   cells.up_ = level * Vec3(0.0F, 1.0F, 0.0F);
@@ -71,10 +83,10 @@ Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, doub
   // However small the object is, the four cells around its middle belong to it.
   const double reach_rad = radians(std::clamp(radius_deg, 0.75 * cell_deg, widest_radius_deg));
   const int half = std::max(1, static_cast<int>(std::ceil(std::tan(reach_rad) / cells.cell_size_)));
-  const int cells_per_patch = parts_of(patch_deg, cell_deg);
+  const int cells_per_patch = block * parts_of(patch_deg, block * cell_deg);
   cells.across_ = 2 * half;
   cells.cell_of_square_.assign(static_cast<std::size_t>(cells.across_) * cells.across_, none);
-  PatchSums sums;
+  Gathering gathering;
   for (int y = 0; y < cells.across_; ++y) {
     for (int x = 0; x < cells.across_; ++x) {
       const auto right = static_cast<float>((x - half + 0.5) * cells.cell_size_);
@@ -84,45 +96,57 @@ Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, doub
       }
       const Vec3 direction = glm::normalize(cells.forward_ + right * cells.right_ + up * cells.up_);
       cells.cell_of_square_[static_cast<std::size_t>(y) * cells.across_ + x] =
-          static_cast<std::uint32_t>(cells.patch_of_cell_.size());
-      cells.patch_of_cell_.push_back(
-          sums.add(patch_key(y / cells_per_patch, x / cells_per_patch), direction));
+          static_cast<std::uint32_t>(cells.block_of_cell_.size());
+      cells.block_of_cell_.push_back(
+          gathering.add({.row = y / block, .column = x / block},
+                        {.row = y / cells_per_patch, .column = x / cells_per_patch}, direction));
     }
   }
-  cells.patches_ = std::move(sums).patches();
+  cells.take(std::move(gathering.patches), std::move(gathering.blocks));
   return cells;
 }
 
-Cells Cells::everywhere(double cell_deg, double patch_deg) {
+Cells Cells::everywhere(double cell_deg, double patch_deg, int block) {
   Cells cells;
   const int rows = parts_of(180.0, cell_deg);
   const double height_deg = 180.0 / rows;
-  const int rows_per_patch = parts_of(patch_deg, height_deg);
-  const auto cut_at = [](double elevation_deg, double width_deg) {
-    return parts_of(360.0 * std::cos(radians(elevation_deg)), width_deg);
+  const int rows_per_patch = block * parts_of(patch_deg, block * height_deg);
+  // How many squares of `side` rows go around in the band of such squares that the row lies in.
+  const auto around_at = [&](int row, int side) {
+    const int first = row / side * side;
+    const int last = std::min(rows, first + side);
+    const double middle_deg = -90.0 + 0.5 * (first + last) * height_deg;
+    return parts_of(360.0 * std::cos(radians(middle_deg)), side * height_deg);
   };
   cells.cell_deg_ = height_deg;
-  PatchSums sums;
+  cells.block_ = block;
+  Gathering gathering;
   for (int row = 0; row < rows; ++row) {
     const double elevation_deg = -90.0 + (row + 0.5) * height_deg;
-    const int patch_row = row / rows_per_patch;
-    const int last_row = std::min(rows, (patch_row + 1) * rows_per_patch);
-    const double patch_middle_deg =
-        -90.0 + 0.5 * (patch_row * rows_per_patch + last_row) * height_deg;
-    const int across = cut_at(elevation_deg, height_deg);
-    const int patches_across = cut_at(patch_middle_deg, rows_per_patch * height_deg);
-    cells.rows_.push_back({.first_cell = static_cast<std::uint32_t>(cells.patch_of_cell_.size()),
+    const int across = around_at(row, 1);
+    const int blocks_across = around_at(row, block);
+    const int patches_across = around_at(row, rows_per_patch);
+    cells.rows_.push_back({.first_cell = static_cast<std::uint32_t>(cells.block_of_cell_.size()),
                            .cells = static_cast<std::uint32_t>(across)});
     for (int i = 0; i < across; ++i) {
       const double turns = (i + 0.5) / across;
       const Vec3 direction = direction_from({.azimuth_rad = (turns - 0.5) * 2.0 * std::numbers::pi,
                                              .elevation_rad = radians(elevation_deg)});
-      cells.patch_of_cell_.push_back(
-          sums.add(patch_key(patch_row, part_at(turns, patches_across)), direction));
+      cells.block_of_cell_.push_back(gathering.add(
+          {.row = row / block, .column = part_at(turns, blocks_across)},
+          {.row = row / rows_per_patch, .column = part_at(turns, patches_across)}, direction));
     }
   }
-  cells.patches_ = std::move(sums).patches();
+  cells.take(std::move(gathering.patches), std::move(gathering.blocks));
   return cells;
+}
+
+void Cells::take(std::vector<Patch> patches, std::vector<Block> blocks) {
+  patches_ = std::move(patches);
+  blocks_ = std::move(blocks);
+  for (Patch& patch : patches_) {
+    patch.direction = glm::normalize(patch.direction);
+  }
 }
 
 std::uint32_t Cells::at(const Vec3& direction) const {

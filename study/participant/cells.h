@@ -1,4 +1,5 @@
-// How a view is cut up for judging: pixels into cells that the eye sees as one, cells into patches.
+// How a view is cut up for judging: pixels into cells that the eye sees as one, cells into blocks
+// whose noise is judged together (of one cell, but in scaled studies), blocks into patches.
 //
 // Cells lie on the world, not on the display, so that a judgement does not depend on the display's
 // pixels, nor on the film's. A cell's value is the mean of its pixels' values in each channel.
@@ -19,20 +20,30 @@ class Cells {
  public:
   /// Within radius_deg of `center` (unit length, world): a square grid on the tangent plane there,
   /// level with the horizon; a cell belongs to it if its middle does. patch_deg is rounded to a
-  /// whole number of cells, but at least one.
-  static Cells around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg);
+  /// whole number of blocks, of block x block cells each, but at least one.
+  static Cells around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg,
+                      int block = 1);
   /// All directions: rows of equal elevation, each cut into equal azimuths about as wide as the
-  /// row is high. patch_deg: likewise.
-  static Cells everywhere(double cell_deg, double patch_deg);
+  /// row is high. patch_deg, block: likewise, as nearly as rows of different lengths allow.
+  static Cells everywhere(double cell_deg, double patch_deg, int block = 1);
 
   struct Patch {
     Vec3 direction{0.0F};     ///< of its middle; unit length, world
     std::uint32_t cells = 0;  ///< how many it is made of
   };
   const std::vector<Patch>& patches() const { return patches_; }
+  /// A block of cells in one patch; at edges some lack cells.
+  struct Block {
+    std::uint32_t patch = 0;
+    std::uint32_t cells = 0;
+  };
+  const std::vector<Block>& blocks() const { return blocks_; }
+  /// How many cells a block has that lacks none.
+  int cells_of_whole_block() const { return block_ * block_; }
   double cell_deg() const { return cell_deg_; }
-  std::size_t count() const { return patch_of_cell_.size(); }
-  std::uint32_t patch_of(std::uint32_t cell) const { return patch_of_cell_[cell]; }
+  std::size_t count() const { return block_of_cell_.size(); }
+  std::uint32_t block_of(std::uint32_t cell) const { return block_of_cell_[cell]; }
+  std::uint32_t patch_of(std::uint32_t cell) const { return blocks_[block_of(cell)].patch; }
 
   static constexpr std::uint32_t none = 0xffffffffU;
   /// The cell that `direction` (unit length, world) lies in, or none.
@@ -40,12 +51,16 @@ class Cells {
 
  private:
   Cells() = default;
+  /// patches: with the sums of their cells' directions.
+  void take(std::vector<Patch> patches, std::vector<Block> blocks);
   std::uint32_t on_plane(const Vec3& direction) const;
   std::uint32_t on_sphere(const Vec3& direction) const;
 
   double cell_deg_ = 0.0;
+  int block_ = 1;
   std::vector<Patch> patches_;
-  std::vector<std::uint32_t> patch_of_cell_;
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> block_of_cell_;
   // Of a tangent plane; across_ is 0 for the sphere.
   int across_ = 0;
   double cell_size_ = 0.0;  ///< on the plane at distance 1

@@ -44,6 +44,10 @@ struct Vision {
   /// Cells are grouped in patches of these sizes, which have one eccentricity.
   double object_patch_deg = 0.0;
   double view_patch_deg = 0.0;
+  /// Of no person, but of a study whose film and machine are scaled down by this factor squared: a
+  /// whole number, how many cells' width the noise is averaged over. So many cells hold as many
+  /// samples as one does at full size, and as large a part of them has none.
+  double coarseness = 1.0;
 };
 
 /// How decisions are made of what is seen, and how people differ in it.
@@ -103,10 +107,10 @@ struct Background {
 
 struct Population {
   GazeHabits gaze;
-  Vision vision;
   DecisionHabits decision;
   RatingHabits rating;
   Background background;
+  Vision vision;
 };
 
 }  // namespace foveola::study

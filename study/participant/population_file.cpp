@@ -57,27 +57,6 @@ constexpr std::array parameters{
     Parameter{"gaze", "fixations_per_head_turn", 1.0, 100.0,
               [](Population& p) -> double& { return p.gaze.fixations_per_head_turn; }},
 
-    Parameter{"vision", "jnd_lab", 0.01, 100.0,
-              [](Population& p) -> double& { return p.vision.jnd_lab; }},
-    Parameter{"vision", "decay_deg", none, 10.0,
-              [](Population& p) -> double& { return p.vision.decay_deg; }},
-    Parameter{"vision", "half_resolution_deg", 0.1, 100.0,
-              [](Population& p) -> double& { return p.vision.half_resolution_deg; }},
-    Parameter{"vision", "red_green_decades_per_deg", none, 1.0,
-              [](Population& p) -> double& { return p.vision.red_green_decades_per_deg; }},
-    Parameter{"vision", "recognition_line_pairs", 0.5, 100.0,
-              [](Population& p) -> double& { return p.vision.recognition_line_pairs; }},
-    Parameter{"vision", "surround_factor", 1.0, 5.0,
-              [](Population& p) -> double& { return p.vision.surround_factor; }},
-    Parameter{"vision", "material_cell_deg", 0.05, 10.0,
-              [](Population& p) -> double& { return p.vision.material_cell_deg; }},
-    Parameter{"vision", "view_cell_deg", 0.25, 30.0,
-              [](Population& p) -> double& { return p.vision.view_cell_deg; }},
-    Parameter{"vision", "object_patch_deg", 0.05, 90.0,
-              [](Population& p) -> double& { return p.vision.object_patch_deg; }},
-    Parameter{"vision", "view_patch_deg", 0.25, 90.0,
-              [](Population& p) -> double& { return p.vision.view_patch_deg; }},
-
     Parameter{"decision", "outline_signal_to_noise", tiny, 1e6,
               [](Population& p) -> double& { return p.decision.outline_signal_to_noise; }},
     Parameter{"decision", "material_jnd", tiny, 1e6,
@@ -130,7 +109,28 @@ constexpr std::array parameters{
     Parameter{"background", "scale_mean_part", none, 1.0,
               [](Population& p) -> double& { return p.background.scale_mean_part; }},
     Parameter{"background", "scale_deviation_part", none, 1.0,
-              [](Population& p) -> double& { return p.background.scale_deviation_part; }}};
+              [](Population& p) -> double& { return p.background.scale_deviation_part; }},
+
+    Parameter{"vision", "jnd_lab", 0.01, 100.0,
+              [](Population& p) -> double& { return p.vision.jnd_lab; }},
+    Parameter{"vision", "decay_deg", none, 10.0,
+              [](Population& p) -> double& { return p.vision.decay_deg; }},
+    Parameter{"vision", "half_resolution_deg", 0.1, 100.0,
+              [](Population& p) -> double& { return p.vision.half_resolution_deg; }},
+    Parameter{"vision", "red_green_decades_per_deg", none, 1.0,
+              [](Population& p) -> double& { return p.vision.red_green_decades_per_deg; }},
+    Parameter{"vision", "recognition_line_pairs", 0.5, 100.0,
+              [](Population& p) -> double& { return p.vision.recognition_line_pairs; }},
+    Parameter{"vision", "surround_factor", 1.0, 5.0,
+              [](Population& p) -> double& { return p.vision.surround_factor; }},
+    Parameter{"vision", "material_cell_deg", 0.05, 10.0,
+              [](Population& p) -> double& { return p.vision.material_cell_deg; }},
+    Parameter{"vision", "view_cell_deg", 0.25, 30.0,
+              [](Population& p) -> double& { return p.vision.view_cell_deg; }},
+    Parameter{"vision", "object_patch_deg", 0.05, 90.0,
+              [](Population& p) -> double& { return p.vision.object_patch_deg; }},
+    Parameter{"vision", "view_patch_deg", 0.25, 90.0,
+              [](Population& p) -> double& { return p.vision.view_patch_deg; }}};
 
 fs::path people_folder() { return resource_folder() / "data" / "participants"; }
 
@@ -190,7 +190,7 @@ People read_people(const std::string& name_or_path) {
                  fmt::format("see {}", (people_folder() / "adults.toml").string()));
   TomlReader reader(file.string(), content, "");
   people.title = reader.require_text("title");
-  for (const std::string_view table : {"gaze", "vision", "decision", "rating", "background"}) {
+  for (const std::string_view table : {"gaze", "decision", "rating", "background", "vision"}) {
     read_table(reader, table, people);
   }
   reader.reject_unknown_keys();

@@ -1,5 +1,6 @@
 #include "study/participant/sighting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -22,19 +23,50 @@ double mean_lightness(const CellPixels& pixels, const std::vector<ChannelValues>
   return count > 0.0 ? sum / count : 0.0;
 }
 
+int block_of(const Vision& vision) {
+  return std::max(1, static_cast<int>(std::lround(vision.coarseness)));
+}
+
+/// Of each block, in each channel: (presented - expected)^2 of its mean, times its pixels. Where a
+/// block lacks cells its noise is larger than a whole one's; it counts for so much less.
+std::vector<ChannelValues> block_energies(const Cells& cells, const CellPixels& pixels,
+                                          const std::vector<ChannelValues>& presented,
+                                          const std::vector<ChannelValues>& expected) {
+  std::vector<ChannelValues> energies(cells.blocks().size());
+  std::vector<double> pixels_in_block(cells.blocks().size());
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    const std::uint32_t block = cells.block_of(cell);
+    const double count = pixels.pixels_in_cell[cell];
+    pixels_in_block[block] += count;
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      energies[block][channel] += count * (presented[cell][channel] - expected[cell][channel]);
+    }
+  }
+  for (std::size_t block = 0; block < energies.size(); ++block) {
+    const double part = static_cast<double>(cells.blocks()[block].cells) /
+                        static_cast<double>(cells.cells_of_whole_block());
+    for (double& energy : energies[block]) {
+      energy = pixels_in_block[block] > 0.0 ? part * square(energy) / pixels_in_block[block] : 0.0;
+    }
+  }
+  return energies;
+}
+
 }  // namespace
 
 Cells outline_cells(const Vision& vision, const Vec3& object, double radius_deg) {
   return Cells::around(object, vision.surround_factor * radius_deg,
-                       radius_deg / vision.recognition_line_pairs, vision.object_patch_deg);
+                       radius_deg / vision.recognition_line_pairs, vision.object_patch_deg,
+                       block_of(vision));
 }
 
 Cells material_cells(const Vision& vision, const Vec3& object, double radius_deg) {
-  return Cells::around(object, radius_deg, vision.material_cell_deg, vision.object_patch_deg);
+  return Cells::around(object, radius_deg, vision.material_cell_deg, vision.object_patch_deg,
+                       block_of(vision));
 }
 
 Cells view_cells(const Vision& vision) {
-  return Cells::everywhere(vision.view_cell_deg, vision.view_patch_deg);
+  return Cells::everywhere(vision.view_cell_deg, vision.view_patch_deg, block_of(vision));
 }
 
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
@@ -46,17 +78,18 @@ std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& 
   const double mean = with_contrast ? mean_lightness(pixels, expected) : 0.0;
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
     const double count = pixels.pixels_in_cell[cell];
-    if (count == 0.0) {
-      continue;
-    }
     PatchEnergies& patch = patches[cells.patch_of(cell)];
     pixels_in_patch[cells.patch_of(cell)] += count;
-    patch.cells += 1.0;
-    for (std::size_t channel = 0; channel < channel_count; ++channel) {
-      patch.noise[channel] += count * square(presented[cell][channel] - expected[cell][channel]);
-    }
+    patch.cells += count > 0.0 ? 1.0 : 0.0;
     if (with_contrast) {
       patch.contrast += count * square(2.0 * (expected[cell][achromatic] - mean));
+    }
+  }
+  const std::vector<ChannelValues> energies = block_energies(cells, pixels, presented, expected);
+  for (std::size_t block = 0; block < energies.size(); ++block) {
+    ChannelValues& noise = patches[cells.blocks()[block].patch].noise;
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      noise[channel] += energies[block][channel];
     }
   }
   for (std::size_t i = 0; i < patches.size(); ++i) {

@@ -25,7 +25,8 @@ struct Sighting {
 struct PatchEnergies {
   Vec3 direction{0.0F};  ///< unit length, world
   double cells = 0.0;    ///< how many count, those without pixels not
-  /// The mean over its cells of (presented - expected)^2 in each channel, JND^2 (of the gaze).
+  /// The mean over its blocks (cells, unless the study is scaled) of (presented - expected)^2 in
+  /// each channel, JND^2 (of the gaze).
   ChannelValues noise{};
   /// Of an outline: the mean over its cells of the expected picture's contrast squared, JND^2. The
   /// contrast of a cell is twice the deviation of its achromatic value from the mean of all cells

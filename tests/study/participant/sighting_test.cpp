@@ -130,33 +130,80 @@ TEST(PatchEnergies, ContrastIsTheDifferenceOfTwoTones) {
   }
 }
 
-/// The visible difference of an object of 6 degrees from grey, when pixels have so much noise.
-double difference_of_noise_jnd(int width, double deviation) {
+/// The noise energy of grey pixels with so much noise, over `cells` ahead: the mean of many
+/// pictures.
+double noise_energy(const Cells& cells, int width, double deviation) {
+  constexpr int pictures = 40;
   const Viewport viewport(head_orientation({}), radians(100.0), radians(100.0));
-  const Cells cells = material_cells(vision, ahead, 6.0);
   const CellPixels pixels = pixels_of(cells, viewport, width, width);
+  const std::vector<ChannelValues> grey(cells.count(), opponent_channels(Rgb(0.5F), 2.3));
   RgbImage image(width, width);
   Pcg32 random(5);
-  for (Rgb& pixel : image.pixels) {
-    pixel = Rgb(0.5F + static_cast<float>(deviation * random.normal()));
+  double sum = 0.0;
+  double total_cells = 0.0;
+  for (int picture = 0; picture < pictures; ++picture) {
+    for (const CellPixels::Member& member : pixels.members) {
+      image.pixels[member.pixel] = Rgb(0.5F + static_cast<float>(deviation * random.normal()));
+    }
+    for (const PatchEnergies& patch :
+         patch_energies(cells, pixels, cell_means(image, pixels, 2.3), grey, false)) {
+      sum += patch.cells * patch.noise[0];
+      total_cells += patch.cells;
+    }
   }
-  const RgbImage grey = [&] {
-    RgbImage filled(width, width);
-    std::fill(filled.pixels.begin(), filled.pixels.end(), Rgb(0.5F));
-    return filled;
-  }();
-  const std::vector<PatchEnergies> patches =
-      patch_energies(cells, pixels, cell_means(image, pixels, vision.jnd_lab),
-                     cell_means(grey, pixels, vision.jnd_lab), false);
-  return visible_difference_jnd(patches, Visibility(vision, cells.cell_deg()), ahead);
+  return sum / total_cells;
 }
 
 // Four times the pixels, each with a quarter of the samples, have twice the noise; a cell has the
 // same. 0.14 and 0.28 degrees are the pixels' widths at the middle.
-TEST(VisibleDifference, DependsOnTheNoiseOfASolidAngleAndNotOnThePixels) {
-  const double of_many = difference_of_noise_jnd(800, 0.2);
+TEST(PatchEnergies, NoiseIsThatOfASolidAngleAndNotOfThePixels) {
+  const Cells cells = material_cells(vision, ahead, 6.0);
+  const double of_many = noise_energy(cells, 800, 0.2);
   EXPECT_GT(of_many, 1.0);
-  EXPECT_NEAR(difference_of_noise_jnd(400, 0.1) / of_many, 1.0, 0.03);
+  EXPECT_NEAR(noise_energy(cells, 400, 0.1) / of_many, 1.0, 0.03);
+}
+
+// A scaled study has fewer pixels of the same noise: what four cells, or nine, have together there
+// is what one has at full size.
+TEST(PatchEnergies, NoiseOfAScaledStudyIsThatOfTheFullOne) {
+  for (const int factor : {2, 3}) {
+    Vision scaled = vision;
+    scaled.coarseness = factor;
+    EXPECT_NEAR(noise_energy(material_cells(scaled, ahead, 6.0), 900 / factor, 0.2) /
+                    noise_energy(material_cells(vision, ahead, 6.0), 900, 0.2),
+                1.0, 0.06)
+        << factor;
+    EXPECT_NEAR(noise_energy(outline_cells(scaled, ahead, 6.0), 900 / factor, 0.2) /
+                    noise_energy(outline_cells(vision, ahead, 6.0), 900, 0.2),
+                1.0, 0.06)
+        << factor;
+    EXPECT_NEAR(noise_energy(view_cells(scaled), 300 / factor, 0.2) /
+                    noise_energy(view_cells(vision), 300, 0.2),
+                1.0, 0.06)
+        << factor;
+  }
+}
+
+TEST(PatchEnergies, ContrastOfAScaledStudyIsThatOfTheFullOne) {
+  Vision scaled = vision;
+  scaled.coarseness = 3.0;
+  const auto contrast = [](const Cells& cells) {
+    CellPixels pixels;
+    pixels.pixels_in_cell.assign(cells.count(), 1);
+    std::vector<ChannelValues> expected(cells.count());
+    for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+      expected[cell][0] = cell % 2 == 0 ? 10.0 : 17.0;
+    }
+    double sum = 0.0;
+    double total_cells = 0.0;
+    for (const PatchEnergies& patch : patch_energies(cells, pixels, expected, expected, true)) {
+      sum += patch.cells * patch.contrast;
+      total_cells += patch.cells;
+    }
+    return sum / total_cells;
+  };
+  EXPECT_NEAR(contrast(outline_cells(vision, ahead, 6.0)), 49.0, 1e-9);
+  EXPECT_NEAR(contrast(outline_cells(scaled, ahead, 6.0)), 49.0, 1e-9);
 }
 
 TEST(PatchEnergies, CellsWithoutPixelsDoNotCount) {
