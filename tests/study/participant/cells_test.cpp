@@ -75,6 +75,20 @@ TEST(CellsAround, ThereAreSomeForTheSmallestObject) {
   EXPECT_EQ(Cells::around(object, 0.01, 0.5, 2.0).count(), 4U);
 }
 
+TEST(CellsAround, BlocksAreWholeButAtTheEdge) {
+  const Cells cells = Cells::around(object, 12.0, 0.5, 2.0, 3);
+  std::uint32_t in_whole_blocks = 0;
+  std::uint32_t in_blocks = 0;
+  for (const Cells::Block& block : cells.blocks()) {
+    EXPECT_LE(block.cells, 9U);
+    in_blocks += block.cells;
+    in_whole_blocks += block.cells == 9 ? 9 : 0;
+  }
+  EXPECT_EQ(in_blocks, cells.count());
+  EXPECT_GT(in_whole_blocks, 0.8 * in_blocks);
+  EXPECT_GT(cells.patches().size(), 100U) << "of 1.5 degrees, not much larger";
+}
+
 TEST(CellsEverywhere, CutTheSphereIntoNearlyEqualParts) {
   const Cells cells = Cells::everywhere(2.0, 10.0);
   // The sphere has 41 253 square degrees.
