@@ -16,7 +16,6 @@ using test::TemporaryFolder;
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
-using testing::Not;
 
 std::string adults() { return read_people("adults").toml; }
 
