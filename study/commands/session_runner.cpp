@@ -7,24 +7,14 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/film/film_hash.h"
 #include "study/commands/gaze_validation.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {
 namespace {
 
-/// A simulated participant looks this often. People integrate over about as long, and each look
-/// costs as much as tracing several frames.
-constexpr double glance_interval_s = 0.1;
-
 /// Until a participant is ready for a trial: head and eye have turned to the object.
 constexpr double settling_s = 1.0;
-
-std::uint64_t frames_per_glance(const MachineModel& machine) {
-  return static_cast<std::uint64_t>(
-      std::max(1L, std::lround(glance_interval_s * machine.frame_rate_hz)));
-}
 
 bool stops_rendering(const std::vector<Effect>& effects) {
   return std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
@@ -45,12 +35,11 @@ const OfferedObject& object_named(const std::vector<OfferedObject>& objects,
 
 }  // namespace
 
-SessionRunner::SessionRunner(const SessionSetting& setting, const Plan& plan, std::int64_t session,
+SessionRunner::SessionRunner(const SessionSetting& setting, const Plan& plan,
                              Participant& participant)
     : setting_(setting),
       plan_(plan),
       procedure_(procedure_of(setting.protocol, plan)),
-      session_(session),
       participant_(participant) {}
 
 void SessionRunner::resume_after(const std::vector<LoggedEvent>& events) {
@@ -80,7 +69,11 @@ void SessionRunner::resume_after(const std::vector<LoggedEvent>& events) {
 SessionOutcome SessionRunner::run() {
   const Nanoseconds start = now();
   while (!state_.is_over() && state_.phase != Phase::interrupted) {
-    feed(setting_.stop.stop_requested() ? Event(Interrupted{}) : next_event());
+    const Event event = setting_.stop.stop_requested() ? Event(Interrupted{}) : next_event();
+    feed(event);
+    if (std::holds_alternative<Marked>(event) && participant_.wants_retime()) {
+      feed(RetimeRequested{});
+    }
   }
   outcome_.phase = state_.phase;
   outcome_.duration = now() - start;
@@ -127,10 +120,10 @@ std::vector<Effect> SessionRunner::record(const Event& event) {
     throw std::logic_error(std::string("the event ") + name_of(event) +
                            " is not allowed in the phase " + name_of(state_.phase));
   }
-  if (log_ && stops_rendering(next->effects)) {
-    keep_frames();  // first: whatever an event has ended is whole, whenever the program dies
+  if (attempt_ && stops_rendering(next->effects)) {
+    attempt_->keep();  // first: whatever an event has ended is whole, whenever the program dies
   }
-  setting_.store.record_event(session_, time_of(event, now()), event, state_, next->state);
+  setting_.sink.event(time_of(event, now()), event, state_, next->state);
   state_ = std::move(next->state);
   return std::move(next->effects);
 }
@@ -154,26 +147,24 @@ void SessionRunner::carry_out(const Effect& effect) {
 void SessionRunner::start_rendering() {
   const TrialSeeds seeds{.tracker = seed_of_trial(SeedPurpose::tracker),
                          .rendering = seed_of_trial(SeedPurpose::rendering)};
-  attempt_ = {.trial = trial_index(), .number = state_.attempt};
-  preview_.emplace(stage(), setting_.protocol, trial(), seeds, participant_, correction_, clock_,
-                   setting_.workers);
-  log_.emplace(sink_to(setting_.store, session_, attempt_.trial, attempt_.number));
-}
-
-void SessionRunner::keep_frames() {
-  log_->finish();
-  if (log_->frames() > 0) {
-    setting_.store.record_film_hash(
-        session_, attempt_.trial, attempt_.number,
-        {.frame = log_->frames() - 1, .sha256 = film_sha256(preview_->film())});
-  }
+  attempt_ = setting_.make_attempt({.stage = stage(),
+                                    .protocol = setting_.protocol,
+                                    .trial = trial(),
+                                    .object = object_named(stage().objects(), state_.object),
+                                    .seeds = seeds,
+                                    .participant = participant_,
+                                    .correction = correction_,
+                                    .clock = clock_,
+                                    .occasion_start = occasion_start_,
+                                    .sink = setting_.sink,
+                                    .index = trial_index(),
+                                    .number = state_.attempt});
 }
 
 void SessionRunner::stop_rendering() {
-  outcome_.samples += preview_->film().total_samples();
-  outcome_.non_finite += preview_->non_finite();
-  log_.reset();
-  preview_.reset();
+  outcome_.samples += attempt_->samples();
+  outcome_.non_finite += attempt_->non_finite();
+  attempt_.reset();
 }
 
 Event SessionRunner::answer_questionnaire() {
@@ -184,7 +175,7 @@ Event SessionRunner::answer_questionnaire() {
 }
 
 Event SessionRunner::validate() {
-  begin_occasion(seed_of_step(SeedPurpose::conduct));
+  begin_occasion({.conduct = seed_of_step(SeedPurpose::conduct), .trials_before = 0});
   const std::optional<GazeValidated> validated = validate_gaze(
       setting_.protocol, participant_, seed_of_step(SeedPurpose::tracker), clock_, setting_.stop);
   if (!validated) {
@@ -206,13 +197,20 @@ Event SessionRunner::press() {
 }
 
 Event SessionRunner::choose_object() {
+  if (participant_.wants_to_withdraw(trials_before())) {
+    return Withdrawn{};
+  }
   const std::vector<OfferedObject>& objects = stage().objects();
   return ObjectChosen{objects[participant_.choose_object(trial().scene, objects)].name};
 }
 
 Event SessionRunner::start_trial() {
+  if (participant_.wants_to_withdraw(trials_before())) {
+    return Withdrawn{};
+  }
   setting_.on_trial(trial_index());
-  begin_occasion(seed_of_trial(SeedPurpose::conduct));
+  begin_occasion(
+      {.conduct = seed_of_trial(SeedPurpose::conduct), .trials_before = trials_before()});
   participant_.turn_to(trial().scene, object_named(stage().objects(), state_.object), clock_.now());
   clock_.advance(nanoseconds_from_seconds(settling_s));
   return TrialStarted{};
@@ -220,7 +218,7 @@ Event SessionRunner::start_trial() {
 
 Event SessionRunner::present_first_frame() {
   begin(task_of_mark());
-  show_frame();
+  show(clock_.now());
   return FirstFramePresented{now()};
 }
 
@@ -237,7 +235,8 @@ Event SessionRunner::wait_for_mark() {
     if (setting_.stop.stop_requested()) {
       return Interrupted{};
     }
-    show_frame();
+    const Nanoseconds end = deadline - occasion_start_;
+    show(pressed_ ? std::min(*pressed_, end) : end);
   }
   const Nanoseconds mark = occasion_start_ + *pressed_;
   return mark <= deadline ? Event(Marked{mark}) : Event(TimedOut{deadline});
@@ -251,41 +250,27 @@ Event SessionRunner::rate() {
     if (setting_.stop.stop_requested()) {
       return Interrupted{};
     }
-    show_frame();
+    show(end - occasion_start_);
   }
   ++outcome_.trials;
   return Rated{participant_.rate(setting_.protocol.ratings)};
 }
 
-void SessionRunner::begin_occasion(std::uint32_t conduct) {
+void SessionRunner::begin_occasion(const Occasion& occasion) {
   occasion_start_ = now();
   clock_ = VirtualClock();
-  participant_.begin_occasion(conduct);
+  participant_.begin_occasion(occasion);
 }
 
 void SessionRunner::begin(Task task) {
   pressed_.reset();
   participant_.begin(task, clock_.now());
+  attempt_->begin(task);
 }
 
-void SessionRunner::show_frame() {
-  const bool is_glance = log_->frames() % frames_per_glance(setting_.protocol.machine) == 0;
-  FrameRow row = frame_row(preview_->next_frame());
-  row.time += occasion_start_;
-  row.presented = now();
-  std::vector<GazeSample> arrived = preview_->arrived_gaze();
-  for (GazeSample& sample : arrived) {
-    sample.time += occasion_start_;
-  }
-  log_->add(row, arrived);
-  if (is_glance) {
-    const std::optional<Nanoseconds> press =
-        participant_.see({.image = preview_->present(),
-                          .viewport = preview_->viewport(),
-                          .gaze = participant_.gaze(clock_.now()),
-                          .presented = clock_.now()});
-    pressed_ = pressed_ ? pressed_ : press;
-  }
+void SessionRunner::show(Nanoseconds until) {
+  const std::optional<Nanoseconds> press = attempt_->show(until);
+  pressed_ = pressed_ ? pressed_ : press;
 }
 
 Task SessionRunner::task_of_mark() const {

@@ -4,16 +4,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "study/commands/virtual_preview.h"
+#include "study/commands/session_sink.h"
+#include "study/commands/trial_attempt.h"
 #include "study/design/plan.h"
 #include "study/participant/participant.h"
 #include "study/session/session.h"
-#include "study/stage/attempt_log.h"
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
 
@@ -23,8 +24,8 @@ namespace foveola::study {
 struct SessionSetting {
   const Protocol& protocol;
   const SceneStages& stages;
-  StudyStore& store;
-  const Workers& workers;
+  SessionSink& sink;
+  MakeAttempt make_attempt;
   SessionSeed seed;
   /// Called when a trial begins, with its index.
   std::function<void(std::size_t trial)> on_trial;
@@ -32,7 +33,7 @@ struct SessionSetting {
 };
 
 struct SessionOutcome {
-  Phase phase = Phase::created;  ///< completed, refused or interrupted
+  Phase phase = Phase::created;  ///< completed, refused, withdrawn or interrupted
   std::size_t trials = 0;        ///< completed in this run
   Nanoseconds duration{0};       ///< of this run, session clock
   std::uint64_t samples = 0;
@@ -40,12 +41,11 @@ struct SessionOutcome {
 };
 
 /// Runs one session in virtual time, from its start or from where it broke off, until it is
-/// completed, refused by the protocol's gate, or interrupted because a stop was requested.
+/// completed, refused by the protocol's gate, withdrawn from, or interrupted because a stop was
+/// requested.
 class SessionRunner {
  public:
-  /// session: the row of the store, of `plan`.
-  SessionRunner(const SessionSetting& setting, const Plan& plan, std::int64_t session,
-                Participant& participant);
+  SessionRunner(const SessionSetting& setting, const Plan& plan, Participant& participant);
 
   /// Before run(): goes to where what happened so far leaves the session, which is not over, and
   /// resumes it there. Throws Error if one of the events does not follow from those before.
@@ -54,12 +54,6 @@ class SessionRunner {
   SessionOutcome run();
 
  private:
-  /// An attempt at a trial.
-  struct Attempt {
-    std::size_t trial = 0;
-    int number = 1;
-  };
-
   // What the session waits for, as an event; a stop request comes first.
   Event next_event();
   Event answer_questionnaire();
@@ -77,18 +71,17 @@ class SessionRunner {
   void feed(const Event& event);
   void carry_out(const Effect& effect);
   void start_rendering();
-  /// Writes what is not yet on the disk of the attempt's frames.
-  void keep_frames();
   void stop_rendering();
 
   /// Begins an occasion: its clock starts anew.
-  void begin_occasion(std::uint32_t conduct);
+  void begin_occasion(const Occasion& occasion);
   void begin(Task task);
-  /// Renders and presents one frame; every few frames shows it to the participant.
-  void show_frame();
+  /// Presents what is next, at most until there is something at `until`, by the occasion's clock.
+  void show(Nanoseconds until);
 
   Nanoseconds now() const { return occasion_start_ + clock_.now(); }
   std::size_t trial_index() const { return *trial_of(procedure_, state_); }
+  int trials_before() const { return static_cast<int>(trial_index()); }
   const PlannedTrial& trial() const { return plan_[trial_index()]; }
   const SceneStage& stage() const { return *setting_.stages.at(trial().scene); }
   Task task_of_mark() const;
@@ -100,7 +93,6 @@ class SessionRunner {
   SessionSetting setting_;
   const Plan& plan_;
   Procedure procedure_;
-  std::int64_t session_;
   Participant& participant_;
   /// The session's clock is at occasion_start_ when the occasion's, clock_, is at 0. What a
   /// participant sees and does is a matter of the latter, to the last bit.
@@ -108,10 +100,8 @@ class SessionRunner {
   VirtualClock clock_;
   SessionState state_;
   std::optional<GazeCorrection> correction_;
-  std::optional<Nanoseconds> pressed_;  ///< the key, by the occasion's clock, for the task
-  Attempt attempt_;                     ///< that is rendered now
-  std::optional<VirtualPreview> preview_;
-  std::optional<AttemptLog> log_;
+  std::optional<Nanoseconds> pressed_;     ///< the key, by the occasion's clock, for the task
+  std::unique_ptr<TrialAttempt> attempt_;  ///< while a trial is rendered
   SessionOutcome outcome_;
 };
 

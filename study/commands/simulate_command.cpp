@@ -8,6 +8,7 @@
 #include "renderer/base/progress.h"
 #include "study/commands/command_line.h"
 #include "study/commands/simulate_study.h"
+#include "study/participant/planted_effect.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {
@@ -18,7 +19,12 @@ struct SimulateArguments {
   std::string database;
   int participants = 0;
   std::uint64_t seed = 0;
+  std::string people = "adults";
+  std::string plant = "none";
   int threads = 0;
+  int jobs = 1;
+  double scale = 1.0;
+  bool predicted = false;
   bool resume = false;
   bool json = false;
 };
@@ -29,6 +35,10 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"sessions_before", report.sessions_before},
           {"sessions_completed", report.sessions_completed},
           {"sessions_refused", report.sessions_refused},
+          {"sessions_withdrawn", report.sessions_withdrawn},
+          {"scale", arguments.scale},
+          {"predicted", arguments.predicted},
+          {"plant", arguments.plant},
           {"trials", report.trials},
           {"wall_seconds", report.wall_s},
           {"simulated_seconds", report.simulated_s},
@@ -42,7 +52,12 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
                                                 .database = arguments.database,
                                                 .participants = arguments.participants,
                                                 .seed = arguments.seed,
+                                                .people = arguments.people,
+                                                .plant = arguments.plant,
                                                 .threads = arguments.threads,
+                                                .jobs = arguments.jobs,
+                                                .scale = arguments.scale,
+                                                .predicted = arguments.predicted,
                                                 .resume = arguments.resume},
                                                find_scene, stop);
   if (arguments.json) {
@@ -58,6 +73,9 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
   if (report.sessions_refused > 0) {
     fmt::print("{} refused: the tracker did not see the gaze well enough for the protocol\n",
                report.sessions_refused);
+  }
+  if (report.sessions_withdrawn > 0) {
+    fmt::print("{} withdrew\n", report.sessions_withdrawn);
   }
   if (stop.stop_requested()) {
     fmt::print("Stopped. The same command with --resume goes on.\n");
@@ -77,6 +95,18 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::sto
       ->required();
   add_participants_and_seed(command, arguments->participants, arguments->seed);
   add_threads(command, arguments->threads);
+  command->add_option("--jobs", arguments->jobs,
+                      "Sessions that run side by side; with more than one, sessions reach the disk "
+                      "when they are over");
+  command->add_option("--scale", arguments->scale,
+                      "So many times fewer pixels and samples per second: a pixel's noise at any "
+                      "second stays what it was");
+  command->add_flag("--predicted", arguments->predicted,
+                    "Render pilots of each object and method instead of every frame, and predict "
+                    "from them what participants see: a thousand times faster");
+  command->add_option("--people", arguments->people,
+                      "Who the participants are: a file of data/participants, or one's own");
+  command->add_option("--plant", arguments->plant, planted_effect_help);
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
   add_json(command, arguments->json);

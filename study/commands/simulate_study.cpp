@@ -5,28 +5,25 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
-#include "study/commands/participant_code.h"
+#include "study/commands/predicted_study.h"
+#include "study/commands/rendered_attempt.h"
 #include "study/commands/same_scenes.h"
-#include "study/commands/session_runner.h"
-#include "study/participant/simulated_participant.h"
-#include "study/stage/scene_stage.h"
-#include "study/stage/seeds.h"
+#include "study/commands/simulation_kind.h"
+#include "study/commands/study_simulation.h"
+#include "study/participant/make_observer.h"
+#include "study/participant/population_file.h"
+#include "study/protocol/scaled_protocol.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
 
-/// The first participant from `index` on who is not in the file yet: a study can be added to.
-int new_participant(const StudyStore& store, int index) {
-  while (store.has_participant(participant_code(index))) {
-    ++index;
-  }
-  return index;
-}
+constexpr const char* no_plant = "none";
 
 bool has_ended(const KnownSession& session) {
   return SessionState{.phase = session.phase}.is_over();
@@ -59,19 +56,60 @@ void require_resumable(const SimulateSettings& settings, const KnownSession& ses
 }
 
 /// Refuses a bad database before minutes of work instead of after them.
-void require_usable(const SimulateSettings& settings, const Protocol& protocol) {
+void require_usable(const SimulateSettings& settings, const Protocol& protocol,
+                    const SimulationKind& kind) {
   require_writable(settings.database);
   if (!fs::exists(settings.database)) {
     return;
   }
   const StudyStore checked(settings.database, protocol);
-  if (settings.resume) {
-    for (const KnownSession& session : simulated_sessions(checked)) {
-      if (!has_ended(session)) {
-        require_resumable(settings, session);
-      }
+  const std::vector<KnownSession> sessions = simulated_sessions(checked);
+  require_same_kind(settings.database.string(), sessions, kind);
+  for (const KnownSession& session : sessions) {
+    if (settings.resume && !has_ended(session)) {
+      require_resumable(settings, session);
     }
   }
+}
+
+void require_numbers(const SimulateSettings& settings) {
+  if (settings.participants < 1) {
+    throw UsageError("--participants", "must be at least 1");
+  }
+  if (settings.jobs < 1) {
+    throw UsageError("--jobs", "must be at least 1");
+  }
+}
+
+/// Who takes part, and what was planted in them.
+struct Simulated {
+  People people;
+  std::optional<PlantedEffect> effect;
+};
+
+Simulated simulated_people(const SimulateSettings& settings) {
+  Simulated simulated{.people = read_people(settings.people), .effect = std::nullopt};
+  if (settings.plant != no_plant) {
+    simulated.effect = parse_planted_effect(settings.plant);
+  }
+  return simulated;
+}
+
+/// The protocol as it is simulated.
+Protocol simulated_protocol(const SimulateSettings& settings, const Simulated& simulated) {
+  Protocol protocol = scaled_protocol(load_protocol(settings.protocol), settings.scale);
+  if (simulated.effect) {
+    require_methods(*simulated.effect, protocol.methods);
+    if (simulated.effect->tracker_loss_part > 0.0) {
+      protocol.tracker.simulated.data_loss = simulated.effect->tracker_loss_part;
+    }
+  }
+  return protocol;
+}
+
+KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {
+  const SceneStage& stage = *stages.at(scene);
+  return {.panorama = &stage.reference(), .exposure_stops = stage.source().exposure_stops};
 }
 
 /// Renders what each scene converges to, until it is stopped.
@@ -97,137 +135,87 @@ void render_references(const SceneStages& stages, const Protocol& protocol, cons
   }
 }
 
-/// Runs the participants of one study.
-class StudySimulation {
- public:
-  StudySimulation(const SimulateSettings& settings, const Protocol& protocol,
-                  const SceneStages& stages, std::vector<ShownScene> shown, const Workers& workers)
-      : settings_(settings),
-        protocol_(protocol),
-        stages_(stages),
-        shown_(std::move(shown)),
-        workers_(workers),
-        store_(settings.database, protocol) {}
-
-  SimulateReport run(const std::stop_token& stop) {
-    int done = settings_.resume ? finish_begun_sessions(stop) : 0;
-    for (int index = 0; done < settings_.participants && !stop.stop_requested(); ++done) {
-      index = new_participant(store_, index);
-      const Plan plan = make_plan(protocol_, settings_.seed, index);
-      run_session({.id = store_.begin_session(facts_of(index), plan), .design_row = index}, plan,
-                  done, stop);
-    }
-    return report_;
+SimulateReport run_rendered(SimulatedStudy& study, bool looks, const std::stop_token& stop) {
+  if (looks) {
+    render_references(study.stages, study.protocol, study.workers, stop);
   }
-
- private:
-  struct BegunSession {
-    std::int64_t id = 0;
-    int design_row = 0;  ///< by which all of its seeds are made
+  if (stop.stop_requested()) {
+    return {};
+  }
+  study.make_attempts = [](SimulatedObserver& /*observer*/, const Workers& workers) {
+    return [&workers](const AttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
+      return std::make_unique<RenderedAttempt>(setting, workers);
+    };
   };
+  return StudySimulation(study).run(stop);
+}
 
-  /// Returns how many sessions there are of this seed.
-  int finish_begun_sessions(const std::stop_token& stop) {
-    int done = 0;
-    for (const KnownSession& session : simulated_sessions(store_)) {
-      if (session.seed != settings_.seed) {
-        continue;  // of another run, and over
-      }
-      if (has_ended(session)) {
-        ++report_.sessions_before;
-      } else if (!stop.stop_requested()) {
-        run_session({.id = session.id, .design_row = session.design_row},
-                    store_.plan_of(session.id), done, stop);
-      }
-      ++done;
+SimulateReport run_predicted(SimulatedStudy& study, const Population& population, bool looks,
+                             const std::stop_token& stop) {
+  NoiseAtlas atlas;
+  try {
+    if (looks) {
+      atlas = make_noise_atlas({.protocol = study.protocol,
+                                .stages = study.stages,
+                                .vision = population.vision,
+                                .workers = study.workers,
+                                .cache = cache_folder() / "pilots"},
+                               stop);
     }
-    return done;
+  } catch (const Error&) {
+    if (stop.stop_requested()) {
+      return {};
+    }
+    throw;
   }
-
-  /// From its start, or from where it broke off.
-  void run_session(const BegunSession& session, const Plan& plan, int done,
-                   const std::stop_token& stop) {
-    const SessionSeed seed{.seed = settings_.seed, .design_row = session.design_row};
-    SimulatedParticipant participant(
-        Population{}, [this](const std::string& scene) { return knowledge_of(scene); },
-        derive_seed(seed, SeedPurpose::participant, {}));
-    const SessionSetting setting{.protocol = protocol_,
-                                 .stages = stages_,
-                                 .store = store_,
-                                 .workers = workers_,
-                                 .seed = seed,
-                                 .on_trial = [&](std::size_t trial) { show(done, trial, plan); },
-                                 .stop = stop};
-    SessionRunner runner(setting, plan, session.id, participant);
-    runner.resume_after(store_.events_of(session.id));
-    add(runner.run());
-  }
-
-  SessionFacts facts_of(int index) const {
-    return {.participant = participant_code(index),
-            .kind = SessionKind::simulated,
-            .seed = settings_.seed,
-            .design_row = index,
-            .build = build_info(),
-            .machine = machine_info(),
-            .scenes = shown_};
-  }
-
-  void show(int sessions_done, std::size_t trial, const Plan& plan) {
-    const double sessions =
-        sessions_done + static_cast<double>(trial) / static_cast<double>(plan.size());
-    progress_.update(sessions / settings_.participants,
-                     fmt::format("participant {} of {}, {}", sessions_done + 1,
-                                 settings_.participants, plan[trial].scene));
-  }
-
-  KnownScene knowledge_of(const std::string& scene) const {
-    const SceneStage& stage = *stages_.at(scene);
-    return {.panorama = &stage.reference(), .exposure_stops = stage.source().exposure_stops};
-  }
-
-  void add(const SessionOutcome& outcome) {
-    report_.sessions_completed += outcome.phase == Phase::completed ? 1 : 0;
-    report_.sessions_refused += outcome.phase == Phase::refused ? 1 : 0;
-    report_.trials += static_cast<int>(outcome.trials);
-    report_.simulated_s += seconds(outcome.duration);
-    report_.samples += outcome.samples;
-    report_.non_finite += outcome.non_finite;
-  }
-
-  const SimulateSettings& settings_;
-  const Protocol& protocol_;
-  const SceneStages& stages_;
-  std::vector<ShownScene> shown_;
-  const Workers& workers_;
-  StudyStore store_;
-  Progress progress_{"Simulating"};
-  SimulateReport report_;
-};
+  const PredictedStudy predicted(study.protocol, study.stages, population, std::move(atlas));
+  study.make_attempts = [&predicted](SimulatedObserver& observer, const Workers& /*workers*/) {
+    return [&](const AttemptSetting& setting) { return predicted.attempt(setting, observer); };
+  };
+  return StudySimulation(study).run(stop);
+}
 
 }  // namespace
 
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
                               std::stop_token stop) {
-  if (settings.participants < 1) {
-    throw UsageError("--participants", "must be at least 1");
-  }
+  require_numbers(settings);
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
-  const Protocol protocol = load_protocol(settings.protocol);
+  const Simulated simulated = simulated_people(settings);
+  const Protocol protocol = simulated_protocol(settings, simulated);
+  const SimulationKind kind{.scale = settings.scale,
+                            .predicted = settings.predicted,
+                            .plant = settings.plant,
+                            .people_sha256 = sha256(std::string_view(simulated.people.toml))};
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
-  require_usable(settings, protocol);
+  require_usable(settings, protocol, kind);
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
-  const std::vector<ShownScene> shown = shown_scenes(stages);
   warn_of_other_files(stages);
+  SimulatedStudy study{.settings = settings,
+                       .protocol = protocol,
+                       .stages = stages,
+                       .workers = workers,
+                       .make_observer = {},
+                       .make_attempts = {},
+                       .shown = shown_scenes(stages),
+                       .devices = devices_of(kind)};
   if (fs::exists(settings.database)) {
-    require_same_scenes(settings.database, shown);
+    require_same_scenes(settings.database, study.shown);
   }
-  render_references(stages, protocol, workers, stop);
+  study.make_observer = [&](std::uint32_t seed, int design_row, const Plan& plan) {
+    return make_observer(
+        simulated.people.population, simulated.effect,
+        [&stages](const std::string& scene) { return knowledge_of(stages, scene); }, seed,
+        design_row, plan);
+  };
+  const bool looks = !simulated.effect;
   SimulateReport report;
-  if (!stop.stop_requested()) {
-    report = StudySimulation(settings, protocol, stages, shown, workers).run(stop);
+  if (settings.predicted) {
+    report = run_predicted(study, simulated.people.population, looks, stop);
+  } else {
+    report = run_rendered(study, looks, stop);
   }
   report.wall_s = seconds(clock.now() - start);
   return report;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <stop_token>
+#include <string>
 
 #include "renderer/base/scene_source.h"
 
@@ -14,7 +15,12 @@ struct SimulateSettings {
   std::filesystem::path database;  ///< must not exist yet, or be a study of the same protocol
   int participants = 0;
   std::uint64_t seed = 0;
-  int threads = 0;  ///< 0: every core
+  std::string people = "adults";  ///< see read_people
+  std::string plant = "none";     ///< see parse_planted_effect
+  int threads = 0;                ///< 0: every core
+  int jobs = 1;                   ///< sessions side by side, which share the threads
+  double scale = 1.0;             ///< see scaled_protocol
+  bool predicted = false;         ///< nothing is rendered but pilots, of which looks are predicted
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;
@@ -24,6 +30,7 @@ struct SimulateReport {
   int sessions_before = 0;  ///< over before, of those that were resumed
   int sessions_completed = 0;
   int sessions_refused = 0;  ///< by the protocol's gate
+  int sessions_withdrawn = 0;
   int trials = 0;
   double wall_s = 0.0;
   double simulated_s = 0.0;  ///< virtual time that the participants spent
@@ -31,11 +38,13 @@ struct SimulateReport {
   std::uint64_t non_finite = 0;
 };
 
-/// Runs the participants one after the other, each through a real session in virtual time, and
-/// shows progress with the time left. Same settings, same results: also of a study that was stopped
-/// or killed and resumed. When `stop` is requested the running session is recorded as interrupted
-/// and the report says how many were completed. Throws Error, before anything is rendered, if a
-/// session to be resumed is of another seed or program.
+/// Runs the participants, each through a real session in virtual time, and shows progress with the
+/// time left. Same settings, same results, on any number of threads and jobs: also of a study that
+/// was stopped or killed and resumed. When `stop` is requested, a session that runs alone is
+/// recorded as interrupted, those that run side by side or are predicted are left out, and the
+/// report says how many were completed. Throws Error, before anything is rendered, if a session to
+/// be resumed is of another seed or program, or if the file has sessions that were simulated in
+/// another way.
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
                               std::stop_token stop);
 

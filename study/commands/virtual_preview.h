@@ -10,17 +10,12 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/gaze_correction.h"
 #include "renderer/preview/preview.h"
+#include "study/commands/trial_attempt.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {
-
-/// The seeds of one timing of a trial.
-struct TrialSeeds {
-  std::uint32_t tracker = 0;
-  std::uint32_t rendering = 0;
-};
 
 /// One attempt's rendering, watched by `participant` through the protocol's eye tracker, corrected
 /// if its calibration says so, and a simulated head tracker; nothing is traced in a catch trial. It

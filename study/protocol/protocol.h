@@ -150,7 +150,7 @@ struct AnalysisPlan {
 /// How well a simulation knows what the image will converge to.
 struct ReferenceQuality {
   int samples_per_pixel = 32;
-  int samples_per_object = 300'000;
+  int samples_per_object = 3'000'000;
 };
 
 struct Protocol {

@@ -204,6 +204,7 @@ KnownSession session_from(SQLite::Database& database, SQLite::Statement& row) {
           .design_row = row.getColumn("design_row").getInt(),
           .phase = phase_named(id, row.getColumn("state").getString()),
           .program_version = row.getColumn("program_version").getString(),
+          .devices = row.getColumn("devices").getString(),
           .scenes = scenes_from_record(database, id)};
 }
 

@@ -65,11 +65,30 @@ struct StudyStore::Implementation {
 
   /// Runs `work`; all of it is on the disk when this returns, or none if it throws.
   void commit(const std::function<void()>& work) {
+    if (is_together) {
+      work();
+      return;
+    }
     with_clear_errors(path, [&] {
       SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
       work();
       transaction.commit();
     });
+  }
+
+  /// Runs `work` as one commit; what it learnt of sessions that were then not made is forgotten.
+  void commit_together(const std::function<void()>& work) {
+    try {
+      commit([&] {
+        is_together = true;
+        work();
+      });
+      is_together = false;
+    } catch (...) {
+      is_together = false;
+      procedures.clear();
+      throw;
+    }
   }
 
   /// As it was planned when the session began.
@@ -87,6 +106,7 @@ struct StudyStore::Implementation {
   SQLite::Database database;
   Protocol protocol;
   std::map<std::int64_t, Procedure> procedures;
+  bool is_together = false;  ///< what is recorded belongs to one commit
 };
 
 StudyStore::StudyStore(const fs::path& path, const Protocol& protocol, OtherProtocol other) {
@@ -191,6 +211,10 @@ void StudyStore::record_film_hash(std::int64_t session, std::size_t trial, int a
                  hash.sha256, film_row_sha256(trial_number, attempt, hash));
     row.exec();
   });
+}
+
+void StudyStore::record_together(const std::function<void()>& work) {
+  implementation_->commit_together(work);
 }
 
 void StudyStore::back_up(const fs::path& path) const {

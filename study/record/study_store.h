@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,8 +37,9 @@ struct SessionFacts {
   int design_row = 0;  ///< that the plan was made of
   BuildInfo build;
   MachineInfo machine;
-  /// Of a person's session, as a JSON object: what the display turned out to be (its size, refresh
-  /// rate, whether that was measured, graphics card) and the eye tracker; {} of a simulated one.
+  /// As a JSON object: of a person's session what the display turned out to be (its size, refresh
+  /// rate, whether that was measured, graphics card) and the eye tracker; of a simulated one how it
+  /// was simulated.
   std::string devices = "{}";
   std::vector<ShownScene> scenes;
 };
@@ -51,6 +53,7 @@ struct KnownSession {
   int design_row = 0;
   Phase phase = Phase::created;
   std::string program_version;
+  std::string devices;  ///< as SessionFacts'
   std::vector<ShownScene> scenes;
 };
 
@@ -131,6 +134,10 @@ class StudyStore {
                    const std::vector<GazeSample>& samples);
 
   void record_film_hash(std::int64_t session, std::size_t trial, int attempt, const FilmHash& hash);
+
+  /// Runs `work`, in which the functions above commit nothing by themselves: all that it records is
+  /// on the disk when this returns, or, if it throws, nothing of it.
+  void record_together(const std::function<void()>& work);
 
   /// Copies the whole study to `path`, and checks the copy; the file is there whole or not at all.
   void back_up(const std::filesystem::path& path) const;

@@ -7,6 +7,7 @@
 #include "renderer/base/files.h"
 #include "renderer/measure/reference.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/view/equirect.h"
 #include "study/record/shown_scene.h"
 
 namespace foveola::study {
@@ -20,11 +21,6 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
                        .radius_deg = object.radius_deg});
   }
   return offered;
-}
-
-/// All that the radiance depends on beside the settings: the file and what the source adds to it.
-std::string scene_key(const Scene& scene, const SceneSource& source) {
-  return scene.sha256 + ";" + added_to_file(source);
 }
 
 }  // namespace
@@ -46,15 +42,18 @@ void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuali
   settings.width = film.width;
   settings.height = film.height;
   settings.max_depth = film.max_depth;
+  settings.pixel_angle_rad = pixel_angle_rad(film.width);
   settings.samples_per_pixel = quality.samples_per_pixel;
   settings.samples_per_interest = static_cast<std::uint64_t>(quality.samples_per_object);
   for (const OfferedObject& object : objects_) {
     settings.interests.push_back(object.direction);
   }
-  reference_ = reference_image(tracer_, scene_key(scene_, source_), settings, workers,
+  reference_ = reference_image(tracer_, key(), settings, workers,
                                cache_folder() / "references", progress, stop)
                    .color;
 }
+
+std::string SceneStage::key() const { return scene_.sha256 + ";" + added_to_file(source_); }
 
 SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
                         const Workers& workers) {

@@ -34,6 +34,8 @@ class SceneStage {
                         const Workers& workers, const std::function<void(double)>& progress,
                         const std::stop_token& stop);
 
+  /// Tells scenes apart that do not look the same: a hash of the file and what was added to it.
+  std::string key() const;
   const SceneSource& source() const { return source_; }
   const Scene& scene() const { return scene_; }
   const PathTracer& tracer() const { return tracer_; }

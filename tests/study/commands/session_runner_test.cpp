@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "study/commands/rendered_attempt.h"
 #include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;
@@ -28,7 +29,10 @@ class ScriptedParticipant final : public Participant {
                             const std::vector<OfferedObject>& offered) override {
     return offered.size() - 1;
   }
-  void begin_occasion(std::uint32_t conduct) override { occasions.push_back(conduct); }
+  void begin_occasion(const Occasion& occasion) override {
+    occasions.push_back(occasion.conduct);
+    trials_before.push_back(occasion.trials_before);
+  }
   void turn_to(const std::string& /*scene*/, const OfferedObject& object,
                Nanoseconds now) override {
     EXPECT_EQ(now, Nanoseconds(0));
@@ -51,6 +55,10 @@ class ScriptedParticipant final : public Participant {
     is_marking_ = false;
     return percept.presented + thought;
   }
+  bool wants_retime() const override {
+    return std::ssize(objects) == retimed_turn && tasks.back() == Task::mark_material;
+  }
+  bool wants_to_withdraw(int trials) const override { return trials == withdraws_before; }
   std::vector<Answer> rate(const std::vector<Question>& ratings) override {
     std::vector<Answer> answers;
     for (const Question& question : ratings) {
@@ -60,7 +68,10 @@ class ScriptedParticipant final : public Participant {
   }
 
   std::vector<std::string> forms;
+  std::ptrdiff_t retimed_turn = -1;  ///< the turn to an object whose timing failed
+  int withdraws_before = -1;         ///< the trial
   std::vector<std::uint32_t> occasions;
+  std::vector<int> trials_before;
   std::vector<std::string> objects;
   std::vector<Task> tasks;
 
@@ -118,14 +129,18 @@ class SessionRunnerTest : public testing::Test {
   }
 
   SessionOutcome run(ScriptedParticipant& participant) {
+    DurableSink sink(store_, session_);
     SessionRunner runner({.protocol = protocol_,
                           .stages = stages_,
-                          .store = store_,
-                          .workers = workers_,
+                          .sink = sink,
+                          .make_attempt =
+                              [&](const AttemptSetting& setting) {
+                                return std::make_unique<RenderedAttempt>(setting, workers_);
+                              },
                           .seed = {.seed = 5, .design_row = 0},
                           .on_trial = [this](std::size_t trial) { begin_trial(trial); },
                           .stop = stop_.get_token()},
-                         plan_, session_, participant);
+                         plan_, participant);
     runner.resume_after(store_.events_of(session_));
     return runner.run();
   }
@@ -187,6 +202,26 @@ TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
             "500000000 1,500000000 1,500000000 1");
   EXPECT_EQ(value("SELECT count(*) FROM film_hash WHERE trial = 1"), "1");
   EXPECT_EQ(value("SELECT count(DISTINCT film_sha256) FROM film_hash"), "3");
+}
+
+TEST_F(SessionRunnerTest, ATimingThatFailedIsDoneAgain) {
+  ScriptedParticipant participant;
+  participant.retimed_turn = 1;
+  EXPECT_EQ(run(participant).phase, Phase::completed);
+  EXPECT_EQ(value("SELECT group_concat(trial || ' ' || attempt || ' ' || outcome, ', ') FROM"
+                  " (SELECT * FROM attempt ORDER BY trial, attempt)"),
+            "0 1 retimed, 0 2 rated, 1 1 rated, 2 1 rated");
+  EXPECT_THAT(participant.trials_before, ElementsAre(0, 0, 1, 2));
+  EXPECT_NE(participant.occasions[0], participant.occasions[1]) << "is left to chance anew";
+}
+
+TEST_F(SessionRunnerTest, WhoWantsToWithdrawsBetweenTrials) {
+  ScriptedParticipant participant;
+  participant.withdraws_before = 2;
+  const SessionOutcome outcome = run(participant);
+  EXPECT_EQ(outcome.phase, Phase::withdrawn);
+  EXPECT_EQ(outcome.trials, 2U);
+  EXPECT_EQ(value("SELECT state FROM session"), "withdrawn");
 }
 
 TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {

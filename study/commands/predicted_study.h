@@ -1,0 +1,36 @@
+// A study whose attempts are all predicted.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "study/commands/predicted_attempt.h"
+#include "study/prediction/noise_atlas.h"
+
+namespace foveola::study {
+
+class PredictedStudy {
+ public:
+  /// atlas: of `protocol` and `population`, or an empty one for observers that do not look.
+  PredictedStudy(const Protocol& protocol, const SceneStages& stages, const Population& population,
+                 NoiseAtlas atlas);
+  PredictedStudy(const PredictedStudy&) = delete;
+  PredictedStudy& operator=(const PredictedStudy&) = delete;
+
+  /// May be called from several threads at once. This must outlive the attempt.
+  std::unique_ptr<TrialAttempt> attempt(const AttemptSetting& setting,
+                                        SimulatedObserver& observer) const;
+
+ private:
+  void add_object(const std::string& scene, const OfferedObject& object,
+                  const Population& population);
+
+  const Protocol& protocol_;
+  NoiseAtlas atlas_;
+  Visibility material_visibility_;
+  Visibility view_visibility_;
+  std::map<double, Visibility> outline_visibilities_;  ///< by the size of cells
+  std::map<NoiseAtlas::Place, PredictedTrial> trials_;
+};
+
+}  // namespace foveola::study

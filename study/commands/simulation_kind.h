@@ -1,0 +1,30 @@
+// How a study is simulated: what all of its simulated sessions must have in common.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/record/study_store.h"
+
+namespace foveola::study {
+
+struct SimulationKind {
+  double scale = 1.0;         ///< see scaled_protocol
+  bool predicted = false;     ///< nothing was rendered
+  std::string plant;          ///< the effect that was planted; empty: none
+  std::string people_sha256;  ///< of the file that says who the participants are
+};
+
+/// As SessionFacts::devices.
+std::string devices_of(const SimulationKind& kind);
+
+/// Of a session's devices; empty for a person's, and for one of before there were kinds.
+std::optional<SimulationKind> simulation_kind_in(const std::string& devices);
+
+/// Throws Error unless every simulated one of `sessions`, of the study at `database`, is of `kind`:
+/// results of two would be taken for one.
+void require_same_kind(const std::string& database, const std::vector<KnownSession>& sessions,
+                       const SimulationKind& kind);
+
+}  // namespace foveola::study

@@ -1,0 +1,43 @@
+// How noisy a protocol's scenes are with each of its methods: all that is known of pictures when
+// looks are predicted instead of rendered.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <tuple>
+
+#include "study/prediction/noise_table.h"
+#include "study/stage/scene_stage.h"
+
+namespace foveola::study {
+
+/// Of one object, with one method that is aimed at its middle.
+struct ObjectNoise {
+  NoiseTable outline;
+  NoiseTable material;
+};
+
+struct NoiseAtlas {
+  using Place = std::tuple<std::string, std::string, std::string>;  ///< scene, method, object
+  std::map<Place, ObjectNoise> objects;
+  /// By scene: of the patches all around, with samples that are spread evenly.
+  std::map<std::string, NoiseTable> around;
+};
+
+/// What an atlas is made of; it refers to all of it.
+struct AtlasSetting {
+  const Protocol& protocol;
+  const SceneStages& stages;
+  const Vision& vision;
+  const Workers& workers;
+  std::filesystem::path cache;  ///< folder of the tables that were made before
+};
+
+/// Renders the pilots, or takes their tables from the cache; shows progress. Throws Error if
+/// stopped, or for a protocol that spares finished pixels: where its samples go is not known
+/// beforehand.
+NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop);
+
+}  // namespace foveola::study

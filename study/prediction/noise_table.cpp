@@ -1,0 +1,66 @@
+#include "study/prediction/noise_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foveola::study {
+namespace {
+
+constexpr double rungs_per_octave = 2.0;
+
+ChannelValues mixed(const ChannelValues& a, const ChannelValues& b, double part, double scale) {
+  ChannelValues result;
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    result[c] = scale * (a[c] + part * (b[c] - a[c]));
+  }
+  return result;
+}
+
+}  // namespace
+
+ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr) {
+  const std::vector<ChannelValues>& rungs = patch.noise_times_density;
+  if (rungs.empty() || samples_per_sr <= 0.0) {
+    return patch.unsampled;
+  }
+  const double ratio = samples_per_sr / patch.first_per_sr;
+  if (ratio <= 1.0) {
+    const ChannelValues first = mixed(rungs.front(), rungs.front(), 0.0, 1.0 / patch.first_per_sr);
+    return mixed(patch.unsampled, first, ratio, 1.0);
+  }
+  const double place = rungs_per_octave * std::log2(ratio);
+  const std::size_t rung = std::min(static_cast<std::size_t>(place), rungs.size() - 1);
+  const std::size_t next = std::min(rung + 1, rungs.size() - 1);
+  return mixed(rungs[rung], rungs[next], std::min(1.0, place - static_cast<double>(rung)),
+               1.0 / samples_per_sr);
+}
+
+void smooth(PatchNoise& patch) {
+  const std::vector<ChannelValues> rough = patch.noise_times_density;
+  for (std::size_t i = 1; i + 1 < rough.size(); ++i) {
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      const double product = rough[i - 1][c] * rough[i][c] * rough[i][c] * rough[i + 1][c];
+      patch.noise_times_density[i][c] = std::sqrt(std::sqrt(product));
+    }
+  }
+}
+
+void set_noise(const NoiseTable& table, std::span<const double> samples_per_sr,
+               std::vector<PatchEnergies>& looked) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    looked[i].noise = noise_at(table[i], samples_per_sr[i]);
+  }
+}
+
+std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table) {
+  std::vector<PatchEnergies> energies;
+  for (const PatchNoise& patch : table) {
+    energies.push_back({.direction = patch.direction,
+                        .cells = patch.cells,
+                        .noise = {},
+                        .contrast = patch.contrast});
+  }
+  return energies;
+}
+
+}  // namespace foveola::study

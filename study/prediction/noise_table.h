@@ -1,0 +1,39 @@
+// How noisy each patch of a picture is after so many samples: what a predicted look is made of.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "study/participant/sighting.h"
+
+namespace foveola::study {
+
+/// Noise over the density of samples, at densities that grow by half an octave from one rung to the
+/// next.
+struct PatchNoise {
+  Vec3 direction{0.0F};       ///< unit length, world
+  double cells = 0.0;         ///< as PatchEnergies'
+  double contrast = 0.0;      ///< likewise
+  ChannelValues unsampled{};  ///< the noise of black, JND^2
+  double first_per_sr = 0.0;  ///< density at the first rung, samples per steradian
+  std::vector<ChannelValues> noise_times_density;  ///< JND^2 samples per steradian, a rung each
+};
+using NoiseTable = std::vector<PatchNoise>;
+
+/// The noise of a patch after `samples_per_sr`, interpolated; below the first rung between its and
+/// black's, beyond the last one falling with the number of samples.
+ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
+
+/// Takes out of a ladder what chance put there: each rung becomes the geometric mean of itself,
+/// twice, and its neighbours.
+void smooth(PatchNoise& patch);
+
+/// The noise of all patches; samples_per_sr has one density for each. looked: as many, whose other
+/// members stay.
+void set_noise(const NoiseTable& table, std::span<const double> samples_per_sr,
+               std::vector<PatchEnergies>& looked);
+
+/// The patches with all that does not change.
+std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table);
+
+}  // namespace foveola::study

@@ -1,0 +1,215 @@
+#include "study/prediction/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "renderer/base/error.h"
+#include "renderer/base/random.h"
+#include "renderer/film/viewport_resampler.h"
+#include "renderer/view/equirect.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr std::uint64_t pass_samples = 1 << 20;
+
+// Keep these pictures' noise apart, and from that of previews and references.
+constexpr std::uint32_t pilot_stream = 0x70696C6FU;
+constexpr std::uint32_t converged_stream = 0x636F6E76U;
+constexpr std::uint32_t view_stream = 0x76696577U;
+
+constexpr double square_degree_sr = radians(1.0) * radians(1.0);
+
+double pixel_sr(const FilmSettings& film) {
+  return 4.0 * std::numbers::pi / (static_cast<double>(film.width) * film.height);
+}
+
+/// A film in the making, of which only a mask's pixels are traced.
+class MaskedRender {
+ public:
+  MaskedRender(const PilotSetting& setting, const ViewSampler& sampler, const SampleMask& mask,
+               std::uint32_t seed)
+      : setting_(setting),
+        sampler_(sampler),
+        film_(setting.film.width, setting.film.height),
+        trace_settings_{.max_depth = setting.film.max_depth,
+                        .seed = seed,
+                        .pixel_angle_rad = pixel_angle_rad(setting.film.width)},
+        trace_([this](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+          setting_.tracer.trace(setting_.viewpoint, jobs, radiance, trace_settings_,
+                                setting_.workers);
+        }),
+        keep_([&mask](std::vector<ViewSample>& samples) { mask.keep(samples); }) {}
+  MaskedRender(const MaskedRender&) = delete;
+  MaskedRender& operator=(const MaskedRender&) = delete;
+
+  const EquirectFilm& film() const { return film_; }
+
+  /// Goes on until so many of the sampler's points were drawn.
+  void continue_to(std::uint64_t samples) {
+    while (drawn_ < samples) {
+      if (setting_.stop.stop_requested()) {
+        throw Error("pilot render", "stopped before it was finished");
+      }
+      const SobolRange points = {.first = drawn_,
+                                 .count = std::min(pass_samples, samples - drawn_),
+                                 .seed = mix(trace_settings_.seed, view_stream)};
+      pass_.run(sampler_, points, trace_, film_, setting_.workers, keep_);
+      drawn_ += points.count;
+    }
+  }
+
+ private:
+  const PilotSetting& setting_;
+  const ViewSampler& sampler_;
+  EquirectFilm film_;
+  TraceSettings trace_settings_;
+  SamplePass::Trace trace_;
+  SamplePass::Adjust keep_;
+  SamplePass pass_;
+  std::uint64_t drawn_ = 0;
+};
+
+/// Views of one size share what is kept between pictures, so they are best shown one after another.
+class Display {
+ public:
+  Display(const EquirectFilm& film, const PilotSetting& setting) : film_(film), setting_(setting) {}
+
+  std::vector<ChannelValues> means(const JudgedView& view) {
+    if (view.side != side_) {
+      side_ = view.side;
+      resampler_.emplace(film_, ViewImage{.width = side_,
+                                          .height = side_,
+                                          .unsampled = setting_.unsampled,
+                                          .exposure_stops = setting_.exposure_stops});
+    }
+    return cell_means(resampler_->show(view.viewport, setting_.workers), view.pixels,
+                      setting_.jnd_lab);
+  }
+
+ private:
+  const EquirectFilm& film_;
+  const PilotSetting& setting_;
+  std::optional<ViewportResampler> resampler_;
+  int side_ = 0;
+};
+
+/// Before anything was sampled: black, with all that does not depend on samples.
+NoiseTable unsampled_table(const JudgedView& view, const std::vector<ChannelValues>& expected,
+                           double jnd_lab) {
+  const ChannelValues black = opponent_channels(Rgb(0.0F), jnd_lab);
+  const std::vector<ChannelValues> nothing(expected.size(), black);
+  NoiseTable table;
+  for (const PatchEnergies& patch :
+       patch_energies(*view.cells, view.pixels, nothing, expected, view.with_contrast)) {
+    table.push_back({.direction = patch.direction,
+                     .cells = patch.cells,
+                     .contrast = patch.contrast,
+                     .unsampled = patch.noise,
+                     .first_per_sr = 0.0,
+                     .noise_times_density = {}});
+  }
+  return table;
+}
+
+double geometric_mean_density(const ViewSampler& sampler, std::span<const NoiseTable> tables) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const NoiseTable& table : tables) {
+    for (const PatchNoise& patch : table) {
+      if (const double density = sampler.density_per_sr(patch.direction); density > 0.0) {
+        sum += std::log(density);
+        count += 1.0;
+      }
+    }
+  }
+  return count > 0.0 ? std::exp(sum / count) : 0.0;
+}
+
+/// Adds what a picture after `samples` says about a rung, as one of `repetitions`.
+void add_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t rung, int repetitions,
+              const std::vector<PatchEnergies>& seen, NoiseTable& table) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table[i].noise_times_density.empty()) {
+      continue;  // the method does not go there
+    }
+    const double per_sr = static_cast<double>(samples) * sampler.density_per_sr(table[i].direction);
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      table[i].noise_times_density[rung][c] += seen[i].noise[c] * per_sr / repetitions;
+    }
+  }
+}
+
+/// The samples after which each rung is looked at.
+std::vector<std::uint64_t> rungs_of(const PilotLadder& ladder, double density_per_sr) {
+  std::vector<std::uint64_t> rungs;
+  const double first = ladder.first_per_square_deg / (square_degree_sr * density_per_sr);
+  for (int rung = 0; rung < ladder.rungs; ++rung) {
+    rungs.push_back(static_cast<std::uint64_t>(
+        std::max(1.0, std::round(first * std::exp2(0.5 * static_cast<double>(rung))))));
+  }
+  return rungs;
+}
+
+}  // namespace
+
+CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
+                          const Vec3& middle, const Convergence& quality, const SampleMask& mask,
+                          std::span<const JudgedView> views) {
+  const double per_sr = std::max(quality.per_square_deg / square_degree_sr,
+                                 quality.per_pixel / pixel_sr(setting.film));
+
+  MaskedRender render(setting, sampler, mask, mix(0U, converged_stream));
+  render.continue_to(
+      static_cast<std::uint64_t>(std::ceil(per_sr / sampler.density_per_sr(middle))));
+  Display display(render.film(), setting);
+  CellMeans means;
+  for (const JudgedView& view : views) {
+    means.push_back(display.means(view));
+  }
+  return means;
+}
+
+std::vector<NoiseTable> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
+                                      const PilotLadder& ladder, const SampleMask& mask,
+                                      std::span<const JudgedView> views,
+                                      const CellMeans& expected) {
+  std::vector<NoiseTable> tables;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    tables.push_back(unsampled_table(views[i], expected[i], setting.jnd_lab));
+  }
+  const double density = geometric_mean_density(sampler, tables);
+  if (density == 0.0) {
+    return tables;  // a method that never goes there
+  }
+  const std::vector<std::uint64_t> rungs = rungs_of(ladder, density);
+  for (NoiseTable& table : tables) {
+    for (PatchNoise& patch : table) {
+      const double per_sr = sampler.density_per_sr(patch.direction);
+      patch.first_per_sr = static_cast<double>(rungs.front()) * per_sr;
+      patch.noise_times_density.resize(per_sr > 0.0 ? rungs.size() : 0);
+    }
+  }
+  for (int repetition = 0; repetition < ladder.repetitions; ++repetition) {
+    MaskedRender render(setting, sampler, mask,
+                        mix(static_cast<std::uint32_t>(repetition), pilot_stream));
+    Display display(render.film(), setting);
+    for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
+      render.continue_to(rungs[rung]);
+      for (std::size_t i = 0; i < views.size(); ++i) {
+        add_rung(sampler, rungs[rung], rung, ladder.repetitions,
+                 patch_energies(*views[i].cells, views[i].pixels, display.means(views[i]),
+                                expected[i], views[i].with_contrast),
+                 tables[i]);
+      }
+    }
+  }
+  for (NoiseTable& table : tables) {
+    std::for_each(table.begin(), table.end(), smooth);
+  }
+  return tables;
+}
+
+}  // namespace foveola::study

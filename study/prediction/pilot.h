@@ -1,0 +1,64 @@
+// A pilot render: the samples of a method as they really fall, traced only where they will be
+// judged, to know how noisy that is after how many of them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "renderer/film/sample_pass.h"
+#include "renderer/film/shown_color.h"
+#include "renderer/trace/path_tracer.h"
+#include "study/prediction/judged_view.h"
+#include "study/prediction/noise_table.h"
+#include "study/prediction/sample_mask.h"
+
+namespace foveola::study {
+
+/// What is rendered and how it is shown.
+struct PilotSetting {
+  const PathTracer& tracer;
+  const Workers& workers;
+  Vec3 viewpoint{0.0F};
+  FilmSettings film;
+  UnsampledPixels unsampled = UnsampledPixels::black;
+  double exposure_stops = 0.0;
+  double jnd_lab = 0.0;
+  std::stop_token stop;
+};
+
+/// When a pilot is looked at: at densities that grow by half an octave from `first_per_square_deg`
+/// samples a square degree on, in the geometric mean over the judged patches; repeated with other
+/// random numbers, and averaged. What is judged is the size of cells, not of pixels.
+struct PilotLadder {
+  double first_per_square_deg = 0.25;
+  int rungs = 19;  ///< to 128: published OD takes one second for it
+  int repetitions = 3;
+};
+
+/// What a picture is taken to have converged after: as many samples in a square degree, but no
+/// fewer in a pixel, since what a display cuts off is a matter of pixels.
+struct Convergence {
+  double per_square_deg = 1024.0;
+  double per_pixel = 64.0;
+};
+
+/// The means of each view's cells in a picture.
+using CellMeans = std::vector<std::vector<ChannelValues>>;
+
+/// What the views converge to, by a sampler that was aimed and is uniform over the image where they
+/// are, around `middle`; only the mask's pixels are traced. Its noise is independent of every
+/// pilot's. Throws Error if stopped.
+CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
+                          const Vec3& middle, const Convergence& quality, const SampleMask& mask,
+                          std::span<const JudgedView> views);
+
+/// A table for each view, of the patches that have pixels in it. expected: of the same views.
+/// Throws Error if stopped.
+std::vector<NoiseTable> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
+                                      const PilotLadder& ladder, const SampleMask& mask,
+                                      std::span<const JudgedView> views, const CellMeans& expected);
+
+}  // namespace foveola::study

@@ -1,0 +1,95 @@
+// What a predicted attempt looks like to who takes part in it: the samples that each patch has got,
+// and the noise that so many leave.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "renderer/view/view_sampler.h"
+#include "study/prediction/noise_atlas.h"
+
+namespace foveola::study {
+
+/// How densely the patches of a table were sampled, by a sampler that is aimed again and again.
+class PatchSamples {
+ public:
+  /// Both must outlive this.
+  PatchSamples(const NoiseTable& table, const ViewSampler& sampler);
+
+  void add(double samples) { pending_ += samples; }
+  /// The sampler is about to be aimed elsewhere, or was: what was added before went where it was
+  /// aimed then.
+  void settle();
+  /// Samples per steradian of each patch.
+  std::span<const double> per_sr();
+
+ private:
+  const std::vector<double>& rates();
+
+  const NoiseTable& table_;
+  const ViewSampler& sampler_;
+  std::vector<double> settled_;
+  std::vector<double> rates_;  ///< per sample, of the present aim; empty until they are needed
+  std::vector<double> sums_;
+  double pending_ = 0.0;
+};
+
+/// What one trial is predicted with. It refers to all but the sampler.
+struct PredictedTrial {
+  const ObjectNoise& object;
+  const NoiseTable& around;
+  const Visibility& outline_visibility;
+  const Visibility& material_visibility;
+  const Visibility& view_visibility;
+  double outline_signal_to_noise = 5.0;  ///< see outline_signal_to_noise()
+  bool follows_gaze = true;  ///< whether the sampler goes elsewhere when only the gaze moves
+};
+
+/// One attempt's film, as far as it is known without rendering it.
+class PredictedSight {
+ public:
+  /// facing: while marks are made, the head faces the object and the gaze is near it. trial and
+  /// sampler must outlive this.
+  PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing);
+
+  /// So many samples go where `aim` says.
+  void add(double samples, const Aim& aim);
+
+  /// What a look at the film tells of what `task` asks for.
+  Sighting look(Task task, const Vec3& gaze, const Viewport& viewport);
+
+ private:
+  /// A look that need not be made again while hardly anything changed.
+  struct Look {
+    Task task = Task::mark_outline;
+    Vec3 gaze{0.0F};
+    double samples = -1.0;
+    Sighting sighting;
+  };
+
+  void aim(const Aim& aim);
+  /// What went to the periphery while marks were made, all of it as if the gaze had stayed in the
+  /// object's middle: there a wandering gaze makes little difference.
+  void begin_looking_around();
+  Sighting look_around(const Vec3& gaze, const Viewport& viewport);
+
+  const PredictedTrial& trial_;
+  ViewSampler& sampler_;
+  Aim aim_;
+  const Aim facing_;
+  PatchSamples outline_;
+  PatchSamples material_;
+  PatchSamples around_;
+  bool is_looking_around_ = false;
+  std::vector<PatchEnergies> outline_patches_;
+  std::vector<PatchEnergies> material_patches_;
+  std::vector<PatchEnergies> patches_in_view_;
+  double samples_ = 0.0;
+  Look last_look_;
+};
+
+/// Whether a sampler that was made for a view facing `aim` goes elsewhere when only the gaze moves.
+bool follows_gaze(ViewSampler& sampler, const Aim& aim);
+
+}  // namespace foveola::study

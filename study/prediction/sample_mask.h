@@ -1,0 +1,35 @@
+// Which pixels of a film are worth tracing when only parts of it will be judged.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "renderer/base/parallel.h"
+#include "renderer/view/view_sampler.h"
+
+namespace foveola::study {
+
+class SampleMask {
+ public:
+  /// Of a film of width x height; holds nothing yet.
+  SampleMask(int width, int height);
+
+  /// Adds the pixels whose middle's direction (unit length, world) is wanted, and those up to
+  /// `margin` pixels beside them, which a resampled view reads too.
+  void add(const std::function<bool(const Vec3& direction)>& is_wanted, int margin,
+           const Workers& workers);
+
+  /// Takes the samples away that fall elsewhere.
+  void keep(std::vector<ViewSample>& samples) const;
+
+  std::size_t count() const;
+
+ private:
+  bool holds(const Vec2& image) const;
+
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> pixels_;  ///< row by row; 1: wanted
+};
+
+}  // namespace foveola::study

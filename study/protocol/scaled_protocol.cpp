@@ -1,0 +1,52 @@
+#include "study/protocol/scaled_protocol.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr int fewest_pixels_aside = 8;
+
+int scaled_side(int side, double scale) {
+  const int scaled = static_cast<int>(std::lround(side / std::sqrt(scale)));
+  if (scaled < fewest_pixels_aside) {
+    throw UsageError("--scale", fmt::format("leaves {} pixels of {}; {} are the fewest", scaled,
+                                            side, fewest_pixels_aside));
+  }
+  return scaled;
+}
+
+void scale_film(FilmSettings& film, double scale) {
+  film.width = scaled_side(film.width, scale);
+  film.height = scaled_side(film.height, scale);
+}
+
+double pixels_of(const FilmSettings& film) {
+  return static_cast<double>(film.width) * static_cast<double>(film.height);
+}
+
+}  // namespace
+
+Protocol scaled_protocol(Protocol protocol, double scale) {
+  if (!std::isfinite(scale) || scale < 1.0) {
+    throw UsageError("--scale", "must be at least 1");
+  }
+  if (scale == 1.0) {
+    return protocol;
+  }
+  const double pixels = pixels_of(protocol.film);
+  scale_film(protocol.film, scale);
+  for (auto& [place, cell] : protocol.cells) {
+    scale_film(cell.film, scale);
+  }
+  protocol.display.view_width = scaled_side(protocol.display.view_width, scale);
+  protocol.display.view_height = scaled_side(protocol.display.view_height, scale);
+  protocol.machine.samples_per_second *= pixels_of(protocol.film) / pixels;
+  return protocol;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,112 @@
+#include "study/commands/predicted_attempt.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/commands/rendered_attempt.h"
+#include "tests/study/commands/small_wall.h"
+#include "tests/study/record/small_study.h"
+
+namespace foveola::study {
+namespace {
+
+/// Notes when it is shown something, and presses a while after its third look.
+class WatchedObserver final : public SimulatedObserver {
+ public:
+  std::vector<Answer> answer(const std::string&, const std::vector<Question>&) override {
+    return {};
+  }
+  Nanoseconds react(std::uint32_t) override { return {}; }
+  std::size_t choose_object(const std::string&, const std::vector<OfferedObject>&) override {
+    return 0;
+  }
+  void begin_occasion(const Occasion&) override {}
+  void turn_to(const std::string&, const OfferedObject&, Nanoseconds) override {}
+  void look_at(const Vec3&, Nanoseconds) override {}
+  void begin(Task, Nanoseconds) override {}
+  AzimuthElevation head(Nanoseconds) override { return {}; }
+  Vec3 gaze(Nanoseconds) override { return {0.0F, 0.0F, -1.0F}; }
+  std::optional<Nanoseconds> see(const Percept& percept) override {
+    return consider({}, percept.presented);
+  }
+  bool wants_retime() const override { return false; }
+  bool wants_to_withdraw(int) const override { return false; }
+  std::vector<Answer> rate(const std::vector<Question>&) override { return {}; }
+  std::optional<Nanoseconds> consider(const Sighting&, Nanoseconds now) override {
+    times.push_back(now);
+    return times.size() == 3 ? std::optional(now + ms(170)) : std::nullopt;
+  }
+  bool looks() const override { return false; }
+  ScanPath& path() override { return path_; }
+
+  std::vector<Nanoseconds> times;  ///< of looks
+
+ private:
+  ScanPath path_{GazeHabits{}, 0};
+};
+
+/// What an attempt presents and when, until 130 ms after the press.
+struct Course {
+  std::vector<Nanoseconds> looks;
+  Nanoseconds end{0};
+  std::uint64_t samples = 0;
+  friend bool operator==(const Course&, const Course&) = default;
+};
+
+class PredictedAttemptTest : public testing::Test {
+ protected:
+  PredictedAttemptTest() {
+    protocol_.machine = {.samples_per_second = 1003.0, .frame_rate_hz = 70.0};
+    protocol_.film = {.width = 32, .height = 16, .max_depth = 1};
+    protocol_.display.view_width = 8;
+    protocol_.display.view_height = 8;
+  }
+
+  template <typename Make>
+  Course course_of(const Make& make) {
+    WatchedObserver observer;
+    VirtualClock clock;
+    clock.advance(ms(1000));
+    SessionBuffer record;
+    const std::unique_ptr<TrialAttempt> attempt = make(AttemptSetting{.stage = stage_,
+                                                                      .protocol = protocol_,
+                                                                      .trial = trial_,
+                                                                      .object = stage_.objects()[0],
+                                                                      .seeds = {},
+                                                                      .participant = observer,
+                                                                      .correction = std::nullopt,
+                                                                      .clock = clock,
+                                                                      .sink = record},
+                                                       observer);
+    attempt->begin(Task::mark_outline);
+    attempt->show(clock.now());
+    std::optional<Nanoseconds> pressed;
+    while (!pressed || clock.now() < *pressed + ms(130)) {
+      const std::optional<Nanoseconds> press =
+          attempt->show(pressed ? *pressed + ms(130) : ms(100'000));
+      pressed = pressed ? pressed : press;
+    }
+    return {.looks = observer.times, .end = clock.now(), .samples = attempt->samples()};
+  }
+
+  TemporaryFolder folder_;
+  Protocol protocol_ = small_protocol();
+  PlannedTrial trial_{.scene = "box", .method = "od"};
+  Workers workers_{1};
+  SceneStage stage_{wall_with_a_square(folder_), workers_};
+};
+
+TEST_F(PredictedAttemptTest, IsLookedAtWhenARenderedOneIs) {
+  const Course rendered = course_of([&](const AttemptSetting& setting, SimulatedObserver&) {
+    return std::make_unique<RenderedAttempt>(setting, workers_);
+  });
+  const Course predicted = course_of([](const AttemptSetting& setting,
+                                        SimulatedObserver& observer) {
+    return std::make_unique<PredictedAttempt>(setting, observer, nullptr, make_view_sampler("od"));
+  });
+  EXPECT_GT(rendered.looks.size(), 4U);
+  EXPECT_EQ(predicted, rendered);
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,48 @@
+#include "study/commands/simulation_kind.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const SimulationKind quick{
+    .scale = 8.0, .predicted = true, .plant = "order:1.1", .people_sha256 = "abc"};
+
+KnownSession session(SessionKind kind, const std::string& devices) {
+  return {.participant = "P001", .kind = kind, .devices = devices};
+}
+
+TEST(SimulationKind, ComesBackFromTheRecord) {
+  const std::optional<SimulationKind> kind = simulation_kind_in(devices_of(quick));
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(kind->scale, 8.0);
+  EXPECT_TRUE(kind->predicted);
+  EXPECT_EQ(kind->plant, "order:1.1");
+  EXPECT_EQ(kind->people_sha256, "abc");
+  EXPECT_FALSE(simulation_kind_in("{}"));
+  EXPECT_FALSE(simulation_kind_in(R"({"display": {}})"));
+}
+
+TEST(SimulationKind, OneFileHoldsOneKind) {
+  const std::vector<KnownSession> sessions = {session(SessionKind::human, "{}"),
+                                              session(SessionKind::simulated, devices_of(quick))};
+  EXPECT_NO_THROW(require_same_kind("study.sqlite", sessions, quick));
+  SimulationKind slow = quick;
+  slow.scale = 1.0;
+  EXPECT_THAT([&] { require_same_kind("study.sqlite", sessions, slow); },
+              testing::ThrowsMessage<Error>(
+                  AllOf(HasSubstr("study.sqlite"), HasSubstr("P001 was simulated in another way"),
+                        HasSubstr("simulation/scale: 8"), HasSubstr("now 1"))));
+  SimulationKind rendered = quick;
+  rendered.predicted = false;
+  EXPECT_THROW(require_same_kind("study.sqlite", sessions, rendered), Error);
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,71 @@
+#include "study/prediction/noise_table.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace foveola::study {
+namespace {
+
+ChannelValues all(double value) { return {value, 2.0 * value, 3.0 * value}; }
+
+/// Noise of 60 / density, from 10 samples a steradian on; black is 4 wrong.
+PatchNoise falling_patch(int rungs) {
+  PatchNoise patch{.cells = 7.0, .contrast = 2.0, .unsampled = all(4.0), .first_per_sr = 10.0};
+  patch.noise_times_density.assign(rungs, all(60.0));
+  return patch;
+}
+
+TEST(NoiseTable, NoiseFallsWithTheSamples) {
+  const PatchNoise patch = falling_patch(5);
+  for (const double density : {10.0, 17.0, 33.0, 40.0, 1e6}) {
+    EXPECT_NEAR(noise_at(patch, density)[0], 60.0 / density, 1e-9 / density);
+    EXPECT_NEAR(noise_at(patch, density)[2], 180.0 / density, 1e-9 / density);
+  }
+}
+
+TEST(NoiseTable, BeforeTheFirstRungThereIsStillBlack) {
+  const PatchNoise patch = falling_patch(5);
+  EXPECT_EQ(noise_at(patch, 0.0), all(4.0));
+  EXPECT_DOUBLE_EQ(noise_at(patch, 5.0)[0], 0.5 * (4.0 + 6.0));
+}
+
+TEST(NoiseTable, RungsAreHalfAnOctaveApart) {
+  PatchNoise patch = falling_patch(3);
+  patch.noise_times_density[2] = all(120.0);  // at 20 samples a steradian
+  EXPECT_NEAR(noise_at(patch, 20.0)[0], 120.0 / 20.0, 1e-9);
+  const double midway = 10.0 * std::exp2(0.75);
+  EXPECT_NEAR(noise_at(patch, midway)[0], 90.0 / midway, 1e-9);
+}
+
+TEST(NoiseTable, AMethodThatNeverGoesThereLeavesBlack) {
+  EXPECT_EQ(noise_at(falling_patch(0), 0.0), all(4.0));
+}
+
+TEST(NoiseTable, SmoothingTakesOutChanceButNoSlope) {
+  PatchNoise patch = falling_patch(0);
+  for (const double value : {1.0, 2.0, 4.0, 8.0}) {
+    patch.noise_times_density.push_back(all(value));
+  }
+  PatchNoise rough = patch;
+  smooth(patch);
+  EXPECT_NEAR(patch.noise_times_density[1][0], 2.0, 1e-12) << "a power law stays";
+  rough.noise_times_density[1] = all(32.0);
+  smooth(rough);
+  EXPECT_NEAR(rough.noise_times_density[1][0], std::pow(1.0 * 32.0 * 32.0 * 4.0, 0.25), 1e-9);
+}
+
+TEST(NoiseTable, PatchesKeepWhatDoesNotChange) {
+  const NoiseTable table = {falling_patch(5), falling_patch(5)};
+  std::vector<PatchEnergies> energies = energies_without_noise(table);
+  ASSERT_EQ(energies.size(), 2U);
+  EXPECT_EQ(energies[1].cells, 7.0);
+  EXPECT_EQ(energies[1].contrast, 2.0);
+  const std::vector<double> densities = {20.0, 40.0};
+  set_noise(table, densities, energies);
+  EXPECT_NEAR(energies[0].noise[0], 3.0, 1e-12);
+  EXPECT_NEAR(energies[1].noise[0], 1.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace foveola::study

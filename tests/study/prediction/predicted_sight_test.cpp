@@ -1,0 +1,147 @@
+#include "study/prediction/predicted_sight.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "study/prediction/judged_view.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr Vec3 ahead(0.0F, 0.0F, -1.0F);
+
+Vec3 right_of_ahead(double angle_deg) {
+  return direction_from({.azimuth_rad = radians(angle_deg), .elevation_rad = 0.0});
+}
+
+Aim aimed(const Vec3& gaze) {
+  Aim aim = aim_at(ahead, DisplaySettings{});
+  aim.gaze = gaze;
+  return aim;
+}
+
+/// Patches side by side along the horizon whose noise is 1000 over the density of samples.
+NoiseTable patches(int count, double apart_deg) {
+  NoiseTable table;
+  for (int i = 0; i < count; ++i) {
+    PatchNoise patch{.direction = right_of_ahead(i * apart_deg),
+                     .cells = 4.0,
+                     .contrast = 1000.0,
+                     .unsampled = {1e6, 0.0, 0.0},
+                     .first_per_sr = 1e-3};
+    patch.noise_times_density.assign(3, {1000.0, 0.0, 0.0});
+    table.push_back(patch);
+  }
+  return table;
+}
+
+Vision some_vision() { return {.jnd_lab = 2.3, .decay_deg = 0.106, .half_resolution_deg = 2.3}; }
+
+class PredictedSightTest : public testing::Test {
+ protected:
+  PredictedTrial trial(bool follows_gaze) const {
+    return {.object = object_,
+            .around = around_,
+            .outline_visibility = visibility_,
+            .material_visibility = visibility_,
+            .view_visibility = visibility_,
+            .follows_gaze = follows_gaze};
+  }
+
+  ObjectNoise object_{.outline = patches(3, 2.0), .material = patches(2, 2.0)};
+  NoiseTable around_ = patches(20, 9.0);
+  Visibility visibility_{some_vision(), 1.0};
+};
+
+TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
+  const NoiseTable table = patches(3, 5.0);
+  const auto sampler = make_view_sampler("fv");
+  const auto other = make_view_sampler("fv");
+  sampler->aim(aimed(ahead));
+  PatchSamples samples(table, *sampler);
+  samples.add(100.0);
+  samples.add(50.0);
+  samples.settle();
+  sampler->aim(aimed(right_of_ahead(10.0)));
+  samples.add(30.0);
+  const std::span<const double> sums = samples.per_sr();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    other->aim(aimed(ahead));
+    const double first = 150.0 * other->density_per_sr(table[i].direction);
+    other->aim(aimed(right_of_ahead(10.0)));
+    EXPECT_NEAR(sums[i], first + 30.0 * other->density_per_sr(table[i].direction), 1e-9 * first);
+  }
+}
+
+// Of one patch, straight at the gaze, where thresholds are 1.
+TEST_F(PredictedSightTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
+  object_.material.resize(1);
+  const PredictedTrial trial = this->trial(false);
+  const auto sampler = make_view_sampler("od");
+  PredictedSight sight(trial, *sampler, aimed(ahead));
+  sight.add(5000.0, aimed(ahead));
+  const double density = 5000.0 * sampler->density_per_sr(ahead);
+  EXPECT_NEAR(sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd,
+              std::sqrt(1000.0 / density), 1e-3);
+}
+
+TEST_F(PredictedSightTest, OutlinesStandOutTheMoreSamplesThereAre) {
+  const PredictedTrial trial = this->trial(false);
+  const auto sampler = make_view_sampler("od");
+  PredictedSight sight(trial, *sampler, aimed(ahead));
+  double before = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    sight.add(10'000.0, aimed(ahead));
+    const double now =
+        sight.look(Task::mark_outline, ahead, aimed(ahead).viewport).outline_signal_to_noise;
+    EXPECT_GT(now, before);
+    before = now;
+  }
+}
+
+TEST_F(PredictedSightTest, SamplesFollowTheGazeThatIsTracked) {
+  const PredictedTrial trial = this->trial(true);
+  const auto sampler = make_view_sampler("fv");
+  const auto jnd = [&](const Vec3& tracked) {
+    PredictedSight sight(trial, *sampler, aimed(ahead));
+    sight.add(10'000.0, aimed(tracked));
+    return sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd;
+  };
+  EXPECT_LT(1.5 * jnd(ahead), jnd(right_of_ahead(30.0)));
+}
+
+TEST_F(PredictedSightTest, LookingAroundShowsWhatWasRenderedBefore) {
+  const PredictedTrial trial = this->trial(false);
+  const auto sampler = make_view_sampler("od");
+  const auto jnd = [&](double samples_before) {
+    PredictedSight sight(trial, *sampler, aimed(ahead));
+    sight.add(samples_before, aimed(ahead));
+    return sight.look(Task::look_around, ahead, aimed(ahead).viewport).artifacts_jnd;
+  };
+  EXPECT_NEAR(jnd(40'000.0), 0.5 * jnd(10'000.0), 1e-6 * jnd(10'000.0));
+}
+
+TEST_F(PredictedSightTest, OnlyWhatIsInViewIsLookedAt) {
+  around_[19].noise_times_density.assign(3, {1e9, 0.0, 0.0});  // 171 degrees to the right
+  const PredictedTrial trial = this->trial(false);
+  const auto sampler = make_view_sampler("od");
+  PredictedSight sight(trial, *sampler, aimed(ahead));
+  sight.add(10'000.0, aimed(ahead));
+  const double before = sight.look(Task::look_around, ahead, aimed(ahead).viewport).artifacts_jnd;
+  const Aim behind = aim_at(right_of_ahead(171.0), DisplaySettings{});
+  const double there = sight.look(Task::look_around, behind.gaze, behind.viewport).artifacts_jnd;
+  EXPECT_GT(there, 10.0 * before);
+}
+
+TEST_F(PredictedSightTest, KnowsWhichMethodsFollowTheGaze) {
+  for (const char* method : {"od", "vp", "vp-rect"}) {
+    EXPECT_FALSE(follows_gaze(*make_view_sampler(method), aimed(ahead))) << method;
+  }
+  for (const char* method : {"fv", "hybrid:0.9*od+0.1*fv"}) {
+    EXPECT_TRUE(follows_gaze(*make_view_sampler(method), aimed(ahead))) << method;
+  }
+}
+
+}  // namespace
+}  // namespace foveola::study

@@ -1,0 +1,55 @@
+#include "study/prediction/table_cache.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+std::vector<NoiseTable> some_tables() {
+  const PatchNoise patch{.direction = {0.6F, 0.0F, -0.8F},
+                         .cells = 5.0,
+                         .contrast = 1.0 / 3.0,
+                         .unsampled = {1.0, 2.0, 3.0},
+                         .first_per_sr = 0.1,
+                         .noise_times_density = {{4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}};
+  return {{patch, patch}, {}};
+}
+
+TEST(TableCache, KeepsTablesToTheBit) {
+  const test::TemporaryFolder folder;
+  const TableCache cache(folder / "pilots");
+  EXPECT_FALSE(cache.find("a key"));
+  cache.keep("a key", some_tables());
+  const auto found = cache.find("a key");
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->size(), 2U);
+  ASSERT_EQ(found->front().size(), 2U);
+  const PatchNoise& patch = found->front().back();
+  const PatchNoise expected = some_tables()[0][1];
+  EXPECT_EQ(patch.direction, expected.direction);
+  EXPECT_EQ(patch.cells, expected.cells);
+  EXPECT_EQ(patch.contrast, expected.contrast);
+  EXPECT_EQ(patch.unsampled, expected.unsampled);
+  EXPECT_EQ(patch.first_per_sr, expected.first_per_sr);
+  EXPECT_EQ(patch.noise_times_density, expected.noise_times_density);
+  EXPECT_TRUE(found->back().empty());
+  EXPECT_FALSE(cache.find("another key"));
+}
+
+TEST(TableCache, DamagedTablesAreNone) {
+  const test::TemporaryFolder folder;
+  const TableCache cache(folder / "pilots");
+  cache.keep("a key", some_tables());
+  const fs::path file = fs::directory_iterator(folder / "pilots")->path();
+  fs::resize_file(file, fs::file_size(file) / 2);
+  EXPECT_FALSE(cache.find("a key"));
+  folder.write("pilots/" + file.filename().string(), "{}");
+  EXPECT_FALSE(cache.find("a key") && !cache.find("a key")->empty());
+}
+
+}  // namespace
+}  // namespace foveola::study
