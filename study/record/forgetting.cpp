@@ -85,6 +85,8 @@ void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& 
 std::optional<std::string> rebuild_without(const fs::path& file, const std::string& code) {
   schema_of_study(file);
   fold_in_log(file);
+  // A log that came back after a loss of power would be played into the new file.
+  sync_to_disk(folder_of(file));
   SQLite::Database study = open_as_it_is(file);
   const std::optional<FoundSession> session = session_of(study, code);
   if (!session) {
@@ -107,9 +109,10 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// The study, its backups and its copies of older schemas.
+/// Copies of older schemas, backups, and the study itself as the last: as long as it has the
+/// person, the others may.
 std::vector<fs::path> copies_of(const fs::path& study) {
-  std::vector<fs::path> copies = {study};
+  std::vector<fs::path> copies;
   for (int schema = oldest_study_schema_version; schema < study_schema_version; ++schema) {
     if (const fs::path copy = copy_of_schema(study, schema); fs::exists(copy)) {
       copies.push_back(copy);
@@ -120,17 +123,34 @@ std::vector<fs::path> copies_of(const fs::path& study) {
       copies.push_back(file);
     }
   }
+  copies.push_back(study);
   return copies;
 }
 
-/// Half-written files of killed programs hold what the study held.
-void remove_leftovers(const std::vector<fs::path>& copies) {
-  for (const fs::path& copy : copies) {
-    for (const fs::path& file : files_in(folder_of(copy))) {
-      if (is_temporary_of(copy, file.filename().string())) {
-        fs::remove(file);
-      }
+bool is_leftover(const fs::path& file, const std::vector<fs::path>& copies) {
+  const std::string name = file.filename().string();
+  return std::any_of(copies.begin(), copies.end(),
+                     [&](const fs::path& copy) { return is_temporary_of(copy, name); });
+}
+
+/// Half-written files of killed programs hold what the study held: of its copies, and in the
+/// backups' folder of backups that were never there.
+void remove_leftovers(const fs::path& study, const std::vector<fs::path>& copies) {
+  for (const fs::path& file : files_in(folder_of(study))) {
+    if (is_leftover(file, copies)) {
+      fs::remove(file);
     }
+  }
+  const fs::path backups = backup_folder(study);
+  for (const fs::path& file : files_in(backups)) {
+    if (is_temporary(file.filename().string())) {
+      fs::remove(file);
+    }
+  }
+  // Else they could come back after a loss of power.
+  sync_to_disk(folder_of(study));
+  if (fs::exists(backups)) {
+    sync_to_disk(backups);
   }
 }
 
@@ -199,6 +219,8 @@ void require_gone(const fs::path& study, const std::set<std::string>& traces) {
 Forgotten forget(const fs::path& study, const std::string& code) {
   const ControllerLock lock(study);
   const std::vector<fs::path> copies = copies_of(study);
+  // First, so that what is left to do by another call can be told by the copies alone.
+  remove_leftovers(study, copies);
   Forgotten forgotten;
   std::set<std::string> uuids;
   for (const fs::path& copy : copies) {
@@ -213,7 +235,6 @@ Forgotten forget(const fs::path& study, const std::string& code) {
     throw Error(study.string(), fmt::format("has no participant {}", code),
                 "foveola study status says whose sessions there are");
   }
-  remove_leftovers(copies);
   require_gone(study, traces_of(code, uuids, copies));
   return forgotten;
 }

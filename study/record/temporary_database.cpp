@@ -86,6 +86,10 @@ bool is_temporary_of(const fs::path& final_path, const std::string& file_name) {
          file_name.find(temporary_suffix) != std::string::npos;
 }
 
+bool is_temporary(const std::string& file_name) {
+  return file_name.starts_with('.') && file_name.find(temporary_suffix) != std::string::npos;
+}
+
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }

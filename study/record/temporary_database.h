@@ -38,6 +38,9 @@ void sync_to_disk(const std::filesystem::path& path);
 /// Whether a file of this name is one that a killed program may have left of `final_path`.
 bool is_temporary_of(const std::filesystem::path& final_path, const std::string& file_name);
 
+/// Whether it is one of any database.
+bool is_temporary(const std::string& file_name);
+
 /// The folder that a file is in; "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 

@@ -260,5 +260,128 @@ TEST(PowerLoss, AStudyOfAnOlderSchemaIsMigrated) {
   });
 }
 
+// Several sites' files.
+TEST(PowerLoss, AMergedStudyIsThereWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  const std::vector<fs::path> sites = {folder / "helsinki.sqlite", folder / "tampere.sqlite"};
+  for (std::size_t site = 0; site < sites.size(); ++site) {
+    StudyStore store(sites[site], thorough_protocol());
+    run_thorough_session(store, "P0" + std::to_string(site));
+  }
+  std::vector<DiskCall> calls;
+  {
+    DiskWatch watch(folder.path());
+    merge_studies(sites, folder / study_name);
+    watch.acknowledge();
+    calls = watch.calls();
+  }
+  lose_power(calls, losses_or(20), Syncs::kept, [&](const TemporaryFolder& left, std::size_t told) {
+    EXPECT_TRUE(told == 0 || fs::exists(left / study_name));
+    if (fs::exists(left / study_name)) {
+      EXPECT_THAT(verify_study(left / study_name).faults, testing::IsEmpty());
+      EXPECT_EQ(query(left / study_name, "SELECT count(*) FROM session"), "2");
+    }
+    for (const fs::path& site : sites) {
+      const fs::path file = left / site.filename().string();
+      EXPECT_THAT(verify_study(file).faults, testing::IsEmpty());
+      EXPECT_EQ(marks_in(file), marks_in(site));
+    }
+  });
+}
+
+std::size_t count_files_with(const fs::path& folder, const std::string& words) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && read_file(entry.path()).find(words) != std::string::npos) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+constexpr const char* forgotten_code = "PERSON-0123";
+
+enum class HeldBy { backup, killed_backup };
+
+/// A study as a killed program leaves it, with its log, in which the participant is between two
+/// others; and a backup, or one that was killed and never had its name.
+void leave_study(const TemporaryFolder& folder, HeldBy held_by) {
+  const TemporaryFolder elsewhere;
+  StudyStore store(elsewhere / study_name, thorough_protocol());
+  for (const char* code : {"P01", forgotten_code, "P03"}) {
+    run_thorough_session(store, code);
+  }
+  const fs::path backup = new_backup(folder / study_name);
+  store.back_up(backup);
+  if (held_by == HeldBy::killed_backup) {
+    fs::rename(backup, backup.parent_path() / ".another.sqlite.4711.partial");
+  }
+  for (const char* name : {study_name, "study.sqlite-wal"}) {
+    fs::copy_file(elsewhere / name, folder / name);
+  }
+}
+
+/// Of the study and its backups; a folder without files does not come back.
+std::vector<fs::path> studies_in(const TemporaryFolder& folder) {
+  std::vector<fs::path> studies = {folder / study_name};
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(backup_folder(studies.front()), ignored)) {
+    if (!entry.path().filename().string().starts_with('.')) {
+      studies.push_back(entry.path());
+    }
+  }
+  return studies;
+}
+
+/// That a study's fault is none, and that it holds all others than the one who is forgotten.
+void expect_others_in(const fs::path& study) {
+  EXPECT_THAT(verify_study(study).faults, testing::IsEmpty()) << study;
+  EXPECT_EQ(query(study,
+                  "SELECT group_concat(participant) FROM (SELECT participant FROM session"
+                  " WHERE participant <> 'PERSON-0123' ORDER BY id)"),
+            "P01,P03");
+}
+
+/// After a loss of power the researcher forgets again, unless it was done by then.
+void forget_again(const fs::path& study) {
+  try {
+    forget_participant(study, forgotten_code);
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("has no participant"));
+  }
+}
+
+void lose_power_forgetting(HeldBy held_by) {
+  const TemporaryFolder folder;
+  leave_study(folder, held_by);
+  ASSERT_EQ(count_files_with(folder.path(), forgotten_code), 2U) << "the log and the other";
+  std::vector<DiskCall> calls;
+  {
+    DiskWatch watch(folder.path());
+    forget_participant(folder / study_name, forgotten_code);
+    watch.acknowledge();
+    calls = watch.calls();
+  }
+  ASSERT_EQ(count_files_with(folder.path(), forgotten_code), 0U);
+  lose_power(calls, losses_or(15), Syncs::kept, [&](const TemporaryFolder& left, std::size_t told) {
+    if (told > 0) {
+      EXPECT_EQ(count_files_with(left.path(), forgotten_code), 0U);
+    }
+    for (const fs::path& study : studies_in(left)) {
+      expect_others_in(study);
+    }
+    forget_again(left / study_name);
+    EXPECT_EQ(count_files_with(left.path(), forgotten_code), 0U);
+    for (const fs::path& study : studies_in(left)) {
+      expect_others_in(study);
+    }
+  });
+}
+
+TEST(PowerLoss, WhoWasForgottenDoesNotComeBack) { lose_power_forgetting(HeldBy::backup); }
+
+// Then nothing but the removal itself brings that to the disk.
+TEST(PowerLoss, ARemovedBackupDoesNotComeBack) { lose_power_forgetting(HeldBy::killed_backup); }
+
 }  // namespace
 }  // namespace foveola::study
