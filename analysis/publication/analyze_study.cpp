@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-std::vector<std::string> warnings_about(const StudyTables& tables) {
+std::vector<std::string> warnings_about(const StudyTables& tables, const InstrumentReport& checks) {
   std::vector<std::string> warnings;
   if (const std::string warning = data_warning(tables); !warning.empty()) {
     warnings.push_back(warning);
@@ -34,6 +34,12 @@ std::vector<std::string> warnings_about(const StudyTables& tables) {
   }
   if (tables.set.participants.size() < 2) {
     warnings.emplace_back("One participant: no standard deviations and no intervals.");
+  }
+  for (const InstrumentCheck& check : checks.checks) {
+    if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
+      warnings.push_back(
+          fmt::format("The instrument missed a limit: {}: {}.", check.name, check.found));
+    }
   }
   if (const std::size_t count = tables.set.exclusions.size(); count > 0) {
     warnings.push_back(fmt::format(
@@ -48,7 +54,10 @@ void append(std::vector<TextFile>& files, std::vector<TextFile> more) {
   std::move(more.begin(), more.end(), std::back_inserter(files));
 }
 
-std::vector<TextFile> files_of(const StudyTables& tables, const Comparisons& comparisons) {
+std::vector<TextFile> files_of(const AnalysisOutput& output,
+                               const study::InstrumentRecords& instrument) {
+  const StudyTables& tables = output.tables;
+  const Comparisons& comparisons = output.comparisons;
   const std::vector<Figure> figures = draw_figures(tables);
   const std::vector<PublishedMean> published =
       read_published_means(resource_folder() / "data" / "koskela2018" / "mean_percent_of_od.csv");
@@ -57,13 +66,16 @@ std::vector<TextFile> files_of(const StudyTables& tables, const Comparisons& com
   files.push_back({"omnibus.csv", omnibus_csv(comparisons, tables.set.kind)});
   files.push_back({"order_effects.csv", order_csv(comparisons, tables.set.kind)});
   append(files, latex_tables(tables, comparisons));
+  files.push_back({"instrument.csv", instrument_csv(output.checks, tables.set.kind)});
+  files.push_back({"reaction_times.csv", reactions_csv(output.checks, tables.set.kind)});
   files.push_back({"codebook.csv", codebook_csv()});
   files.push_back(psych_ds(tables).description);
   append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
   }
-  files.push_back({"report.html", report_html(tables, comparisons, figures, published)});
+  files.push_back({"report.html", report_html({tables, comparisons, instrument, output.checks,
+                                               figures, published})});
   return files;
 }
 
@@ -90,13 +102,15 @@ void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path
 
 }  // namespace
 
-AnalysisOutput analyze_records(const study::StudyRecords& records, const fs::path& folder) {
+AnalysisOutput analyze_records(const study::StudyRecords& records,
+                               const study::InstrumentRecords& instrument, const fs::path& folder) {
   AnalysisOutput output;
   output.tables = tabulate_study(records);
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
+  output.checks = check_instrument(output.tables, instrument);
   output.summary = terminal_summary(output.tables);
-  output.warnings = warnings_about(output.tables);
-  const std::vector<TextFile> files = files_of(output.tables, output.comparisons);
+  output.warnings = warnings_about(output.tables, output.checks);
+  const std::vector<TextFile> files = files_of(output, instrument);
   make_output_folder(folder);
   write_data(records.background, folder, output);
   for (const TextFile& file : files) {
@@ -107,7 +121,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records, const fs::pat
 }
 
 AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder) {
-  return analyze_records(study::read_study(database), folder);
+  return analyze_records(study::read_study(database), study::read_instrument(database), folder);
 }
 
 }  // namespace foveola::analysis

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/publication/comparisons.h"
+#include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/study_tables.h"
 
 namespace foveola::analysis {
@@ -17,6 +18,7 @@ struct AnalysisOutput {
   std::vector<std::string> warnings;
   StudyTables tables;
   Comparisons comparisons;
+  InstrumentReport checks;
 };
 
 /// Reads the study's file and writes the published tables and figures to `folder`, which is made if
@@ -28,6 +30,7 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
 
 /// The same for records at hand.
 AnalysisOutput analyze_records(const study::StudyRecords& records,
+                               const study::InstrumentRecords& instrument,
                                const std::filesystem::path& folder);
 
 }  // namespace foveola::analysis

@@ -44,15 +44,16 @@ std::string citation_section() {
 
 }  // namespace
 
-std::string report_html(const StudyTables& tables, const Comparisons& comparisons,
-                        const std::vector<Figure>& figures,
-                        const std::vector<PublishedMean>& published) {
+std::string report_html(const ReportContent& content) {
+  const StudyTables& tables = content.tables;
   return report_page(
       tables, "Foveola study report",
-      findings_html(tables) + scenes_section(tables) + methods_section(tables, figures, published) +
-          ratings_section(tables, figures) + comparisons_section(tables, comparisons) +
-          background_section(tables) + exclusions_section(tables) + definitions_section(tables) +
-          citation_section());
+      instrument_flags(tables, content.checks) + findings_html(tables) + scenes_section(tables) +
+          methods_section(tables, content.figures, content.published) +
+          ratings_section(tables, content.figures) +
+          comparisons_section(tables, content.comparisons) + background_section(tables) +
+          instrument_section(tables, content.checks, content.instrument) +
+          exclusions_section(tables) + definitions_section(tables) + citation_section());
 }
 
 }  // namespace foveola::analysis

@@ -6,15 +6,24 @@
 
 #include "analysis/publication/comparisons.h"
 #include "analysis/publication/figures.h"
+#include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
 
 namespace foveola::analysis {
 
+/// All that the report shows.
+struct ReportContent {
+  const StudyTables& tables;
+  const Comparisons& comparisons;
+  const study::InstrumentRecords& instrument;
+  const InstrumentReport& checks;
+  const std::vector<Figure>& figures;
+  const std::vector<PublishedMean>& published;
+};
+
 /// The whole page. It says at its top and in each caption when its data are not people's, lists
 /// what was left out and why, and defines every number.
-std::string report_html(const StudyTables& tables, const Comparisons& comparisons,
-                        const std::vector<Figure>& figures,
-                        const std::vector<PublishedMean>& published);
+std::string report_html(const ReportContent& content);
 
 }  // namespace foveola::analysis

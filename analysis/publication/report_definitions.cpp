@@ -58,6 +58,12 @@ std::string definitions_section(const StudyTables& tables) {
          "ratio is the maximum-likelihood mean of normal log ratios with these bounds (Tobit), its "
          "interval from the observed information and Student’s t. A scene where both methods ran "
          "out says nothing and is left out; so is a participant with bounds on both sides.");
+  define("The instrument’s figures",
+         "From the frame log of the attempts that count, per session: the share of frames that "
+         "missed their refresh; of frames whose tracker’s newest gaze was not valid; the mean age "
+         "of the gaze used plus the mean time from polling to the display; and how long after the "
+         "frame on the display the latest mark came. Limits that no source gives are Foveola’s own "
+         "and say so.");
   define("P",
          "Of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees of freedom. "
          "The interval of r is Fisher’s z. None is corrected for the number of comparisons.");

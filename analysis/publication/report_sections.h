@@ -6,6 +6,7 @@
 
 #include "analysis/publication/comparisons.h"
 #include "analysis/publication/figures.h"
+#include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
 
@@ -28,6 +29,13 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
 
 /// The P-value of background.
 std::string background_section(const StudyTables& tables);
+
+/// What the instrument missed, for the top of the report; empty if nothing.
+std::string instrument_flags(const StudyTables& tables, const InstrumentReport& report);
+
+/// Checks, latency (Fig. 7), attempts, and the floor of reaction times.
+std::string instrument_section(const StudyTables& tables, const InstrumentReport& report,
+                               const study::InstrumentRecords& instrument);
 
 /// What no number uses, and why.
 std::string exclusions_section(const StudyTables& tables);

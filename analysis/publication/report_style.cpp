@@ -13,6 +13,7 @@ std::string_view report_style() {
   --accent: #0b6aa8;
   --notice: #fdf3dc;
   --notice-rule: #b07d12;
+  --flag: #c2261c;
   --figure-ink: #1f2328;
   --figure-grid: #e1e4e8;
   --figure-outline: #0b6aa8;
@@ -36,6 +37,7 @@ std::string_view report_style() {
     --accent: #6cb6e8;
     --notice: #2e2611;
     --notice-rule: #d9a633;
+    --flag: #ff8a80;
     --figure-ink: #d5dade;
     --figure-grid: #2c3238;
     --figure-outline: #5fb4ea;
@@ -60,7 +62,7 @@ body {
   color: var(--text);
   font: 1rem/1.55 Charter, "Bitstream Charter", "Source Serif 4", Cambria, Georgia, serif;
 }
-h1, h2, h3, table, figcaption, .facts, .notice, .eyebrow, svg text {
+h1, h2, h3, table, figcaption, .facts, .notice, .flags, .eyebrow, svg text {
   font-family: system-ui, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", "DejaVu Sans", sans-serif;
 }
 .eyebrow { margin: 0; color: var(--quiet); font-size: 0.85rem; letter-spacing: 0.02em; }
@@ -86,6 +88,8 @@ code { font-size: 0.88em; overflow-wrap: anywhere; }
   background: var(--notice);
   font-size: 0.95rem;
 }
+.flags { margin: 0 0 1.6rem; padding: 0.75rem 1rem; border-left: 4px solid var(--flag); font-size: 0.95rem; }
+.flags p, .flags ul { margin: 0; }
 .tag {
   display: inline-block;
   margin-right: 0.45em;

@@ -41,22 +41,22 @@ std::set<std::string> names_in(const fs::path& folder) {
 }
 
 TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
-  const AnalysisOutput output = analyze_records(golden_study_records(), folder);
+  const AnalysisOutput output = analyze_records(golden_study_records(), {}, folder);
   EXPECT_THAT(
       names_in(folder),
       ElementsAre("background_correlation.csv", "codebook.csv", "comparisons.csv",
                   "comparisons.tex", "exclusions.csv", "figure5_geometric_means.csv",
                   "figure5_geometric_means.tex", "figure5_relative.svg", "figure5_seconds.svg",
                   "figure6_artifact_ratings.csv", "figure6_artifact_ratings.svg",
-                  "figure6_artifact_ratings.tex", "models_ratings.R", "models_times.R",
-                  "omnibus.csv", "order_effects.csv", "participants_wide.csv", "psych-ds",
-                  "report.html", "table1_background.csv", "table2_times.csv", "table2_times.tex",
-                  "trials_long.csv"));
+                  "figure6_artifact_ratings.tex", "instrument.csv", "models_ratings.R",
+                  "models_times.R", "omnibus.csv", "order_effects.csv", "participants_wide.csv",
+                  "psych-ds", "reaction_times.csv", "report.html", "table1_background.csv",
+                  "table2_times.csv", "table2_times.tex", "trials_long.csv"));
   EXPECT_THAT(
       names_in(folder / "psych-ds" / "data"),
       ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));
   EXPECT_EQ(output.report, folder / "report.html");
-  EXPECT_EQ(output.files.size(), 25U);
+  EXPECT_EQ(output.files.size(), 27U);
   EXPECT_THAT(output.summary, HasSubstr("geometric mean"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("6 sessions or values are left out")));
 }
@@ -65,29 +65,29 @@ TEST_F(AnalyzeStudy, ReplacesItsOwnFilesAndLeavesOthers) {
   fs::create_directory(folder);
   write_file(folder / "notes.txt", "mine");
   write_file(folder / "report.html", "old");
-  (void)analyze_records(complete_study(2), folder);
+  (void)analyze_records(complete_study(2), {}, folder);
   EXPECT_EQ(read_file(folder / "notes.txt"), "mine");
   EXPECT_THAT(read_file(folder / "report.html"), HasSubstr("</html>"));
 }
 
 TEST_F(AnalyzeStudy, SameRecordsSameBytes) {
-  const AnalysisOutput first = analyze_records(golden_study_records(), folder);
-  const AnalysisOutput second = analyze_records(golden_study_records(), root / "again");
+  const AnalysisOutput first = analyze_records(golden_study_records(), {}, folder);
+  const AnalysisOutput second = analyze_records(golden_study_records(), {}, root / "again");
   for (std::size_t i = 0; i < first.files.size(); ++i) {
     EXPECT_EQ(read_file(first.files[i]), read_file(second.files[i])) << first.files[i];
   }
 }
 
 TEST_F(AnalyzeStudy, NothingIsWrittenWhenThereIsNothingToAnalyse) {
-  EXPECT_THROW((void)analyze_records(complete_study(0), folder), Error);
+  EXPECT_THROW((void)analyze_records(complete_study(0), {}, folder), Error);
   EXPECT_THAT(names_in(root), IsEmpty());
 }
 
 TEST_F(AnalyzeStudy, AFolderThatCannotBeMadeIsAnError) {
-  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), root / "no" / "where"); },
+  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), {}, root / "no" / "where"); },
               ThrowsMessage<Error>(HasSubstr("no/where: cannot be made")));
   write_file(root / "file", "");
-  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), root / "file"); },
+  EXPECT_THAT([this] { (void)analyze_records(complete_study(2), {}, root / "file"); },
               ThrowsMessage<Error>(HasSubstr("is a file, not a folder")));
 }
 
@@ -101,7 +101,7 @@ TEST_F(AnalyzeStudy, SaysWhatLimitsTheResult) {
   study::StudyRecords records = complete_study(1);
   records.methods = {"od"};
   records.sessions[0].kind = "simulated";
-  const AnalysisOutput output = analyze_records(records, folder);
+  const AnalysisOutput output = analyze_records(records, {}, folder);
   EXPECT_THAT(output.warnings, Contains(HasSubstr("Simulated data")));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("one method")));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("One participant")));

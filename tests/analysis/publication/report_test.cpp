@@ -16,10 +16,12 @@ using testing::Not;
 
 const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}};
 
-std::string report_of(const study::StudyRecords& records) {
+std::string report_of(const study::StudyRecords& records,
+                      const study::InstrumentRecords& instrument = {}) {
   const StudyTables tables = tabulate_study(records);
-  return report_html(tables, compare_methods(tables.set, plan_of(records.protocol_text)),
-                     draw_figures(tables), published);
+  return report_html({tables, compare_methods(tables.set, plan_of(records.protocol_text)),
+                      instrument, check_instrument(tables, instrument), draw_figures(tables),
+                      published});
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -28,6 +30,17 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     ++count;
   }
   return count;
+}
+
+/// Three people, each of whom saw every method in another place.
+study::StudyRecords balanced_study() {
+  study::StudyRecords records = complete_study(3);
+  int trial = 0;
+  for (study::TrialRow& row : records.trials) {
+    row.method_position = (trial % 3 + trial / 6) % 3;
+    ++trial;
+  }
+  return records;
 }
 
 study::StudyRecords simulated_study() {
@@ -98,6 +111,22 @@ TEST(Report, SaysThatSimulatedSessionsWereLeftOut) {
   study::StudyRecords records = complete_study(3);
   records.sessions[0].kind = "simulated";
   EXPECT_THAT(report_of(records), HasSubstr("also holds simulated sessions"));
+}
+
+TEST(Report, RaisesAFlagWhereAGateWasMissed) {
+  study::InstrumentRecords instrument;
+  EXPECT_THAT(report_of(balanced_study(), instrument), Not(HasSubstr("class=\"flags\"")));
+  instrument.gaze_runs.push_back({"P1", 1, 4.0, 0.2, 0.1, false});
+  const std::string html = report_of(balanced_study(), instrument);
+  EXPECT_THAT(html, HasSubstr("class=\"flags\""));
+  EXPECT_THAT(html, HasSubstr("⚑ Validation of the gaze: 0 of 3 participants passed"));
+}
+
+TEST(Report, ShowsTheFloorOfReactionTimes) {
+  EXPECT_THAT(report_of(complete_study(2)), HasSubstr("No reaction test was recorded"));
+  study::InstrumentRecords instrument;
+  instrument.reactions = {{"P1", 0.25, false}, {"P1", 0.31, false}, {"P1", -0.1, true}};
+  EXPECT_THAT(report_of(complete_study(2), instrument), HasSubstr("<td>0.280</td>"));
 }
 
 TEST(Report, ListsWhatWasLeftOut) {

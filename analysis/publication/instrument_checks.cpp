@@ -1,0 +1,242 @@
+#include "analysis/publication/instrument_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <fmt/format.h>
+
+#include "analysis/publication/wording.h"
+#include "renderer/base/csv.h"
+
+namespace foveola::analysis {
+namespace {
+
+// Limits that are ours, for want of published ones, but for the latency: at 50 to 70 ms people
+// begin to notice foveation (Albert, Patney, Luebke, Kim 2017).
+constexpr double most_late_percent = 1.0;
+constexpr double most_untracked_percent = 10.0;
+constexpr double longest_latency_ms = 50.0;
+constexpr double longest_mark_gap_ms = 100.0;
+constexpr double least_balance_p = 0.01;
+
+Verdict within(bool good) { return good ? Verdict::passed : Verdict::flagged; }
+
+/// The figures of the participants who are analysed.
+std::vector<study::FrameFigures> analysed_frames(const StudyTables& tables,
+                                                 const study::InstrumentRecords& instrument) {
+  const std::set<std::string> analysed(tables.set.participants.begin(),
+                                       tables.set.participants.end());
+  std::vector<study::FrameFigures> frames;
+  std::copy_if(instrument.frames.begin(), instrument.frames.end(), std::back_inserter(frames),
+               [&](const study::FrameFigures& row) { return analysed.contains(row.participant); });
+  return frames;
+}
+
+double percent_of_frames(const study::FrameFigures& row, std::uint64_t some) {
+  return 100.0 * static_cast<double>(some) / static_cast<double>(row.frames);
+}
+
+/// The participant with the largest value, and how many lie above the limit.
+struct Worst {
+  double value = 0.0;
+  std::string participant;
+  std::size_t above = 0;
+};
+
+template <typename Value>
+Worst worst_of(const std::vector<study::FrameFigures>& frames, double limit, const Value& value) {
+  Worst worst;
+  for (const study::FrameFigures& row : frames) {
+    worst.above += value(row) > limit ? 1 : 0;
+    if (worst.participant.empty() || value(row) > worst.value) {
+      worst.value = value(row);
+      worst.participant = row.participant;
+    }
+  }
+  return worst;
+}
+
+/// A check of each participant's own figure against a limit.
+template <typename Value>
+InstrumentCheck check_frames(const std::vector<study::FrameFigures>& frames, std::string name,
+                             const char* unit, double limit, const std::string& whose,
+                             const Value& value) {
+  InstrumentCheck check{std::move(name), "", fmt::format("{:g} {}, {}", limit, unit, whose)};
+  if (frames.empty()) {
+    check.found = "no frames recorded";
+    return check;
+  }
+  const Worst worst = worst_of(frames, limit, value);
+  check.found = fmt::format("at most {:.3g} {}, participant {}; {} above the limit", worst.value,
+                            unit, worst.participant, worst.above);
+  check.verdict = within(worst.above == 0);
+  return check;
+}
+
+InstrumentCheck check_validation(const StudyTables& tables,
+                                 const study::InstrumentRecords& instrument) {
+  std::map<std::string, study::GazeRunRow> last_runs;
+  for (const study::GazeRunRow& run : instrument.gaze_runs) {
+    last_runs[run.participant] = run;
+  }
+  std::size_t passed = 0;
+  std::size_t validated = 0;
+  std::optional<double> largest_deg;
+  for (const std::string& participant : tables.set.participants) {
+    const auto run = last_runs.find(participant);
+    if (run != last_runs.end()) {
+      ++validated;
+      passed += run->second.passed ? 1 : 0;
+      largest_deg = std::max(largest_deg, run->second.accuracy_deg);
+    }
+  }
+  InstrumentCheck check{"Validation of the gaze", "none recorded", "the protocol's gate"};
+  if (validated > 0) {
+    check.found = fmt::format(
+        "{} of {} passed{}", passed, counted(tables.set.participants.size(), "participant"),
+        largest_deg ? fmt::format("; accuracy {:.2f}° at most", *largest_deg) : "");
+    check.verdict = within(passed == tables.set.participants.size());
+  }
+  return check;
+}
+
+/// [method][position]: how often, over analysed trials.
+std::vector<std::vector<double>> positions_of_methods(const AnalysisSet& set) {
+  const std::size_t methods = set.methods.size();
+  std::vector<std::vector<double>> counts(methods, std::vector<double>(methods, 0.0));
+  for (std::size_t i = 0; i < set.cells.size(); ++i) {
+    const int position = set.cells[i].method_position;
+    if (position >= 0 && static_cast<std::size_t>(position) < methods) {
+      counts[i % methods][static_cast<std::size_t>(position)] += 1.0;
+    }
+  }
+  return counts;
+}
+
+InstrumentCheck check_order(const AnalysisSet& set) {
+  const std::vector<std::vector<double>> counts = positions_of_methods(set);
+  const auto methods = static_cast<double>(set.methods.size());
+  InstrumentCheck check{"Balance of the methods’ order", "one method",
+                        fmt::format("no worse than chance at {:g}, ours", least_balance_p)};
+  if (counts.size() < 2) {
+    return check;
+  }
+  const double expected = static_cast<double>(set.cells.size()) / (methods * methods);
+  double chi_squared = 0.0;
+  double fewest = counts[0][0];
+  double most = counts[0][0];
+  for (const std::vector<double>& row : counts) {
+    for (const double count : row) {
+      chi_squared += (count - expected) * (count - expected) / expected;
+      fewest = std::min(fewest, count);
+      most = std::max(most, count);
+    }
+  }
+  const boost::math::chi_squared distribution((methods - 1.0) * (methods - 1.0));
+  const double p = boost::math::cdf(boost::math::complement(distribution, chi_squared));
+  check.found =
+      fmt::format("each method {:g} to {:g} times in each place; P {}", fewest, most, p_value(p));
+  check.verdict = within(p >= least_balance_p);
+  return check;
+}
+
+InstrumentCheck check_kind(const StudyTables& tables) {
+  const std::string warning = data_warning(tables);
+  return {"People’s data", warning.empty() ? "only people’s sessions in the file" : warning,
+          "no simulated and no pilot sessions", within(warning.empty())};
+}
+
+std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
+                                           const study::InstrumentRecords& instrument) {
+  std::map<std::string, std::vector<double>> presses;
+  std::map<std::string, std::size_t> false_starts;
+  for (const study::ReactionRow& row : instrument.reactions) {
+    std::vector<double>& own = presses[row.participant];
+    if (row.early) {
+      ++false_starts[row.participant];
+    } else {
+      own.push_back(row.seconds);
+    }
+  }
+  std::vector<ReactionFloor> floors;
+  const AnalysisSet& set = tables.set;
+  for (std::size_t i = 0; i < set.participants.size(); ++i) {
+    const auto own = presses.find(set.participants[i]);
+    if (own == presses.end()) {
+      continue;
+    }
+    ReactionFloor floor{set.participants[i], own->second.size(), false_starts[set.participants[i]],
+                        median(own->second)};
+    const std::size_t trials = set.scenes.size() * set.methods.size();
+    for (std::size_t trial = 0; trial < trials; ++trial) {
+      for (const MarkTime& time : set.cells[i * trials + trial].times) {
+        const bool measured = time.state == MarkTime::State::measured;
+        floor.marks += measured ? 1 : 0;
+        floor.within_floor += measured && floor.median_s && time.seconds <= *floor.median_s ? 1 : 0;
+      }
+    }
+    floors.push_back(floor);
+  }
+  return floors;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::passed:
+      return "passed";
+    case Verdict::flagged:
+      return "flagged";
+    case Verdict::unknown:
+      break;
+  }
+  return "not recorded";
+}
+
+InstrumentReport check_instrument(const StudyTables& tables,
+                                  const study::InstrumentRecords& instrument) {
+  const std::vector<study::FrameFigures> frames = analysed_frames(tables, instrument);
+  InstrumentReport report;
+  report.checks = {
+      check_kind(tables),
+      check_frames(frames, "Frames that missed their refresh", "%", most_late_percent, "ours",
+                   [](const auto& row) { return percent_of_frames(row, row.late); }),
+      check_frames(frames, "Frames without a valid gaze", "%", most_untracked_percent, "ours",
+                   [](const auto& row) { return percent_of_frames(row, row.untracked); }),
+      check_frames(
+          frames, "Latency, from the eye to the display", "ms", longest_latency_ms,
+          "of 50 to 70 that Albert et al. 2017 tolerate",
+          [](const auto& row) { return 1e3 * (row.mean_gaze_age_s + row.mean_to_display_s); }),
+      check_frames(frames, "From a frame to the mark upon it, the longest", "ms",
+                   longest_mark_gap_ms, "ours",
+                   [](const auto& row) { return 1e3 * row.longest_mark_after_frame_s; }),
+      check_validation(tables, instrument),
+      check_order(tables.set)};
+  report.reactions = reaction_floors(tables, instrument);
+  return report;
+}
+
+std::string instrument_csv(const InstrumentReport& report, const std::string& kind) {
+  std::vector<CsvRow> rows = {{"check", "found", "limit", "verdict", "participant_kind"}};
+  for (const InstrumentCheck& check : report.checks) {
+    rows.push_back(
+        {check.name, check.found, check.limit, std::string(name_of(check.verdict)), kind});
+  }
+  return format_csv(rows);
+}
+
+std::string reactions_csv(const InstrumentReport& report, const std::string& kind) {
+  std::vector<CsvRow> rows = {{"participant", "presses", "false_starts", "median_s", "marks",
+                               "marks_within_median", "participant_kind"}};
+  for (const ReactionFloor& row : report.reactions) {
+    rows.push_back({row.participant, std::to_string(row.presses), std::to_string(row.false_starts),
+                    csv_number(row.median_s), std::to_string(row.marks),
+                    std::to_string(row.within_floor), kind});
+  }
+  return format_csv(rows);
+}
+
+}  // namespace foveola::analysis
