@@ -10,6 +10,7 @@
 #include "analysis/publication/comparison_tables.h"
 #include "analysis/publication/figures.h"
 #include "analysis/publication/latex_tables.h"
+#include "analysis/publication/methods_paragraph.h"
 #include "analysis/publication/output_folder.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/report.h"
@@ -49,13 +50,14 @@ std::vector<std::string> warnings_about(const StudyTables& tables, const Instrum
   return warnings;
 }
 
-/// The report comes last, so that it never stands beside tables older than itself.
 void append(std::vector<TextFile>& files, std::vector<TextFile> more) {
   std::move(more.begin(), more.end(), std::back_inserter(files));
 }
 
+/// The report comes last, so that it never stands beside tables older than itself.
 std::vector<TextFile> files_of(const AnalysisOutput& output,
-                               const study::InstrumentRecords& instrument) {
+                               const study::InstrumentRecords& instrument,
+                               const std::string& methods) {
   const StudyTables& tables = output.tables;
   const Comparisons& comparisons = output.comparisons;
   const std::vector<Figure> figures = draw_figures(tables);
@@ -73,9 +75,11 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
+    files.push_back({figure.name + ".pdf", figure.pdf});
+    files.push_back({figure.name + ".png", figure.png});
   }
   files.push_back({"report.html", report_html({tables, comparisons, instrument, output.checks,
-                                               figures, published})});
+                                               figures, published, methods})});
   return files;
 }
 
@@ -102,15 +106,18 @@ void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path
 
 }  // namespace
 
-AnalysisOutput analyze_records(const study::StudyRecords& records,
+AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument, const fs::path& folder) {
   AnalysisOutput output;
   output.tables = tabulate_study(records);
+  records.trials = {};  // the tables hold what they say, and there may be millions
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
   output.checks = check_instrument(output.tables, instrument);
   output.summary = terminal_summary(output.tables);
   output.warnings = warnings_about(output.tables, output.checks);
-  const std::vector<TextFile> files = files_of(output, instrument);
+  const std::vector<TextFile> files =
+      files_of(output, instrument,
+               methods_paragraph(output.tables, output.comparisons, records.protocol_text));
   make_output_folder(folder);
   write_data(records.background, folder, output);
   for (const TextFile& file : files) {

@@ -29,7 +29,7 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder);
 
 /// The same for records at hand.
-AnalysisOutput analyze_records(const study::StudyRecords& records,
+AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument,
                                const std::filesystem::path& folder);
 

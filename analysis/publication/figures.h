@@ -1,4 +1,4 @@
-// The published figures as SVG, drawn by gnuplot.
+// The published figures as SVG, PDF and PNG, drawn by gnuplot.
 #pragma once
 
 #include <string>
@@ -14,6 +14,8 @@ inline constexpr std::size_t most_dots = 500;
 struct Figure {
   std::string name;  ///< a file name without its extension
   std::string svg;   ///< a file of its own, on white
+  std::string pdf;   ///< the same for print
+  std::string png;   ///< the same for slides, of twice the size
 };
 
 /// Fig. 5, relative and in seconds, and Fig. 6, as far as there are values. Throws Error if gnuplot

@@ -30,6 +30,12 @@ std::string findings_html(const StudyTables& tables) {
                              "participants in brackets.</p>\n";
 }
 
+std::string methods_text_section(const std::string& methods) {
+  return html_section("Methods paragraph",
+                      "<p>Written from the protocol, to be edited for a paper.</p>\n<blockquote>" +
+                          escape_html(methods) + "</blockquote>\n");
+}
+
 std::string citation_section() {
   return html_section(
       "How to cite",
@@ -53,7 +59,8 @@ std::string report_html(const ReportContent& content) {
           ratings_section(tables, content.figures) +
           comparisons_section(tables, content.comparisons) + background_section(tables) +
           instrument_section(tables, content.checks, content.instrument) +
-          exclusions_section(tables) + definitions_section(tables) + citation_section());
+          exclusions_section(tables) + methods_text_section(content.methods) +
+          definitions_section(tables) + citation_section());
 }
 
 }  // namespace foveola::analysis

@@ -20,6 +20,7 @@ struct ReportContent {
   const InstrumentReport& checks;
   const std::vector<Figure>& figures;
   const std::vector<PublishedMean>& published;
+  const std::string& methods;  ///< methods_paragraph
 };
 
 /// The whole page. It says at its top and in each caption when its data are not people's, lists

@@ -90,6 +90,7 @@ code { font-size: 0.88em; overflow-wrap: anywhere; }
 }
 .flags { margin: 0 0 1.6rem; padding: 0.75rem 1rem; border-left: 4px solid var(--flag); font-size: 0.95rem; }
 .flags p, .flags ul { margin: 0; }
+blockquote { margin: 0 0 1rem; padding-left: 1rem; border-left: 2px solid var(--rule); max-width: 42rem; }
 .tag {
   display: inline-block;
   margin-right: 0.45em;

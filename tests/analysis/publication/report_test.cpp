@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/publication/analysis_plan.h"
+#include "analysis/publication/methods_paragraph.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 
@@ -19,9 +20,10 @@ const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}}
 std::string report_of(const study::StudyRecords& records,
                       const study::InstrumentRecords& instrument = {}) {
   const StudyTables tables = tabulate_study(records);
-  return report_html({tables, compare_methods(tables.set, plan_of(records.protocol_text)),
-                      instrument, check_instrument(tables, instrument), draw_figures(tables),
-                      published});
+  const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
+  return report_html({tables, comparisons, instrument, check_instrument(tables, instrument),
+                      draw_figures(tables), published,
+                      methods_paragraph(tables, comparisons, records.protocol_text)});
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {

@@ -1,0 +1,116 @@
+#include "analysis/publication/methods_paragraph.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/wording.h"
+#include "renderer/base/toml_reader.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// What the paragraph needs of a protocol, as it stands there; empty where it says nothing.
+struct ProtocolFacts {
+  std::string scene_order;
+  std::string method_order;
+  std::string display;
+  std::string tracker;
+  std::optional<int> film_width;
+  std::optional<int> film_height;
+  std::optional<double> timeout_s;
+};
+
+template <typename Number>
+std::optional<Number> number_under(TomlReader& table, const char* key) {
+  Number value = 0;
+  table.read(key, value, Number{0}, Number{1'000'000});
+  return table.has(key) ? std::optional(value) : std::nullopt;
+}
+
+ProtocolFacts facts_of(const std::string& protocol_text) {
+  const std::string file = "the study's protocol";
+  const toml::table toml = parse_toml(file, protocol_text, "restore the study's file");
+  TomlReader protocol(file, toml, "");
+  ProtocolFacts facts;
+  protocol.read("scene_order", facts.scene_order);
+  protocol.read("method_order", facts.method_order);
+  protocol.table("display").read("profile", facts.display);
+  protocol.table("tracker").read("profile", facts.tracker);
+  TomlReader film = protocol.table("film");
+  facts.film_width = number_under<int>(film, "width");
+  facts.film_height = number_under<int>(film, "height");
+  TomlReader timing = protocol.table("timing");
+  facts.timeout_s = number_under<double>(timing, "mark_timeout_s");
+  return facts;
+}
+
+std::string orders_in_words(const ProtocolFacts& facts) {
+  if (facts.scene_order.empty() && facts.method_order.empty()) {
+    return "";
+  }
+  const auto order = [](const std::string& name) {
+    return name.empty() ? std::string("the protocol’s default") : name;
+  };
+  return fmt::format(" The order of scenes was {}, that of methods within a scene {}.",
+                     order(facts.scene_order), order(facts.method_order));
+}
+
+std::string apparatus_in_words(const ProtocolFacts& facts) {
+  std::string text;
+  if (facts.film_width && facts.film_height) {
+    text += fmt::format(" Images of the whole sphere had {} × {} pixels.", *facts.film_width,
+                        *facts.film_height);
+  }
+  if (!facts.display.empty()) {
+    text +=
+        fmt::format(" The display was of profile {}{}.", facts.display,
+                    facts.tracker.empty() ? "" : ", the eye tracker of profile " + facts.tracker);
+  }
+  if (facts.timeout_s) {
+    text += fmt::format(" A mark was waited for {:g} s; later ones count as censored.",
+                        *facts.timeout_s);
+  }
+  return text;
+}
+
+std::string analysis_in_words(const StudyTables& tables, const Comparisons& comparisons) {
+  std::string text = fmt::format(
+      " Each participant’s mean logarithm of times over scenes was the unit of analysis; methods "
+      "are "
+      "compared by geometric means of ratios to {} with 95 % t intervals and paired t tests on "
+      "logarithms, beside Wilcoxon signed-rank tests; ratings by Wilcoxon signed-rank tests.",
+      method_label(tables.set.methods.front()));
+  text += comparisons.plan.primary.empty()
+              ? " No comparison was planned in the protocol; P-values are exploratory and adjusted "
+                "by Holm’s method within each measure."
+              : fmt::format(
+                    " {} planned before data were collected, with Holm’s adjustment at a "
+                    "level of {:g}; all others are exploratory.",
+                    comparisons.plan.primary.size() == 1
+                        ? std::string("One comparison was")
+                        : fmt::format("{} comparisons were", comparisons.plan.primary.size()),
+                    comparisons.plan.alpha);
+  return text;
+}
+
+}  // namespace
+
+std::string methods_paragraph(const StudyTables& tables, const Comparisons& comparisons,
+                              const std::string& protocol_text) {
+  const ProtocolFacts facts = facts_of(protocol_text);
+  const std::string warning = data_warning(tables);
+  std::string text = warning.empty() ? "" : warning + " ";
+  text += fmt::format(
+      "{} saw {} ({}), each with {} ({}) of progressive path tracing, and marked when the outline "
+      "of "
+      "a chosen object and when its material could be judged; then they rated artifacts in other "
+      "areas from 1 (none) to 5 (not discernible at all).",
+      participants_in_words(tables), counted(tables.set.scenes.size(), "scene"),
+      listed(tables.set.scenes), counted(tables.set.methods.size(), "preview"),
+      listed(tables.set.methods));
+  return text + orders_in_words(facts) + apparatus_in_words(facts) +
+         analysis_in_words(tables, comparisons);
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,60 @@
+#include "analysis/publication/methods_paragraph.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/publication/analysis_plan.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "tests/analysis/made_up_study.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string paragraph(const study::StudyRecords& records, const std::string& protocol) {
+  const StudyTables tables = tabulate_study(records);
+  return methods_paragraph(tables, compare_methods(tables.set, plan_of(protocol)), protocol);
+}
+
+TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
+  const std::string text =
+      paragraph(complete_study(4), read_file(std::filesystem::path(FOVEOLA_DATA_DIR).parent_path() /
+                                             "protocols" / "koskela2018.toml"));
+  EXPECT_THAT(text, HasSubstr("4 participants saw 2 scenes (aula, barn)"));
+  EXPECT_THAT(text,
+              HasSubstr("The order of scenes was random, that of methods within a scene random"));
+  EXPECT_THAT(text, HasSubstr("4096 × 2048 pixels"));
+  EXPECT_THAT(text, HasSubstr("profile fove0"));
+  EXPECT_THAT(text, HasSubstr("waited for 180 s"));
+  EXPECT_THAT(text, HasSubstr("2 comparisons were planned"));
+}
+
+TEST(MethodsParagraph, LeavesOutWhatItDoesNotSay) {
+  const std::string text = paragraph(complete_study(1), "");
+  EXPECT_THAT(text, HasSubstr("1 participant saw"));
+  EXPECT_THAT(text, Not(HasSubstr("order of scenes")));
+  EXPECT_THAT(text, Not(HasSubstr("pixels")));
+  EXPECT_THAT(text, HasSubstr("No comparison was planned"));
+}
+
+TEST(MethodsParagraph, CallsSimulatedDataSo) {
+  study::StudyRecords records = complete_study(2);
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "simulated";
+  }
+  const std::string text = paragraph(records, "");
+  EXPECT_THAT(text, HasSubstr("Simulated data:"));
+  EXPECT_THAT(text, HasSubstr("2 simulated participants saw"));
+}
+
+TEST(MethodsParagraph, AProtocolThatIsNoTomlIsAnError) {
+  EXPECT_THROW((void)paragraph(complete_study(2), "name = "), Error);
+}
+
+}  // namespace
+}  // namespace foveola::analysis
