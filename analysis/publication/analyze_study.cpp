@@ -110,7 +110,8 @@ AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument, const fs::path& folder) {
   AnalysisOutput output;
   output.tables = tabulate_study(records);
-  records.trials = {};  // the tables hold what they say, and there may be millions
+  // The tables hold what the trials say, and there may be millions.
+  records.trials = std::vector<study::TrialRow>();
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
   output.checks = check_instrument(output.tables, instrument);
   output.summary = terminal_summary(output.tables);

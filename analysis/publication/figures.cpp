@@ -291,7 +291,7 @@ std::optional<Figure> rating_figure(const StudyTables& tables) {
   const int height = 104 + 44 * static_cast<int>(methods.size());
   return drawn({"figure6_artifact_ratings", 640, height,
                 preamble(tables) + row_names(methods) +
-                    "set key outside top center horizontal Left reverse samplen 1 width 2\n"
+                    "set key outside top right horizontal Left reverse samplen 1 width 2\n"
                     "set rmargin 14\nset xrange [0:100]\n"
                     "set xlabel 'Ratings, per cent'\n" +
                     labels + data + rating_plot()});

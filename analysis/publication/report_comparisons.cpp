@@ -22,16 +22,6 @@ std::string pair_name(const MethodComparison& row) {
                      row.measure);
 }
 
-/// Of the median ratio with times that ran out as bounds.
-std::string bounded_ratio(const MethodComparison& row) {
-  if (!row.bounded) {
-    return "–";
-  }
-  const Interval ratio = {std::exp(row.bounded->interval.low),
-                          std::exp(row.bounded->interval.high)};
-  return fmt::format("{:.1f} {}", 100.0 * std::exp(row.bounded->mean), bracketed(ratio, 100.0, 1));
-}
-
 std::vector<std::string> ratio_row(const MethodComparison& row) {
   std::vector<std::string> cells = {pair_name(row), std::to_string(row.n)};
   if (row.ratio) {
@@ -48,7 +38,6 @@ std::vector<std::string> ratio_row(const MethodComparison& row) {
   }
   cells.push_back(row.ranks ? p_value(row.ranks->p) : "–");
   cells.push_back(fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2));
-  cells.push_back(bounded_ratio(row));
   return cells;
 }
 
@@ -58,22 +47,34 @@ std::string ratio_table(const StudyTables& tables, const Comparisons& comparison
       caption_start(
           tables, primary ? "Planned comparisons of times." : "Exploratory comparisons of times.") +
       "Ratio of times in per cent: geometric mean over participants with t interval, then BCa "
-      "bootstrap interval; paired t on logarithms; Wilcoxon signed-rank. Last: with times that ran "
-      "out as bounds, where there are any.";
-  table.columns = {"Methods, mark",
-                   "n",
-                   "ratio, % [95 %]",
-                   "BCa 95 %",
-                   "t (df)",
-                   "P",
-                   "P, Holm",
-                   "d_z",
-                   "P, Wilcoxon",
-                   "r, rank",
-                   "ratio with bounds, % [95 %]"};
+      "bootstrap interval; paired t on logarithms; Wilcoxon signed-rank.";
+  table.columns = {"Methods, mark", "n",   "ratio, % [95 %]", "BCa 95 %", "t (df)", "P",
+                   "P, Holm",       "d_z", "P, Wilcoxon",     "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
     if (row.measure != artifacts_measure && row.primary == primary) {
       table.rows.push_back(ratio_row(row));
+    }
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
+/// The comparisons in which times ran out, with these as bounds.
+std::string bounded_table(const StudyTables& tables, const Comparisons& comparisons) {
+  HtmlTable table;
+  table.caption_html = caption_start(tables, "Times that ran out as bounds.") +
+                       "Where a participant’s ratio is only known to lie beyond a bound: its "
+                       "maximum-likelihood mean "
+                       "with all of them, which the tables above leave out scene by scene.";
+  table.columns = {"Methods, mark", "n", "of these bounds", "say nothing", "ratio, % [95 %]", "P"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.bounded) {
+      const CensoredMean& found = *row.bounded;
+      const Interval ratio = {std::exp(found.interval.low), std::exp(found.interval.high)};
+      table.rows.push_back(
+          {pair_name(row), std::to_string(found.n), std::to_string(found.censored),
+           std::to_string(found.unknown),
+           fmt::format("{:.1f} {}", 100.0 * std::exp(found.mean), bracketed(ratio, 100.0, 1)),
+           p_value(found.p)});
     }
   }
   return table.rows.empty() ? "" : render(table);
@@ -220,8 +221,9 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
       fmt::format("<p>{}</p>\n",
                   escape_html(plan_in_words(comparisons, tables.set.participants.size()))) +
           ratio_table(tables, comparisons, true) + ratio_table(tables, comparisons, false) +
-          rating_table(tables, comparisons) + equivalence_table(tables, comparisons) +
-          omnibus_table(tables, comparisons) + order_table(tables, comparisons));
+          bounded_table(tables, comparisons) + rating_table(tables, comparisons) +
+          equivalence_table(tables, comparisons) + omnibus_table(tables, comparisons) +
+          order_table(tables, comparisons));
 }
 
 }  // namespace foveola::analysis

@@ -124,6 +124,25 @@ TEST(Report, RaisesAFlagWhereAGateWasMissed) {
   EXPECT_THAT(html, HasSubstr("⚑ Validation of the gaze: 0 of 3 participants passed"));
 }
 
+TEST(Report, TimesThatRanOutHaveATableOfTheirOwn) {
+  EXPECT_THAT(report_of(golden_study_records()), HasSubstr("Times that ran out as bounds."));
+  EXPECT_THAT(report_of(complete_study(3)), Not(HasSubstr("Times that ran out as bounds.")));
+}
+
+TEST(Report, WhatWasPlannedStandsApart) {
+  study::StudyRecords records = complete_study(4);
+  EXPECT_THAT(report_of(records), HasSubstr("The protocol plans no comparison"));
+  EXPECT_THAT(report_of(records), Not(HasSubstr("Planned comparisons of times.")));
+  records.protocol_text =
+      "methods = [\"od\", \"vp\", \"fv\"]\n[analysis]\nparticipants = 16\n"
+      "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n";
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, HasSubstr("The protocol planned 1 primary comparison"));
+  EXPECT_THAT(html, HasSubstr("It planned 16 participants; 4 are analysed."));
+  EXPECT_THAT(html, HasSubstr("Planned comparisons of times."));
+  EXPECT_THAT(html, HasSubstr("Exploratory comparisons of times."));
+}
+
 TEST(Report, ShowsTheFloorOfReactionTimes) {
   EXPECT_THAT(report_of(complete_study(2)), HasSubstr("No reaction test was recorded"));
   study::InstrumentRecords instrument;
