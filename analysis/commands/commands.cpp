@@ -18,6 +18,7 @@ struct AnalyzeArguments {
   std::filesystem::path database;
   std::filesystem::path folder;
   bool json = false;
+  AnalysisOptions options;
   bool power = false;
   PowerSettings planning;
 };
@@ -36,7 +37,8 @@ void run_analyze(const AnalyzeArguments& arguments) {
     throw UsageError(arguments.database.empty() ? "STUDY" : "--output", "is missing",
                      "see foveola analyze --help");
   }
-  const AnalysisOutput output = analyze_study(arguments.database, arguments.folder);
+  const AnalysisOutput output =
+      analyze_study(arguments.database, arguments.folder, arguments.options);
   if (arguments.json) {
     fmt::print("{}\n", analysis_json(output));
     return;
@@ -76,6 +78,8 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   command->add_option("-o,--output", arguments->folder,
                       "A folder for the results; made if its parent exists");
   command->add_flag("--json", arguments->json, "Print paths and main numbers as JSON");
+  command->add_flag("--bids", arguments->options.bids,
+                    "Also the behavioural data as BIDS, a folder for each participant");
   add_planning(*command, *arguments);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"

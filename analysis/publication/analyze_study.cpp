@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "analysis/publication/analysis_plan.h"
+#include "analysis/publication/bids.h"
 #include "analysis/publication/comparison_tables.h"
 #include "analysis/publication/figures.h"
 #include "analysis/publication/latex_tables.h"
@@ -107,7 +108,8 @@ void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path
 }  // namespace
 
 AnalysisOutput analyze_records(study::StudyRecords records,
-                               const study::InstrumentRecords& instrument, const fs::path& folder) {
+                               const study::InstrumentRecords& instrument, const fs::path& folder,
+                               const AnalysisOptions& options) {
   AnalysisOutput output;
   output.tables = tabulate_study(records);
   // The tables hold what the trials say, and there may be millions.
@@ -121,6 +123,11 @@ AnalysisOutput analyze_records(study::StudyRecords records,
                methods_paragraph(output.tables, output.comparisons, records.protocol_text));
   make_output_folder(folder);
   write_data(records.background, folder, output);
+  if (options.bids) {
+    for (const TextFile& file : bids_files(output.tables, records.background)) {
+      write_output(folder, file.name, file.content, output);
+    }
+  }
   for (const TextFile& file : files) {
     write_output(folder, file.name, file.content, output);
   }
@@ -128,8 +135,10 @@ AnalysisOutput analyze_records(study::StudyRecords records,
   return output;
 }
 
-AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder) {
-  return analyze_records(study::read_study(database), study::read_instrument(database), folder);
+AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder,
+                             const AnalysisOptions& options) {
+  return analyze_records(study::read_study(database), study::read_instrument(database), folder,
+                         options);
 }
 
 }  // namespace foveola::analysis

@@ -11,6 +11,10 @@
 
 namespace foveola::analysis {
 
+struct AnalysisOptions {
+  bool bids = false;  ///< also bids/, with a folder for each participant
+};
+
 struct AnalysisOutput {
   std::filesystem::path report;              ///< report.html
   std::vector<std::filesystem::path> files;  ///< everything that was written
@@ -26,11 +30,13 @@ struct AnalysisOutput {
 /// written before everything is computed. Throws Error if there is nothing to analyse or the folder
 /// cannot be written.
 AnalysisOutput analyze_study(const std::filesystem::path& database,
-                             const std::filesystem::path& folder);
+                             const std::filesystem::path& folder,
+                             const AnalysisOptions& options = {});
 
 /// The same for records at hand.
 AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument,
-                               const std::filesystem::path& folder);
+                               const std::filesystem::path& folder,
+                               const AnalysisOptions& options = {});
 
 }  // namespace foveola::analysis

@@ -24,25 +24,6 @@ std::string censored_of(const MarkTime& time) {
 
 std::string rating_of(const Cell& cell) { return cell.rating ? std::to_string(*cell.rating) : ""; }
 
-CsvRow long_row(const AnalysisSet& set, std::size_t participant, std::size_t scene,
-                std::size_t method) {
-  const Cell& cell = set.cell(participant, scene, method);
-  const MarkTime& outline = cell.time(Mark::outline);
-  const MarkTime& material = cell.time(Mark::material);
-  return {set.participants[participant],
-          set.kind,
-          set.scenes[scene],
-          set.methods[method],
-          std::to_string(cell.trial_position),
-          std::to_string(cell.method_position),
-          std::to_string(cell.attempts),
-          seconds_of(outline),
-          censored_of(outline),
-          seconds_of(material),
-          censored_of(material),
-          rating_of(cell)};
-}
-
 struct WideAnswers {
   std::map<std::string, std::map<std::string, double>> by_participant;
   std::set<std::string> questions;
@@ -117,6 +98,25 @@ std::vector<Variable> trial_variables() {
        "Artifacts in other areas, 1 none to 5 not discernible at all"}};
 }
 
+std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participant,
+                                   std::size_t scene, std::size_t method) {
+  const Cell& cell = set.cell(participant, scene, method);
+  const MarkTime& outline = cell.time(Mark::outline);
+  const MarkTime& material = cell.time(Mark::material);
+  return {set.participants[participant],
+          set.kind,
+          set.scenes[scene],
+          set.methods[method],
+          std::to_string(cell.trial_position),
+          std::to_string(cell.method_position),
+          std::to_string(cell.attempts),
+          seconds_of(outline),
+          censored_of(outline),
+          seconds_of(material),
+          censored_of(material),
+          rating_of(cell)};
+}
+
 std::string trials_long_csv(const AnalysisSet& set) {
   CsvRow heading;
   for (const Variable& variable : trial_variables()) {
@@ -126,7 +126,7 @@ std::string trials_long_csv(const AnalysisSet& set) {
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
     for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
       for (std::size_t method = 0; method < set.methods.size(); ++method) {
-        text += format_csv({long_row(set, participant, scene, method)});
+        text += format_csv({trial_row(set, participant, scene, method)});
       }
     }
   }

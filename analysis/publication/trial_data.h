@@ -23,6 +23,10 @@ struct Variable {
 /// The columns of the long table, in their order.
 std::vector<Variable> trial_variables();
 
+/// One row of the long table; what is missing is empty.
+std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participant,
+                                   std::size_t scene, std::size_t method);
+
 /// One row per participant, scene and method of the analysed participants; what is missing is
 /// empty.
 std::string trials_long_csv(const AnalysisSet& set);
