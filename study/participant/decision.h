@@ -18,7 +18,7 @@ struct Traits {
   double material_criterion = 1.0;
   double reaction = 1.0;
   double rating_bias = 1.0;
-  double drift_per_trial = 0.0;  ///< of the criteria's natural logarithm
+  double drift_per_trial = 0.0;  ///< of the criteria's natural logarithm; above 0: ever stricter
 };
 /// Same seed, same person.
 Traits draw_traits(const Population& population, std::uint64_t seed);
