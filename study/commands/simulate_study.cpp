@@ -1,5 +1,6 @@
 #include "study/commands/simulate_study.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,6 +90,7 @@ struct Simulated {
 
 Simulated simulated_people(const SimulateSettings& settings) {
   Simulated simulated{.people = read_people(settings.people), .effect = std::nullopt};
+  simulated.people.population.vision.coarseness = std::round(std::sqrt(settings.scale));
   if (settings.plant != no_plant) {
     simulated.effect = parse_planted_effect(settings.plant);
   }

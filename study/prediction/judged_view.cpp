@@ -31,14 +31,6 @@ double reach_rad(double radius_deg, const Cells& cells) {
   return radians(radius_deg + std::numbers::sqrt2 * cells.cell_deg());
 }
 
-void keep_only(std::uint32_t cell, CellPixels& pixels) {
-  std::erase_if(pixels.members,
-                [&](const CellPixels::Member& member) { return member.cell != cell; });
-  const std::uint32_t count = pixels.pixels_in_cell[cell];
-  std::fill(pixels.pixels_in_cell.begin(), pixels.pixels_in_cell.end(), 0U);
-  pixels.pixels_in_cell[cell] = count;
-}
-
 }  // namespace
 
 Aim aim_at(const Vec3& object, const DisplaySettings& display) {
@@ -74,13 +66,18 @@ JudgedView view_of_material(const Vision& vision, const OfferedObject& object, d
 }
 
 std::vector<JudgedView> views_around(const Vision& vision, double pixel_rad) {
-  const auto cells = std::make_shared<const Cells>(view_cells(vision));
+  constexpr double smallest_radius_deg = 1.0;
+  constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
+  const int block = std::max(1, static_cast<int>(std::lround(vision.coarseness)));
+  const double block_deg = block * vision.view_cell_deg;
+  const double radius_deg = std::max(smallest_radius_deg, blocks_to_each_side * block_deg);
+  const Cells everywhere = view_cells(vision);
   std::vector<JudgedView> views;
-  for (const Cells::Patch& patch : cells->patches()) {
-    const double reach = std::numbers::sqrt2 * radians(cells->cell_deg());
-    JudgedView view = view_around(patch.direction, reach, pixel_rad, cells);
-    keep_only(cells->at(patch.direction), view.pixels);
-    views.push_back(std::move(view));
+  for (const Cells::Patch& patch : everywhere.patches()) {
+    auto cells = std::make_shared<const Cells>(Cells::around(
+        patch.direction, radius_deg, vision.view_cell_deg, vision.view_patch_deg, block));
+    const double reach = reach_rad(radius_deg, *cells);
+    views.push_back(view_around(patch.direction, reach, pixel_rad, std::move(cells)));
   }
   return views;
 }

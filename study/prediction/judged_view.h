@@ -33,7 +33,8 @@ double display_pixel_rad(const DisplaySettings& display);
 JudgedView view_of_outline(const Vision& vision, const OfferedObject& object, double pixel_rad);
 JudgedView view_of_material(const Vision& vision, const OfferedObject& object, double pixel_rad);
 
-/// Of each patch of the view's cells all around the one cell in its middle, which stands for it.
+/// Of each patch of the view's cells all around, in their order, some cells in its middle, which
+/// stand for it.
 std::vector<JudgedView> views_around(const Vision& vision, double pixel_rad);
 
 }  // namespace foveola::study

@@ -16,11 +16,11 @@
 namespace foveola::study {
 namespace {
 
-constexpr Convergence object_convergence{};
+constexpr double object_convergence = 128.0;  ///< samples a pixel
 constexpr PilotLadder object_ladder{};
 /// A look around tells one number of a hundred patches: fewer samples will do for each.
-constexpr Convergence around_convergence{.per_square_deg = 256.0, .per_pixel = 16.0};
-constexpr PilotLadder around_ladder{.first_per_square_deg = 0.25, .rungs = 15, .repetitions = 2};
+constexpr double around_convergence = 16.0;
+constexpr PilotLadder around_ladder{.first_per_pixel = 1.0 / 32.0, .rungs = 15, .repetitions = 2};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
@@ -31,10 +31,6 @@ constexpr int tables_version = 1;
 struct Cone {
   Vec3 middle{0.0F};
   double radius_rad = 0.0;
-
-  bool holds(const Vec3& direction) const {
-    return glm::dot(direction, middle) >= static_cast<float>(std::cos(radius_rad));
-  }
 };
 
 /// Uniform over a rectangle of the image that the cone lies in.
@@ -144,8 +140,7 @@ class SceneAtlas {
 
   SampleMask mask_of(const Cone& cone, const FilmSettings& film) const {
     SampleMask mask(film.width, film.height);
-    mask.add([&](const Vec3& direction) { return cone.holds(direction); }, margin_px,
-             setting_.workers);
+    mask.add(cone.middle, cone.radius_rad, margin_px, setting_.workers);
     return mask;
   }
 
@@ -162,31 +157,31 @@ class SceneAtlas {
 
   NoiseTable measure_around(const TrialSettings& shown) const {
     const std::vector<JudgedView> views = views_around(setting_.vision, pixel_rad_);
-    const Cells& cells = *views.front().cells;
-    std::vector<std::uint8_t> is_judged(cells.count());
-    for (const Cells::Patch& patch : cells.patches()) {
-      is_judged[cells.at(patch.direction)] = 1;
-    }
+    const std::vector<Cells::Patch> patches = view_cells(setting_.vision).patches();
     SampleMask mask(shown.film.width, shown.film.height);
-    mask.add([&](const Vec3& direction) { return is_judged[cells.at(direction)] != 0; }, margin_px,
-             setting_.workers);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const double to_corner_rad =
+          std::atan(std::numbers::sqrt2 * double{views[i].viewport.half_size().x});
+      mask.add(patches[i].direction, to_corner_rad, margin_px, setting_.workers);
+    }
     const PilotSetting pilot = pilot_of(shown);
     const auto sampler = make_view_sampler("od");
     const Vec3 ahead(0.0F, 0.0F, -1.0F);
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const CellMeans expected =
         converged_means(pilot, *sampler, ahead, around_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, around_ladder, mask, views, expected), cells);
+    return gathered(measure_noise(pilot, *sampler, around_ladder, mask, views, expected), patches);
   }
 
-  /// One table of the views' single cells, each standing for its patch.
-  static NoiseTable gathered(const std::vector<NoiseTable>& views, const Cells& cells) {
+  /// One table of all views, each standing for a patch.
+  static NoiseTable gathered(const std::vector<NoiseTable>& views,
+                             const std::vector<Cells::Patch>& patches) {
     NoiseTable table;
     for (std::size_t i = 0; i < views.size(); ++i) {
-      for (PatchNoise patch : views[i]) {
-        patch.direction = cells.patches()[i].direction;
-        patch.cells = cells.patches()[i].cells;
-        table.push_back(std::move(patch));
+      if (!views[i].empty()) {
+        table.push_back(mean_of(views[i]));
+        table.back().direction = patches[i].direction;
+        table.back().cells = patches[i].cells;
       }
     }
     return table;
@@ -212,18 +207,17 @@ class SceneAtlas {
     return fmt::format(
         "tables {}\nscene {}\nviewpoint {} {} {}\nexposure {}\nfilm {}x{} depth {} filled {}\n"
         "display {} {} {} lens {} {} {} {}\n"
-        "vision {} {} {} {} {} {} {}\n"
-        "margin {} objects {} {} {} {} {} around {} {} {} {} {}\n",
+        "vision {} {} {} {} {} {} {} coarse {}\n"
+        "margin {} objects {} {} {} {} around {} {} {} {}\n",
         tables_version, stage_.key(), viewpoint.x, viewpoint.y, viewpoint.z,
         stage_.source().exposure_stops, shown.film.width, shown.film.height, shown.film.max_depth,
         shown.fill_unsampled, pixel_rad_, display.horizontal_fov_deg, display.vertical_fov_deg,
         display.lens.axis.x, display.lens.axis.y, display.lens.k1, display.lens.k2, vision.jnd_lab,
         vision.recognition_line_pairs, vision.surround_factor, vision.material_cell_deg,
-        vision.view_cell_deg, vision.object_patch_deg, vision.view_patch_deg, margin_px,
-        object_convergence.per_square_deg, object_convergence.per_pixel,
-        object_ladder.first_per_square_deg, object_ladder.rungs, object_ladder.repetitions,
-        around_convergence.per_square_deg, around_convergence.per_pixel,
-        around_ladder.first_per_square_deg, around_ladder.rungs, around_ladder.repetitions);
+        vision.view_cell_deg, vision.object_patch_deg, vision.view_patch_deg, vision.coarseness,
+        margin_px, object_convergence, object_ladder.first_per_pixel, object_ladder.rungs,
+        object_ladder.repetitions, around_convergence, around_ladder.first_per_pixel,
+        around_ladder.rungs, around_ladder.repetitions);
   }
 
   const AtlasSetting& setting_;

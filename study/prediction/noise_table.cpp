@@ -45,6 +45,26 @@ void smooth(PatchNoise& patch) {
   }
 }
 
+PatchNoise mean_of(const NoiseTable& table) {
+  PatchNoise mean;
+  mean.direction = table.front().direction;
+  mean.noise_times_density.resize(table.front().noise_times_density.size());
+  for (const PatchNoise& patch : table) {
+    mean.cells += patch.cells;
+  }
+  for (const PatchNoise& patch : table) {
+    const double part = patch.cells / mean.cells;
+    mean.first_per_sr += part * patch.first_per_sr;
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      mean.unsampled[c] += part * patch.unsampled[c];
+      for (std::size_t rung = 0; rung < mean.noise_times_density.size(); ++rung) {
+        mean.noise_times_density[rung][c] += part * patch.noise_times_density[rung][c];
+      }
+    }
+  }
+  return mean;
+}
+
 void set_noise(const NoiseTable& table, std::span<const double> samples_per_sr,
                std::vector<PatchEnergies>& looked) {
   for (std::size_t i = 0; i < table.size(); ++i) {

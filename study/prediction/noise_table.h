@@ -28,6 +28,9 @@ ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
 /// twice, and its neighbours.
 void smooth(PatchNoise& patch);
 
+/// The mean of patches that are sampled alike, each counted by its cells. table: not empty.
+PatchNoise mean_of(const NoiseTable& table);
+
 /// The noise of all patches; samples_per_sr has one density for each. looked: as many, whose other
 /// members stay.
 void set_noise(const NoiseTable& table, std::span<const double> samples_per_sr,

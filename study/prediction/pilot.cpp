@@ -20,8 +20,6 @@ constexpr std::uint32_t pilot_stream = 0x70696C6FU;
 constexpr std::uint32_t converged_stream = 0x636F6E76U;
 constexpr std::uint32_t view_stream = 0x76696577U;
 
-constexpr double square_degree_sr = radians(1.0) * radians(1.0);
-
 double pixel_sr(const FilmSettings& film) {
   return 4.0 * std::numbers::pi / (static_cast<double>(film.width) * film.height);
 }
@@ -143,9 +141,10 @@ void add_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t run
 }
 
 /// The samples after which each rung is looked at.
-std::vector<std::uint64_t> rungs_of(const PilotLadder& ladder, double density_per_sr) {
+std::vector<std::uint64_t> rungs_of(const FilmSettings& film, const PilotLadder& ladder,
+                                    double density_per_sr) {
   std::vector<std::uint64_t> rungs;
-  const double first = ladder.first_per_square_deg / (square_degree_sr * density_per_sr);
+  const double first = ladder.first_per_pixel / (pixel_sr(film) * density_per_sr);
   for (int rung = 0; rung < ladder.rungs; ++rung) {
     rungs.push_back(static_cast<std::uint64_t>(
         std::max(1.0, std::round(first * std::exp2(0.5 * static_cast<double>(rung))))));
@@ -156,14 +155,11 @@ std::vector<std::uint64_t> rungs_of(const PilotLadder& ladder, double density_pe
 }  // namespace
 
 CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
-                          const Vec3& middle, const Convergence& quality, const SampleMask& mask,
+                          const Vec3& middle, double per_pixel, const SampleMask& mask,
                           std::span<const JudgedView> views) {
-  const double per_sr = std::max(quality.per_square_deg / square_degree_sr,
-                                 quality.per_pixel / pixel_sr(setting.film));
-
   MaskedRender render(setting, sampler, mask, mix(0U, converged_stream));
-  render.continue_to(
-      static_cast<std::uint64_t>(std::ceil(per_sr / sampler.density_per_sr(middle))));
+  render.continue_to(static_cast<std::uint64_t>(
+      std::ceil(per_pixel / (pixel_sr(setting.film) * sampler.density_per_sr(middle)))));
   Display display(render.film(), setting);
   CellMeans means;
   for (const JudgedView& view : views) {
@@ -184,7 +180,7 @@ std::vector<NoiseTable> measure_noise(const PilotSetting& setting, const ViewSam
   if (density == 0.0) {
     return tables;  // a method that never goes there
   }
-  const std::vector<std::uint64_t> rungs = rungs_of(ladder, density);
+  const std::vector<std::uint64_t> rungs = rungs_of(setting.film, ladder, density);
   for (NoiseTable& table : tables) {
     for (PatchNoise& patch : table) {
       const double per_sr = sampler.density_per_sr(patch.direction);

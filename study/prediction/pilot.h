@@ -29,30 +29,23 @@ struct PilotSetting {
   std::stop_token stop;
 };
 
-/// When a pilot is looked at: at densities that grow by half an octave from `first_per_square_deg`
-/// samples a square degree on, in the geometric mean over the judged patches; repeated with other
-/// random numbers, and averaged. What is judged is the size of cells, not of pixels.
+/// When a pilot is looked at: after so many samples a pixel, in the geometric mean over the judged
+/// patches, growing by half an octave from rung to rung; repeated with other random numbers, and
+/// averaged.
 struct PilotLadder {
-  double first_per_square_deg = 0.25;
-  int rungs = 19;  ///< to 128: published OD takes one second for it
-  int repetitions = 3;
-};
-
-/// What a picture is taken to have converged after: as many samples in a square degree, but no
-/// fewer in a pixel, since what a display cuts off is a matter of pixels.
-struct Convergence {
-  double per_square_deg = 1024.0;
-  double per_pixel = 64.0;
+  double first_per_pixel = 1.0 / 32.0;
+  int rungs = 17;  ///< to 8 a pixel: what chance then leaves falls with the number of samples
+  int repetitions = 4;
 };
 
 /// The means of each view's cells in a picture.
 using CellMeans = std::vector<std::vector<ChannelValues>>;
 
 /// What the views converge to, by a sampler that was aimed and is uniform over the image where they
-/// are, around `middle`; only the mask's pixels are traced. Its noise is independent of every
-/// pilot's. Throws Error if stopped.
+/// are, around `middle`, where a pixel gets so many samples; only the mask's pixels are traced. Its
+/// noise is independent of every pilot's. Throws Error if stopped.
 CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
-                          const Vec3& middle, const Convergence& quality, const SampleMask& mask,
+                          const Vec3& middle, double per_pixel, const SampleMask& mask,
                           std::span<const JudgedView> views);
 
 /// A table for each view, of the patches that have pixels in it. expected: of the same views.

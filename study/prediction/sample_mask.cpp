@@ -1,7 +1,10 @@
 #include "study/prediction/sample_mask.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "renderer/base/angles.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola::study {
@@ -11,32 +14,39 @@ SampleMask::SampleMask(int width, int height)
       height_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-void SampleMask::add(const std::function<bool(const Vec3& direction)>& is_wanted, int margin,
-                     const Workers& workers) {
+void SampleMask::add(const Vec3& middle, double radius_rad, int margin, const Workers& workers) {
   const auto columns = static_cast<std::size_t>(width_);
-  const auto rows = static_cast<std::size_t>(height_);
-  std::vector<std::uint8_t> widened(pixels_.size());  // by the margin along each row
-  workers.for_each_block(rows, 1, [&](std::size_t y, std::size_t /*end*/) {
+  const auto smallest_cosine = static_cast<float>(std::cos(radius_rad));
+  const double elevation_rad = azimuth_elevation(middle).elevation_rad;
+  const auto row_at = [&](double row_elevation_rad) {
+    const double v = 0.5 - row_elevation_rad / std::numbers::pi;
+    return std::clamp(static_cast<int>(std::floor(v * height_)), 0, height_ - 1);
+  };
+  const int top = row_at(elevation_rad + radius_rad);
+  const auto rows = static_cast<std::size_t>(row_at(elevation_rad - radius_rad) - top + 1);
+  std::vector<std::uint8_t> widened(rows * columns);  // by the margin along each row
+  workers.for_each_block(rows, 1, [&](std::size_t row, std::size_t /*end*/) {
     for (std::size_t x = 0; x < columns; ++x) {
-      const Vec2 middle((static_cast<float>(x) + 0.5F) / static_cast<float>(width_),
-                        (static_cast<float>(y) + 0.5F) / static_cast<float>(height_));
-      if (is_wanted(direction_from_equirect(middle))) {
+      const Vec2 pixel(
+          (static_cast<float>(x) + 0.5F) / static_cast<float>(width_),
+          (static_cast<float>(row) + static_cast<float>(top) + 0.5F) / static_cast<float>(height_));
+      if (glm::dot(direction_from_equirect(pixel), middle) >= smallest_cosine) {
         for (int beside = -margin; beside <= margin; ++beside) {
-          const auto there = (static_cast<int>(x) + beside + margin * width_) % width_;
-          widened[y * columns + static_cast<std::size_t>(there)] = 1;
+          const int there = (static_cast<int>(x) + beside + margin * width_) % width_;
+          widened[row * columns + static_cast<std::size_t>(there)] = 1;
         }
       }
     }
   });
-  workers.for_each_block(rows, 1, [&](std::size_t y, std::size_t /*end*/) {
-    const int first = std::max(0, static_cast<int>(y) - margin);
-    const int last = std::min(height_ - 1, static_cast<int>(y) + margin);
-    for (int row = first; row <= last; ++row) {
+  const auto last = top + static_cast<int>(rows) - 1;
+  for (int y = std::max(0, top - margin); y <= std::min(height_ - 1, last + margin); ++y) {
+    for (int near = std::max(top, y - margin); near <= std::min(last, y + margin); ++near) {
       for (std::size_t x = 0; x < columns; ++x) {
-        pixels_[y * columns + x] |= widened[static_cast<std::size_t>(row) * columns + x];
+        pixels_[static_cast<std::size_t>(y) * columns + x] |=
+            widened[static_cast<std::size_t>(near - top) * columns + x];
       }
     }
-  });
+  }
 }
 
 void SampleMask::keep(std::vector<ViewSample>& samples) const {

@@ -1,7 +1,6 @@
 // Which pixels of a film are worth tracing when only parts of it will be judged.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "renderer/base/parallel.h"
@@ -14,10 +13,9 @@ class SampleMask {
   /// Of a film of width x height; holds nothing yet.
   SampleMask(int width, int height);
 
-  /// Adds the pixels whose middle's direction (unit length, world) is wanted, and those up to
-  /// `margin` pixels beside them, which a resampled view reads too.
-  void add(const std::function<bool(const Vec3& direction)>& is_wanted, int margin,
-           const Workers& workers);
+  /// Adds the pixels whose middles lie within radius_rad of `middle` (unit length, world), and
+  /// those up to `margin` pixels beside them, which a resampled view reads too.
+  void add(const Vec3& middle, double radius_rad, int margin, const Workers& workers);
 
   /// Takes the samples away that fall elsewhere.
   void keep(std::vector<ViewSample>& samples) const;

@@ -1,5 +1,7 @@
 #include "tests/end_to_end/hall.h"
 
+#include "renderer/base/files.h"
+
 namespace foveola::test {
 
 const char* const small_tables = R"(
@@ -70,6 +72,9 @@ std::string room_glb() { return glb_of(room_gltf()); }
 Hall::Hall() {
   folder.write("share/protocols/hall.toml", hall_protocol());
   folder.write("share/scenes/hall.toml", hall_descriptor);
+  folder.write(
+      "share/data/participants/adults.toml",
+      read_file(std::filesystem::path(TEST_DATA_DIR) / "../../data/participants/adults.toml"));
   folder.write("real/hall.glb", room_glb());
 }
 

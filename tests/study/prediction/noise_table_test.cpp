@@ -55,6 +55,20 @@ TEST(NoiseTable, SmoothingTakesOutChanceButNoSlope) {
   EXPECT_NEAR(rough.noise_times_density[1][0], std::pow(1.0 * 32.0 * 32.0 * 4.0, 0.25), 1e-9);
 }
 
+TEST(NoiseTable, PatchesCountByTheirCells) {
+  PatchNoise small = falling_patch(2);
+  PatchNoise large = falling_patch(2);
+  small.cells = 1.0;
+  large.cells = 3.0;
+  large.noise_times_density.assign(2, all(100.0));
+  large.unsampled = all(8.0);
+  const PatchNoise mean = mean_of({small, large});
+  EXPECT_EQ(mean.cells, 4.0);
+  EXPECT_EQ(mean.unsampled, all(7.0));
+  EXPECT_EQ(mean.first_per_sr, 10.0);
+  EXPECT_EQ(mean.noise_times_density[1], all(90.0));
+}
+
 TEST(NoiseTable, PatchesKeepWhatDoesNotChange) {
   const NoiseTable table = {falling_patch(5), falling_patch(5)};
   std::vector<PatchEnergies> energies = energies_without_noise(table);

@@ -39,9 +39,7 @@ class PilotTest : public testing::Test {
   }
   SampleMask mask(double radius_rad) const {
     SampleMask mask(128, 64);
-    const auto smallest = static_cast<float>(std::cos(radius_rad));
-    mask.add([&](const Vec3& d) { return glm::dot(d, object().direction) >= smallest; }, 2,
-             workers_);
+    mask.add(object().direction, radius_rad, 2, workers_);
     return mask;
   }
   const OfferedObject& object() const { return stage_.objects().front(); }
@@ -55,8 +53,8 @@ class PilotTest : public testing::Test {
     return sampler;
   }
   CellMeans expected(const SceneStage& stage) const {
-    return converged_means(setting(stage), *aimed("od"), object().direction,
-                           {.per_square_deg = 1.0, .per_pixel = 400.0}, mask(0.5), views());
+    return converged_means(setting(stage), *aimed("od"), object().direction, 400.0, mask(0.5),
+                           views());
   }
   std::vector<NoiseTable> tables(const SceneStage& stage, const char* method,
                                  double mask_radius_rad) const {
@@ -68,7 +66,7 @@ class PilotTest : public testing::Test {
   Workers workers_{2};
   SceneStage stage_{wall_with_a_square(folder_), workers_};
   Vision vision_ = some_vision();
-  PilotLadder ladder_{.first_per_square_deg = 0.25, .rungs = 11, .repetitions = 2};
+  PilotLadder ladder_{.first_per_pixel = 1.0, .rungs = 11, .repetitions = 2};
   std::stop_source stop_;
 };
 

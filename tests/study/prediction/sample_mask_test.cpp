@@ -1,5 +1,7 @@
 #include "study/prediction/sample_mask.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "renderer/view/equirect.h"
@@ -14,9 +16,7 @@ ViewSample sample_at(float u, float v) {
   return {.direction = direction_from_equirect({u, v}), .image = {u, v}};
 }
 
-bool is_near(const Vec3& direction, const Vec3& middle) {
-  return glm::dot(direction, middle) > 0.97F;
-}
+const double radius_rad = std::acos(0.97);
 
 class SampleMaskTest : public testing::Test {
  protected:
@@ -33,31 +33,31 @@ class SampleMaskTest : public testing::Test {
 TEST_F(SampleMaskTest, HoldsNothingAtFirst) { EXPECT_EQ(kept(sample_at(0.5F, 0.5F)), 0U); }
 
 TEST_F(SampleMaskTest, KeepsWhatIsWanted) {
-  mask_.add([](const Vec3& direction) { return is_near(direction, ahead); }, 0, workers_);
+  mask_.add(ahead, radius_rad, 0, workers_);
   EXPECT_EQ(kept(sample_at(0.501F, 0.499F)), 3U);
   EXPECT_EQ(kept(sample_at(0.55F, 0.5F)), 0U) << "18 degrees beside";
   EXPECT_EQ(kept(sample_at(0.0F, 0.5F)), 0U);
 }
 
 TEST_F(SampleMaskTest, TheMarginGoesBeyondOnAllSides) {
-  mask_.add([](const Vec3& direction) { return is_near(direction, ahead); }, 0, workers_);
+  mask_.add(ahead, radius_rad, 0, workers_);
   const std::size_t without = mask_.count();
   SampleMask wide(64, 32);
-  wide.add([](const Vec3& direction) { return is_near(direction, ahead); }, 1, workers_);
+  wide.add(ahead, radius_rad, 1, workers_);
   // The cone's pixels are a block of 4 x 4, with a margin 6 x 6.
   EXPECT_EQ(without, 16U);
   EXPECT_EQ(wide.count(), 36U);
 }
 
 TEST_F(SampleMaskTest, TheSeamIsNoEdge) {
-  mask_.add([](const Vec3& direction) { return is_near(direction, behind); }, 1, workers_);
+  mask_.add(behind, radius_rad, 1, workers_);
   EXPECT_EQ(kept(sample_at(0.001F, 0.5F)), 3U);
   EXPECT_EQ(kept(sample_at(0.999F, 0.5F)), 3U);
 }
 
 TEST_F(SampleMaskTest, AreasAddUp) {
-  mask_.add([](const Vec3& direction) { return is_near(direction, ahead); }, 0, workers_);
-  mask_.add([](const Vec3& direction) { return is_near(direction, behind); }, 0, workers_);
+  mask_.add(ahead, radius_rad, 0, workers_);
+  mask_.add(behind, radius_rad, 0, workers_);
   EXPECT_EQ(kept(sample_at(0.501F, 0.5F)), 3U);
   EXPECT_EQ(kept(sample_at(0.001F, 0.5F)), 3U);
 }
