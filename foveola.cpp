@@ -15,6 +15,8 @@
 #include "analysis/commands/bench_statistics.h"
 #include "analysis/commands/commands.h"
 #include "analysis/publication/analyze_study.h"
+#include "analysis/publication/output_folder.h"
+#include "analysis/publication/published_comparison.h"
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
@@ -29,6 +31,7 @@
 #include "scenes/builtin.h"
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
+#include "study/commands/bench_prediction.h"
 #include "study/commands/commands.h"
 #include "study/commands/simulate_study.h"
 
@@ -159,13 +162,17 @@ int run(int argc, char** argv) {
       add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
   analysis::add_bench_compare(bench);
+  study::add_bench_prediction(bench, scenes::find_scene, signals.token());
   analysis::add_bench_statistics(bench, signals.token());
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_info(scene, scenes::find_scene);
   add_scene_pick(scene, scenes::find_scene);
   add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());
   add_tracker_commands(app, signals.token());
-  study::add_study_commands(app, scenes::find_scene, signals.token());
+  study::add_study_commands(
+      app, scenes::find_scene,
+      {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
+      signals.token());
   analysis::add_analysis_commands(app, signals.token());
   try {
     reject_unknown_command(app, argc, argv);

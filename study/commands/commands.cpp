@@ -8,13 +8,14 @@
 
 namespace foveola::study {
 
-void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop) {
+void add_study_commands(CLI::App& app, const SceneFinder& find_scene,
+                        const SimulationReporter& reporter, std::stop_token stop) {
   CLI::App* study = app.add_subcommand("study", "Plan, run and look into user studies");
   study->require_subcommand(1);
   add_check(*study, find_scene);
   add_plan(*study);
   add_run(*study, find_scene, stop);
-  add_simulate(*study, find_scene, stop);
+  add_simulate(*study, find_scene, reporter, stop);
   add_replay(*study, find_scene, stop);
   add_status(*study);
   add_gaze(*study);

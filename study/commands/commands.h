@@ -4,6 +4,7 @@
 #include <stop_token>
 
 #include "renderer/base/scene_source.h"
+#include "study/commands/simulate_command.h"
 
 namespace CLI {
 class App;
@@ -12,6 +13,7 @@ class App;
 namespace foveola::study {
 
 /// Adds `study` and its commands to `app`; see add_renderer_commands.
-void add_study_commands(CLI::App& app, const SceneFinder& find_scene, std::stop_token stop);
+void add_study_commands(CLI::App& app, const SceneFinder& find_scene,
+                        const SimulationReporter& reporter, std::stop_token stop);
 
 }  // namespace foveola::study

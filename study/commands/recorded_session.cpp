@@ -56,6 +56,7 @@ void read_facts(SQLite::Database& database, RecordedSession& session) {
                    .build_type = facts.getColumn(2).getString()};
   session.processor = facts.getColumn(3).getString();
   session.display = display_from(facts.getColumn(4).getString());
+  session.simulation = simulation_kind_in(facts.getColumn(4).getString());
 }
 
 std::vector<RecordedAttempt> attempts_in(const fs::path& path, const Procedure& procedure,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/base/build_info.h"
+#include "study/commands/simulation_kind.h"
 #include "study/protocol/protocol.h"
 #include "study/record/study_store.h"
 
@@ -29,9 +30,10 @@ struct RecordedAttempt {
 
 struct RecordedSession {
   KnownSession known;
-  BuildInfo build;                         ///< of the program that showed it
-  std::string processor;                   ///< that it ran on
-  std::optional<RecordedDisplay> display;  ///< of a person's session
+  BuildInfo build;                           ///< of the program that showed it
+  std::string processor;                     ///< that it ran on
+  std::optional<RecordedDisplay> display;    ///< of a person's session
+  std::optional<SimulationKind> simulation;  ///< of a simulated one
   Plan plan;
   std::vector<RecordedAttempt> attempts;  ///< in the order of time
 };

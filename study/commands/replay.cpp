@@ -12,6 +12,7 @@
 #include "renderer/image/image_file.h"
 #include "study/commands/recorded_session.h"
 #include "study/commands/same_scenes.h"
+#include "study/protocol/scaled_protocol.h"
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
 #include "study/stage/trial_preview.h"
@@ -32,6 +33,18 @@ std::vector<RecordedAttempt> chosen_attempts(const RecordedSession& session,
                 "leave --trial and --attempt out to see them all; the first trial is 0");
   }
   return chosen;
+}
+
+/// As it was shown: a simulated session may have been scaled.
+Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& session) {
+  if (session.simulation && session.simulation->predicted) {
+    throw Error(settings.database.string(),
+                fmt::format("the session of participant {} was predicted, not rendered",
+                            settings.participant),
+                "replay one that was simulated without --predicted");
+  }
+  const double scale = session.simulation ? session.simulation->scale : 1.0;
+  return scaled_protocol(read_recorded_protocol(settings.database, settings.folder), scale);
 }
 
 std::string why_approximate(const RecordedSession& session, const Protocol& protocol) {
@@ -61,8 +74,8 @@ class Replay {
   Replay(const ReplaySettings& settings, const SceneFinder& find_scene)
       : settings_(settings),
         find_scene_(find_scene),
-        protocol_(read_recorded_protocol(settings.database, settings.folder)),
         session_(read_session(settings.database, settings.participant)),
+        protocol_(shown_protocol(settings, session_)),
         workers_(settings.threads) {}
 
   ReplayReport run(const std::stop_token& stop) {
@@ -157,8 +170,8 @@ class Replay {
 
   const ReplaySettings& settings_;
   const SceneFinder& find_scene_;
-  Protocol protocol_;
   RecordedSession session_;
+  Protocol protocol_;
   Workers workers_;
   SceneStages stages_;
 };

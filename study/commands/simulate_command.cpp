@@ -25,6 +25,7 @@ struct SimulateArguments {
   int jobs = 1;
   double scale = 1.0;
   bool predicted = false;
+  std::string report;  ///< folder; empty: none
   bool resume = false;
   bool json = false;
 };
@@ -41,13 +42,17 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"plant", arguments.plant},
           {"trials", report.trials},
           {"wall_seconds", report.wall_s},
+          {"sessions_wall_seconds", report.sessions_wall_s},
           {"simulated_seconds", report.simulated_s},
           {"samples", report.samples},
           {"non_finite", report.non_finite}};
 }
 
 void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_scene,
-                  const std::stop_token& stop) {
+                  const SimulationReporter& reporter, const std::stop_token& stop) {
+  if (!arguments.report.empty()) {
+    reporter.check(arguments.report);
+  }
   const SimulateReport report = simulate_study({.protocol = find_protocol(arguments.protocol),
                                                 .database = arguments.database,
                                                 .participants = arguments.participants,
@@ -60,6 +65,9 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
                                                 .predicted = arguments.predicted,
                                                 .resume = arguments.resume},
                                                find_scene, stop);
+  const bool is_reported = !arguments.report.empty() && !stop.stop_requested();
+  const std::string about_report =
+      is_reported ? reporter.write(arguments.database, arguments.report) : "";
   if (arguments.json) {
     fmt::print("{}\n", json_report(arguments, report).dump(2));
     return;
@@ -80,11 +88,13 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
   if (stop.stop_requested()) {
     fmt::print("Stopped. The same command with --resume goes on.\n");
   }
+  fmt::print("{}", about_report);
 }
 
 }  // namespace
 
-void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
+void add_simulate(CLI::App& study, const SceneFinder& find_scene,
+                  const SimulationReporter& reporter, const std::stop_token& stop) {
   const auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* command = add_command(study, "simulate", "Run a study with simulated participants",
                                   "simulate demo --db study.sqlite --participants 4 --seed 7");
@@ -107,10 +117,14 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::sto
   command->add_option("--people", arguments->people,
                       "Who the participants are: a file of data/participants, or one's own");
   command->add_option("--plant", arguments->plant, planted_effect_help);
+  command->add_option("--report", arguments->report,
+                      "A folder that gets the study beside the published one, cell by cell");
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
   add_json(command, arguments->json);
-  command->callback([arguments, find_scene, stop] { run_simulate(*arguments, find_scene, stop); });
+  command->callback([arguments, find_scene, reporter, stop] {
+    run_simulate(*arguments, find_scene, reporter, stop);
+  });
 }
 
 }  // namespace foveola::study

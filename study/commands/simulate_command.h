@@ -1,7 +1,10 @@
 // foveola study simulate.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <stop_token>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +12,17 @@
 
 namespace foveola::study {
 
-void add_simulate(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop);
+/// What is made of a simulated study once it is finished: it needs what this room must not know.
+struct SimulationReporter {
+  /// Throws Error if `folder` could not be written to.
+  std::function<void(const std::filesystem::path& folder)> check;
+  /// Returns lines for the terminal, each ended by a line break. Throws Error.
+  std::function<std::string(const std::filesystem::path& database,
+                            const std::filesystem::path& folder)>
+      write;
+};
+
+void add_simulate(CLI::App& study, const SceneFinder& find_scene,
+                  const SimulationReporter& reporter, const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -33,7 +33,8 @@ struct SimulateReport {
   int sessions_withdrawn = 0;
   int trials = 0;
   double wall_s = 0.0;
-  double simulated_s = 0.0;  ///< virtual time that the participants spent
+  double sessions_wall_s = 0.0;  ///< of that, once references or pilots were there
+  double simulated_s = 0.0;      ///< virtual time that the participants spent
   std::uint64_t samples = 0;
   std::uint64_t non_finite = 0;
 };

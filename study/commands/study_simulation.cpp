@@ -21,6 +21,8 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
     : study_(study), store_(study.settings.database, study.protocol) {}
 
 SimulateReport StudySimulation::run(const std::stop_token& stop) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
   const int before = study_.settings.resume ? finish_begun_sessions(stop) : 0;
   const std::vector<int> design_rows =
       new_design_rows(std::max(0, study_.settings.participants - before));
@@ -29,6 +31,7 @@ SimulateReport StudySimulation::run(const std::stop_token& stop) {
   } else {
     run_durably(design_rows, stop);
   }
+  report_.sessions_wall_s = seconds(clock.now() - start);
   return report_;
 }
 

@@ -20,7 +20,8 @@ JudgedView view_around(const Vec3& middle, double radius_rad, double pixel_rad,
   const Viewport viewport(head_orientation(azimuth_elevation(middle)), fov_rad, fov_rad);
   CellPixels pixels = pixels_of(*cells, viewport, side, side);
   return {.viewport = viewport,
-          .side = side,
+          .width = side,
+          .height = side,
           .cells = std::move(cells),
           .pixels = std::move(pixels),
           .with_contrast = false};
@@ -29,6 +30,27 @@ JudgedView view_around(const Vec3& middle, double radius_rad, double pixel_rad,
 /// Cells are squares: a corner lies beyond the radius that the middles are in.
 double reach_rad(double radius_deg, const Cells& cells) {
   return radians(radius_deg + std::numbers::sqrt2 * cells.cell_deg());
+}
+
+/// The angle of a pixel in the middle of the display.
+double display_pixel_rad(const DisplaySettings& display) {
+  const Viewport view(head_orientation({}), radians(display.horizontal_fov_deg),
+                      radians(display.vertical_fov_deg), display.lens);
+  const Vec2 middle(0.5F);
+  const double sr =
+      view.sr_per_area(middle) / (static_cast<double>(display.view_width) * display.view_height);
+  return std::sqrt(sr);
+}
+
+JudgedView display_view(const OfferedObject& object, const DisplaySettings& display,
+                        const Cells& cells) {
+  const Viewport viewport = aim_at(object.direction, display).viewport;
+  return {.viewport = viewport,
+          .width = display.view_width,
+          .height = display.view_height,
+          .cells = std::make_shared<const Cells>(cells),
+          .pixels = pixels_of(cells, viewport, display.view_width, display.view_height),
+          .with_contrast = false};
 }
 
 }  // namespace
@@ -40,32 +62,21 @@ Aim aim_at(const Vec3& object, const DisplaySettings& display) {
   return {.viewport = viewport, .gaze = object, .pointer = std::nullopt};
 }
 
-double display_pixel_rad(const DisplaySettings& display) {
-  const Viewport view(head_orientation({}), radians(display.horizontal_fov_deg),
-                      radians(display.vertical_fov_deg), display.lens);
-  const Vec2 middle(0.5F);
-  const double sr =
-      view.sr_per_area(middle) / (static_cast<double>(display.view_width) * display.view_height);
-  return std::sqrt(sr);
-}
-
-JudgedView view_of_outline(const Vision& vision, const OfferedObject& object, double pixel_rad) {
-  auto cells =
-      std::make_shared<const Cells>(outline_cells(vision, object.direction, object.radius_deg));
-  const double reach = reach_rad(vision.surround_factor * object.radius_deg, *cells);
-  JudgedView view = view_around(object.direction, reach, pixel_rad, std::move(cells));
+JudgedView view_of_outline(const Vision& vision, const OfferedObject& object,
+                           const DisplaySettings& display) {
+  JudgedView view =
+      display_view(object, display, outline_cells(vision, object.direction, object.radius_deg));
   view.with_contrast = true;
   return view;
 }
 
-JudgedView view_of_material(const Vision& vision, const OfferedObject& object, double pixel_rad) {
-  auto cells =
-      std::make_shared<const Cells>(material_cells(vision, object.direction, object.radius_deg));
-  const double reach = reach_rad(object.radius_deg, *cells);
-  return view_around(object.direction, reach, pixel_rad, std::move(cells));
+JudgedView view_of_material(const Vision& vision, const OfferedObject& object,
+                            const DisplaySettings& display) {
+  return display_view(object, display, material_cells(vision, object.direction, object.radius_deg));
 }
 
-std::vector<JudgedView> views_around(const Vision& vision, double pixel_rad) {
+std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings& display) {
+  const double pixel_rad = display_pixel_rad(display);
   constexpr double smallest_radius_deg = 1.0;
   constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
   const int block = std::max(1, static_cast<int>(std::lround(vision.coarseness)));

@@ -16,7 +16,8 @@ namespace foveola::study {
 
 struct JudgedView {
   Viewport viewport;
-  int side = 0;  ///< pixels, of a square
+  int width = 0;  ///< pixels
+  int height = 0;
   std::shared_ptr<const Cells> cells;
   CellPixels pixels;
   bool with_contrast = false;  ///< of an outline
@@ -26,15 +27,15 @@ struct JudgedView {
 /// middle.
 Aim aim_at(const Vec3& object, const DisplaySettings& display);
 
-/// The angle of a pixel in the middle of the display, radians.
-double display_pixel_rad(const DisplaySettings& display);
-
-/// What is judged of an object, seen by a head that faces it.
-JudgedView view_of_outline(const Vision& vision, const OfferedObject& object, double pixel_rad);
-JudgedView view_of_material(const Vision& vision, const OfferedObject& object, double pixel_rad);
+/// What is judged of an object, on the display of a head that faces it: pixel for pixel, since how
+/// much resampling averages is a matter of how the film's pixels lie between the display's.
+JudgedView view_of_outline(const Vision& vision, const OfferedObject& object,
+                           const DisplaySettings& display);
+JudgedView view_of_material(const Vision& vision, const OfferedObject& object,
+                            const DisplaySettings& display);
 
 /// Of each patch of the view's cells all around, in their order, some cells in its middle, which
-/// stand for it.
-std::vector<JudgedView> views_around(const Vision& vision, double pixel_rad);
+/// stand for it; in views just large enough, with pixels as large as those of the display's middle.
+std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings& display);
 
 }  // namespace foveola::study

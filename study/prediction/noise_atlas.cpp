@@ -25,7 +25,7 @@ constexpr PilotLadder around_ladder{.first_per_pixel = 1.0 / 32.0, .rungs = 15, 
 constexpr int margin_px = 2;
 
 /// Counted up whenever the tables of the same settings come out differently.
-constexpr int tables_version = 1;
+constexpr int tables_version = 2;
 
 /// A cone of directions.
 struct Cone {
@@ -72,16 +72,16 @@ class SceneAtlas {
         scene_(scene),
         stage_(*setting.stages.at(scene)),
         cache_(setting.cache),
-        pixel_rad_(display_pixel_rad(setting.protocol.display)),
         stop_(stop) {
     for (const OfferedObject& object : stage_.objects()) {
       const double radius_deg = std::max(1.0, setting.vision.surround_factor) * object.radius_deg;
-      objects_.push_back({.object = &object,
-                          .views = {view_of_outline(setting.vision, object, pixel_rad_),
-                                    view_of_material(setting.vision, object, pixel_rad_)},
-                          .cone = {.middle = object.direction,
-                                   .radius_rad = radians(radius_deg) + cell_reach_rad(object)},
-                          .expected = std::nullopt});
+      objects_.push_back(
+          {.object = &object,
+           .views = {view_of_outline(setting.vision, object, setting.protocol.display),
+                     view_of_material(setting.vision, object, setting.protocol.display)},
+           .cone = {.middle = object.direction,
+                    .radius_rad = radians(radius_deg) + cell_reach_rad(object)},
+           .expected = std::nullopt});
     }
   }
 
@@ -156,7 +156,7 @@ class SceneAtlas {
   }
 
   NoiseTable measure_around(const TrialSettings& shown) const {
-    const std::vector<JudgedView> views = views_around(setting_.vision, pixel_rad_);
+    const std::vector<JudgedView> views = views_around(setting_.vision, setting_.protocol.display);
     const std::vector<Cells::Patch> patches = view_cells(setting_.vision).patches();
     SampleMask mask(shown.film.width, shown.film.height);
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -206,25 +206,25 @@ class SceneAtlas {
     const Vision& vision = setting_.vision;
     return fmt::format(
         "tables {}\nscene {}\nviewpoint {} {} {}\nexposure {}\nfilm {}x{} depth {} filled {}\n"
-        "display {} {} {} lens {} {} {} {}\n"
+        "display {}x{} {} {} lens {} {} {} {}\n"
         "vision {} {} {} {} {} {} {} coarse {}\n"
         "margin {} objects {} {} {} {} around {} {} {} {}\n",
         tables_version, stage_.key(), viewpoint.x, viewpoint.y, viewpoint.z,
         stage_.source().exposure_stops, shown.film.width, shown.film.height, shown.film.max_depth,
-        shown.fill_unsampled, pixel_rad_, display.horizontal_fov_deg, display.vertical_fov_deg,
-        display.lens.axis.x, display.lens.axis.y, display.lens.k1, display.lens.k2, vision.jnd_lab,
-        vision.recognition_line_pairs, vision.surround_factor, vision.material_cell_deg,
-        vision.view_cell_deg, vision.object_patch_deg, vision.view_patch_deg, vision.coarseness,
-        margin_px, object_convergence, object_ladder.first_per_pixel, object_ladder.rungs,
-        object_ladder.repetitions, around_convergence, around_ladder.first_per_pixel,
-        around_ladder.rungs, around_ladder.repetitions);
+        shown.fill_unsampled, display.view_width, display.view_height, display.horizontal_fov_deg,
+        display.vertical_fov_deg, display.lens.axis.x, display.lens.axis.y, display.lens.k1,
+        display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
+        vision.material_cell_deg, vision.view_cell_deg, vision.object_patch_deg,
+        vision.view_patch_deg, vision.coarseness, margin_px, object_convergence,
+        object_ladder.first_per_pixel, object_ladder.rungs, object_ladder.repetitions,
+        around_convergence, around_ladder.first_per_pixel, around_ladder.rungs,
+        around_ladder.repetitions);
   }
 
   const AtlasSetting& setting_;
   std::string scene_;
   const SceneStage& stage_;
   TableCache cache_;
-  double pixel_rad_;
   std::stop_token stop_;
   std::vector<JudgedObject> objects_;
 };

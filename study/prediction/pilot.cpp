@@ -76,10 +76,11 @@ class Display {
   Display(const EquirectFilm& film, const PilotSetting& setting) : film_(film), setting_(setting) {}
 
   std::vector<ChannelValues> means(const JudgedView& view) {
-    if (view.side != side_) {
-      side_ = view.side;
-      resampler_.emplace(film_, ViewImage{.width = side_,
-                                          .height = side_,
+    if (view.width != width_ || view.height != height_) {
+      width_ = view.width;
+      height_ = view.height;
+      resampler_.emplace(film_, ViewImage{.width = width_,
+                                          .height = height_,
                                           .unsampled = setting_.unsampled,
                                           .exposure_stops = setting_.exposure_stops});
     }
@@ -91,7 +92,8 @@ class Display {
   const EquirectFilm& film_;
   const PilotSetting& setting_;
   std::optional<ViewportResampler> resampler_;
-  int side_ = 0;
+  int width_ = 0;
+  int height_ = 0;
 };
 
 /// Before anything was sampled: black, with all that does not depend on samples.

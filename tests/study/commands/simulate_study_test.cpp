@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "study/commands/prediction_agreement.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/commands/small_wall.h"
 #include "tests/study/record/small_study.h"
@@ -172,6 +173,26 @@ TEST_F(SimulateStudyTest, PlantedTimesComeWithoutPilotsAndWithoutPictures) {
       " po.method = 'od' AND pf.method = 'fv' AND o.censored + f.censored = 0");
   // Of one trial's logarithm of time the deviation is 0.25 in each of two methods.
   EXPECT_NEAR(std::stod(logs), std::log(3.0), 4.0 * 0.25 * std::sqrt(2.0 / 40.0));
+}
+
+// The bounds are wider than what eight seeds gave: ratios of SEEDS, correlations of SEEDS.
+TEST_F(SimulateStudyTest, PredictedTimesAreThoseOfRenderedSessions) {
+  SimulateSettings rendered = settings("rendered.sqlite");
+  rendered.scale = 1.0;
+  rendered.participants = 6;
+  SimulateSettings predicted = rendered;
+  predicted.database = folder_ / "predicted.sqlite";
+  predicted.predicted = true;
+  simulate(rendered);
+  simulate(predicted);
+  for (const MarkAgreement& agreement :
+       prediction_agreement(read_study(rendered.database), read_study(predicted.database))) {
+    if (agreement.method.empty()) {
+      EXPECT_EQ(agreement.trials, 12) << agreement.mark;
+      EXPECT_NEAR(agreement.median_ratio, 1.0, 0.25) << agreement.mark;
+      EXPECT_GT(agreement.rank_correlation, 0.7) << agreement.mark;
+    }
+  }
 }
 
 TEST_F(SimulateStudyTest, RefusesNumbersThatMakeNoSense) {

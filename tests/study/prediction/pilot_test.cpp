@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/film/viewport_resampler.h"
 #include "study/stage/scene_stage.h"
 #include "tests/study/commands/small_wall.h"
 
@@ -27,8 +28,6 @@ Vision some_vision() {
 
 class PilotTest : public testing::Test {
  protected:
-  static constexpr double pixel_rad = 0.035;
-
   PilotSetting setting(const SceneStage& stage) const {
     return {.tracer = stage.tracer(),
             .workers = workers_,
@@ -44,8 +43,8 @@ class PilotTest : public testing::Test {
   }
   const OfferedObject& object() const { return stage_.objects().front(); }
   std::vector<JudgedView> views() const {
-    return {view_of_outline(vision_, object(), pixel_rad),
-            view_of_material(vision_, object(), pixel_rad)};
+    return {view_of_outline(vision_, object(), display_),
+            view_of_material(vision_, object(), display_)};
   }
   std::unique_ptr<ViewSampler> aimed(const char* method) const {
     auto sampler = make_view_sampler(method);
@@ -62,6 +61,7 @@ class PilotTest : public testing::Test {
                          expected(stage));
   }
 
+  DisplaySettings display_{.view_width = 64, .view_height = 64};
   TemporaryFolder folder_;
   Workers workers_{2};
   SceneStage stage_{wall_with_a_square(folder_), workers_};
@@ -93,6 +93,66 @@ TEST_F(PilotTest, NoiseFallsWithTheSamples) {
     }
     EXPECT_LT(last, first / 8.0);
     EXPECT_GT(last, 0.0);
+  }
+}
+
+/// The noise of all patches together, achromatic, as a display of 48 x 48 shows it after so many
+/// samples that were not counted before; the mean of many pictures.
+double shown_noise(const PilotSetting& setting, const ViewSampler& sampler, std::uint64_t samples,
+                   const JudgedView& view, const Viewport& viewport) {
+  constexpr int side = 48;
+  const CellPixels pixels = pixels_of(*view.cells, viewport, side, side);
+  const auto picture = [&](std::uint64_t count, std::uint32_t seed) {
+    EquirectFilm film(setting.film.width, setting.film.height);
+    SamplePass pass;
+    const TraceSettings trace{.max_depth = setting.film.max_depth, .seed = seed};
+    pass.run(
+        sampler, {.first = 0, .count = count, .seed = seed},
+        [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+          setting.tracer.trace(setting.viewpoint, jobs, radiance, trace, setting.workers);
+        },
+        film, setting.workers);
+    ViewportResampler resampler(film, {.width = side, .height = side, .exposure_stops = 0.0});
+    return cell_means(resampler.show(viewport, setting.workers), pixels, setting.jnd_lab);
+  };
+  const std::vector<ChannelValues> expected = picture(3'000'000, 1);
+  double sum = 0.0;
+  constexpr int pictures = 16;
+  for (std::uint32_t seed = 100; seed < 100 + pictures; ++seed) {
+    for (const PatchEnergies& patch :
+         patch_energies(*view.cells, pixels, picture(samples, seed), expected, false)) {
+      sum += patch.cells * patch.noise[0] / pictures;
+    }
+  }
+  return sum;
+}
+
+TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
+  DisplaySettings display;
+  display.view_width = 48;
+  display.view_height = 48;
+  const Aim aim = aim_at(object().direction, display);
+  const std::vector<JudgedView> small = {view_of_outline(vision_, object(), display),
+                                         view_of_material(vision_, object(), display)};
+  const PilotSetting pilot = setting(stage_);
+  ladder_.repetitions = 8;
+  ladder_.first_per_pixel = 0.5;
+  const auto sampler = aimed("od");
+  const CellMeans converged =
+      converged_means(pilot, *sampler, object().direction, 400.0, mask(0.6), small);
+  const std::vector<NoiseTable> tables =
+      measure_noise(pilot, *sampler, ladder_, mask(0.6), small, converged);
+  for (std::size_t view = 0; view < small.size(); ++view) {
+    for (const std::uint64_t samples : {8'000U, 30'000U, 100'000U}) {
+      double predicted = 0.0;
+      for (const PatchNoise& patch : tables[view]) {
+        const double per_sr =
+            static_cast<double>(samples) * sampler->density_per_sr(patch.direction);
+        predicted += patch.cells * noise_at(patch, per_sr)[0];
+      }
+      const double shown = shown_noise(pilot, *sampler, samples, small[view], aim.viewport);
+      EXPECT_NEAR(predicted / shown, 1.0, 0.2) << "view " << view << ", " << samples << " samples";
+    }
   }
 }
 

@@ -1,0 +1,123 @@
+#include "study/commands/bench_prediction.h"
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "study/commands/aligned_rows.h"
+#include "study/commands/command_line.h"
+#include "study/commands/prediction_agreement.h"
+#include "study/commands/simulate_study.h"
+#include "study/protocol/protocol.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+struct BenchArguments {
+  std::string protocol;
+  std::string folder;
+  int participants = 0;
+  std::uint64_t seed = 0;
+  double scale = 1.0;
+  int threads = 0;
+  int jobs = 1;
+  bool json = false;
+};
+
+/// One of the two studies; what was done of it before stays.
+SimulateReport simulate(const BenchArguments& arguments, bool predicted, const fs::path& database,
+                        const SceneFinder& find_scene, const std::stop_token& stop) {
+  return simulate_study({.protocol = find_protocol(arguments.protocol),
+                         .database = database,
+                         .participants = arguments.participants,
+                         .seed = arguments.seed,
+                         .threads = arguments.threads,
+                         .jobs = arguments.jobs,
+                         .scale = arguments.scale,
+                         .predicted = predicted,
+                         .resume = true},
+                        find_scene, stop);
+}
+
+std::string text_of(const std::vector<MarkAgreement>& agreements) {
+  std::vector<Row> rows = {
+      {"mark", "method", "trials", "rendered s", "predicted s", "ratio", "rank correlation"}};
+  for (const MarkAgreement& agreement : agreements) {
+    rows.push_back({agreement.mark, agreement.method.empty() ? "all" : agreement.method,
+                    fmt::format("{}", agreement.trials),
+                    fmt::format("{:.2f}", agreement.rendered_median_s),
+                    fmt::format("{:.2f}", agreement.predicted_median_s),
+                    fmt::format("{:.3f}", agreement.median_ratio),
+                    fmt::format("{:.3f}", agreement.rank_correlation)});
+  }
+  return aligned(rows);
+}
+
+nlohmann::json json_of(const std::vector<MarkAgreement>& agreements) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const MarkAgreement& agreement : agreements) {
+    list.push_back({{"mark", agreement.mark},
+                    {"method", agreement.method.empty() ? "all" : agreement.method},
+                    {"trials", agreement.trials},
+                    {"rendered_median_s", agreement.rendered_median_s},
+                    {"predicted_median_s", agreement.predicted_median_s},
+                    {"median_ratio", agreement.median_ratio},
+                    {"rank_correlation", agreement.rank_correlation}});
+  }
+  return list;
+}
+
+void run_bench(const BenchArguments& arguments, const SceneFinder& find_scene,
+               const std::stop_token& stop) {
+  const fs::path folder = arguments.folder;
+  if (!fs::is_directory(folder)) {
+    throw Error(folder.string(), "is no folder", "make it");
+  }
+  const SimulateReport predicted =
+      simulate(arguments, true, folder / "predicted.sqlite", find_scene, stop);
+  const SimulateReport rendered =
+      simulate(arguments, false, folder / "rendered.sqlite", find_scene, stop);
+  const std::vector<MarkAgreement> agreements = prediction_agreement(
+      read_study(folder / "rendered.sqlite"), read_study(folder / "predicted.sqlite"));
+  if (arguments.json) {
+    const nlohmann::json report = {{"scale", arguments.scale},
+                                   {"seed", arguments.seed},
+                                   {"rendered_sessions_wall_seconds", rendered.sessions_wall_s},
+                                   {"predicted_sessions_wall_seconds", predicted.sessions_wall_s},
+                                   {"agreement", json_of(agreements)}};
+    fmt::print("{}\n", report.dump(2));
+  } else {
+    fmt::print("{}", text_of(agreements));
+  }
+  if (stop.stop_requested()) {
+    fmt::print("Stopped. The same command goes on.\n");
+  }
+}
+
+}  // namespace
+
+void add_bench_prediction(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
+  const auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command =
+      add_command(bench, "prediction",
+                  "Simulate a study twice, rendered and predicted, and compare the times of marks",
+                  "prediction demo --participants 2 --seed 1 -o bench");
+  add_protocol(command, arguments->protocol);
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "The folder of both studies' files; what is there already is gone on with")
+      ->required();
+  add_participants_and_seed(command, arguments->participants, arguments->seed);
+  command->add_option("--scale", arguments->scale, "As of study simulate");
+  add_threads(command, arguments->threads);
+  command->add_option("--jobs", arguments->jobs, "As of study simulate");
+  add_json(command, arguments->json);
+  command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola::study

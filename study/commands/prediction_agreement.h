@@ -1,0 +1,34 @@
+// How well a predicted study tells what a rendered one of the same participants would have said.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/record/study_records.h"
+
+namespace foveola::study {
+
+/// Of the trials that both studies have, with marks that both have and that no time-out cut off.
+struct MarkAgreement {
+  std::string mark;    ///< "outline" or "material"
+  std::string method;  ///< empty: all
+  int trials = 0;
+  double rendered_median_s = 0.0;
+  double predicted_median_s = 0.0;
+  double median_ratio = 0.0;      ///< of predicted over rendered times, trial by trial
+  double rank_correlation = 0.0;  ///< Spearman's; 0 for fewer than two trials
+};
+
+/// For each mark, of all methods together and of each. Trials are paired by participant, scene and
+/// method.
+std::vector<MarkAgreement> prediction_agreement(const StudyRecords& rendered,
+                                                const StudyRecords& predicted);
+
+/// Spearman's rank correlation, ties sharing their mean rank; 0 for fewer than two pairs, or if all
+/// of one side are alike. Both have as many values.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
+
+/// The middle value, or the mean of the two in the middle; 0 of none.
+double median_of(std::vector<double> values);
+
+}  // namespace foveola::study
