@@ -175,7 +175,8 @@ TEST_F(SimulateStudyTest, PlantedTimesComeWithoutPilotsAndWithoutPictures) {
   EXPECT_NEAR(std::stod(logs), std::log(3.0), 4.0 * 0.25 * std::sqrt(2.0 / 40.0));
 }
 
-// The bounds are wider than what eight seeds gave: ratios of SEEDS, correlations of SEEDS.
+// Eight seeds gave ratios of 0.97 to 1.00 for all methods, of 0.93 to 1.00 for od alone, whose
+// times are far above the reaction time, and correlations of 0.90 to 1.00.
 TEST_F(SimulateStudyTest, PredictedTimesAreThoseOfRenderedSessions) {
   SimulateSettings rendered = settings("rendered.sqlite");
   rendered.scale = 1.0;
@@ -187,10 +188,10 @@ TEST_F(SimulateStudyTest, PredictedTimesAreThoseOfRenderedSessions) {
   simulate(predicted);
   for (const MarkAgreement& agreement :
        prediction_agreement(read_study(rendered.database), read_study(predicted.database))) {
+    EXPECT_EQ(agreement.trials, agreement.method.empty() ? 12 : 6) << agreement.mark;
+    EXPECT_NEAR(agreement.median_ratio, 1.0, 0.15) << agreement.mark << " " << agreement.method;
     if (agreement.method.empty()) {
-      EXPECT_EQ(agreement.trials, 12) << agreement.mark;
-      EXPECT_NEAR(agreement.median_ratio, 1.0, 0.25) << agreement.mark;
-      EXPECT_GT(agreement.rank_correlation, 0.7) << agreement.mark;
+      EXPECT_GT(agreement.rank_correlation, 0.8) << agreement.mark;
     }
   }
 }
