@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
 #include <X11/Xatom.h>
@@ -18,6 +17,8 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/waiting.h"
 
 namespace foveola::test {
 
@@ -249,13 +250,12 @@ struct XUser::Connection {
   }
 
   ::Window wait_for(const std::string& title) const {
-    for (int i = 0; i < 1000; ++i) {
-      if (const ::Window found = find(title)) {
-        return found;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    throw std::runtime_error("there is no window '" + title + "'");
+    ::Window found = 0;
+    wait_until("a window '" + title + "'", [&] {
+      found = find(title);
+      return found != 0;
+    });
+    return found;
   }
 
   void key(const std::string& name, bool is_down) const {
@@ -334,6 +334,12 @@ void XUser::point_at(const std::string& title, int x, int y) {
 void XUser::resize(const std::string& title, unsigned width, unsigned height) {
   XResizeWindow(connection_->display, connection_->wait_for(title), width, height);
   XFlush(connection_->display);
+}
+
+XUser::Place XUser::place_of(const std::string& title) {
+  XWindowAttributes attributes{};
+  XGetWindowAttributes(connection_->display, connection_->wait_for(title), &attributes);
+  return {attributes.x, attributes.y, attributes.width, attributes.height};
 }
 
 void XUser::ask_to_close(const std::string& title) {

@@ -47,8 +47,8 @@ class XMonitors {
   XServer server_;
 };
 
-/// A user, through the extension XTest. A window of `title` is looked for where one is named, for
-/// ten seconds at most; throws std::runtime_error if there is none.
+/// A user, through the extension XTest. A window of `title` is waited for where one is named;
+/// throws std::runtime_error if there never is one.
 class XUser {
  public:
   explicit XUser(const std::string& display);
@@ -70,6 +70,14 @@ class XUser {
   /// In the window, from its top left corner.
   void point_at(const std::string& title, int x, int y);
   void resize(const std::string& title, unsigned width, unsigned height);
+  /// The window's on the whole desktop.
+  struct Place {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+  };
+  Place place_of(const std::string& title);
   /// As a window manager asks when its cross is clicked.
   void ask_to_close(const std::string& title);
   /// As a window manager says of a minimised window.

@@ -35,8 +35,10 @@ struct ScreenPage {
   std::vector<ScreenField> fields;
   std::string keys;                ///< the line at the bottom: which keys do what
   std::optional<double> progress;  ///< of the session, in [0, 1]
-  bool covers_picture = true;      ///< otherwise a band at the bottom, the picture above it
-  bool is_signal = false;          ///< bright instead of dark, for who waits for it to change
+  /// Otherwise a band at the bottom; words without fields that would reach the picture's middle
+  /// stand in one at the top, too.
+  bool covers_picture = true;
+  bool is_signal = false;  ///< bright instead of dark, for who waits for it to change
 };
 
 /// What a screen that covers the picture has room for in any window and headset, beside a title and

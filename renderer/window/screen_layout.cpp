@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "renderer/window/screen_fields.h"
@@ -16,6 +17,8 @@ constexpr float progress_height = 0.3F;
 constexpr float above_content = 2.7F;
 constexpr float above_keys = 1.2F;
 constexpr float band_padding = 0.8F;
+/// To each side of a page's middle, in heights of the page: words over a picture leave it free.
+constexpr float free_middle = 0.08F;
 
 /// The rectangle of `size` around `middle`, moved as far as it takes to lie in `whole`.
 ScreenRect rect_within(const ScreenRect& whole, const Vec2& middle, const Vec2& size) {
@@ -208,15 +211,64 @@ ScreenLayout lay_out_page(const ScreenPage& screen, const ScreenPlace& place,
   return layout;
 }
 
-ScreenLayout lay_out_band(const ScreenPage& screen, const ScreenPlace& place,
+ScreenColumn band_content(const ScreenPage& screen, const ScreenPlace& place,
                           const TextWidth& width_of) {
-  ScreenLayout layout;
   ScreenColumn content = column_of(place, width_of);
   add_content(content, screen);
   if (!screen.keys.empty()) {
     leave_before_next(content, screen.fields.empty() ? 0.5F : 1.0F);
     content.write(screen.keys, TextFace::body, Ink::quiet);
   }
+  return content;
+}
+
+/// Words that would reach up to the middle, where people look, stand above and below it: in the
+/// upper part the title and the first paragraphs, as few as will do.
+struct BandParts {
+  ScreenPage upper;
+  ScreenPage lower;
+};
+
+BandParts parts_around_middle(const ScreenPage& screen, const ScreenPlace& place,
+                              const TextWidth& width_of) {
+  const float text_px = text_height_px(place);
+  const float room_px = (0.5F - free_middle) * place.page.size().y - 2.0F * band_padding * text_px;
+  BandParts parts{.lower = screen};
+  while (screen.fields.empty() && !parts.lower.paragraphs.empty() &&
+         band_content(parts.lower, place, width_of).bottom_px() > room_px) {
+    std::vector<std::string>& lower = parts.lower.paragraphs;
+    if (!parts.lower.title.empty()) {
+      parts.upper.title = std::exchange(parts.lower.title, {});
+    } else {
+      parts.upper.paragraphs.push_back(lower.front());
+      lower.erase(lower.begin());
+    }
+  }
+  return parts;
+}
+
+ScreenLayout lay_out_upper_band(const ScreenPage& screen, const ScreenPlace& place,
+                                const TextWidth& width_of) {
+  ScreenLayout layout;
+  const ScreenColumn content = band_content(screen, place, width_of);
+  if (content.bottom_px() <= 0.0F) {
+    return layout;
+  }
+  const float padding_px = band_padding * content.text_px();
+  const float top_px = place.page.low.y + padding_px;
+  const float bottom_px = top_px + content.bottom_px();
+  layout.shapes.push_back(
+      {.ink = Ink::ground,
+       .rect = {.low = place.page.low,
+                .high = glm::round(Vec2(place.page.high.x, bottom_px + padding_px))}});
+  add_scrolled(layout, content, place, {top_px, bottom_px}, 0.0F);
+  return layout;
+}
+
+ScreenLayout lay_out_lower_band(const ScreenPage& screen, const ScreenPlace& place,
+                                const TextWidth& width_of) {
+  ScreenLayout layout;
+  const ScreenColumn content = band_content(screen, place, width_of);
   const float padding_px = band_padding * content.text_px();
   const float bottom_px = place.page.high.y - padding_px;
   const float top_px = std::max(bottom_px - content.bottom_px(), place.page.low.y + padding_px);
@@ -224,6 +276,14 @@ ScreenLayout lay_out_band(const ScreenPage& screen, const ScreenPlace& place,
                            .rect = {.low = glm::round(Vec2(place.page.low.x, top_px - padding_px)),
                                     .high = place.page.high}});
   add_scrolled(layout, content, place, {top_px, bottom_px}, 0.0F);
+  return layout;
+}
+
+ScreenLayout lay_out_band(const ScreenPage& screen, const ScreenPlace& place,
+                          const TextWidth& width_of) {
+  const BandParts parts = parts_around_middle(screen, place, width_of);
+  ScreenLayout layout = lay_out_upper_band(parts.upper, place, width_of);
+  add(layout, lay_out_lower_band(parts.lower, place, width_of));
   return layout;
 }
 

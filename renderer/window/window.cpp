@@ -224,7 +224,10 @@ void Window::tell_of_monitors() {
       push(MonitorFound{name});
     }
   }
-  known_monitors_ = std::move(now);
+  if (now != known_monitors_) {
+    known_monitors_ = std::move(now);
+    stay_on_a_monitor();
+  }
 }
 
 void Window::follow_toggles() {
@@ -234,7 +237,8 @@ void Window::follow_toggles() {
   if (glfwGetWindowMonitor(window_) != nullptr) {
     leave_full_screen();
   } else {
-    enter_full_screen(monitor_below());
+    GLFWmonitor* const below = monitor_below();
+    enter_full_screen(below != nullptr ? below : glfwGetPrimaryMonitor());
   }
 }
 
@@ -268,7 +272,23 @@ GLFWmonitor* Window::monitor_below() const {
       return monitor;
     }
   }
-  return glfwGetPrimaryMonitor();
+  return nullptr;
+}
+
+/// GLFW puts a window whose monitor is lost into the desktop's corner, and only a window manager
+/// would see that no monitor may be there.
+void Window::stay_on_a_monitor() {
+  GLFWmonitor* const left = glfwGetPrimaryMonitor();
+  if (left == nullptr || glfwGetWindowMonitor(window_) != nullptr || monitor_below() != nullptr) {
+    return;
+  }
+  IVec2 corner(0);
+  IVec2 size(0);
+  glfwGetMonitorPos(left, &corner.x, &corner.y);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  const GLFWvidmode* mode = glfwGetVideoMode(left);
+  glfwSetWindowSize(window_, std::min(size.x, mode->width), std::min(size.y, mode->height));
+  glfwSetWindowPos(window_, corner.x, corner.y);
 }
 
 }  // namespace foveola

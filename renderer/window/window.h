@@ -80,6 +80,7 @@ class Window {
   void leave_full_screen();
   void enter_full_screen(GLFWmonitor* monitor);
   GLFWmonitor* monitor_below() const;
+  void stay_on_a_monitor();
 
   std::unique_ptr<Library> library_;
   WindowEvents* events_;

@@ -32,6 +32,16 @@ void read_all_settings(TomlReader& reader, Protocol& protocol) {
   read_overrides(reader, protocol);
 }
 
+/// What protocols said before questionnaires had ids.
+void refuse_old_tables(TomlReader& reader, const toml::table& table) {
+  if (const toml::node* const background = table.get("background")) {
+    reader.fail(background->source(),
+                "[[background]] is of an older Foveola: questionnaires have ids now",
+                "write [[questionnaire]] with id = \"background\", and each of these tables as a "
+                "[[questionnaire.question]] below it");
+  }
+}
+
 }  // namespace
 
 fs::path find_protocol(const std::string& name_or_path) {
@@ -58,6 +68,7 @@ Protocol read_protocol(const std::string& text, const fs::path& path) {
   const toml::table table =
       parse_toml(path.string(), text, "see protocols/demo.toml for an example");
   TomlReader reader(path.string(), table, "");
+  refuse_old_tables(reader, table);
   protocol.name = reader.require_text("name");
   protocol.title = reader.require_text("title");
   protocol.scenes = read_scenes(reader);

@@ -9,6 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/waiting.h"
+
 namespace foveola::test {
 
 RunningProgram::RunningProgram(std::vector<std::string> arguments, const Environment& environment) {
@@ -62,20 +64,25 @@ void RunningProgram::type_line(const std::string& line) const {
 }
 
 std::string RunningProgram::wait_for(const std::string& words) {
-  for (int i = 0; i < 3000; ++i) {
-    {
-      const std::scoped_lock lock(mutex_);
-      const std::size_t found = said_.find(words, waited_for_);
-      const std::size_t end = said_.find('\n', found);
-      if (found != std::string::npos && end != std::string::npos) {
-        const std::size_t begin = said_.rfind('\n', found) + 1;
-        waited_for_ = end;
-        return said_.substr(begin, end - begin);
-      }
+  std::string line;
+  const auto has_said = [&] {
+    const std::scoped_lock lock(mutex_);
+    const std::size_t found = said_.find(words, waited_for_);
+    const std::size_t end = said_.find('\n', found);
+    if (found == std::string::npos || end == std::string::npos) {
+      return false;
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const std::size_t begin = said_.rfind('\n', found) + 1;
+    waited_for_ = end;
+    line = said_.substr(begin, end - begin);
+    return true;
+  };
+  try {
+    wait_until("it says '" + words + "'", has_said);
+  } catch (const std::runtime_error& in_vain) {
+    throw std::runtime_error(std::string(in_vain.what()) + ", but said:\n" + said());
   }
-  throw std::runtime_error("it has not said '" + words + "' but:\n" + said());
+  return line;
 }
 
 std::string RunningProgram::said() {

@@ -26,7 +26,7 @@ class RunningProgram {
   void type_line(const std::string& line) const;
   /// Waits until it has said `words` on its standard output or error after what was waited for
   /// before, and returns the line up to its end. Throws std::runtime_error, with all that was said,
-  /// after half a minute.
+  /// if it never does.
   std::string wait_for(const std::string& words);
   /// All that it has said so far.
   std::string said();

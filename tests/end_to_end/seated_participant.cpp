@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "tests/end_to_end/tracker_profile.h"
+#include "tests/waiting.h"
 
 namespace fs = std::filesystem;
 
@@ -91,15 +92,16 @@ void SeatedParticipant::begin(const std::vector<std::string>& options) {
 
 std::string SeatedParticipant::wait_for_page() {
   ++pages_;
-  for (int i = 0; i < 3000; ++i) {
-    const std::string picture = picture_of_page(screens_, pages_);
-    if (!picture.empty()) {
-      return picture.substr(4, picture.size() - 8);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::string picture;
+  try {
+    wait_until("page " + std::to_string(pages_), [&] {
+      picture = picture_of_page(screens_, pages_);
+      return !picture.empty();
+    });
+  } catch (const std::runtime_error& in_vain) {
+    throw std::runtime_error(std::string(in_vain.what()) + "; it said:\n" + program_->said());
   }
-  throw std::runtime_error("there is no page " + std::to_string(pages_) + "; it said:\n" +
-                           program_->said());
+  return picture.substr(4, picture.size() - 8);
 }
 
 KeyPress SeatedParticipant::type(const std::string& key) {
@@ -133,6 +135,10 @@ ProgramResult SeatedParticipant::run_besides(const std::string& participant,
 
 ProgramResult SeatedParticipant::replay() const {
   return hall_.run({"study", "replay", database().string(), "--participant", "P1"});
+}
+
+ProgramResult SeatedParticipant::status() const {
+  return hall_.run({"study", "status", database().string()});
 }
 
 }  // namespace foveola::test

@@ -34,7 +34,7 @@ class SeatedParticipant {
   void begin(const std::vector<std::string>& options = {});
 
   /// Waits until the next page that the participant comes to stands, and returns the session's
-  /// phase. Throws std::runtime_error after half a minute.
+  /// phase. Throws std::runtime_error if it never does.
   std::string wait_for_page();
 
   /// Presses a key and lets it go.
@@ -52,6 +52,8 @@ class SeatedParticipant {
                             const std::vector<std::string>& options) const;
   /// `study replay` of the session.
   ProgramResult replay() const;
+  /// `study status` of the database.
+  ProgramResult status() const;
 
   /// The rows of a query of the database.
   Rows ask(const std::string& sql) const { return all_rows_of(database(), sql); }

@@ -12,7 +12,7 @@ namespace foveola::test {
 namespace {
 
 void wait_for_input(int socket, const char* what) {
-  constexpr int patience_ms = 10000;
+  constexpr int patience_ms = 300'000;
   pollfd state{.fd = socket, .events = POLLIN, .revents = 0};
   if (::poll(&state, 1, patience_ms) <= 0) {
     throw std::runtime_error(what);

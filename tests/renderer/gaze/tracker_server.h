@@ -7,7 +7,7 @@
 
 namespace foveola::test {
 
-/// Each wait gives up after ten seconds with std::runtime_error.
+/// Each wait gives up after five minutes with std::runtime_error.
 class TrackerServer {
  public:
   /// port: 0 for any that is free.

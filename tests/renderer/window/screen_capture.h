@@ -19,9 +19,8 @@ struct WindowCase {
 };
 
 inline constexpr WindowCase window_cases[] = {
-    {"1280x720", {1280, 720}, false},
-    {"1920x1080", {1920, 1080}, false},
-    {"3840x2160", {3840, 2160}, false},
+    {"1280x720", {1280, 720}, false},   {"1920x1080", {1920, 1080}, false},
+    {"2560x1440", {2560, 1440}, false}, {"3840x2160", {3840, 2160}, false},
     {"headset", {2560, 1440}, true},
 };
 

@@ -47,8 +47,9 @@ inline ScreenPlace right_eye() {
 inline std::vector<PlaceCase> place_cases() {
   return {
       {"1280x720", monitor(1280, 720)},   {"1920x1080", monitor(1920, 1080)},
-      {"3840x2160", monitor(3840, 2160)}, {"portrait", monitor(1080, 1920)},
-      {"square", monitor(600, 600)},      {"headset", right_eye()},
+      {"2560x1440", monitor(2560, 1440)}, {"3840x2160", monitor(3840, 2160)},
+      {"portrait", monitor(1080, 1920)},  {"square", monitor(600, 600)},
+      {"headset", right_eye()},
   };
 }
 

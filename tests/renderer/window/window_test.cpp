@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include "renderer/base/error.h"
+#include "tests/waiting.h"
 #include "tests/x_server.h"
 
 namespace foveola {
@@ -23,8 +24,8 @@ constexpr milliseconds tick_of_server{1};
 
 using IsLast = std::function<bool(const WindowEvent&)>;
 
-/// The events that `act` gives rise to, until those that `is_last` is true of, or ten seconds are
-/// over.
+/// The events that `act` gives rise to, until those that `is_last` is true of, however long that
+/// takes; but not for ever.
 std::vector<WindowEvent> pass_on_while(Window& window, WindowEvents& events,
                                        const std::function<void()>& act, const IsLast& is_last) {
   const SteadyClock clock;
@@ -32,7 +33,7 @@ std::vector<WindowEvent> pass_on_while(Window& window, WindowEvents& events,
   const std::stop_source done;
   const std::jthread user_thread([&, done]() mutable {
     act();
-    const Nanoseconds end = clock.now() + std::chrono::seconds(10);
+    const Nanoseconds end = clock.now() + test::patience;
     bool is_over = false;
     while (!is_over && clock.now() < end) {
       for (const WindowEvent& event : events.take()) {
@@ -264,6 +265,18 @@ TEST_F(MonitorTest, AWindowLeavesFullScreenWithItsMonitor) {
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), is_found));
   EXPECT_EQ(window.monitors().size(), 2U);
   EXPECT_EQ(window.framebuffer_size(), IVec2(1024, 768)) << "it stays where it is";
+}
+
+TEST_F(MonitorTest, AWindowComesToAMonitorThatIsLeft) {
+  Window window({.title = title, .monitor = 0}, events_, clock_);
+  const auto is_lost = tells_of<MonitorLost>("DUMMY0");
+  pass_on_while(
+      window, events_, [&] { monitors_->take_away("DUMMY0"); }, is_lost);
+  test::XUser user(monitors_->display());
+  test::wait_until("the window on DUMMY1, whose left edge is at 1024", [&] {
+    const auto place = user.place_of(title);
+    return place.x == 1024 && place.y == 0 && place.width <= 800 && place.height <= 600;
+  });
 }
 
 TEST_F(MonitorTest, AWindowStaysWhenAnotherMonitorIsLost) {

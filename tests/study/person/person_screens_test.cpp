@@ -104,6 +104,24 @@ TEST_P(PersonScreensFit, WithoutOverlapAndWithoutLeavingAnythingOut) {
   }
 }
 
+TEST_P(PersonScreensFit, WordsOverAPictureLeaveItsMiddleFree) {
+  const ScreenPlace& place = GetParam().place;
+  const foveola::test::ScreenLetters letters(text_height_px(place));
+  const ScreenRect& page = place.page;
+  const float middle_px = 0.5F * (page.low.y + page.high.y);
+  const float free_px = 0.05F * page.size().y;
+  for (const auto& [name, screen] : screens_of_a_session()) {
+    if (screen.covers_picture || !screen.fields.empty()) {
+      continue;
+    }
+    for (const PlacedShape& shape : lay_out(screen, place, letters.width()).shapes) {
+      EXPECT_TRUE(shape.rect.high.y < middle_px - free_px || shape.rect.low.y > middle_px + free_px)
+          << name << ": from " << shape.rect.low.y << " to " << shape.rect.high.y << " of "
+          << page.size().y;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Places, PersonScreensFit,
                          ::testing::ValuesIn(foveola::test::place_cases()),
                          [](const auto& one) { return std::string(one.param.name); });

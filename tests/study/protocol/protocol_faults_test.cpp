@@ -49,6 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         with_mask("mask_by_an_absolute_path", "/etc/passwd", "an absolute path"),
         with_mask("mask_out_of_the_folder", "../x.png", "leads out of the folder"),
         with_mask("mask_that_is_a_folder", ".", "not a regular file"),
+        Fault{"background_of_an_older_version", "name = \"a\"\n[[background]]\nid = \"age\"\n",
+              "2:1", "write [[questionnaire]] with id"},
         Fault{"method_with_a_pointer",
               "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\n"
               "methods = [\"od\", \"hybrid:1*od+1*pointer:radius=5\"]\n",
