@@ -26,10 +26,6 @@ namespace {
 
 constexpr const char* no_plant = "none";
 
-bool has_ended(const KnownSession& session) {
-  return SessionState{.phase = session.phase}.is_over();
-}
-
 std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   std::vector<KnownSession> sessions = store.sessions();
   std::erase_if(sessions,

@@ -9,13 +9,10 @@
 #include "study/commands/participant_code.h"
 
 namespace foveola::study {
-namespace {
 
 bool has_ended(const KnownSession& session) {
   return SessionState{.phase = session.phase}.is_over();
 }
-
-}  // namespace
 
 StudySimulation::StudySimulation(const SimulatedStudy& study)
     : study_(study), store_(study.settings.database, study.protocol) {}

@@ -16,6 +16,9 @@
 
 namespace foveola::study {
 
+/// Whether nothing more can happen in it.
+bool has_ended(const KnownSession& session);
+
 /// What sessions are simulated with; it must outlive the simulation.
 struct SimulatedStudy {
   const SimulateSettings& settings;

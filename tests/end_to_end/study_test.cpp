@@ -173,6 +173,45 @@ TEST_F(StudyOfAHall, AnotherCameraIsNotMixedIn) {
   EXPECT_EQ(value_of(folder / "study.sqlite", "SELECT count(*) FROM session"), "1");
 }
 
+TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
+  const std::string study = (folder / "study.sqlite").string();
+  const ProgramResult simulated =
+      run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--scale", "4"});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  const ProgramResult replayed = run({"study", "replay", study, "--participant", "P001"});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.output << replayed.errors;
+  EXPECT_THAT(replayed.output, HasSubstr("the same, bit for bit"));
+  const ProgramResult mixed =
+      run({"study", "simulate", "hall", "--db", study, "--participants", "1"});
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.errors, HasSubstr("simulation/scale: 4.0, now 1.0"));
+}
+
+TEST_F(StudyOfAHall, APredictedSessionHasNothingToReplay) {
+  const std::string study = (folder / "study.sqlite").string();
+  const ProgramResult simulated = run({"study", "simulate", "hall", "--db", study, "--participants",
+                                       "3", "--predicted", "--jobs", "2"});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  EXPECT_THAT(simulated.output, HasSubstr("3 of 3 simulated sessions completed"));
+  const ProgramResult replayed = run({"study", "replay", study, "--participant", "P001"});
+  EXPECT_EQ(replayed.exit_code, 1);
+  EXPECT_THAT(replayed.errors, HasSubstr("was predicted, not rendered"));
+}
+
+TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
+  const std::string study = (folder / "study.sqlite").string();
+  const ProgramResult nowhere =
+      run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--predicted",
+           "--report", (folder / "missing/report").string()});
+  EXPECT_EQ(nowhere.exit_code, 1);
+  EXPECT_FALSE(fs::exists(study)) << "refused before the work";
+  const ProgramResult reported =
+      run({"study", "simulate", "hall", "--db", study, "--participants", "4", "--predicted",
+           "--report", (folder / "report").string()});
+  ASSERT_EQ(reported.exit_code, 0) << reported.errors;
+  EXPECT_THAT(read_file(folder / "report/published_comparison.html"), HasSubstr("imulated"));
+}
+
 /// A camera that sees the eye 2 degrees off.
 std::string biased_tracker() {
   return tracker_profile("simulated", 120) + R"([simulated]
