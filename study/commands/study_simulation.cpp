@@ -15,7 +15,10 @@ bool has_ended(const KnownSession& session) {
 }
 
 StudySimulation::StudySimulation(const SimulatedStudy& study)
-    : study_(study), store_(study.settings.database, study.protocol) {}
+    : study_(study),
+      trials_in_session_(
+          static_cast<double>(make_plan(study.protocol, study.settings.seed, 0).size())),
+      store_(study.settings.database, study.protocol) {}
 
 SimulateReport StudySimulation::run(const std::stop_token& stop) {
   const SteadyClock clock;
@@ -133,13 +136,12 @@ SessionFacts StudySimulation::facts_of(int design_row) const {
 
 void StudySimulation::show(const std::string& scene) {
   const std::lock_guard hold(progress_mutex_);
-  const auto trials_in_session =
-      static_cast<double>(make_plan(study_.protocol, study_.settings.seed, 0).size());
-  const double sessions = report_.sessions_before + trials_begun_ / trials_in_session;
+  const double sessions = report_.sessions_before + trials_begun_ / trials_in_session_;
+  const double all = study_.settings.participants;
   trials_begun_ += 1.0;
-  progress_.update(std::min(1.0, sessions / study_.settings.participants),
-                   fmt::format("participant {:.0f} of {}, {}", std::floor(sessions) + 1.0,
-                               study_.settings.participants, scene));
+  progress_.update(std::min(1.0, sessions / all),
+                   fmt::format("participant {:.0f} of {:.0f}, {}",
+                               std::min(std::floor(sessions) + 1.0, all), all, scene));
 }
 
 void StudySimulation::add(const SessionOutcome& outcome) {

@@ -76,6 +76,7 @@ class StudySimulation {
 
   const SimulatedStudy& study_;
   MachineInfo machine_ = machine_info();
+  double trials_in_session_;
   StudyStore store_;
   std::mutex progress_mutex_;  ///< guards what follows
   Progress progress_{"Simulating"};

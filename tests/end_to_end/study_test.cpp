@@ -199,6 +199,8 @@ TEST_F(StudyOfAHall, APredictedSessionHasNothingToReplay) {
 }
 
 TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
+  fs::copy(fs::path(TEST_DATA_DIR) / "../../data/koskela2018", folder / "share/data/koskela2018",
+           fs::copy_options::recursive);
   const std::string study = (folder / "study.sqlite").string();
   const ProgramResult nowhere =
       run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--predicted",
