@@ -275,6 +275,29 @@ TEST_F(Kill, AStoppedStudyGoesOnAsWell) {
   finish_and_compare();
 }
 
+TEST_F(Kill, SessionsSideBySideAreThereWholeOrNotAtAll) {
+  const auto side_by_side = [](const fs::path& study) {
+    std::vector<std::string> jobs = command(study);
+    *(std::find(jobs.begin(), jobs.end(), "--participants") + 1) = "6";
+    jobs.insert(jobs.end(), {"--jobs", "2"});
+    return jobs;
+  };
+  const fs::path whole = hall_.folder / "side-by-side.sqlite";
+  ASSERT_EQ(hall_.run(side_by_side(whole)).exit_code, 0);
+  for (const int signal : {SIGKILL, SIGINT}) {
+    RunningProgram program(side_by_side(study_), hall_.environment());
+    while (!program.has_ended() && !has_events(1)) {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    program.kill(signal);
+    program.wait_for_end();
+    EXPECT_EQ(rows_of(study_, "SELECT state FROM session WHERE state <> 'completed'"), Rows{});
+    ASSERT_EQ(hall_.run(side_by_side(study_)).exit_code, 0);
+    EXPECT_EQ(results_of(study_), results_of(whole));
+    remove_study();
+  }
+}
+
 TEST_F(Kill, EveryAttemptOfAResumedSessionIsReplayedBitForBit) {
   run_and_kill([&] { return has_events(events_ / 3); });
   uninterrupted().finish(study_);
