@@ -76,8 +76,8 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
-    files.push_back({figure.name + ".pdf", figure.pdf});
-    files.push_back({figure.name + ".png", figure.png});
+    files.push_back({figure.name + ".pdf", pdf_of(figure)});
+    files.push_back({figure.name + ".png", png_of(figure)});
   }
   files.push_back({"report.html", report_html({tables, comparisons, instrument, output.checks,
                                                figures, published, methods})});

@@ -36,14 +36,6 @@ std::string preamble(const StudyTables& tables) {
          data_mark(tables);
 }
 
-/// A script without its terminal, and its size in SVG units (1/96 inch).
-struct Drawing {
-  std::string name;
-  int width = 0;
-  int height = 0;
-  std::string script;
-};
-
 /// Blanks out when the PDF was made, so that the same study gives the same bytes; nothing moves,
 /// since a PDF's table of contents counts bytes.
 std::string without_date(std::string pdf) {
@@ -55,23 +47,11 @@ std::string without_date(std::string pdf) {
   return pdf;
 }
 
-/// The same drawing for screens, for print and for slides: as SVG, as PDF, and as PNG of twice the
-/// size.
-Figure drawn(const Drawing& drawing) {
-  constexpr double units_per_inch = 96.0;
-  const std::string svg = fmt::format(
+Figure drawn(const std::string& name, int width, int height, const std::string& script) {
+  const std::string terminal = fmt::format(
       "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background 'white'\n",
-      drawing.width, drawing.height);
-  const std::string pdf = fmt::format(
-      "set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font 'sans-serif,10.5' "
-      "fontscale 1 linewidth 0.75 pointscale 0.6 background rgb 'white'\n",
-      drawing.width / units_per_inch, drawing.height / units_per_inch);
-  const std::string png = fmt::format(
-      "set terminal pngcairo size {},{} noenhanced font 'sans-serif,10.5' fontscale 2 "
-      "linewidth 2 pointscale 2 background rgb 'white'\n",
-      2 * drawing.width, 2 * drawing.height);
-  return {drawing.name, run_gnuplot(svg + drawing.script),
-          without_date(run_gnuplot(pdf + drawing.script)), run_gnuplot(png + drawing.script)};
+      width, height);
+  return {name, run_gnuplot(terminal + script), width, height, script};
 }
 
 /// Names the rows of a figure; row 0 is at the top.
@@ -157,20 +137,21 @@ std::optional<Interval> axis_range(const StudyTables& tables, const TimeMeasure&
   return range;
 }
 
-Drawing time_drawing(const std::string& name, const StudyTables& tables,
-                     const std::vector<std::size_t>& methods, const TimeMeasure& measure,
-                     const std::string& axis) {
+Figure time_figure(const std::string& name, const StudyTables& tables,
+                   const std::vector<std::size_t>& methods, const TimeMeasure& measure,
+                   const std::string& axis) {
   std::vector<std::string> names;
   std::transform(methods.begin(), methods.end(), std::back_inserter(names),
                  [&](std::size_t method) { return tables.set.methods[method]; });
   const int height = 110 + 62 * static_cast<int>(methods.size());
-  return {name, 640, height,
-          preamble(tables) + row_names(names) +
-              "set key outside top right horizontal Left reverse samplen 1.5 width 1\n" + axis +
-              fmt::format("set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
-                          palette::grid.rgb) +
-              time_data(tables, Mark::outline, methods, measure) +
-              time_data(tables, Mark::material, methods, measure) + time_plot()};
+  return drawn(name, 640, height,
+               preamble(tables) + row_names(names) +
+                   "set key outside top right horizontal Left reverse samplen 1.5 width 1\n" +
+                   axis +
+                   fmt::format("set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
+                               palette::grid.rgb) +
+                   time_data(tables, Mark::outline, methods, measure) +
+                   time_data(tables, Mark::material, methods, measure) + time_plot());
 }
 
 std::optional<Figure> relative_figure(const StudyTables& tables) {
@@ -190,7 +171,7 @@ std::optional<Figure> relative_figure(const StudyTables& tables) {
       "'{}'\n",
       end, gnuplot_quoted("Time, per cent of " + method_label(tables.set.methods[baseline]) + "’s"),
       palette::ink.rgb);
-  return drawn(time_drawing("figure5_relative", tables, methods, measure, axis));
+  return time_figure("figure5_relative", tables, methods, measure, axis);
 }
 
 std::optional<Figure> seconds_figure(const StudyTables& tables) {
@@ -206,7 +187,7 @@ std::optional<Figure> seconds_figure(const StudyTables& tables) {
       "set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, "
       "2000, 5000)\n",
       range->low / 1.25, range->high * 1.25);
-  return drawn(time_drawing("figure5_seconds", tables, methods, measure, axis));
+  return time_figure("figure5_seconds", tables, methods, measure, axis);
 }
 
 /// One answer's share of a method's bar, in per cent: x from `low` to `high`.
@@ -289,12 +270,12 @@ std::optional<Figure> rating_figure(const StudyTables& tables) {
     data += rating_data(tables, answer);
   }
   const int height = 104 + 44 * static_cast<int>(methods.size());
-  return drawn({"figure6_artifact_ratings", 640, height,
-                preamble(tables) + row_names(methods) +
-                    "set key outside top right horizontal Left reverse samplen 1 width 2\n"
-                    "set rmargin 14\nset xrange [0:100]\n"
-                    "set xlabel 'Ratings, per cent'\n" +
-                    labels + data + rating_plot()});
+  return drawn("figure6_artifact_ratings", 640, height,
+               preamble(tables) + row_names(methods) +
+                   "set key outside top right horizontal Left reverse samplen 1 width 2\n"
+                   "set rmargin 14\nset xrange [0:100]\n"
+                   "set xlabel 'Ratings, per cent'\n" +
+                   labels + data + rating_plot());
 }
 
 }  // namespace
@@ -307,6 +288,23 @@ std::vector<Figure> draw_figures(const StudyTables& tables) {
     }
   }
   return figures;
+}
+
+std::string pdf_of(const Figure& figure) {
+  constexpr double units_per_inch = 96.0;
+  const std::string terminal = fmt::format(
+      "set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font 'sans-serif,10.5' "
+      "fontscale 1 linewidth 0.75 pointscale 0.6 background rgb 'white'\n",
+      figure.width / units_per_inch, figure.height / units_per_inch);
+  return without_date(run_gnuplot(terminal + figure.script));
+}
+
+std::string png_of(const Figure& figure) {
+  const std::string terminal = fmt::format(
+      "set terminal pngcairo size {},{} noenhanced font 'sans-serif,10.5' fontscale 2 "
+      "linewidth 2 pointscale 2 background rgb 'white'\n",
+      2 * figure.width, 2 * figure.height);
+  return run_gnuplot(terminal + figure.script);
 }
 
 }  // namespace foveola::analysis

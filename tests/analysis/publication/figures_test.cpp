@@ -28,9 +28,9 @@ TEST(Figures, ThePublishedOnesAreDrawn) {
   for (const Figure& figure : figures) {
     EXPECT_THAT(figure.svg, HasSubstr("</svg>"));
     EXPECT_THAT(figure.svg, HasSubstr("<text>FV</text>"));
-    EXPECT_TRUE(figure.pdf.starts_with("%PDF-"));
-    EXPECT_THAT(figure.pdf, Not(HasSubstr("CreationDate")));
-    EXPECT_TRUE(figure.png.starts_with("\x89PNG"));
+    EXPECT_TRUE(pdf_of(figure).starts_with("%PDF-"));
+    EXPECT_THAT(pdf_of(figure), Not(HasSubstr("CreationDate")));
+    EXPECT_TRUE(png_of(figure).starts_with("\x89PNG"));
   }
   // From R: the means and deviations of the ratings.
   EXPECT_THAT(figures[2].svg, HasSubstr("2.42 ± 0.78"));
