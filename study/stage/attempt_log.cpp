@@ -4,18 +4,6 @@
 
 namespace foveola::study {
 
-AttemptSink sink_to(StudyStore& store, std::int64_t session, std::size_t trial, int attempt) {
-  return {
-      .frames =
-          [&store, session, trial, attempt](std::uint64_t first, std::vector<FrameRow> frames) {
-            store.record_frames(session, trial, attempt, first, frames);
-          },
-      .gaze =
-          [&store, session, trial, attempt](std::uint64_t first, std::vector<GazeSample> samples) {
-            store.record_gaze(session, trial, attempt, first, samples);
-          }};
-}
-
 FrameRow frame_row(const FrameReport& report) {
   return {.time = report.time,
           .head_azimuth_rad = static_cast<float>(report.head.azimuth_rad),

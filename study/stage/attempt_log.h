@@ -19,9 +19,6 @@ struct AttemptSink {
   std::function<void(std::uint64_t first_sample, std::vector<GazeSample> samples)> gaze;
 };
 
-/// To the disk at once.
-AttemptSink sink_to(StudyStore& store, std::int64_t session, std::size_t trial, int attempt);
-
 /// What the record keeps of a frame, but for its presentation.
 FrameRow frame_row(const FrameReport& report);
 

@@ -11,6 +11,19 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
+/// To the disk at once.
+AttemptSink sink_to(StudyStore& store, std::int64_t session, std::size_t trial, int attempt) {
+  return {
+      .frames =
+          [&store, session, trial, attempt](std::uint64_t first, std::vector<FrameRow> frames) {
+            store.record_frames(session, trial, attempt, first, frames);
+          },
+      .gaze =
+          [&store, session, trial, attempt](std::uint64_t first, std::vector<GazeSample> samples) {
+            store.record_gaze(session, trial, attempt, first, samples);
+          }};
+}
+
 class AttemptLogTest : public testing::Test {
  protected:
   AttemptLogTest() {
