@@ -12,15 +12,16 @@ using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Of nobody's letters, by Unicode: U+E000 to U+F8FF are for private use.
-Protocol protocol_with_private_letters() {
+/// U+FDD0 and U+FDD1 are never to be characters, by Unicode: no font has them, whichever are
+/// installed.
+Protocol protocol_with_no_characters() {
   return read_protocol(R"(
 name = "small"
 title = "Small"
 scenes = ["arcade"]
 methods = ["od", "fv"]
 [texts]
-consent = "Ready \uE123 \uE124?"
+consent = "Ready \uFDD0 \uFDD1?"
 [[questionnaire]]
 id = "you"
 title = "You, Ζωή, Žižkov"
@@ -31,22 +32,22 @@ kind = "choice"
 [[questionnaire.question.options]]
 label = "left"
 [[questionnaire.question.options]]
-label = "\uE123"
+label = "\uFDD0"
 )",
                        "p.toml");
 }
 
 TEST(MissingLetters, AreFoundInEveryText) {
-  const std::vector<MissingLetters> missing = missing_letters(protocol_with_private_letters());
+  const std::vector<MissingLetters> missing = missing_letters(protocol_with_no_characters());
   ASSERT_EQ(missing.size(), 2U);
   EXPECT_EQ(missing[0].key, "texts.consent");
-  EXPECT_EQ(missing[0].characters, (Characters{0xE123, 0xE124}));
+  EXPECT_EQ(missing[0].characters, (Characters{0xFDD0, 0xFDD1}));
   EXPECT_EQ(missing[1].key, "questionnaire.you.hand");
-  EXPECT_EQ(missing[1].characters, Characters{0xE123});
+  EXPECT_EQ(missing[1].characters, Characters{0xFDD0});
 }
 
 TEST(MissingLetters, AllThatAParticipantReadsIsLookedAt) {
-  const std::vector<ShownText> texts = shown_texts(protocol_with_private_letters());
+  const std::vector<ShownText> texts = shown_texts(protocol_with_no_characters());
   for (const char* key : {"texts.consent", "mark.outline", "rating.artifacts", "questionnaire.you",
                           "questionnaire.you.hand"}) {
     EXPECT_THAT(texts, Contains(Field(&ShownText::key, key)));
