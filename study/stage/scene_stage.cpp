@@ -48,8 +48,8 @@ void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuali
   for (const OfferedObject& object : objects_) {
     settings.interests.push_back(object.direction);
   }
-  reference_ = reference_image(tracer_, key(), settings, workers,
-                               cache_folder() / "references", progress, stop)
+  reference_ = reference_image(tracer_, key(), settings, workers, cache_folder() / "references",
+                               progress, stop)
                    .color;
 }
 
