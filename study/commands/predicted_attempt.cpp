@@ -16,7 +16,7 @@ Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
   return nanoseconds_from_seconds(tracker.latency_s + intervals / tracker.rate_hz);
 }
 
-double samples_per_frame(const AttemptSetting& setting) {
+double samples_per_frame(const TrialAttemptSetting& setting) {
   const MachineModel& machine = setting.protocol.machine;
   return setting.trial.kind == TrialKind::catch_trial
              ? 0.0
@@ -25,7 +25,7 @@ double samples_per_frame(const AttemptSetting& setting) {
 
 }  // namespace
 
-PredictedAttempt::PredictedAttempt(const AttemptSetting& setting, SimulatedObserver& observer,
+PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
                                    const PredictedTrial* trial,
                                    std::unique_ptr<ViewSampler> sampler)
     : setting_(setting),

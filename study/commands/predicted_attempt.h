@@ -17,7 +17,7 @@ class PredictedAttempt final : public TrialAttempt {
  public:
   /// observer: who takes part in `setting`. trial, sampler: see PredictedSight; without a trial the
   /// observer is one that does not look.
-  PredictedAttempt(const AttemptSetting& setting, SimulatedObserver& observer,
+  PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
                    const PredictedTrial* trial, std::unique_ptr<ViewSampler> sampler);
 
   std::optional<Nanoseconds> show(Nanoseconds until) override;
@@ -39,7 +39,7 @@ class PredictedAttempt final : public TrialAttempt {
   Aim aim(Nanoseconds time) const;
   Viewport viewport(Nanoseconds time) const;
 
-  AttemptSetting setting_;
+  TrialAttemptSetting setting_;
   SimulatedObserver& observer_;
   std::unique_ptr<ViewSampler> sampler_;
   Nanoseconds start_;

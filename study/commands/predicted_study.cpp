@@ -42,7 +42,7 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
   }
 }
 
-std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const AttemptSetting& setting,
+std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting,
                                                       SimulatedObserver& observer) const {
   const auto known = trials_.find({setting.trial.scene, setting.trial.method, setting.object.name});
   return std::make_unique<PredictedAttempt>(setting, observer,

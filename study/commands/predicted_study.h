@@ -18,7 +18,7 @@ class PredictedStudy {
   PredictedStudy& operator=(const PredictedStudy&) = delete;
 
   /// May be called from several threads at once. This must outlive the attempt.
-  std::unique_ptr<TrialAttempt> attempt(const AttemptSetting& setting,
+  std::unique_ptr<TrialAttempt> attempt(const TrialAttemptSetting& setting,
                                         SimulatedObserver& observer) const;
 
  private:

@@ -28,7 +28,7 @@ std::uint64_t frames_per_glance(const MachineModel& machine) {
       std::max(1L, std::lround(glance_interval_s * machine.frame_rate_hz)));
 }
 
-RenderedAttempt::RenderedAttempt(const AttemptSetting& setting, const Workers& workers)
+RenderedAttempt::RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers)
     : setting_(setting),
       preview_(setting.stage, setting.protocol, setting.trial, setting.seeds, setting.participant,
                setting.correction, setting.clock, workers),

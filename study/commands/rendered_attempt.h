@@ -9,7 +9,7 @@ namespace foveola::study {
 
 class RenderedAttempt final : public TrialAttempt {
  public:
-  RenderedAttempt(const AttemptSetting& setting, const Workers& workers);
+  RenderedAttempt(const TrialAttemptSetting& setting, const Workers& workers);
 
   std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task /*task*/) override {}
@@ -21,7 +21,7 @@ class RenderedAttempt final : public TrialAttempt {
   /// Renders the next frame into the record; when it returns, it is presented.
   void render_frame();
 
-  AttemptSetting setting_;
+  TrialAttemptSetting setting_;
   VirtualPreview preview_;
   AttemptLog log_;
 };

@@ -141,7 +141,7 @@ SimulateReport run_rendered(SimulatedStudy& study, bool looks, const std::stop_t
     return {};
   }
   study.make_attempts = [](SimulatedObserver& /*observer*/, const Workers& workers) {
-    return [&workers](const AttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
+    return [&workers](const TrialAttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
       return std::make_unique<RenderedAttempt>(setting, workers);
     };
   };
@@ -168,7 +168,7 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
   }
   const PredictedStudy predicted(study.protocol, study.stages, population, std::move(atlas));
   study.make_attempts = [&predicted](SimulatedObserver& observer, const Workers& /*workers*/) {
-    return [&](const AttemptSetting& setting) { return predicted.attempt(setting, observer); };
+    return [&](const TrialAttemptSetting& setting) { return predicted.attempt(setting, observer); };
   };
   return StudySimulation(study).run(stop);
 }

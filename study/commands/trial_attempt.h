@@ -23,7 +23,7 @@ struct TrialSeeds {
 };
 
 /// What an attempt is made of; it refers to most of it.
-struct AttemptSetting {
+struct TrialAttemptSetting {
   const SceneStage& stage;
   const Protocol& protocol;
   const PlannedTrial& trial;
@@ -58,7 +58,7 @@ class TrialAttempt {
   virtual std::uint64_t non_finite() const = 0;
 };
 
-using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const AttemptSetting&)>;
+using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;
 
 /// A simulated participant looks this often. People integrate over about as long, and each look
 /// costs as much as tracing several frames.

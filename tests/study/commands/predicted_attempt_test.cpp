@@ -68,16 +68,17 @@ class PredictedAttemptTest : public testing::Test {
     VirtualClock clock;
     clock.advance(ms(1000));
     SessionBuffer record;
-    const std::unique_ptr<TrialAttempt> attempt = make(AttemptSetting{.stage = stage_,
-                                                                      .protocol = protocol_,
-                                                                      .trial = trial_,
-                                                                      .object = stage_.objects()[0],
-                                                                      .seeds = {},
-                                                                      .participant = observer,
-                                                                      .correction = std::nullopt,
-                                                                      .clock = clock,
-                                                                      .sink = record},
-                                                       observer);
+    const std::unique_ptr<TrialAttempt> attempt =
+        make(TrialAttemptSetting{.stage = stage_,
+                                 .protocol = protocol_,
+                                 .trial = trial_,
+                                 .object = stage_.objects()[0],
+                                 .seeds = {},
+                                 .participant = observer,
+                                 .correction = std::nullopt,
+                                 .clock = clock,
+                                 .sink = record},
+             observer);
     attempt->begin(Task::mark_outline);
     attempt->show(clock.now());
     std::optional<Nanoseconds> pressed;
@@ -97,10 +98,10 @@ class PredictedAttemptTest : public testing::Test {
 };
 
 TEST_F(PredictedAttemptTest, IsLookedAtWhenARenderedOneIs) {
-  const Course rendered = course_of([&](const AttemptSetting& setting, SimulatedObserver&) {
+  const Course rendered = course_of([&](const TrialAttemptSetting& setting, SimulatedObserver&) {
     return std::make_unique<RenderedAttempt>(setting, workers_);
   });
-  const Course predicted = course_of([](const AttemptSetting& setting,
+  const Course predicted = course_of([](const TrialAttemptSetting& setting,
                                         SimulatedObserver& observer) {
     return std::make_unique<PredictedAttempt>(setting, observer, nullptr, make_view_sampler("od"));
   });

@@ -134,7 +134,7 @@ class SessionRunnerTest : public testing::Test {
                           .stages = stages_,
                           .sink = sink,
                           .make_attempt =
-                              [&](const AttemptSetting& setting) {
+                              [&](const TrialAttemptSetting& setting) {
                                 return std::make_unique<RenderedAttempt>(setting, workers_);
                               },
                           .seed = {.seed = 5, .design_row = 0},
