@@ -1,7 +1,6 @@
 #include "renderer/gaze/open_gaze_tracker.h"
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "renderer/base/error.h"
 #include "tests/renderer/gaze/tracker_server.h"
+#include "tests/waiting.h"
 
 namespace foveola {
 namespace {
@@ -20,6 +20,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using test::TrackerServer;
+using test::wait_until;
 
 // Its right edge is 45 degrees off, and its lower edge as well.
 constexpr Screen square{
@@ -111,17 +112,6 @@ TEST(OpenGazeDecoder, CountsWhatComes) {
   EXPECT_EQ(counters.reconnects, 40U);
 }
 
-/// Until it holds, or for ten seconds; whether it holds.
-bool becomes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 10000; ++i) {
-    if (condition()) {
-      return true;
-    }
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  return false;
-}
-
 OpenGazeSettings settings_for(std::uint16_t port) {
   return {.address = {.port = port},
           .screen = square,
@@ -137,11 +127,11 @@ void accept_and_answer_requests(TrackerServer& server) {
 /// Whether the tracker delivers this gaze next.
 bool comes_to_look_along(OpenGazeTracker& tracker, const Vec3& direction) {
   std::vector<GazeSample> arrived;
-  return becomes_true([&] {
-           tracker.poll(Nanoseconds(0), arrived);
-           return !arrived.empty();
-         }) &&
-         arrived.front().valid && is_near(arrived.front().direction, direction);
+  wait_until("a gaze", [&] {
+    tracker.poll(Nanoseconds(0), arrived);
+    return !arrived.empty();
+  });
+  return arrived.front().valid && is_near(arrived.front().direction, direction);
 }
 
 TEST(OpenGazeTracker, AsksForDataAndDeliversIt) {
@@ -154,10 +144,10 @@ TEST(OpenGazeTracker, AsksForDataAndDeliversIt) {
   EXPECT_EQ(server.receive_until("\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n"), open_gaze_requests());
   const Nanoseconds before = SteadyClock().now();
   server.send(record(1.0, 0.5) + record(0.0, 0.5, 2));
-  EXPECT_TRUE(becomes_true([&] {
+  wait_until("two gazes", [&] {
     tracker.poll(Nanoseconds(0), arrived);
     return arrived.size() >= 2;
-  }));
+  });
   ASSERT_EQ(arrived.size(), 2U);
   EXPECT_TRUE(is_near(arrived[0].direction, {1.0F, 0.0F, -1.0F}));
   EXPECT_TRUE(is_near(arrived[1].direction, {-1.0F, 0.0F, -1.0F}));
@@ -201,9 +191,9 @@ TEST(OpenGazeTracker, SaysWhenItIsNotConnected) {
   settings.reconnect_after = std::chrono::hours(1);
   OpenGazeTracker tracker(settings);
   accept_and_answer_requests(server);
-  EXPECT_TRUE(becomes_true([&] { return tracker.counters().is_connected; }));
+  wait_until("the connection", [&] { return tracker.counters().is_connected; });
   server.hang_up();
-  EXPECT_TRUE(becomes_true([&] { return !tracker.counters().is_connected; }));
+  wait_until("the connection to break", [&] { return !tracker.counters().is_connected; });
 }
 
 // A name can stand for several addresses: where localhost is ::1 first, it is at the second.
@@ -240,8 +230,8 @@ TEST(OpenGazeTracker, GivesUpASilentServerForANewConnection) {
   settings.longest_silence = milliseconds(60);
   OpenGazeTracker tracker(settings);
   server.accept();
-  EXPECT_TRUE(becomes_true([&] { return tracker.counters().is_connected; }));
-  EXPECT_TRUE(becomes_true([&] { return tracker.counters().reconnects >= 1; }));
+  wait_until("the connection", [&] { return tracker.counters().is_connected; });
+  wait_until("another connection", [&] { return tracker.counters().reconnects >= 1; });
 }
 
 // Would wait for an hour otherwise.
