@@ -168,7 +168,9 @@ class SessionCheck {
         " AND state NOT IN ('completed', 'withdrawn', 'excluded', 'refused')");
     list_gaps(
         "SELECT 'trial ' || trial || ', attempt ' || attempt || ' has no frames' FROM attempt"
-        " WHERE session = ?1 AND first_frame_ns IS NOT NULL AND NOT EXISTS"
+        " JOIN session ON session.id = attempt.session"
+        " WHERE session = ?1 AND first_frame_ns IS NOT NULL"
+        " AND json_extract(devices, '$.simulation.predicted') IS NOT 1 AND NOT EXISTS"
         "  (SELECT 1 FROM frame_chunk WHERE frame_chunk.session = attempt.session"
         "   AND frame_chunk.trial = attempt.trial AND frame_chunk.attempt = attempt.attempt)");
     list_gaps(

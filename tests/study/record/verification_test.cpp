@@ -65,6 +65,13 @@ TEST_F(VerifiedStudy, TellsWhatIsNotComplete) {
   EXPECT_THAT(gaps, testing::Not(Contains(testing::Field(&RecordFault::participant, "P01"))));
 }
 
+TEST_F(VerifiedStudy, ExpectsNoFramesOfAPredictedSession) {
+  tamper(path_, R"(UPDATE session SET devices = '{"simulation":{"predicted":true}}' WHERE id = 2)");
+  EXPECT_THAT(
+      verify_study(path_).gaps,
+      testing::Not(Contains(testing::Field(&RecordFault::what, testing::HasSubstr("frames")))));
+}
+
 TEST_F(VerifiedStudy, NamesTheFirstEventThatWasChanged) {
   EXPECT_THAT(faults_after("UPDATE event SET payload = '{\"time_ns\":5}'"
                            " WHERE session = 2 AND type = 'marked' AND sequence < 14"),
