@@ -35,7 +35,8 @@ PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Simulated
       tracker_delay_(mean_delay(setting.protocol.tracker.simulated)),
       samples_per_frame_(samples_per_frame(setting)) {
   if (trial != nullptr) {
-    sight_.emplace(*trial, *sampler_, aim_at(setting.object.direction, setting.protocol.display));
+    sight_.emplace(*trial, *sampler_, aim_at(setting.object.direction, setting.protocol.display),
+                   setting.seeds.rendering);
   }
 }
 

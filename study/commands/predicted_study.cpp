@@ -1,15 +1,29 @@
 #include "study/commands/predicted_study.h"
 
+#include "study/prediction/aim_dependence.h"
 #include "study/prediction/judged_view.h"
 
 namespace foveola::study {
+
+namespace {
+
+std::vector<Visibility> visibilities(const Vision& vision, double finest_cell_deg) {
+  std::vector<Visibility> of_scales;
+  for (const double cell_deg : scales_deg(vision, finest_cell_deg)) {
+    of_scales.emplace_back(vision, cell_deg);
+  }
+  return of_scales;
+}
+
+}  // namespace
 
 PredictedStudy::PredictedStudy(const Protocol& protocol, const SceneStages& stages,
                                const Population& population, NoiseAtlas atlas)
     : protocol_(protocol),
       atlas_(std::move(atlas)),
-      material_visibility_(population.vision, population.vision.material_cell_deg),
-      view_visibility_(population.vision, population.vision.view_cell_deg) {
+      vision_(population.vision),
+      material_visibilities_(visibilities(vision_, vision_.material_cell_deg)),
+      view_visibilities_(visibilities(vision_, vision_.view_cell_deg)) {
   if (atlas_.objects.empty()) {
     return;
   }
@@ -32,11 +46,12 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
     trials_.emplace(
         place,
         PredictedTrial{
-            .object = atlas_.objects.at(place),
+            .vision = vision_,
+            .pictures = atlas_.objects.at(place),
             .around = atlas_.around.at(scene),
             .outline_visibility = outline_visibility,
-            .material_visibility = material_visibility_,
-            .view_visibility = view_visibility_,
+            .material_visibilities = material_visibilities_,
+            .view_visibilities = view_visibilities_,
             .outline_signal_to_noise = population.decision.outline_signal_to_noise,
             .follows_gaze = follows_gaze(*sampler, aim_at(object.direction, protocol_.display))});
   }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "study/commands/predicted_attempt.h"
 #include "study/prediction/noise_atlas.h"
@@ -27,8 +28,9 @@ class PredictedStudy {
 
   const Protocol& protocol_;
   NoiseAtlas atlas_;
-  Visibility material_visibility_;
-  Visibility view_visibility_;
+  Vision vision_;
+  std::vector<Visibility> material_visibilities_;
+  std::vector<Visibility> view_visibilities_;
   std::map<double, Visibility> outline_visibilities_;  ///< by the size of cells
   std::map<NoiseAtlas::Place, PredictedTrial> trials_;
 };

@@ -29,9 +29,11 @@ struct Vision {
   /// A just noticeable difference, in units of CIELAB.
   double jnd_lab = 0.0;
   /// Thresholds rise with the frequency f (cycles per degree) and the eccentricity e as
-  /// exp(decay_deg f e / half_resolution_deg), relative to the gaze (Geisler and Perry 1998).
+  /// exp(decay_deg f (e + half_resolution_deg) / half_resolution_deg) (Geisler and Perry 1998).
   double decay_deg = 0.0;
   double half_resolution_deg = 0.0;
+  /// At the gaze, those of chromatic differences rise so many times faster with the frequency.
+  double chromatic_decay_factor = 0.0;
   /// Those of red-green differences rise by so many powers of 10 more in each degree.
   double red_green_decades_per_deg = 0.0;
   /// How many across an object let it be recognised.
@@ -39,8 +41,13 @@ struct Vision {
   /// An outline is judged over the object and as much of its surroundings as this factor of its
   /// radius takes in.
   double surround_factor = 0.0;
+  /// A material and the whole view are looked at on several scales at once: in cells of these
+  /// widths and, scale_count in all, in cells twice, four times ... as wide.
   double material_cell_deg = 0.0;
   double view_cell_deg = 0.0;
+  double scale_count = 1.0;  ///< rounded
+  /// What is noticed on all scales together is the root of the sum of these powers.
+  double pooling_exponent = 0.0;
   /// Cells are grouped in patches of these sizes, which have one eccentricity.
   double object_patch_deg = 0.0;
   double view_patch_deg = 0.0;

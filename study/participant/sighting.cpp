@@ -60,13 +60,29 @@ Cells outline_cells(const Vision& vision, const Vec3& object, double radius_deg)
                        block_of(vision));
 }
 
-Cells material_cells(const Vision& vision, const Vec3& object, double radius_deg) {
-  return Cells::around(object, radius_deg, vision.material_cell_deg, vision.object_patch_deg,
-                       block_of(vision));
+std::vector<double> scales_deg(const Vision& vision, double finest_cell_deg) {
+  std::vector<double> scales(static_cast<std::size_t>(std::lround(vision.scale_count)));
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    scales[i] = std::ldexp(finest_cell_deg, static_cast<int>(i));
+  }
+  return scales;
 }
 
-Cells view_cells(const Vision& vision) {
-  return Cells::everywhere(vision.view_cell_deg, vision.view_patch_deg, block_of(vision));
+std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, double radius_deg) {
+  std::vector<Cells> cells;
+  for (const double cell_deg : scales_deg(vision, vision.material_cell_deg)) {
+    cells.push_back(
+        Cells::around(object, radius_deg, cell_deg, vision.object_patch_deg, block_of(vision)));
+  }
+  return cells;
+}
+
+std::vector<Cells> view_cells(const Vision& vision) {
+  std::vector<Cells> cells;
+  for (const double cell_deg : scales_deg(vision, vision.view_cell_deg)) {
+    cells.push_back(Cells::everywhere(cell_deg, vision.view_patch_deg, block_of(vision)));
+  }
+  return cells;
 }
 
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
@@ -133,6 +149,14 @@ double visible_difference_jnd(std::span<const PatchEnergies> patches, const Visi
   }
   return total_weight > 0.0 ? std::sqrt(sum / total_weight)
                             : std::numeric_limits<double>::infinity();
+}
+
+double pooled_jnd(const Vision& vision, std::span<const double> jnd_of_scales) {
+  double sum = 0.0;
+  for (const double jnd : jnd_of_scales) {
+    sum += std::pow(jnd, vision.pooling_exponent);
+  }
+  return std::pow(sum, 1.0 / vision.pooling_exponent);
 }
 
 }  // namespace foveola::study

@@ -38,10 +38,13 @@ struct PatchEnergies {
 /// An object's outline is judged on cells of half a line pair where recognition_line_pairs go
 /// across the object (Johnson 1958), over surround_factor times its radius.
 Cells outline_cells(const Vision& vision, const Vec3& object, double radius_deg);
-/// An object's material: cells of material_cell_deg within its radius.
-Cells material_cells(const Vision& vision, const Vec3& object, double radius_deg);
-/// Everything around: cells of view_cell_deg, patches of view_patch_deg.
-Cells view_cells(const Vision& vision);
+/// The widths of cells on all scales, the finest, finest_cell_deg, first.
+std::vector<double> scales_deg(const Vision& vision, double finest_cell_deg);
+/// An object's material: cells within its radius, a set for each scale from material_cell_deg on.
+std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, double radius_deg);
+/// Everything around: a set of cells for each scale from view_cell_deg on, patches of
+/// view_patch_deg.
+std::vector<Cells> view_cells(const Vision& vision);
 
 /// presented, expected: means of the same cells. In a patch's means cells count by their pixels:
 /// the noise of a cell falls with its pixels, so that this is the noise of a solid angle, whether
@@ -73,5 +76,9 @@ double outline_signal_to_noise(std::span<const PatchEnergies> patches, const Vis
 /// Infinite without patches: what is not in view is not as it will look.
 double visible_difference_jnd(std::span<const PatchEnergies> patches, const Visibility& visibility,
                               const Vec3& gaze);
+
+/// What is noticed on all scales together, by probability summation as Quick (1974) puts it: the
+/// root of the sum of powers, the exponent being vision's pooling_exponent.
+double pooled_jnd(const Vision& vision, std::span<const double> jnd_of_scales);
 
 }  // namespace foveola::study

@@ -104,52 +104,74 @@ double SimulatedParticipant::noticed_jnd(Pcg32& random) const {
          std::exp(population_.rating.noise_spread * random.normal());
 }
 
-Cells SimulatedParticipant::judged_cells() const {
+std::vector<SimulatedParticipant::Scale> SimulatedParticipant::judged_scales() const {
   const Vision& vision = population_.vision;
+  std::vector<Cells> cells;
   switch (*task_) {
     case Task::mark_outline:
-      return outline_cells(vision, object_.direction, object_.radius_deg);
+      cells.push_back(outline_cells(vision, object_.direction, object_.radius_deg));
+      break;
     case Task::mark_material:
-      return material_cells(vision, object_.direction, object_.radius_deg);
+      cells = material_cells(vision, object_.direction, object_.radius_deg);
+      break;
     case Task::look_around:
+      cells = view_cells(vision);
       break;
   }
-  return view_cells(vision);
+  std::vector<Scale> scales;
+  for (Cells& of_scale : cells) {
+    const Visibility visibility(vision, of_scale.cell_deg());
+    scales.push_back({.cells = std::move(of_scale), .visibility = visibility});
+  }
+  return scales;
 }
 
 Sighting SimulatedParticipant::look(const Percept& percept) {
-  const bool is_outline = *task_ == Task::mark_outline;
   const Area& area = expect(percept);
-  const std::vector<PatchEnergies> patches = patch_energies(
-      area.cells, area.pixels, cell_means(percept.image, area.pixels, population_.vision.jnd_lab),
-      area.expected, is_outline);
-  if (is_outline) {
-    return {.outline_signal_to_noise =
-                outline_signal_to_noise(patches, area.visibility, percept.gaze,
-                                        population_.decision.outline_signal_to_noise)};
+  switch (*task_) {
+    case Task::mark_outline:
+      return {.outline_signal_to_noise = outline_signal_to_noise(
+                  energies(percept, area.scales.front(), true), area.scales.front().visibility,
+                  percept.gaze, population_.decision.outline_signal_to_noise)};
+    case Task::mark_material:
+      return {.material_jnd = difference_jnd(percept, area)};
+    case Task::look_around:
+      break;
   }
-  const double difference_jnd = visible_difference_jnd(patches, area.visibility, percept.gaze);
-  return *task_ == Task::mark_material ? Sighting{.material_jnd = difference_jnd}
-                                       : Sighting{.artifacts_jnd = difference_jnd};
+  return {.artifacts_jnd = difference_jnd(percept, area)};
+}
+
+double SimulatedParticipant::difference_jnd(const Percept& percept, const Area& area) const {
+  std::vector<double> of_scales;
+  for (const Scale& scale : area.scales) {
+    of_scales.push_back(
+        visible_difference_jnd(energies(percept, scale, false), scale.visibility, percept.gaze));
+  }
+  return pooled_jnd(population_.vision, of_scales);
+}
+
+std::vector<PatchEnergies> SimulatedParticipant::energies(const Percept& percept,
+                                                          const Scale& scale,
+                                                          bool with_contrast) const {
+  return patch_energies(scale.cells, scale.pixels,
+                        cell_means(percept.image, scale.pixels, population_.vision.jnd_lab),
+                        scale.expected, with_contrast);
 }
 
 const SimulatedParticipant::Area& SimulatedParticipant::expect(const Percept& percept) {
-  if (!area_ || area_->task != *task_ || area_->view != percept.viewport) {
-    const Vision& vision = population_.vision;
+  if (!area_ || area_->task != *task_) {
+    area_ = Area{.task = *task_, .view = std::nullopt, .scales = judged_scales()};
+  }
+  if (area_->view != percept.viewport) {
     const int width = percept.image.width;
     const int height = percept.image.height;
-    Cells cells = judged_cells();
-    CellPixels pixels = pixels_of(cells, percept.viewport, width, height);
     const RgbImage image = display_image(
         viewport_image(*scene_.panorama, percept.viewport, width, height), scene_.exposure_stops);
-    std::vector<ChannelValues> expected = cell_means(image, pixels, vision.jnd_lab);
-    const Visibility visibility(vision, cells.cell_deg());
-    area_ = Area{.task = *task_,
-                 .view = percept.viewport,
-                 .cells = std::move(cells),
-                 .visibility = visibility,
-                 .pixels = std::move(pixels),
-                 .expected = std::move(expected)};
+    for (Scale& scale : area_->scales) {
+      scale.pixels = pixels_of(scale.cells, percept.viewport, width, height);
+      scale.expected = cell_means(image, scale.pixels, population_.vision.jnd_lab);
+    }
+    area_->view = percept.viewport;
   }
   return *area_;
 }

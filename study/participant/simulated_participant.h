@@ -47,18 +47,24 @@ class SimulatedParticipant final : public SimulatedObserver {
   ScanPath& path() override { return path_; }
 
  private:
-  /// What a task is judged by, in one view: where its pixels are, and what they should look like.
-  struct Area {
-    Task task = Task::mark_outline;
-    Viewport view;
+  /// What a task is judged by on one scale, and how that should look in the view.
+  struct Scale {
     Cells cells;
     Visibility visibility;
-    CellPixels pixels;
-    std::vector<ChannelValues> expected;
+    CellPixels pixels{};
+    std::vector<ChannelValues> expected{};
+  };
+  struct Area {
+    Task task = Task::mark_outline;
+    std::optional<Viewport> view;
+    std::vector<Scale> scales;
   };
   Sighting look(const Percept& percept);
+  double difference_jnd(const Percept& percept, const Area& area) const;
+  std::vector<PatchEnergies> energies(const Percept& percept, const Scale& scale,
+                                      bool with_contrast) const;
   /// The cells that the task is judged by.
-  Cells judged_cells() const;
+  std::vector<Scale> judged_scales() const;
   /// What they should look like in the percept's view; made anew only when view or task change.
   const Area& expect(const Percept& percept);
   double noticed_jnd(Pcg32& random) const;

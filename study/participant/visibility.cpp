@@ -34,8 +34,9 @@ ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab) {
 double relative_threshold(const Vision& vision, Channel channel, double cell_deg,
                           double eccentricity_deg) {
   const double cycles_per_deg = 0.5 / cell_deg;
-  const double threshold =
-      std::exp(vision.decay_deg * cycles_per_deg * eccentricity_deg / vision.half_resolution_deg);
+  const double at_gaze = channel == Channel::achromatic ? 1.0 : vision.chromatic_decay_factor;
+  const double threshold = std::exp(vision.decay_deg * cycles_per_deg *
+                                    (at_gaze + eccentricity_deg / vision.half_resolution_deg));
   return channel == Channel::red_green
              ? threshold * std::pow(10.0, vision.red_green_decades_per_deg * eccentricity_deg)
              : threshold;

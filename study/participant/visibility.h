@@ -20,10 +20,10 @@ using ChannelValues = std::array<double, channel_count>;
 /// from 0.2 to 1, CIELAB's derivatives by encoded values stay within 17 % of those.
 ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab);
 
-/// The threshold of `channel` at eccentricity_deg over that at the gaze, for cells of cell_deg, of
-/// which two make a period: exp(decay f e / e2) with f = 1 / (2 cell_deg), which is the contrast
-/// threshold CT0 exp(decay f (e + e2) / e2) of Geisler and Perry (1998, eq. 1) over its value at e
-/// = 0; for red-green times 10^(decades e).
+/// The threshold of `channel` at eccentricity_deg over that of a large area at the gaze, for cells
+/// of cell_deg, of which two make a period: with f = 1 / (2 cell_deg) it is exp(decay f (e + e2) /
+/// e2), the contrast threshold of Geisler and Perry (1998, eq. 1) over its CT0. Chromatic channels
+/// have exp(decay f (chromatic_decay_factor + e / e2)); red-green times 10^(decades e).
 double relative_threshold(const Vision& vision, Channel channel, double cell_deg,
                           double eccentricity_deg);
 
@@ -32,8 +32,9 @@ class Visibility {
  public:
   Visibility(const Vision& vision, double cell_deg);
 
-  /// 1 / threshold^2 of each channel where the direction's cosine with the gaze is `cosine`: 1 at
-  /// the gaze, falling. In steps of 0.02 degrees; more than 90 degrees away as at 90.
+  /// 1 / threshold^2 of each channel where the direction's cosine with the gaze is `cosine`: less
+  /// than 1, and less the farther away. In steps of 0.02 degrees; more than 90 degrees away as
+  /// at 90.
   const std::array<float, channel_count>& at(float cosine) const;
 
  private:

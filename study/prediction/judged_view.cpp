@@ -3,33 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "renderer/base/angles.h"
 
 namespace foveola::study {
 namespace {
 
-/// A square view around `middle` that shows radius_rad to all sides.
-JudgedView view_around(const Vec3& middle, double radius_rad, double pixel_rad,
-                       std::shared_ptr<const Cells> cells) {
+/// A square view around `middle` that shows radius_rad to all sides; nothing is judged in it yet.
+JudgedView view_around(const Vec3& middle, double radius_rad, double pixel_rad) {
   constexpr double widest_rad = 1.4;
   const double half_size = std::tan(std::min(radius_rad, widest_rad));
   const auto side = static_cast<int>(std::ceil(2.0 * half_size / pixel_rad));
   // As many whole pixels as are at least needed, each of the size of the display's.
   const double fov_rad = 2.0 * std::atan(0.5 * side * pixel_rad);
-  const Viewport viewport(head_orientation(azimuth_elevation(middle)), fov_rad, fov_rad);
-  CellPixels pixels = pixels_of(*cells, viewport, side, side);
-  return {.viewport = viewport,
+  return {.viewport = Viewport(head_orientation(azimuth_elevation(middle)), fov_rad, fov_rad),
           .width = side,
           .height = side,
-          .cells = std::move(cells),
-          .pixels = std::move(pixels),
-          .with_contrast = false};
+          .judged = {}};
 }
 
-/// Cells are squares: a corner lies beyond the radius that the middles are in.
-double reach_rad(double radius_deg, const Cells& cells) {
-  return radians(radius_deg + std::numbers::sqrt2 * cells.cell_deg());
+void judge(Cells cells, bool with_contrast, JudgedView& view) {
+  CellPixels pixels = pixels_of(cells, view.viewport, view.width, view.height);
+  view.judged.push_back(
+      {.cells = std::move(cells), .pixels = std::move(pixels), .with_contrast = with_contrast});
 }
 
 /// The angle of a pixel in the middle of the display.
@@ -42,17 +39,6 @@ double display_pixel_rad(const DisplaySettings& display) {
   return std::sqrt(sr);
 }
 
-JudgedView display_view(const OfferedObject& object, const DisplaySettings& display,
-                        const Cells& cells) {
-  const Viewport viewport = aim_at(object.direction, display).viewport;
-  return {.viewport = viewport,
-          .width = display.view_width,
-          .height = display.view_height,
-          .cells = std::make_shared<const Cells>(cells),
-          .pixels = pixels_of(cells, viewport, display.view_width, display.view_height),
-          .with_contrast = false};
-}
-
 }  // namespace
 
 Aim aim_at(const Vec3& object, const DisplaySettings& display) {
@@ -62,17 +48,21 @@ Aim aim_at(const Vec3& object, const DisplaySettings& display) {
   return {.viewport = viewport, .gaze = object, .pointer = std::nullopt};
 }
 
-JudgedView view_of_outline(const Vision& vision, const OfferedObject& object,
-                           const DisplaySettings& display) {
-  JudgedView view =
-      display_view(object, display, outline_cells(vision, object.direction, object.radius_deg));
-  view.with_contrast = true;
+JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
+                          const DisplaySettings& display) {
+  JudgedView view{.viewport = aim_at(object.direction, display).viewport,
+                  .width = display.view_width,
+                  .height = display.view_height,
+                  .judged = {}};
+  judge(outline_cells(vision, object.direction, object.radius_deg), true, view);
+  for (Cells& cells : material_cells(vision, object.direction, object.radius_deg)) {
+    judge(std::move(cells), false, view);
+  }
   return view;
 }
 
-JudgedView view_of_material(const Vision& vision, const OfferedObject& object,
-                            const DisplaySettings& display) {
-  return display_view(object, display, material_cells(vision, object.direction, object.radius_deg));
+std::vector<Cells::Patch> patches_around(const Vision& vision) {
+  return view_cells(vision).back().patches();
 }
 
 std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings& display) {
@@ -80,15 +70,20 @@ std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings
   constexpr double smallest_radius_deg = 1.0;
   constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
   const int block = std::max(1, static_cast<int>(std::lround(vision.coarseness)));
-  const double block_deg = block * vision.view_cell_deg;
-  const double radius_deg = std::max(smallest_radius_deg, blocks_to_each_side * block_deg);
-  const Cells everywhere = view_cells(vision);
+  const std::vector<double> scales = scales_deg(vision, vision.view_cell_deg);
+  const auto radius_deg = [&](double cell_deg) {
+    return std::max(smallest_radius_deg, blocks_to_each_side * block * cell_deg);
+  };
+  // Cells are squares: a corner lies beyond the radius that the middles are in.
+  const double reach_deg = radius_deg(scales.back()) + std::numbers::sqrt2 * scales.back();
   std::vector<JudgedView> views;
-  for (const Cells::Patch& patch : everywhere.patches()) {
-    auto cells = std::make_shared<const Cells>(Cells::around(
-        patch.direction, radius_deg, vision.view_cell_deg, vision.view_patch_deg, block));
-    const double reach = reach_rad(radius_deg, *cells);
-    views.push_back(view_around(patch.direction, reach, pixel_rad, std::move(cells)));
+  for (const Cells::Patch& patch : patches_around(vision)) {
+    views.push_back(view_around(patch.direction, radians(reach_deg), pixel_rad));
+    for (const double cell_deg : scales) {
+      judge(Cells::around(patch.direction, radius_deg(cell_deg), cell_deg, vision.view_patch_deg,
+                          block),
+            false, views.back());
+    }
   }
   return views;
 }

@@ -4,28 +4,35 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "study/prediction/aim_dependence.h"
 #include "study/prediction/pilot.h"
 #include "study/prediction/table_cache.h"
 
 namespace foveola::study {
 namespace {
 
-constexpr double object_convergence = 128.0;  ///< samples a pixel
+/// Of an object, at full size: samples a pixel of what it converges to, and how many pictures there
+/// are of it. A scaled film has so few pixels that more of both are needed.
+constexpr double object_convergence = 128.0;
+constexpr int object_pictures = 4;
 constexpr PilotLadder object_ladder{};
+
 /// A look around tells one number of a hundred patches: fewer samples will do for each.
 constexpr double around_convergence = 16.0;
-constexpr PilotLadder around_ladder{.first_per_pixel = 1.0 / 32.0, .rungs = 15, .repetitions = 2};
+constexpr PilotLadder around_ladder{.first_per_pixel = 1.0 / 32.0, .rungs = 15};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
 /// Counted up whenever the tables of the same settings come out differently.
-constexpr int tables_version = 2;
+constexpr int tables_version = 4;
 
 /// A cone of directions.
 struct Cone {
@@ -59,8 +66,8 @@ void require_predictable(const Protocol& protocol) {
 /// An object, ready to be judged.
 struct JudgedObject {
   const OfferedObject* object = nullptr;
-  std::vector<JudgedView> views;  ///< outline, material
-  Cone cone;                      ///< that holds all that is judged
+  JudgedView view;
+  Cone cone;  ///< that holds all that is judged
   std::optional<CellMeans> expected;
 };
 
@@ -75,49 +82,98 @@ class SceneAtlas {
         stop_(stop) {
     for (const OfferedObject& object : stage_.objects()) {
       const double radius_deg = std::max(1.0, setting.vision.surround_factor) * object.radius_deg;
-      objects_.push_back(
-          {.object = &object,
-           .views = {view_of_outline(setting.vision, object, setting.protocol.display),
-                     view_of_material(setting.vision, object, setting.protocol.display)},
-           .cone = {.middle = object.direction,
-                    .radius_rad = radians(radius_deg) + cell_reach_rad(object)},
-           .expected = std::nullopt});
+      objects_.push_back({.object = &object,
+                          .view = view_of_object(setting.vision, object, setting.protocol.display),
+                          .cone = {.middle = object.direction,
+                                   .radius_rad = radians(radius_deg) + cell_reach_rad(object)},
+                          .expected = std::nullopt});
     }
   }
 
-  std::size_t count() const { return objects_.size(); }
+  /// Of each object, in the stage's order. One pilot will do for all of them if the method's
+  /// samples go to the same places whatever is looked at.
+  std::vector<std::vector<ObjectNoise>> noise_of_objects(const std::string& method) {
+    const auto sampler = make_sampler(setting_.protocol, method);
+    std::vector<std::vector<ObjectNoise>> noise(objects_.size());
 
-  ObjectNoise noise_of(std::size_t index, const std::string& method) {
-    JudgedObject& judged = objects_[index];
-    const TrialSettings shown = settings_of(setting_.protocol, scene_, method);
-    const std::vector<NoiseTable> tables = known_or(key_of(judged, method, shown), [&] {
-      const PilotSetting pilot = pilot_of(shown);
-      const SampleMask mask = mask_of(judged.cone, shown.film);
-      expect(judged, pilot, mask);
-      const auto sampler = make_sampler(setting_.protocol, method);
-      sampler->aim(aim_at(judged.object->direction, setting_.protocol.display));
-      return measure_noise(pilot, *sampler, object_ladder, mask, judged.views, *judged.expected);
-    });
-    return {.outline = tables.at(0), .material = tables.at(1)};
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      if (const auto known = cache_.find(key_of(objects_[i], method))) {
+        noise[i] = pictures_in(*known);
+      } else {
+        unknown.push_back(i);
+      }
+    }
+    const Vec3 ahead = objects_.front().object->direction;
+    const bool together = !follows_aim(*sampler, aim_to(ahead), aim_to(-ahead));
+    const std::size_t step = together ? std::max<std::size_t>(1, unknown.size()) : 1;
+    for (std::size_t first = 0; first < unknown.size(); first += step) {
+      const std::span<const std::size_t> group(&unknown[first], step);
+      const std::vector<std::vector<NoiseTable>> tables = measure(group, method, *sampler);
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        cache_.keep(key_of(objects_[group[i]], method), tables[i]);
+        noise[group[i]] = pictures_in(tables[i]);
+      }
+    }
+    return noise;
   }
 
-  NoiseTable noise_around() {
-    const TrialSettings shown =
-        settings_of(setting_.protocol, scene_, setting_.protocol.methods.front());
-    return known_or(fmt::format("around\n{}", key_of_setting(shown)),
-                    [&] { return std::vector<NoiseTable>{measure_around(shown)}; })
-        .at(0);
-  }
-
- private:
-  template <typename Make>
-  std::vector<NoiseTable> known_or(const std::string& key, const Make& make) {
+  std::vector<NoiseTable> noise_around() {
+    const TrialSettings shown = shown_with(setting_.protocol.methods.front());
+    const std::string key = fmt::format("around\n{}", key_of_setting(shown));
     if (std::optional<std::vector<NoiseTable>> known = cache_.find(key)) {
       return std::move(*known);
     }
-    std::vector<NoiseTable> made = make();
+    std::vector<NoiseTable> made = measure_around(shown);
     cache_.keep(key, made);
     return made;
+  }
+
+ private:
+  /// Of an object's tables: picture after picture, of each the outline's and the material's.
+  std::vector<ObjectNoise> pictures_in(const std::vector<NoiseTable>& tables) const {
+    const auto of_picture = static_cast<std::ptrdiff_t>(objects_.front().view.judged.size());
+    std::vector<ObjectNoise> pictures;
+    for (auto first = tables.begin(); first != tables.end(); first += of_picture) {
+      pictures.push_back({.outline = *first, .material = {first + 1, first + of_picture}});
+    }
+    return pictures;
+  }
+
+  double coarseness() const { return setting_.vision.coarseness; }
+
+  TrialSettings shown_with(const std::string& method) const {
+    return settings_of(setting_.protocol, scene_, method);
+  }
+
+  Aim aim_to(const Vec3& direction) const { return aim_at(direction, setting_.protocol.display); }
+
+  /// The tables of some objects, of all pictures, by samples that are aimed at the first of them.
+  std::vector<std::vector<NoiseTable>> measure(std::span<const std::size_t> group,
+                                               const std::string& method, ViewSampler& sampler) {
+    const TrialSettings shown = shown_with(method);
+    const PilotSetting pilot = pilot_of(shown);
+    SampleMask mask(shown.film.width, shown.film.height);
+    std::vector<JudgedView> views;
+    CellMeans expected;
+    for (const std::size_t i : group) {
+      JudgedObject& judged = objects_[i];
+      mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
+      expect(judged, pilot);
+      views.push_back(judged.view);
+      expected.push_back(judged.expected->front());
+    }
+    sampler.aim(aim_to(objects_[group.front()].object->direction));
+    std::vector<std::vector<NoiseTable>> tables(group.size());
+    const auto pictures = static_cast<std::uint32_t>(object_pictures * coarseness());
+    for (std::uint32_t picture = 0; picture < pictures; ++picture) {
+      const std::vector<ScaleTables> of_picture =
+          measure_noise(pilot, sampler, object_ladder, picture, mask, views, expected);
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        tables[i].insert(tables[i].end(), of_picture[i].begin(), of_picture[i].end());
+      }
+    }
+    return tables;
   }
 
   /// How far cells reach beyond the radius that their middles are in.
@@ -138,26 +194,22 @@ class SceneAtlas {
             .stop = stop_};
   }
 
-  SampleMask mask_of(const Cone& cone, const FilmSettings& film) const {
-    SampleMask mask(film.width, film.height);
-    mask.add(cone.middle, cone.radius_rad, margin_px, setting_.workers);
-    return mask;
-  }
-
   /// Once for all methods: their films differ at most in overrides, which are rare.
-  void expect(JudgedObject& judged, const PilotSetting& pilot, const SampleMask& mask) const {
+  void expect(JudgedObject& judged, const PilotSetting& pilot) const {
     if (judged.expected) {
       return;
     }
+    SampleMask mask(pilot.film.width, pilot.film.height);
+    mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
     const auto sampler = make_view_sampler(crop_around(judged.cone));
-    sampler->aim(aim_at(judged.object->direction, setting_.protocol.display));
-    judged.expected = converged_means(pilot, *sampler, judged.object->direction, object_convergence,
-                                      mask, judged.views);
+    sampler->aim(aim_to(judged.object->direction));
+    judged.expected = converged_means(pilot, *sampler, judged.object->direction,
+                                      object_convergence * coarseness(), mask, {&judged.view, 1});
   }
 
-  NoiseTable measure_around(const TrialSettings& shown) const {
+  std::vector<NoiseTable> measure_around(const TrialSettings& shown) const {
     const std::vector<JudgedView> views = views_around(setting_.vision, setting_.protocol.display);
-    const std::vector<Cells::Patch> patches = view_cells(setting_.vision).patches();
+    const std::vector<Cells::Patch> patches = patches_around(setting_.vision);
     SampleMask mask(shown.film.width, shown.film.height);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const double to_corner_rad =
@@ -170,25 +222,25 @@ class SceneAtlas {
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const CellMeans expected =
         converged_means(pilot, *sampler, ahead, around_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, around_ladder, mask, views, expected), patches);
+    return gathered(measure_noise(pilot, *sampler, around_ladder, 0, mask, views, expected),
+                    patches);
   }
 
-  /// One table of all views, each standing for a patch.
-  static NoiseTable gathered(const std::vector<NoiseTable>& views,
-                             const std::vector<Cells::Patch>& patches) {
-    NoiseTable table;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      if (!views[i].empty()) {
-        table.push_back(mean_of(views[i]));
-        table.back().direction = patches[i].direction;
-        table.back().cells = patches[i].cells;
+  /// A table for each scale, of all views, each standing for a patch.
+  static std::vector<NoiseTable> gathered(const std::vector<ScaleTables>& views,
+                                          const std::vector<Cells::Patch>& patches) {
+    std::vector<NoiseTable> tables(views.front().size());
+    for (std::size_t view = 0; view < views.size(); ++view) {
+      for (std::size_t scale = 0; scale < tables.size(); ++scale) {
+        tables[scale].push_back(mean_of(views[view][scale]));
+        tables[scale].back().direction = patches[view].direction;
+        tables[scale].back().cells = patches[view].cells;
       }
     }
-    return table;
+    return tables;
   }
 
-  std::string key_of(const JudgedObject& judged, const std::string& method,
-                     const TrialSettings& shown) const {
+  std::string key_of(const JudgedObject& judged, const std::string& method) const {
     std::string key = fmt::format("object {} {} {} radius {}\nmethod {}\n",
                                   judged.object->direction.x, judged.object->direction.y,
                                   judged.object->direction.z, judged.object->radius_deg, method);
@@ -197,7 +249,7 @@ class SceneAtlas {
         key += fmt::format("file {} {}\n", file.file, file.sha256);
       }
     }
-    return key + key_of_setting(shown);
+    return key + key_of_setting(shown_with(method));
   }
 
   std::string key_of_setting(const TrialSettings& shown) const {
@@ -207,18 +259,17 @@ class SceneAtlas {
     return fmt::format(
         "tables {}\nscene {}\nviewpoint {} {} {}\nexposure {}\nfilm {}x{} depth {} filled {}\n"
         "display {}x{} {} {} lens {} {} {} {}\n"
-        "vision {} {} {} {} {} {} {} coarse {}\n"
-        "margin {} objects {} {} {} {} around {} {} {} {}\n",
+        "vision {} {} {} {} {} scales {} {} {} coarse {}\n"
+        "margin {} objects {} {} {} {} around {} {} {}\n",
         tables_version, stage_.key(), viewpoint.x, viewpoint.y, viewpoint.z,
         stage_.source().exposure_stops, shown.film.width, shown.film.height, shown.film.max_depth,
         shown.fill_unsampled, display.view_width, display.view_height, display.horizontal_fov_deg,
         display.vertical_fov_deg, display.lens.axis.x, display.lens.axis.y, display.lens.k1,
         display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
-        vision.material_cell_deg, vision.view_cell_deg, vision.object_patch_deg,
-        vision.view_patch_deg, vision.coarseness, margin_px, object_convergence,
-        object_ladder.first_per_pixel, object_ladder.rungs, object_ladder.repetitions,
-        around_convergence, around_ladder.first_per_pixel, around_ladder.rungs,
-        around_ladder.repetitions);
+        vision.material_cell_deg, vision.view_cell_deg, vision.scale_count, vision.object_patch_deg,
+        vision.view_patch_deg, vision.coarseness, margin_px, object_convergence, object_pictures,
+        object_ladder.first_per_pixel, object_ladder.rungs, around_convergence,
+        around_ladder.first_per_pixel, around_ladder.rungs);
   }
 
   const AtlasSetting& setting_;
@@ -229,31 +280,25 @@ class SceneAtlas {
   std::vector<JudgedObject> objects_;
 };
 
-std::size_t pilots_in(const AtlasSetting& setting) {
-  std::size_t pilots = 0;
-  for (const auto& [name, stage] : setting.stages) {
-    pilots += 1 + stage->objects().size() * setting.protocol.methods.size();
-  }
-  return pilots;
-}
-
 }  // namespace
 
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop) {
   require_predictable(setting.protocol);
   NoiseAtlas atlas;
   Progress progress("Pilot renders");
-  const auto pilots = static_cast<double>(pilots_in(setting));
+  const auto steps =
+      static_cast<double>(setting.stages.size() * (1 + setting.protocol.methods.size()));
   double done = 0.0;
   for (const auto& [name, stage] : setting.stages) {
     SceneAtlas scene(setting, name, stop);
     atlas.around[name] = scene.noise_around();
-    progress.update(++done / pilots, name);
-    for (std::size_t i = 0; i < scene.count(); ++i) {
-      for (const std::string& method : setting.protocol.methods) {
-        atlas.objects[{name, method, stage->objects()[i].name}] = scene.noise_of(i, method);
-        progress.update(++done / pilots, name);
+    progress.update(++done / steps, name);
+    for (const std::string& method : setting.protocol.methods) {
+      std::vector<std::vector<ObjectNoise>> noise = scene.noise_of_objects(method);
+      for (std::size_t i = 0; i < noise.size(); ++i) {
+        atlas.objects[{name, method, stage->objects()[i].name}] = std::move(noise[i]);
       }
+      progress.update(++done / steps, name);
     }
   }
   return atlas;

@@ -7,23 +7,27 @@
 #include <stop_token>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "study/prediction/noise_table.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {
 
-/// Of one object, with one method that is aimed at its middle.
+/// Of one picture of one object, with one method that is aimed at its middle.
 struct ObjectNoise {
   NoiseTable outline;
-  NoiseTable material;
+  std::vector<NoiseTable> material;  ///< on each scale
 };
 
 struct NoiseAtlas {
   using Place = std::tuple<std::string, std::string, std::string>;  ///< scene, method, object
-  std::map<Place, ObjectNoise> objects;
-  /// By scene: of the patches all around, with samples that are spread evenly.
-  std::map<std::string, NoiseTable> around;
+  /// Of some pictures each: what differs between them is left to chance in a trial. Noise that
+  /// comes from few bright paths is less than its mean in most pictures.
+  std::map<Place, std::vector<ObjectNoise>> objects;
+  /// By scene: of the patches all around on each scale, with samples that are spread evenly. The
+  /// patches are the same on all scales.
+  std::map<std::string, std::vector<NoiseTable>> around;
 };
 
 /// What an atlas is made of; it refers to all of it.

@@ -35,16 +35,6 @@ ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr) {
                1.0 / samples_per_sr);
 }
 
-void smooth(PatchNoise& patch) {
-  const std::vector<ChannelValues> rough = patch.noise_times_density;
-  for (std::size_t i = 1; i + 1 < rough.size(); ++i) {
-    for (std::size_t c = 0; c < channel_count; ++c) {
-      const double product = rough[i - 1][c] * rough[i][c] * rough[i][c] * rough[i + 1][c];
-      patch.noise_times_density[i][c] = std::sqrt(std::sqrt(product));
-    }
-  }
-}
-
 PatchNoise mean_of(const NoiseTable& table) {
   PatchNoise mean;
   mean.direction = table.front().direction;
@@ -63,13 +53,6 @@ PatchNoise mean_of(const NoiseTable& table) {
     }
   }
   return mean;
-}
-
-void set_noise(const NoiseTable& table, std::span<const double> samples_per_sr,
-               std::vector<PatchEnergies>& looked) {
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    looked[i].noise = noise_at(table[i], samples_per_sr[i]);
-  }
 }
 
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table) {

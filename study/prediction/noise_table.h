@@ -1,4 +1,4 @@
-// How noisy each patch of a picture is after so many samples: what a predicted look is made of.
+// How noisy each patch of one picture is after so many samples: what a predicted look is made of.
 #pragma once
 
 #include <span>
@@ -24,17 +24,8 @@ using NoiseTable = std::vector<PatchNoise>;
 /// black's, beyond the last one falling with the number of samples.
 ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
 
-/// Takes out of a ladder what chance put there: each rung becomes the geometric mean of itself,
-/// twice, and its neighbours.
-void smooth(PatchNoise& patch);
-
 /// The mean of patches that are sampled alike, each counted by its cells. table: not empty.
 PatchNoise mean_of(const NoiseTable& table);
-
-/// The noise of all patches; samples_per_sr has one density for each. looked: as many, whose other
-/// members stay.
-void set_noise(const NoiseTable& table, std::span<const double> samples_per_sr,
-               std::vector<PatchEnergies>& looked);
 
 /// The patches with all that does not change.
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table);

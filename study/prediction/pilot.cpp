@@ -75,7 +75,7 @@ class Display {
  public:
   Display(const EquirectFilm& film, const PilotSetting& setting) : film_(film), setting_(setting) {}
 
-  std::vector<ChannelValues> means(const JudgedView& view) {
+  std::vector<std::vector<ChannelValues>> means(const JudgedView& view) {
     if (view.width != width_ || view.height != height_) {
       width_ = view.width;
       height_ = view.height;
@@ -84,8 +84,12 @@ class Display {
                                           .unsampled = setting_.unsampled,
                                           .exposure_stops = setting_.exposure_stops});
     }
-    return cell_means(resampler_->show(view.viewport, setting_.workers), view.pixels,
-                      setting_.jnd_lab);
+    const RgbImage& image = resampler_->show(view.viewport, setting_.workers);
+    std::vector<std::vector<ChannelValues>> of_scales;
+    for (const JudgedCells& judged : view.judged) {
+      of_scales.push_back(cell_means(image, judged.pixels, setting_.jnd_lab));
+    }
+    return of_scales;
   }
 
  private:
@@ -97,13 +101,13 @@ class Display {
 };
 
 /// Before anything was sampled: black, with all that does not depend on samples.
-NoiseTable unsampled_table(const JudgedView& view, const std::vector<ChannelValues>& expected,
+NoiseTable unsampled_table(const JudgedCells& judged, const std::vector<ChannelValues>& expected,
                            double jnd_lab) {
   const ChannelValues black = opponent_channels(Rgb(0.0F), jnd_lab);
   const std::vector<ChannelValues> nothing(expected.size(), black);
   NoiseTable table;
   for (const PatchEnergies& patch :
-       patch_energies(*view.cells, view.pixels, nothing, expected, view.with_contrast)) {
+       patch_energies(judged.cells, judged.pixels, nothing, expected, judged.with_contrast)) {
     table.push_back({.direction = patch.direction,
                      .cells = patch.cells,
                      .contrast = patch.contrast,
@@ -114,22 +118,44 @@ NoiseTable unsampled_table(const JudgedView& view, const std::vector<ChannelValu
   return table;
 }
 
-double geometric_mean_density(const ViewSampler& sampler, std::span<const NoiseTable> tables) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const NoiseTable& table : tables) {
-    for (const PatchNoise& patch : table) {
-      if (const double density = sampler.density_per_sr(patch.direction); density > 0.0) {
-        sum += std::log(density);
-        count += 1.0;
+std::vector<ScaleTables> unsampled_tables(std::span<const JudgedView> views,
+                                          const CellMeans& expected, double jnd_lab) {
+  std::vector<ScaleTables> tables(views.size());
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    for (std::size_t scale = 0; scale < views[view].judged.size(); ++scale) {
+      tables[view].push_back(
+          unsampled_table(views[view].judged[scale], expected[view][scale], jnd_lab));
+    }
+  }
+  return tables;
+}
+
+/// Calls visit(patch) with every patch of the tables.
+template <typename Tables, typename Visit>
+void for_each_patch(Tables& tables, const Visit& visit) {
+  for (auto& of_view : tables) {
+    for (auto& table : of_view) {
+      for (auto& patch : table) {
+        visit(patch);
       }
     }
   }
+}
+
+double geometric_mean_density(const ViewSampler& sampler, const std::vector<ScaleTables>& tables) {
+  double sum = 0.0;
+  double count = 0.0;
+  for_each_patch(tables, [&](const PatchNoise& patch) {
+    if (const double density = sampler.density_per_sr(patch.direction); density > 0.0) {
+      sum += std::log(density);
+      count += 1.0;
+    }
+  });
   return count > 0.0 ? std::exp(sum / count) : 0.0;
 }
 
-/// Adds what a picture after `samples` says about a rung, as one of `repetitions`.
-void add_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t rung, int repetitions,
+/// Notes what a picture after `samples` says about a rung.
+void set_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t rung,
               const std::vector<PatchEnergies>& seen, NoiseTable& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table[i].noise_times_density.empty()) {
@@ -137,7 +163,7 @@ void add_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t run
     }
     const double per_sr = static_cast<double>(samples) * sampler.density_per_sr(table[i].direction);
     for (std::size_t c = 0; c < channel_count; ++c) {
-      table[i].noise_times_density[rung][c] += seen[i].noise[c] * per_sr / repetitions;
+      table[i].noise_times_density[rung][c] = seen[i].noise[c] * per_sr;
     }
   }
 }
@@ -170,42 +196,35 @@ CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sample
   return means;
 }
 
-std::vector<NoiseTable> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
-                                      const PilotLadder& ladder, const SampleMask& mask,
-                                      std::span<const JudgedView> views,
-                                      const CellMeans& expected) {
-  std::vector<NoiseTable> tables;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    tables.push_back(unsampled_table(views[i], expected[i], setting.jnd_lab));
-  }
+std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
+                                       const PilotLadder& ladder, std::uint32_t picture,
+                                       const SampleMask& mask, std::span<const JudgedView> views,
+                                       const CellMeans& expected) {
+  std::vector<ScaleTables> tables = unsampled_tables(views, expected, setting.jnd_lab);
   const double density = geometric_mean_density(sampler, tables);
   if (density == 0.0) {
     return tables;  // a method that never goes there
   }
   const std::vector<std::uint64_t> rungs = rungs_of(setting.film, ladder, density);
-  for (NoiseTable& table : tables) {
-    for (PatchNoise& patch : table) {
-      const double per_sr = sampler.density_per_sr(patch.direction);
-      patch.first_per_sr = static_cast<double>(rungs.front()) * per_sr;
-      patch.noise_times_density.resize(per_sr > 0.0 ? rungs.size() : 0);
-    }
-  }
-  for (int repetition = 0; repetition < ladder.repetitions; ++repetition) {
-    MaskedRender render(setting, sampler, mask,
-                        mix(static_cast<std::uint32_t>(repetition), pilot_stream));
-    Display display(render.film(), setting);
-    for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
-      render.continue_to(rungs[rung]);
-      for (std::size_t i = 0; i < views.size(); ++i) {
-        add_rung(sampler, rungs[rung], rung, ladder.repetitions,
-                 patch_energies(*views[i].cells, views[i].pixels, display.means(views[i]),
-                                expected[i], views[i].with_contrast),
-                 tables[i]);
+  for_each_patch(tables, [&](PatchNoise& patch) {
+    const double per_sr = sampler.density_per_sr(patch.direction);
+    patch.first_per_sr = static_cast<double>(rungs.front()) * per_sr;
+    patch.noise_times_density.resize(per_sr > 0.0 ? rungs.size() : 0);
+  });
+  MaskedRender render(setting, sampler, mask, mix(picture, pilot_stream));
+  Display display(render.film(), setting);
+  for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
+    render.continue_to(rungs[rung]);
+    for (std::size_t view = 0; view < views.size(); ++view) {
+      const auto seen = display.means(views[view]);
+      for (std::size_t scale = 0; scale < seen.size(); ++scale) {
+        const JudgedCells& judged = views[view].judged[scale];
+        set_rung(sampler, rungs[rung], rung,
+                 patch_energies(judged.cells, judged.pixels, seen[scale], expected[view][scale],
+                                judged.with_contrast),
+                 tables[view][scale]);
       }
     }
-  }
-  for (NoiseTable& table : tables) {
-    std::for_each(table.begin(), table.end(), smooth);
   }
   return tables;
 }

@@ -30,16 +30,16 @@ struct PilotSetting {
 };
 
 /// When a pilot is looked at: after so many samples a pixel, in the geometric mean over the judged
-/// patches, growing by half an octave from rung to rung; repeated with other random numbers, and
-/// averaged.
+/// patches, growing by half an octave from rung to rung.
 struct PilotLadder {
   double first_per_pixel = 1.0 / 32.0;
   int rungs = 17;  ///< to 8 a pixel: what chance then leaves falls with the number of samples
-  int repetitions = 4;
 };
 
-/// The means of each view's cells in a picture.
-using CellMeans = std::vector<std::vector<ChannelValues>>;
+/// The means of cells in a picture, of each view on each scale.
+using CellMeans = std::vector<std::vector<std::vector<ChannelValues>>>;
+/// Of one view, on each scale.
+using ScaleTables = std::vector<NoiseTable>;
 
 /// What the views converge to, by a sampler that was aimed and is uniform over the image where they
 /// are, around `middle`, where a pixel gets so many samples; only the mask's pixels are traced. Its
@@ -48,10 +48,11 @@ CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sample
                           const Vec3& middle, double per_pixel, const SampleMask& mask,
                           std::span<const JudgedView> views);
 
-/// A table for each view, of the patches that have pixels in it. expected: of the same views.
-/// Throws Error if stopped.
-std::vector<NoiseTable> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
-                                      const PilotLadder& ladder, const SampleMask& mask,
-                                      std::span<const JudgedView> views, const CellMeans& expected);
+/// The tables of each view, of the patches that have pixels in it, for one picture: each `picture`
+/// has other random numbers. expected: of the same views. Throws Error if stopped.
+std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
+                                       const PilotLadder& ladder, std::uint32_t picture,
+                                       const SampleMask& mask, std::span<const JudgedView> views,
+                                       const CellMeans& expected);
 
 }  // namespace foveola::study

@@ -1,7 +1,6 @@
 #include "study/prediction/predicted_sight.h"
 
-#include <algorithm>
-#include <array>
+#include "renderer/base/random.h"
 
 namespace foveola::study {
 namespace {
@@ -42,16 +41,31 @@ const std::vector<double>& PatchSamples::rates() {
   return rates_;
 }
 
-PredictedSight::PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing)
+PredictedSight::Judged::Judged(const NoiseTable& judged, const ViewSampler& sampler)
+    : table(judged), samples(judged, sampler), patches(energies_without_noise(judged)) {}
+
+std::span<const PatchEnergies> PredictedSight::Judged::seen() {
+  const std::span<const double> per_sr = samples.per_sr();
+
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    patches[i].noise = noise_at(table[i], per_sr[i]);
+  }
+  return patches;
+}
+
+PredictedSight::PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
+                               std::uint32_t picture)
     : trial_(trial),
       sampler_(sampler),
       aim_(facing),
       facing_(facing),
-      outline_(trial.object.outline, sampler),
-      material_(trial.object.material, sampler),
-      around_(trial.around, sampler),
-      outline_patches_(energies_without_noise(trial.object.outline)),
-      material_patches_(energies_without_noise(trial.object.material)) {
+      object_(trial.pictures[mix(picture) % trial.pictures.size()]),
+      outline_(object_.outline, sampler),
+
+      around_(trial.around.front(), sampler) {
+  for (const NoiseTable& table : object_.material) {
+    material_.emplace_back(table, sampler);
+  }
   sampler_.aim(aim_);
 }
 
@@ -60,9 +74,11 @@ void PredictedSight::add(double samples, const Aim& aim_now) {
   samples_ += samples;
   if (is_looking_around_) {
     around_.add(samples);
-  } else {
-    outline_.add(samples);
-    material_.add(samples);
+    return;
+  }
+  outline_.samples.add(samples);
+  for (Judged& scale : material_) {
+    scale.samples.add(samples);
   }
 }
 
@@ -75,8 +91,10 @@ void PredictedSight::aim(const Aim& aim) {
   if (is_looking_around_) {
     around_.settle();
   } else {
-    outline_.settle();
-    material_.settle();
+    outline_.samples.settle();
+    for (Judged& scale : material_) {
+      scale.samples.settle();
+    }
   }
   aim_ = aim;
   sampler_.aim(aim_);
@@ -84,7 +102,7 @@ void PredictedSight::aim(const Aim& aim) {
 
 Sighting PredictedSight::look(Task task, const Vec3& gaze, const Viewport& viewport) {
   if (task == Task::look_around) {
-    return look_around(gaze, viewport);
+    return {.artifacts_jnd = artifacts_jnd(gaze, viewport)};
   }
   if (task == last_look_.task && gaze == last_look_.gaze &&
       samples_ < noticeable_growth * last_look_.samples) {
@@ -92,16 +110,22 @@ Sighting PredictedSight::look(Task task, const Vec3& gaze, const Viewport& viewp
   }
   Sighting sighting;
   if (task == Task::mark_outline) {
-    set_noise(trial_.object.outline, outline_.per_sr(), outline_patches_);
     sighting.outline_signal_to_noise = outline_signal_to_noise(
-        outline_patches_, trial_.outline_visibility, gaze, trial_.outline_signal_to_noise);
+        outline_.seen(), trial_.outline_visibility, gaze, trial_.outline_signal_to_noise);
   } else {
-    set_noise(trial_.object.material, material_.per_sr(), material_patches_);
-    sighting.material_jnd =
-        visible_difference_jnd(material_patches_, trial_.material_visibility, gaze);
+    sighting.material_jnd = material_jnd(gaze);
   }
   last_look_ = {.task = task, .gaze = gaze, .samples = samples_, .sighting = sighting};
   return sighting;
+}
+
+double PredictedSight::material_jnd(const Vec3& gaze) {
+  jnd_of_scales_.clear();
+  for (std::size_t scale = 0; scale < material_.size(); ++scale) {
+    jnd_of_scales_.push_back(
+        visible_difference_jnd(material_[scale].seen(), trial_.material_visibilities[scale], gaze));
+  }
+  return pooled_jnd(trial_.vision, jnd_of_scales_);
 }
 
 void PredictedSight::begin_looking_around() {
@@ -112,38 +136,27 @@ void PredictedSight::begin_looking_around() {
   sampler_.aim(aim_);
 }
 
-Sighting PredictedSight::look_around(const Vec3& gaze, const Viewport& viewport) {
+double PredictedSight::artifacts_jnd(const Vec3& gaze, const Viewport& viewport) {
   if (!is_looking_around_) {
     begin_looking_around();
   }
   const std::span<const double> per_sr = around_.per_sr();
-  patches_in_view_.clear();
-  for (std::size_t i = 0; i < trial_.around.size(); ++i) {
-    const PatchNoise& patch = trial_.around[i];
-    if (viewport.project(patch.direction)) {
-      patches_in_view_.push_back({.direction = patch.direction,
-                                  .cells = patch.cells,
-                                  .noise = noise_at(patch, per_sr[i]),
-                                  .contrast = 0.0});
+  jnd_of_scales_.clear();
+  for (std::size_t scale = 0; scale < trial_.around.size(); ++scale) {
+    const NoiseTable& table = trial_.around[scale];
+    patches_in_view_.clear();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      if (viewport.project(table[i].direction)) {
+        patches_in_view_.push_back({.direction = table[i].direction,
+                                    .cells = table[i].cells,
+                                    .noise = noise_at(table[i], per_sr[i]),
+                                    .contrast = 0.0});
+      }
     }
+    jnd_of_scales_.push_back(
+        visible_difference_jnd(patches_in_view_, trial_.view_visibilities[scale], gaze));
   }
-  return {.artifacts_jnd = visible_difference_jnd(patches_in_view_, trial_.view_visibility, gaze)};
-}
-
-bool follows_gaze(ViewSampler& sampler, const Aim& aim) {
-  const Vec3 right = glm::normalize(glm::cross(aim.gaze, aim.viewport.head() * Vec3(0, 1, 0)));
-  constexpr float shift = 0.05F;
-  Aim shifted = aim;
-  shifted.gaze = glm::normalize(aim.gaze + shift * right);
-  const std::array places = {aim.gaze, shifted.gaze, glm::normalize(aim.gaze - shift * right)};
-  const auto densities = [&](const Aim& aimed) {
-    sampler.aim(aimed);
-    std::array<double, places.size()> result{};
-    std::transform(places.begin(), places.end(), result.begin(),
-                   [&](const Vec3& place) { return sampler.density_per_sr(place); });
-    return result;
-  };
-  return densities(aim) != densities(shifted);
+  return pooled_jnd(trial_.vision, jnd_of_scales_);
 }
 
 }  // namespace foveola::study

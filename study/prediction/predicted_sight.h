@@ -2,7 +2,7 @@
 // and the noise that so many leave.
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -37,11 +37,12 @@ class PatchSamples {
 
 /// What one trial is predicted with. It refers to all but the sampler.
 struct PredictedTrial {
-  const ObjectNoise& object;
-  const NoiseTable& around;
+  const Vision& vision;
+  const std::vector<ObjectNoise>& pictures;  ///< not empty
+  const std::vector<NoiseTable>& around;
   const Visibility& outline_visibility;
-  const Visibility& material_visibility;
-  const Visibility& view_visibility;
+  const std::vector<Visibility>& material_visibilities;  ///< on each scale
+  const std::vector<Visibility>& view_visibilities;
   double outline_signal_to_noise = 5.0;  ///< see outline_signal_to_noise()
   bool follows_gaze = true;  ///< whether the sampler goes elsewhere when only the gaze moves
 };
@@ -49,9 +50,10 @@ struct PredictedTrial {
 /// One attempt's film, as far as it is known without rendering it.
 class PredictedSight {
  public:
-  /// facing: while marks are made, the head faces the object and the gaze is near it. trial and
-  /// sampler must outlive this.
-  PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing);
+  /// facing: while marks are made, the head faces the object and the gaze is near it. picture: any
+  /// number, for which of the trial's is taken. trial and sampler must outlive this.
+  PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
+                 std::uint32_t picture);
 
   /// So many samples go where `aim` says.
   void add(double samples, const Aim& aim);
@@ -60,6 +62,16 @@ class PredictedSight {
   Sighting look(Task task, const Vec3& gaze, const Viewport& viewport);
 
  private:
+  /// What is judged on one scale, as far as it is rendered.
+  struct Judged {
+    Judged(const NoiseTable& table, const ViewSampler& sampler);
+    /// What there is to see in it now.
+    std::span<const PatchEnergies> seen();
+
+    const NoiseTable& table;
+    PatchSamples samples;
+    std::vector<PatchEnergies> patches;
+  };
   /// A look that need not be made again while hardly anything changed.
   struct Look {
     Task task = Task::mark_outline;
@@ -72,24 +84,22 @@ class PredictedSight {
   /// What went to the periphery while marks were made, all of it as if the gaze had stayed in the
   /// object's middle: there a wandering gaze makes little difference.
   void begin_looking_around();
-  Sighting look_around(const Vec3& gaze, const Viewport& viewport);
+  double material_jnd(const Vec3& gaze);
+  double artifacts_jnd(const Vec3& gaze, const Viewport& viewport);
 
   const PredictedTrial& trial_;
   ViewSampler& sampler_;
   Aim aim_;
   const Aim facing_;
-  PatchSamples outline_;
-  PatchSamples material_;
-  PatchSamples around_;
+  const ObjectNoise& object_;
+  Judged outline_;
+  std::vector<Judged> material_;
+  PatchSamples around_;  ///< of the patches of all scales
   bool is_looking_around_ = false;
-  std::vector<PatchEnergies> outline_patches_;
-  std::vector<PatchEnergies> material_patches_;
   std::vector<PatchEnergies> patches_in_view_;
+  std::vector<double> jnd_of_scales_;
   double samples_ = 0.0;
   Look last_look_;
 };
-
-/// Whether a sampler that was made for a view facing `aim` goes elsewhere when only the gaze moves.
-bool follows_gaze(ViewSampler& sampler, const Aim& aim);
 
 }  // namespace foveola::study
