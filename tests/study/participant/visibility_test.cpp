@@ -10,8 +10,10 @@
 namespace foveola::study {
 namespace {
 
-constexpr Vision vision{
-    .decay_deg = 0.106, .half_resolution_deg = 2.3, .red_green_decades_per_deg = 0.04};
+constexpr Vision vision{.decay_deg = 0.106,
+                        .half_resolution_deg = 2.3,
+                        .chromatic_decay_factor = 3.0,
+                        .red_green_decades_per_deg = 0.04};
 
 double linear(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -65,22 +67,29 @@ TEST(OpponentChannels, GreysHaveNoColourAndTheirLightnessKeepsWithin17PercentOfC
   }
 }
 
-// By hand: cells of 0.5 degrees make a period of 1 degree, so f = 1; exp(0.106 x 10 / 2.3) =
-// exp(0.46087) = 1.58545, and 10^0.4 = 2.51189 more for red-green. Cells of 2 degrees: f = 1/4, at
-// 20 degrees exp(0.106 x 5 / 2.3) = exp(0.230435) = 1.25915.
+// By hand: cells of 0.5 degrees make a period of 1 degree, so f = 1; exp(0.106 (1 + 10 / 2.3)) =
+// exp(0.56687) = 1.76274; with 3 for 1, exp(0.77887) = 2.17901, and 10^0.4 = 2.51189 more for
+// red-green. Cells of 2 degrees: f = 1/4, at 20 degrees exp(0.0265 (1 + 20 / 2.3)) = exp(0.256935)
+// = 1.29296.
 TEST(RelativeThreshold, IsTheFormulasValue) {
-  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 0.5, 10.0), 1.58545, 1e-5);
-  EXPECT_NEAR(relative_threshold(vision, Channel::blue_yellow, 0.5, 10.0), 1.58545, 1e-5);
-  EXPECT_NEAR(relative_threshold(vision, Channel::red_green, 0.5, 10.0), 1.58545 * 2.51189, 1e-4);
-  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 2.0, 20.0), 1.25915, 1e-5);
+  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 0.5, 10.0), 1.76274, 1e-5);
+  EXPECT_NEAR(relative_threshold(vision, Channel::blue_yellow, 0.5, 10.0), 2.17901, 1e-5);
+  EXPECT_NEAR(relative_threshold(vision, Channel::red_green, 0.5, 10.0), 2.17901 * 2.51189, 1e-4);
+  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 2.0, 20.0), 1.29296, 1e-5);
 }
 
-TEST(RelativeThreshold, IsOneAtTheGazeAndDoublesWhereTheExponentIsLn2) {
+TEST(RelativeThreshold, IsOneForLargeAreasAtTheGazeAndDoublesWhereTheExponentIsLn2) {
   for (const Channel channel : {Channel::achromatic, Channel::red_green, Channel::blue_yellow}) {
-    EXPECT_EQ(relative_threshold(vision, channel, 0.1, 0.0), 1.0);
+    EXPECT_NEAR(relative_threshold(vision, channel, 1e6, 0.0), 1.0, 1e-6);
   }
-  const double doubling_deg = std::numbers::ln2 * 2.3 / 0.106;
+  const double doubling_deg = (std::numbers::ln2 / 0.106 - 1.0) * 2.3;
   EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 0.5, doubling_deg), 2.0, 1e-12);
+}
+
+// Mullen (1985): what luminance resolves at 34 cycles per degree, colour resolves at a third.
+TEST(RelativeThreshold, ColourIsResolvedAtAThirdOfTheFrequency) {
+  EXPECT_NEAR(relative_threshold(vision, Channel::red_green, 0.5 / 12.0, 0.0),
+              relative_threshold(vision, Channel::achromatic, 0.5 / 36.0, 0.0), 1e-9);
 }
 
 TEST(VisibilityTable, IsTheInverseSquareOfTheThreshold) {
@@ -94,8 +103,9 @@ TEST(VisibilityTable, IsTheInverseSquareOfTheThreshold) {
           << eccentricity_deg << " degrees, channel " << channel;
     }
   }
-  EXPECT_EQ(table.at(1.0F)[0], 1.0F);
-  EXPECT_EQ(table.at(1.0F + 1e-6F)[0], 1.0F) << "of rounded cosines too";
+  EXPECT_NEAR(table.at(1.0F)[0], std::exp(-2.0 * 0.106), 1e-6);
+  EXPECT_EQ(table.at(1.0F + 1e-6F)[0], table.at(1.0F)[0]) << "of rounded cosines too";
+
   EXPECT_EQ(table.at(-1.0F)[0], table.at(0.0F)[0]);
 }
 

@@ -42,19 +42,6 @@ TEST(NoiseTable, AMethodThatNeverGoesThereLeavesBlack) {
   EXPECT_EQ(noise_at(falling_patch(0), 0.0), all(4.0));
 }
 
-TEST(NoiseTable, SmoothingTakesOutChanceButNoSlope) {
-  PatchNoise patch = falling_patch(0);
-  for (const double value : {1.0, 2.0, 4.0, 8.0}) {
-    patch.noise_times_density.push_back(all(value));
-  }
-  PatchNoise rough = patch;
-  smooth(patch);
-  EXPECT_NEAR(patch.noise_times_density[1][0], 2.0, 1e-12) << "a power law stays";
-  rough.noise_times_density[1] = all(32.0);
-  smooth(rough);
-  EXPECT_NEAR(rough.noise_times_density[1][0], std::pow(1.0 * 32.0 * 32.0 * 4.0, 0.25), 1e-9);
-}
-
 TEST(NoiseTable, PatchesCountByTheirCells) {
   PatchNoise small = falling_patch(2);
   PatchNoise large = falling_patch(2);
@@ -71,14 +58,10 @@ TEST(NoiseTable, PatchesCountByTheirCells) {
 
 TEST(NoiseTable, PatchesKeepWhatDoesNotChange) {
   const NoiseTable table = {falling_patch(5), falling_patch(5)};
-  std::vector<PatchEnergies> energies = energies_without_noise(table);
+  const std::vector<PatchEnergies> energies = energies_without_noise(table);
   ASSERT_EQ(energies.size(), 2U);
   EXPECT_EQ(energies[1].cells, 7.0);
   EXPECT_EQ(energies[1].contrast, 2.0);
-  const std::vector<double> densities = {20.0, 40.0};
-  set_noise(table, densities, energies);
-  EXPECT_NEAR(energies[0].noise[0], 3.0, 1e-12);
-  EXPECT_NEAR(energies[1].noise[0], 1.5, 1e-12);
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ Vision some_vision() {
           .surround_factor = 1.5,
           .material_cell_deg = 2.0,
           .view_cell_deg = 6.0,
+          .scale_count = 2.0,
+          .pooling_exponent = 4.0,
+
           .object_patch_deg = 4.0,
           .view_patch_deg = 30.0};
 }
@@ -42,10 +45,8 @@ class PilotTest : public testing::Test {
     return mask;
   }
   const OfferedObject& object() const { return stage_.objects().front(); }
-  std::vector<JudgedView> views() const {
-    return {view_of_outline(vision_, object(), display_),
-            view_of_material(vision_, object(), display_)};
-  }
+  std::vector<JudgedView> views() const { return {view_of_object(vision_, object(), display_)}; }
+
   std::unique_ptr<ViewSampler> aimed(const char* method) const {
     auto sampler = make_view_sampler(method);
     sampler->aim(aim_at(object().direction, DisplaySettings{}));
@@ -55,10 +56,11 @@ class PilotTest : public testing::Test {
     return converged_means(setting(stage), *aimed("od"), object().direction, 400.0, mask(0.5),
                            views());
   }
-  std::vector<NoiseTable> tables(const SceneStage& stage, const char* method,
-                                 double mask_radius_rad) const {
-    return measure_noise(setting(stage), *aimed(method), ladder_, mask(mask_radius_rad), views(),
-                         expected(stage));
+  ScaleTables tables(const SceneStage& stage, const char* method, double mask_radius_rad,
+                     std::uint32_t picture = 0) const {
+    return measure_noise(setting(stage), *aimed(method), ladder_, picture, mask(mask_radius_rad),
+                         views(), expected(stage))
+        .front();
   }
 
   DisplaySettings display_{.view_width = 64, .view_height = 64};
@@ -66,21 +68,29 @@ class PilotTest : public testing::Test {
   Workers workers_{2};
   SceneStage stage_{wall_with_a_square(folder_), workers_};
   Vision vision_ = some_vision();
-  PilotLadder ladder_{.first_per_pixel = 1.0, .rungs = 11, .repetitions = 2};
+  PilotLadder ladder_{.first_per_pixel = 1.0, .rungs = 11};
   std::stop_source stop_;
 };
 
 // 12 degrees of radius, half as much around it, and a cell's diagonal of 4: 22 degrees.
 TEST_F(PilotTest, WhatIsNotTracedMakesNoDifference) {
-  const std::vector<NoiseTable> masked = tables(stage_, "fv", 0.42);
-  const std::vector<NoiseTable> whole = tables(stage_, "fv", 3.2);
-  ASSERT_EQ(masked.size(), 2U);
+  const ScaleTables masked = tables(stage_, "fv", 0.42);
+  const ScaleTables whole = tables(stage_, "fv", 3.2);
+  ASSERT_EQ(masked.size(), 3U) << "an outline, and a material on two scales";
   ASSERT_GT(masked[0].size(), 20U);
-  for (std::size_t view = 0; view < 2; ++view) {
-    for (std::size_t i = 0; i < masked[view].size(); ++i) {
-      EXPECT_EQ(masked[view][i].noise_times_density, whole[view][i].noise_times_density);
+  for (std::size_t scale = 0; scale < masked.size(); ++scale) {
+    for (std::size_t i = 0; i < masked[scale].size(); ++i) {
+      EXPECT_EQ(masked[scale][i].noise_times_density, whole[scale][i].noise_times_density);
     }
   }
+}
+
+TEST_F(PilotTest, EachPictureHasItsOwnNoise) {
+  const auto noise = [&](std::uint32_t picture) {
+    return tables(stage_, "od", 0.42, picture)[0][0].noise_times_density;
+  };
+  EXPECT_EQ(noise(1), noise(1));
+  EXPECT_NE(noise(1), noise(2));
 }
 
 TEST_F(PilotTest, NoiseFallsWithTheSamples) {
@@ -99,9 +109,9 @@ TEST_F(PilotTest, NoiseFallsWithTheSamples) {
 /// The noise of all patches together, achromatic, as a display of 48 x 48 shows it after so many
 /// samples that were not counted before; the mean of many pictures.
 double shown_noise(const PilotSetting& setting, const ViewSampler& sampler, std::uint64_t samples,
-                   const JudgedView& view, const Viewport& viewport) {
+                   const Cells& cells, const Viewport& viewport) {
   constexpr int side = 48;
-  const CellPixels pixels = pixels_of(*view.cells, viewport, side, side);
+  const CellPixels pixels = pixels_of(cells, viewport, side, side);
   const auto picture = [&](std::uint64_t count, std::uint32_t seed) {
     EquirectFilm film(setting.film.width, setting.film.height);
     SamplePass pass;
@@ -120,7 +130,7 @@ double shown_noise(const PilotSetting& setting, const ViewSampler& sampler, std:
   constexpr int pictures = 16;
   for (std::uint32_t seed = 100; seed < 100 + pictures; ++seed) {
     for (const PatchEnergies& patch :
-         patch_energies(*view.cells, pixels, picture(samples, seed), expected, false)) {
+         patch_energies(cells, pixels, picture(samples, seed), expected, false)) {
       sum += patch.cells * patch.noise[0] / pictures;
     }
   }
@@ -131,27 +141,32 @@ TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
   DisplaySettings display;
   display.view_width = 48;
   display.view_height = 48;
-  const Aim aim = aim_at(object().direction, display);
-  const std::vector<JudgedView> small = {view_of_outline(vision_, object(), display),
-                                         view_of_material(vision_, object(), display)};
+  const std::vector<JudgedView> small = {view_of_object(vision_, object(), display)};
   const PilotSetting pilot = setting(stage_);
-  ladder_.repetitions = 8;
   ladder_.first_per_pixel = 0.5;
   const auto sampler = aimed("od");
   const CellMeans converged =
       converged_means(pilot, *sampler, object().direction, 400.0, mask(0.6), small);
-  const std::vector<NoiseTable> tables =
-      measure_noise(pilot, *sampler, ladder_, mask(0.6), small, converged);
-  for (std::size_t view = 0; view < small.size(); ++view) {
+  constexpr std::uint32_t pictures = 8;
+  std::vector<ScaleTables> tables;
+  for (std::uint32_t picture = 0; picture < pictures; ++picture) {
+    tables.push_back(
+        measure_noise(pilot, *sampler, ladder_, picture, mask(0.6), small, converged).front());
+  }
+  for (std::size_t scale = 0; scale < small[0].judged.size(); ++scale) {
     for (const std::uint64_t samples : {8'000U, 30'000U, 100'000U}) {
       double predicted = 0.0;
-      for (const PatchNoise& patch : tables[view]) {
-        const double per_sr =
-            static_cast<double>(samples) * sampler->density_per_sr(patch.direction);
-        predicted += patch.cells * noise_at(patch, per_sr)[0];
+      for (const ScaleTables& of_picture : tables) {
+        for (const PatchNoise& patch : of_picture[scale]) {
+          const double per_sr =
+              static_cast<double>(samples) * sampler->density_per_sr(patch.direction);
+          predicted += patch.cells * noise_at(patch, per_sr)[0] / pictures;
+        }
       }
-      const double shown = shown_noise(pilot, *sampler, samples, small[view], aim.viewport);
-      EXPECT_NEAR(predicted / shown, 1.0, 0.2) << "view " << view << ", " << samples << " samples";
+      const double shown =
+          shown_noise(pilot, *sampler, samples, small[0].judged[scale].cells, small[0].viewport);
+      EXPECT_NEAR(predicted / shown, 1.0, 0.2)
+          << "scale " << scale << ", " << samples << " samples";
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "study/prediction/predicted_sight.h"
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -36,22 +37,26 @@ NoiseTable patches(int count, double apart_deg) {
   return table;
 }
 
-Vision some_vision() { return {.jnd_lab = 2.3, .decay_deg = 0.106, .half_resolution_deg = 2.3}; }
+Vision some_vision() {
+  return {.jnd_lab = 2.3, .half_resolution_deg = 2.3, .pooling_exponent = 4.0};
+}
 
 class PredictedSightTest : public testing::Test {
  protected:
   PredictedTrial trial(bool follows_gaze) const {
-    return {.object = object_,
+    return {.vision = vision_,
+            .pictures = pictures_,
             .around = around_,
-            .outline_visibility = visibility_,
-            .material_visibility = visibility_,
-            .view_visibility = visibility_,
+            .outline_visibility = visibilities_.front(),
+            .material_visibilities = visibilities_,
+            .view_visibilities = visibilities_,
             .follows_gaze = follows_gaze};
   }
 
-  ObjectNoise object_{.outline = patches(3, 2.0), .material = patches(2, 2.0)};
-  NoiseTable around_ = patches(20, 9.0);
-  Visibility visibility_{some_vision(), 1.0};
+  Vision vision_ = some_vision();
+  std::vector<ObjectNoise> pictures_{{.outline = patches(3, 2.0), .material = {patches(2, 2.0)}}};
+  std::vector<NoiseTable> around_{patches(20, 9.0)};
+  std::vector<Visibility> visibilities_{Visibility(vision_, 1.0)};
 };
 
 TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
@@ -76,20 +81,62 @@ TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
 
 // Of one patch, straight at the gaze, where thresholds are 1.
 TEST_F(PredictedSightTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
-  object_.material.resize(1);
+  pictures_[0].material[0].resize(1);
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(ahead));
+  PredictedSight sight(trial, *sampler, aimed(ahead), 0);
   sight.add(5000.0, aimed(ahead));
   const double density = 5000.0 * sampler->density_per_sr(ahead);
   EXPECT_NEAR(sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd,
               std::sqrt(1000.0 / density), 1e-3);
 }
 
+// By hand: the second scale has 16 times the noise, so 4 times the difference: (1 + 4^4)^(1/4) =
+// 4.00390 times.
+TEST_F(PredictedSightTest, AMaterialIsLookedAtOnAllScalesAtOnce) {
+  pictures_[0].material[0].resize(1);
+  const auto jnd = [&] {
+    const PredictedTrial trial = this->trial(false);
+    const auto sampler = make_view_sampler("od");
+    PredictedSight sight(trial, *sampler, aimed(ahead), 0);
+    sight.add(5000.0, aimed(ahead));
+    return sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd;
+  };
+  const double on_one = jnd();
+  NoiseTable fine = pictures_[0].material[0];
+  fine[0].noise_times_density.assign(3, {16000.0, 0.0, 0.0});
+  pictures_[0].material.push_back(fine);
+  visibilities_.push_back(visibilities_.front());
+  EXPECT_NEAR(jnd() / on_one, 4.00390, 1e-5);
+}
+
+TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
+  pictures_.push_back(pictures_[0]);
+  pictures_[1].material[0] = patches(2, 2.0);
+  for (PatchNoise& patch : pictures_[1].material[0]) {
+    patch.noise_times_density.assign(3, {4000.0, 0.0, 0.0});
+  }
+  const PredictedTrial trial = this->trial(false);
+  const auto sampler = make_view_sampler("od");
+  std::map<long, int> seen;  // millionths of a just noticeable difference
+  constexpr std::uint32_t trials = 200;
+  for (std::uint32_t picture = 0; picture < trials; ++picture) {
+    PredictedSight sight(trial, *sampler, aimed(ahead), picture);
+    sight.add(5000.0, aimed(ahead));
+    const Sighting sighting = sight.look(Task::mark_material, ahead, aimed(ahead).viewport);
+    ++seen[std::lround(1e6 * sighting.material_jnd)];
+  }
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(seen.rbegin()->first) / static_cast<double>(seen.begin()->first),
+              2.0, 1e-4);
+  EXPECT_GT(seen.begin()->second, 60) << "neither picture is rare";
+  EXPECT_LT(seen.begin()->second, 140);
+}
+
 TEST_F(PredictedSightTest, OutlinesStandOutTheMoreSamplesThereAre) {
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(ahead));
+  PredictedSight sight(trial, *sampler, aimed(ahead), 0);
   double before = 0.0;
   for (int i = 0; i < 5; ++i) {
     sight.add(10'000.0, aimed(ahead));
@@ -104,7 +151,7 @@ TEST_F(PredictedSightTest, SamplesFollowTheGazeThatIsTracked) {
   const PredictedTrial trial = this->trial(true);
   const auto sampler = make_view_sampler("fv");
   const auto jnd = [&](const Vec3& tracked) {
-    PredictedSight sight(trial, *sampler, aimed(ahead));
+    PredictedSight sight(trial, *sampler, aimed(ahead), 0);
     sight.add(10'000.0, aimed(tracked));
     return sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd;
   };
@@ -115,7 +162,7 @@ TEST_F(PredictedSightTest, LookingAroundShowsWhatWasRenderedBefore) {
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
   const auto jnd = [&](double samples_before) {
-    PredictedSight sight(trial, *sampler, aimed(ahead));
+    PredictedSight sight(trial, *sampler, aimed(ahead), 0);
     sight.add(samples_before, aimed(ahead));
     return sight.look(Task::look_around, ahead, aimed(ahead).viewport).artifacts_jnd;
   };
@@ -123,24 +170,15 @@ TEST_F(PredictedSightTest, LookingAroundShowsWhatWasRenderedBefore) {
 }
 
 TEST_F(PredictedSightTest, OnlyWhatIsInViewIsLookedAt) {
-  around_[19].noise_times_density.assign(3, {1e9, 0.0, 0.0});  // 171 degrees to the right
+  around_[0][19].noise_times_density.assign(3, {1e9, 0.0, 0.0});  // 171 degrees to the right
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(ahead));
+  PredictedSight sight(trial, *sampler, aimed(ahead), 0);
   sight.add(10'000.0, aimed(ahead));
   const double before = sight.look(Task::look_around, ahead, aimed(ahead).viewport).artifacts_jnd;
   const Aim behind = aim_at(right_of_ahead(171.0), DisplaySettings{});
   const double there = sight.look(Task::look_around, behind.gaze, behind.viewport).artifacts_jnd;
   EXPECT_GT(there, 10.0 * before);
-}
-
-TEST_F(PredictedSightTest, KnowsWhichMethodsFollowTheGaze) {
-  for (const char* method : {"od", "vp", "vp-rect"}) {
-    EXPECT_FALSE(follows_gaze(*make_view_sampler(method), aimed(ahead))) << method;
-  }
-  for (const char* method : {"fv", "hybrid:0.9*od+0.1*fv"}) {
-    EXPECT_TRUE(follows_gaze(*make_view_sampler(method), aimed(ahead))) << method;
-  }
 }
 
 }  // namespace
