@@ -32,6 +32,7 @@
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
 #include "study/commands/bench_prediction.h"
+#include "study/commands/bench_sensitivity.h"
 #include "study/commands/commands.h"
 #include "study/commands/simulate_study.h"
 
@@ -163,6 +164,7 @@ int run(int argc, char** argv) {
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
   analysis::add_bench_compare(bench);
   study::add_bench_prediction(bench, scenes::find_scene, signals.token());
+  study::add_bench_sensitivity(bench, scenes::find_scene, signals.token());
   analysis::add_bench_statistics(bench, signals.token());
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
   add_scene_info(scene, scenes::find_scene);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -204,7 +205,7 @@ People read_people(const std::string& name_or_path) {
 
 std::vector<std::string> people_names() { return toml_names_in(people_folder()); }
 
-Population with_number(Population population, const std::string& name, double value) {
+std::string toml_with_number(const People& people, const std::string& name, double value) {
   const auto* const parameter =
       std::find_if(parameters.begin(), parameters.end(),
                    [&](const Parameter& candidate) { return name_of(candidate) == name; });
@@ -216,8 +217,22 @@ Population with_number(Population population, const std::string& name, double va
     throw Error(fmt::format("parameter '{}'", name), fmt::format("cannot be {}", value),
                 fmt::format("choose one from {} to {}", parameter->minimum, parameter->maximum));
   }
-  parameter->in(population) = value;
-  return population;
+  toml::table content{{"title", fmt::format("{}, {} {}", people.title, name, value)}};
+  for (const Parameter& stated_one : parameters) {
+    const auto stated = std::find_if(
+        people.numbers.begin(), people.numbers.end(),
+        [&](const StatedNumber& number) { return number.name == name_of(stated_one); });
+    toml::table number{{"value", stated->value}, {"source", stated->source}};
+    if (&stated_one == parameter) {
+      number =
+          toml::table{{"value", value}, {"source", fmt::format("changed from {}", stated->value)}};
+    }
+    content.insert(stated_one.table, toml::table{});
+    content[stated_one.table].as_table()->insert(stated_one.key, std::move(number));
+  }
+  std::ostringstream text;
+  text << content << "\n";
+  return text.str();
 }
 
 }  // namespace foveola::study

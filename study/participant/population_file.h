@@ -32,8 +32,8 @@ People read_people(const std::string& name_or_path);
 /// The program's own, in alphabetical order.
 std::vector<std::string> people_names();
 
-/// `population`, but for the number of this name. Throws Error for a name that there is not and a
-/// value out of range.
-Population with_number(Population population, const std::string& name, double value);
+/// The content of a file of the same people, but for the number of this name, whose source says so.
+/// Throws Error for a name that there is not and a value out of range.
+std::string toml_with_number(const People& people, const std::string& name, double value);
 
 }  // namespace foveola::study

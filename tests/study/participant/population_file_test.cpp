@@ -59,10 +59,15 @@ TEST(People, AdultsAreReadWithASourceForEachNumber) {
 }
 
 TEST(People, EveryNumberOfTheFileReachesItsOwnPlace) {
+  const TemporaryFolder folder;
   const People people = read_people("adults");
   for (const StatedNumber& number : people.numbers) {
     const double other = number.value == 0.5 ? 0.75 : number.value + 1e-3 * (1.0 + number.value);
-    const Population changed = with_number(people.population, number.name, other);
+    const Population changed =
+        read_people(
+            folder.write("other.toml", toml_with_number(people, number.name, other)).string())
+            .population;
+
     const auto* before = reinterpret_cast<const double*>(&people.population);
     const auto* after = reinterpret_cast<const double*>(&changed);
     const auto place = static_cast<std::size_t>(&number - people.numbers.data());
@@ -114,9 +119,9 @@ TEST(People, FixationsFromLongToShortAreRefused) {
 
 TEST(People, UnknownNamesAreRefused) {
   EXPECT_THROW(read_people("martians"), Error);
-  const Population population = read_people("adults").population;
-  EXPECT_THROW(with_number(population, "decision.courage", 1.0), Error);
-  EXPECT_THROW(with_number(population, "vision.jnd_lab", -1.0), Error);
+  const People people = read_people("adults");
+  EXPECT_THROW(toml_with_number(people, "decision.courage", 1.0), Error);
+  EXPECT_THROW(toml_with_number(people, "vision.jnd_lab", -1.0), Error);
 }
 
 }  // namespace

@@ -1,0 +1,223 @@
+#include "study/commands/bench_sensitivity.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "study/commands/aligned_rows.h"
+#include "study/commands/command_line.h"
+#include "study/commands/method_means.h"
+#include "study/commands/simulate_study.h"
+#include "study/participant/population_file.h"
+#include "study/protocol/protocol.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+struct SensitivityArguments {
+  std::string protocol;
+  std::string folder;
+  int participants = 0;
+  std::uint64_t seed = 0;
+  double scale = 1.0;
+  double factor = 1.5;
+  std::vector<std::string> numbers;
+  int threads = 0;
+  int jobs = 1;
+  bool json = false;
+};
+
+/// What was simulated, and what came out.
+struct Outcome {
+  std::string number;  ///< empty: the people as they are
+  double value = 0.0;
+  std::vector<MethodMean> means;
+};
+
+/// Whether the pilots of the people as they are will do for others of this number.
+bool shares_pilots(const std::string& number) {
+  constexpr std::array of_eyes = {"vision.decay_deg", "vision.half_resolution_deg",
+                                  "vision.chromatic_decay_factor",
+                                  "vision.red_green_decades_per_deg", "vision.pooling_exponent"};
+  return number.starts_with("decision.") || number.starts_with("gaze.") ||
+         std::find(of_eyes.begin(), of_eyes.end(), number) != of_eyes.end();
+}
+
+std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
+                                         const People& people) {
+  std::vector<StatedNumber> chosen;
+  for (const StatedNumber& number : people.numbers) {
+    const bool is_asked = std::find(arguments.numbers.begin(), arguments.numbers.end(),
+                                    number.name) != arguments.numbers.end();
+    if (arguments.numbers.empty() ? shares_pilots(number.name) : is_asked) {
+      chosen.push_back(number);
+    }
+  }
+  for (const std::string& name : arguments.numbers) {
+    if (std::none_of(chosen.begin(), chosen.end(),
+                     [&](const StatedNumber& number) { return number.name == name; })) {
+      throw Error(fmt::format("--number {}", name), "is none of people",
+                  "see the names in data/participants/adults.toml");
+    }
+  }
+  return chosen;
+}
+
+std::vector<MethodMean> simulate(const SensitivityArguments& arguments, const std::string& people,
+                                 const fs::path& database, const SceneFinder& find_scene,
+                                 const std::stop_token& stop) {
+  simulate_study({.protocol = find_protocol(arguments.protocol),
+                  .database = database,
+                  .participants = arguments.participants,
+                  .seed = arguments.seed,
+                  .people = people,
+                  .threads = arguments.threads,
+                  .jobs = arguments.jobs,
+                  .scale = arguments.scale,
+                  .predicted = true,
+                  .resume = true},
+                 find_scene, stop);
+  return method_means(read_study(database));
+}
+
+/// Once as they are, and with each number divided and multiplied by the factor, as far as it may
+/// be.
+std::vector<Outcome> simulate_all(const SensitivityArguments& arguments,
+                                  const SceneFinder& find_scene, const std::stop_token& stop) {
+  const fs::path folder = arguments.folder;
+  const People people = read_people("adults");
+  const std::vector<StatedNumber> numbers = chosen_numbers(arguments, people);
+  std::vector<Outcome> outcomes;
+  outcomes.push_back(
+      {.means = simulate(arguments, people.name, folder / "adults.sqlite", find_scene, stop)});
+  for (const StatedNumber& number : numbers) {
+    for (const double value : {number.value / arguments.factor, number.value * arguments.factor}) {
+      if (stop.stop_requested()) {
+        return outcomes;
+      }
+      const std::string name = fmt::format("{}-{:.6g}", number.name, value);
+      const fs::path file = folder / (name + ".toml");
+      try {
+        write_file(file, toml_with_number(people, number.name, value));
+        read_people(file.string());
+      } catch (const Error& out_of_range) {
+        fmt::print(stderr, "foveola: warning: left out: {}\n", out_of_range.what());
+        continue;
+      }
+      outcomes.push_back({.number = number.name,
+                          .value = value,
+                          .means = simulate(arguments, file.string(), folder / (name + ".sqlite"),
+                                            find_scene, stop)});
+    }
+  }
+  return outcomes;
+}
+
+std::string text_of(const std::vector<Outcome>& outcomes) {
+  Row head = {"number", "value"};
+  std::string mark;
+  for (const MethodMean& mean : outcomes.front().means) {
+    if (mean.mark != mark) {
+      head.push_back(mean.mark + " s");
+      mark = mean.mark;
+    }
+    head.push_back(mean.method + " %");
+  }
+  std::vector<Row> rows = {head};
+  for (const Outcome& outcome : outcomes) {
+    rows.push_back(outcome.number.empty()
+                       ? Row{"as they are", ""}
+                       : Row{outcome.number, fmt::format("{:.4g}", outcome.value)});
+    mark.clear();
+    for (const MethodMean& mean : outcome.means) {
+      if (mean.mark != mark) {
+        rows.back().push_back(fmt::format("{:.2f}", mean.baseline_s));
+        mark = mean.mark;
+      }
+      rows.back().push_back(fmt::format("{:.1f}", mean.percent));
+    }
+  }
+  return aligned(rows);
+}
+
+nlohmann::json json_of(const std::vector<Outcome>& outcomes) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Outcome& outcome : outcomes) {
+    nlohmann::json means = nlohmann::json::array();
+    for (const MethodMean& mean : outcome.means) {
+      means.push_back({{"mark", mean.mark},
+                       {"method", mean.method},
+                       {"pairs", mean.pairs},
+                       {"baseline_s", mean.baseline_s},
+                       {"percent", mean.percent}});
+    }
+    list.push_back({{"number", outcome.number}, {"value", outcome.value}, {"means", means}});
+  }
+  return list;
+}
+
+void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_scene,
+               const std::stop_token& stop) {
+  if (!fs::is_directory(arguments.folder)) {
+    throw Error(arguments.folder, "is no folder", "make it");
+  }
+  const std::vector<Outcome> outcomes = simulate_all(arguments, find_scene, stop);
+  if (arguments.json) {
+    const nlohmann::json report = {{"simulated", true},
+                                   {"scale", arguments.scale},
+                                   {"seed", arguments.seed},
+                                   {"participants", arguments.participants},
+                                   {"outcomes", json_of(outcomes)}};
+    fmt::print("{}\n", report.dump(2));
+  } else {
+    fmt::print(
+        "Simulated participants. Geometric means; the baseline's in seconds, others in per "
+        "cent of it.\n{}",
+        text_of(outcomes));
+  }
+  if (stop.stop_requested()) {
+    fmt::print(stderr, "Stopped. The same command goes on.\n");
+  }
+}
+
+}  // namespace
+
+void add_bench_sensitivity(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
+  const auto arguments = std::make_shared<SensitivityArguments>();
+  CLI::App* command = add_command(
+      bench, "sensitivity",
+      "Simulate a predicted study again and again, with one number of its people changed",
+      "sensitivity koskela2018 --scale 36 --participants 100 --seed 1 -o bench");
+  add_protocol(command, arguments->protocol);
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "The folder of the people's and studies' files; what is there already is gone "
+                   "on with")
+      ->required();
+  add_participants_and_seed(command, arguments->participants, arguments->seed);
+  command->add_option("--scale", arguments->scale, "As of study simulate");
+  command
+      ->add_option("--factor", arguments->factor,
+                   "Each number is divided by this, and multiplied by it")
+      ->check(CLI::Range(1.001, 1000.0))
+      ->capture_default_str();
+  command->add_option("--number", arguments->numbers,
+                      "Only of these numbers (decision.material_jnd ...); without, of all that "
+                      "need no pilots of their own");
+  add_threads(command, arguments->threads);
+  command->add_option("--jobs", arguments->jobs, "As of study simulate");
+  add_json(command, arguments->json);
+  command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola::study
