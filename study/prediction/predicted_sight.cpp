@@ -136,26 +136,40 @@ void PredictedSight::begin_looking_around() {
   sampler_.aim(aim_);
 }
 
+void PredictedSight::find_in_view(const Viewport& viewport) {
+  if (viewed_ == viewport) {
+    return;
+  }
+  const NoiseTable& table = trial_.around.front();
+  in_view_.clear();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (viewport.project(table[i].direction)) {
+      in_view_.push_back(i);
+    }
+  }
+  viewed_ = viewport;
+}
+
 double PredictedSight::artifacts_jnd(const Vec3& gaze, const Viewport& viewport) {
   if (!is_looking_around_) {
     begin_looking_around();
   }
+  find_in_view(viewport);
   const std::span<const double> per_sr = around_.per_sr();
   jnd_of_scales_.clear();
   for (std::size_t scale = 0; scale < trial_.around.size(); ++scale) {
     const NoiseTable& table = trial_.around[scale];
     patches_in_view_.clear();
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      if (viewport.project(table[i].direction)) {
-        patches_in_view_.push_back({.direction = table[i].direction,
-                                    .cells = table[i].cells,
-                                    .noise = noise_at(table[i], per_sr[i]),
-                                    .contrast = 0.0});
-      }
+    for (const std::size_t i : in_view_) {
+      patches_in_view_.push_back({.direction = table[i].direction,
+                                  .cells = table[i].cells,
+                                  .noise = noise_at(table[i], per_sr[i]),
+                                  .contrast = 0.0});
     }
     jnd_of_scales_.push_back(
         visible_difference_jnd(patches_in_view_, trial_.view_visibilities[scale], gaze));
   }
+
   return pooled_jnd(trial_.vision, jnd_of_scales_);
 }
 

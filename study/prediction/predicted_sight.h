@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -86,6 +87,7 @@ class PredictedSight {
   void begin_looking_around();
   double material_jnd(const Vec3& gaze);
   double artifacts_jnd(const Vec3& gaze, const Viewport& viewport);
+  void find_in_view(const Viewport& viewport);
 
   const PredictedTrial& trial_;
   ViewSampler& sampler_;
@@ -96,7 +98,10 @@ class PredictedSight {
   std::vector<Judged> material_;
   PatchSamples around_;  ///< of the patches of all scales
   bool is_looking_around_ = false;
+  std::optional<Viewport> viewed_;
+  std::vector<std::size_t> in_view_;  ///< which of the patches around lie in `viewed_`
   std::vector<PatchEnergies> patches_in_view_;
+
   std::vector<double> jnd_of_scales_;
   double samples_ = 0.0;
   Look last_look_;
