@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "renderer/film/film_hash.h"
+#include "study/stage/conduct.h"
 
 namespace foveola::study {
 namespace {
@@ -23,7 +24,6 @@ AttemptSink attempt_sink(SessionSink& sink, std::size_t trial, int attempt) {
 }  // namespace
 
 std::uint64_t frames_per_glance(const MachineModel& machine) {
-  constexpr double glance_interval_s = 0.1;
   return static_cast<std::uint64_t>(
       std::max(1L, std::lround(glance_interval_s * machine.frame_rate_hz)));
 }

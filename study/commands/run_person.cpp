@@ -15,6 +15,7 @@
 #include "renderer/gaze/gaze_source.h"
 #include "study/commands/same_scenes.h"
 #include "study/commands/session_so_far.h"
+#include "study/commands/session_window.h"
 #include "study/person/missing_letters.h"
 #include "study/person/person_session.h"
 #include "study/person/words.h"
@@ -27,9 +28,6 @@ namespace {
 
 constexpr const char* usual_tracker = "pointer";
 constexpr const char* usual_display = "desktop";
-
-/// Until the rate of refreshes is measured.
-constexpr int frames_to_measure = RefreshEstimator::enough_swaps + 8;
 
 DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol) {
   if (settings.display.empty() && protocol.display.profile) {
@@ -63,20 +61,9 @@ std::uint64_t drawn_seed() {
 
 std::string devices_json(const SessionDisplay& display, const DisplayProfile& profile,
                          const TrackerProfile& tracker, KeyTimeSource key_times) {
-  const ViewGeometry& geometry = display.geometry();
-  const RadialLens& lens = geometry.lens;
-  const nlohmann::ordered_json json = {
-      {"display",
-       {{"profile", profile.name},
-        {"framebuffer", {display.framebuffer().x, display.framebuffer().y}},
-        {"horizontal_fov_deg", geometry.horizontal_fov_deg},
-        {"vertical_fov_deg", geometry.vertical_fov_deg},
-        {"lens", {lens.axis.x, lens.axis.y, lens.k1, lens.k2}},
-        {"refresh_rate_hz", display.refresh().rate_hz()},
-        {"refresh_is_measured", display.refresh().is_measured()},
-        {"graphics", display.graphics()}}},
-      {"tracker", {{"profile", tracker.name}}},
-      {"keys", {{"time_source", name_of(key_times)}}}};
+  const nlohmann::ordered_json json = {{"display", display_json(display, profile)},
+                                       {"tracker", {{"profile", tracker.name}}},
+                                       {"keys", {{"time_source", name_of(key_times)}}}};
   return json.dump();
 }
 
@@ -138,9 +125,7 @@ class PersonRun {
     check(stages);
     const WindowEyeTracker gaze = open_window_eye_tracker(tracker_, screen_of(profile_), clock);
     PersonTracker eye(*gaze.tracker);
-    for (int i = 0; i < frames_to_measure; ++i) {
-      display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
-    }
+    measure_refreshes(display, protocol_.texts);
     const std::string devices = devices_json(display, profile_, tracker_, window.key_time_source());
     tell_of_late_keys(window.key_time_source());
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
@@ -155,6 +140,8 @@ class PersonRun {
                                                 .display = &display,
                                                 .eye = &eye,
                                                 .pointer = gaze.pointer,
+                                                .head = nullptr,
+                                                .stand_in = nullptr,
                                                 .record = &record,
                                                 .console = &console,
                                                 .tell = tell})

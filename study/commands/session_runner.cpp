@@ -8,29 +8,16 @@
 
 #include "renderer/base/error.h"
 #include "study/commands/gaze_validation.h"
+#include "study/stage/conduct.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {
 namespace {
 
-/// Until a participant is ready for a trial: head and eye have turned to the object.
-constexpr double settling_s = 1.0;
-
 bool stops_rendering(const std::vector<Effect>& effects) {
   return std::any_of(effects.begin(), effects.end(), [](const Effect& effect) {
     return std::holds_alternative<StopRendering>(effect);
   });
-}
-
-const OfferedObject& object_named(const std::vector<OfferedObject>& objects,
-                                  const std::string& name) {
-  const auto found = std::find_if(objects.begin(), objects.end(),
-                                  [&](const OfferedObject& object) { return object.name == name; });
-  if (found == objects.end()) {
-    throw Error(name, "is not among the scene's objects any more",
-                "go on with the scene as it was");
-  }
-  return *found;
 }
 
 }  // namespace
@@ -217,14 +204,14 @@ Event SessionRunner::start_trial() {
 }
 
 Event SessionRunner::present_first_frame() {
-  begin(task_of_mark());
+  begin(task_of(setting_.protocol.marks[state_.mark]));
   show(clock_.now());
   return FirstFramePresented{now()};
 }
 
 Event SessionRunner::wait_for_mark() {
   if (state_.mark > 0) {
-    begin(task_of_mark());
+    begin(task_of(setting_.protocol.marks[state_.mark]));
   }
   const Nanoseconds deadline =
       state_.first_frame + nanoseconds_from_seconds(mark_timeout_s(setting_.protocol, trial()));
@@ -271,11 +258,6 @@ void SessionRunner::begin(Task task) {
 void SessionRunner::show(Nanoseconds until) {
   const std::optional<Nanoseconds> press = attempt_->show(until);
   pressed_ = pressed_ ? pressed_ : press;
-}
-
-Task SessionRunner::task_of_mark() const {
-  return setting_.protocol.marks[state_.mark].id == "outline" ? Task::mark_outline
-                                                              : Task::mark_material;
 }
 
 std::uint32_t SessionRunner::seed_of_trial(SeedPurpose purpose) const {

@@ -84,7 +84,6 @@ class SessionRunner {
   int trials_before() const { return static_cast<int>(trial_index()); }
   const PlannedTrial& trial() const { return plan_[trial_index()]; }
   const SceneStage& stage() const { return *setting_.stages.at(trial().scene); }
-  Task task_of_mark() const;
   /// The seed for `purpose` in this timing of the trial.
   std::uint32_t seed_of_trial(SeedPurpose purpose) const;
   /// The seed for `purpose` the next time that this step is tried.

@@ -65,12 +65,17 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
     return std::nullopt;
   }
   require_persons_session(*session, resumption);
-  SessionSoFar so_far{.session = *session, .plan = store.plan_of(session->id)};
-  const std::vector<LoggedEvent> log = store.events_of(session->id);
+  return so_far_of(store, protocol, *session);
+}
+
+SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
+                       const KnownSession& session) {
+  SessionSoFar so_far{.session = session, .plan = store.plan_of(session.id)};
+  const std::vector<LoggedEvent> log = store.events_of(session.id);
   const std::optional<SessionState> state =
       state_after(procedure_of(protocol, so_far.plan), events_in(log));
   if (!state) {
-    throw Error("participant " + participant, "has a record that no session can have had",
+    throw Error("participant " + session.participant, "has a record that no session can have had",
                 "see foveola study verify");
   }
   so_far.state = *state;

@@ -21,6 +21,10 @@ struct Resumption {
   bool despite_changes = false;  ///< even by another version of the program
 };
 
+/// Of a session in `store`. Throws Error if its record makes no sense.
+SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
+                       const KnownSession& session);
+
 /// Empty if the participant has no session yet and none is to be resumed. Throws Error, with what
 /// can be done, if it is over, if it is unfinished but not to be resumed, if there is none to be
 /// resumed, or if another version of the program ran it.

@@ -25,6 +25,7 @@ struct SimulateArguments {
   int jobs = 1;
   double scale = 1.0;
   bool predicted = false;
+  bool real_time = false;
   std::string report;  ///< folder; empty: none
   bool resume = false;
   bool json = false;
@@ -39,6 +40,7 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"sessions_withdrawn", report.sessions_withdrawn},
           {"scale", arguments.scale},
           {"predicted", arguments.predicted},
+          {"real_time", arguments.real_time},
           {"plant", arguments.plant},
           {"trials", report.trials},
           {"wall_seconds", report.wall_s},
@@ -63,6 +65,7 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
                                                 .jobs = arguments.jobs,
                                                 .scale = arguments.scale,
                                                 .predicted = arguments.predicted,
+                                                .real_time = arguments.real_time,
                                                 .resume = arguments.resume},
                                                find_scene, stop);
   const bool is_reported = !arguments.report.empty() && !stop.stop_requested();
@@ -72,9 +75,10 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
     fmt::print("{}\n", json_report(arguments, report).dump(2));
     return;
   }
-  fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of virtual time)\n",
+  fmt::print("{}: {} of {} simulated sessions completed, {} trials in {} ({} of {} time)\n",
              arguments.database, report.sessions_completed, arguments.participants, report.trials,
-             human_duration(report.wall_s), human_duration(report.simulated_s));
+             human_duration(report.wall_s), human_duration(report.simulated_s),
+             arguments.real_time ? "real" : "virtual");
   if (report.sessions_before > 0) {
     fmt::print("{} were over before\n", report.sessions_before);
   }
@@ -114,6 +118,10 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
   command->add_flag("--predicted", arguments->predicted,
                     "Render pilots of each object and method instead of every frame, and predict "
                     "from them what participants see: a thousand times faster");
+  command->add_flag(
+      "--real-time", arguments->real_time,
+      "Sit before the real window instead, as people do: at this machine's speed, and "
+      "--scale leaves that as it is");
   command->add_option("--people", arguments->people,
                       "Who the participants are: a file of data/participants, or one's own");
   command->add_option("--plant", arguments->plant, planted_effect_help);

@@ -11,6 +11,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
 #include "study/commands/predicted_study.h"
+#include "study/commands/real_time_study.h"
 #include "study/commands/rendered_attempt.h"
 #include "study/commands/same_scenes.h"
 #include "study/commands/simulation_kind.h"
@@ -69,12 +70,19 @@ void require_usable(const SimulateSettings& settings, const Protocol& protocol,
   }
 }
 
-void require_numbers(const SimulateSettings& settings) {
+void require_options(const SimulateSettings& settings) {
   if (settings.participants < 1) {
     throw UsageError("--participants", "must be at least 1");
   }
   if (settings.jobs < 1) {
     throw UsageError("--jobs", "must be at least 1");
+  }
+  if (settings.real_time && settings.predicted) {
+    throw UsageError("--real-time", "shows every frame; leave --predicted out, or this");
+  }
+  if (settings.real_time && settings.jobs > 1) {
+    throw UsageError("--real-time",
+                     "there is one window, for one session at a time; leave --jobs out");
   }
 }
 
@@ -133,12 +141,16 @@ void render_references(const SceneStages& stages, const Protocol& protocol, cons
   }
 }
 
-SimulateReport run_rendered(SimulatedStudy& study, bool looks, const std::stop_token& stop) {
+SimulateReport run_rendered(SimulatedStudy& study, const SimulationKind& kind, bool looks,
+                            const std::stop_token& stop) {
   if (looks) {
     render_references(study.stages, study.protocol, study.workers, stop);
   }
   if (stop.stop_requested()) {
     return {};
+  }
+  if (kind.real_time) {
+    return run_in_real_time(study, kind, stop);
   }
   study.make_attempts = [](SimulatedObserver& /*observer*/, const Workers& workers) {
     return [&workers](const TrialAttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
@@ -177,13 +189,14 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
 
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
                               std::stop_token stop) {
-  require_numbers(settings);
+  require_options(settings);
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
   const Simulated simulated = simulated_people(settings);
   const Protocol protocol = simulated_protocol(settings, simulated);
   const SimulationKind kind{.scale = settings.scale,
                             .predicted = settings.predicted,
+                            .real_time = settings.real_time,
                             .plant = settings.plant,
                             .people_sha256 = sha256(std::string_view(simulated.people.toml))};
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
@@ -197,6 +210,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
                        .workers = workers,
                        .make_observer = {},
                        .make_attempts = {},
+                       .sit = {},
                        .shown = shown_scenes(stages),
                        .devices = devices_of(kind)};
   if (fs::exists(settings.database)) {
@@ -213,7 +227,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   if (settings.predicted) {
     report = run_predicted(study, simulated.people.population, looks, stop);
   } else {
-    report = run_rendered(study, looks, stop);
+    report = run_rendered(study, kind, looks, stop);
   }
   report.wall_s = seconds(clock.now() - start);
   return report;

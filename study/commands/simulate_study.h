@@ -21,6 +21,7 @@ struct SimulateSettings {
   int jobs = 1;                   ///< sessions side by side, which share the threads
   double scale = 1.0;             ///< see scaled_protocol
   bool predicted = false;         ///< nothing is rendered but pilots, of which looks are predicted
+  bool real_time = false;         ///< before the real window, at this machine's speed
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;
@@ -34,16 +35,19 @@ struct SimulateReport {
   int trials = 0;
   double wall_s = 0.0;
   double sessions_wall_s = 0.0;  ///< of that, once references or pilots were there
-  double simulated_s = 0.0;      ///< virtual time that the participants spent
+  double simulated_s = 0.0;      ///< time that the participants spent: virtual, or real
   std::uint64_t samples = 0;
   std::uint64_t non_finite = 0;
 };
 
-/// Runs the participants, each through a real session in virtual time, and shows progress with the
-/// time left. Same settings, same results, on any number of threads and jobs: also of a study that
-/// was stopped or killed and resumed. When `stop` is requested, a session that runs alone is
+/// Runs the participants, each through a real session, and shows progress with the time left. In
+/// virtual time: same settings, same results, on any number of threads and jobs, also of a study
+/// that was stopped or killed and resumed. In real time it has to be called by the program's first
+/// thread, whose is the window; what is drawn for a participant is the same, when marks come is up
+/// to the machine. When `stop` is requested, a session that runs alone is
 /// recorded as interrupted, those that run side by side or are predicted are left out, and the
-/// report says how many were completed. Throws Error, before anything is rendered, if a session to
+/// report says how many were completed. Throws UsageError for settings that exclude one another,
+/// and Error, before anything is rendered, if a session to
 /// be resumed is of another seed or program, or if the file has sessions that were simulated in
 /// another way.
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,

@@ -12,6 +12,7 @@ std::string devices_of(const SimulationKind& kind) {
   const nlohmann::json devices = {{"simulation",
                                    {{"scale", kind.scale},
                                     {"predicted", kind.predicted},
+                                    {"real_time", kind.real_time},
                                     {"plant", kind.plant},
                                     {"people_sha256", kind.people_sha256}}}};
   return devices.dump();
@@ -25,6 +26,7 @@ std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
   const nlohmann::json& simulation = recorded.at("simulation");
   return SimulationKind{.scale = simulation.at("scale").get<double>(),
                         .predicted = simulation.at("predicted").get<bool>(),
+                        .real_time = simulation.value("real_time", false),
                         .plant = simulation.at("plant").get<std::string>(),
                         .people_sha256 = simulation.at("people_sha256").get<std::string>()};
 }
@@ -36,7 +38,8 @@ void require_same_kind(const std::string& database, const std::vector<KnownSessi
     if (session.kind != SessionKind::simulated) {
       continue;
     }
-    const std::string other = difference(session.devices, now);
+    const std::optional<SimulationKind> then = simulation_kind_in(session.devices);
+    const std::string other = difference(then ? devices_of(*then) : session.devices, now);
     if (!other.empty()) {
       throw Error(database,
                   fmt::format("{} was simulated in another way ({})", session.participant, other),

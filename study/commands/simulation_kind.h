@@ -12,6 +12,7 @@ namespace foveola::study {
 struct SimulationKind {
   double scale = 1.0;         ///< see scaled_protocol
   bool predicted = false;     ///< nothing was rendered
+  bool real_time = false;     ///< before the real window, at the speed of the machine
   std::string plant;          ///< the effect that was planted; empty: none
   std::string people_sha256;  ///< of the file that says who the participants are
 };

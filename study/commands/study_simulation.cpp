@@ -91,6 +91,12 @@ void StudySimulation::run_side_by_side(const std::vector<int>& design_rows,
 
 void StudySimulation::run_session(std::int64_t session, int design_row, const Plan& plan,
                                   const std::stop_token& stop) {
+  if (study_.sit) {
+    show(plan.front().scene);
+    const std::unique_ptr<SimulatedObserver> observer = make_observer(design_row, plan);
+    add(study_.sit({.store = store_, .id = session, .plan = plan, .observer = *observer}, stop));
+    return;
+  }
   DurableSink sink(store_, session);
   add(take_part(sink, store_.events_of(session), design_row, plan, study_.workers, stop));
 }
@@ -109,8 +115,7 @@ SessionOutcome StudySimulation::take_part(SessionSink& sink, const std::vector<L
                                           int design_row, const Plan& plan, const Workers& workers,
                                           const std::stop_token& stop) {
   const SessionSeed seed{.seed = study_.settings.seed, .design_row = design_row};
-  const std::unique_ptr<SimulatedObserver> observer =
-      study_.make_observer(derive_seed(seed, SeedPurpose::participant, {}), design_row, plan);
+  const std::unique_ptr<SimulatedObserver> observer = make_observer(design_row, plan);
   const SessionSetting setting{.protocol = study_.protocol,
                                .stages = study_.stages,
                                .sink = sink,
@@ -121,6 +126,12 @@ SessionOutcome StudySimulation::take_part(SessionSink& sink, const std::vector<L
   SessionRunner runner(setting, plan, *observer);
   runner.resume_after(events);
   return runner.run();
+}
+
+std::unique_ptr<SimulatedObserver> StudySimulation::make_observer(int design_row,
+                                                                  const Plan& plan) const {
+  const SessionSeed seed{.seed = study_.settings.seed, .design_row = design_row};
+  return study_.make_observer(derive_seed(seed, SeedPurpose::participant, {}), design_row, plan);
 }
 
 SessionFacts StudySimulation::facts_of(int design_row) const {

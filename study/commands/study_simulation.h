@@ -19,6 +19,14 @@ namespace foveola::study {
 /// Whether nothing more can happen in it.
 bool has_ended(const KnownSession& session);
 
+/// A session that is to be taken part in, from its start or from where it broke off.
+struct BegunSession {
+  StudyStore& store;
+  std::int64_t id;  ///< its row in the store
+  const Plan& plan;
+  SimulatedObserver& observer;
+};
+
 /// What sessions are simulated with; it must outlive the simulation.
 struct SimulatedStudy {
   const SimulateSettings& settings;
@@ -31,6 +39,8 @@ struct SimulatedStudy {
       make_observer;
   /// The attempts of one session. Called from several threads.
   std::function<MakeAttempt(SimulatedObserver& observer, const Workers& workers)> make_attempts;
+  /// In real time, instead of attempts: how a session goes on in the window.
+  std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)> sit;
   std::vector<ShownScene> shown;
   std::string devices;  ///< see SimulationKind
 };
@@ -68,6 +78,7 @@ class StudySimulation {
                            int design_row, const Plan& plan, const Workers& workers,
                            const std::stop_token& stop);
 
+  std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
   SessionFacts facts_of(int design_row) const;
   /// Whether it takes sessions as whole ones.
   bool is_buffered() const { return study_.settings.predicted || study_.settings.jobs > 1; }

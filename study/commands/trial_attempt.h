@@ -60,8 +60,7 @@ class TrialAttempt {
 
 using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;
 
-/// A simulated participant looks this often. People integrate over about as long, and each look
-/// costs as much as tracing several frames.
+/// How often a simulated participant looks (see glance_interval_s).
 std::uint64_t frames_per_glance(const MachineModel& machine);
 
 }  // namespace foveola::study

@@ -119,6 +119,15 @@ bool Form::confirm(const FormInput& input) {
   return is_submitted_;
 }
 
+const Question* Form::question() const {
+  return is_reading() || is_confirming() ? nullptr : &entry().question();
+}
+
+FormInput Form::key_on() const {
+  const bool takes_letters = is_confirming() && !pages_.confirm_with.empty();
+  return takes_letters ? FormInput(pages_.confirm_with.front()) : FormInput(FormKey::enter);
+}
+
 /// Where up chooses something, left goes back.
 FormKey Form::back_key() const {
   const bool is_list =

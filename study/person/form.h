@@ -32,6 +32,11 @@ class Form {
   /// progress is left to others.
   ScreenPage screen() const;
 
+  /// That of this page; none where there is only something to read or to hand in.
+  const Question* question() const;
+  /// What this page is left with, once its question is answered.
+  FormInput key_on() const;
+
   bool is_submitted() const { return is_submitted_; }
   /// In the questions' order, without those that were left out.
   std::vector<Answer> answers() const;

@@ -28,6 +28,26 @@ std::optional<FormKey> form_key(int key) {
   }
 }
 
+int place_of(FormKey key) {
+  switch (key) {
+    case FormKey::enter:
+      return GLFW_KEY_ENTER;
+    case FormKey::tab:
+      return GLFW_KEY_TAB;
+    case FormKey::left:
+      return GLFW_KEY_LEFT;
+    case FormKey::right:
+      return GLFW_KEY_RIGHT;
+    case FormKey::up:
+      return GLFW_KEY_UP;
+    case FormKey::down:
+      return GLFW_KEY_DOWN;
+    case FormKey::erase:
+      break;
+  }
+  return GLFW_KEY_BACKSPACE;
+}
+
 }  // namespace
 
 std::optional<FormInput> form_input(const WindowEvent& event) {
@@ -38,6 +58,14 @@ std::optional<FormInput> form_input(const WindowEvent& event) {
     return form_key(moved->key);
   }
   return std::nullopt;
+}
+
+WindowEvent press_of(const FormInput& input, Nanoseconds time) {
+  if (const auto* typed = std::get_if<char32_t>(&input)) {
+    return {.time = time, .what = CharacterTyped{*typed}};
+  }
+  return {.time = time,
+          .what = KeyMoved{.key = place_of(std::get<FormKey>(input)), .is_down = true}};
 }
 
 }  // namespace foveola::study

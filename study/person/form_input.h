@@ -16,4 +16,7 @@ using FormInput = std::variant<FormKey, char32_t>;
 /// Empty for events that mean nothing to a form, such as keys that are let go.
 std::optional<FormInput> form_input(const WindowEvent& event);
 
+/// An event that means this.
+WindowEvent press_of(const FormInput& input, Nanoseconds time);
+
 }  // namespace foveola::study

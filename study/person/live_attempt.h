@@ -61,6 +61,10 @@ class LiveAttempt {
   void finish();
 
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
+  /// That the last frame was shown through.
+  const Viewport& viewport() const { return preview_.viewport(); }
+  std::uint64_t samples() const { return preview_.film().total_samples(); }
+  std::uint64_t non_finite() const { return preview_.dropped().size(); }
 
  private:
   LiveFrame next_blank();

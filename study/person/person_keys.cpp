@@ -56,4 +56,32 @@ std::optional<PersonKey> person_key(const WindowEvent& event) {
                                                          : std::nullopt;
 }
 
+WindowEvent press_of(PersonKey key, Nanoseconds time) {
+  const auto down = [&](int place) {
+    return WindowEvent{.time = time, .what = KeyMoved{.key = place, .is_down = true}};
+  };
+  const auto typed = [&](char32_t character) {
+    return WindowEvent{.time = time, .what = CharacterTyped{character}};
+  };
+  switch (key) {
+    case PersonKey::mark:
+      return down(GLFW_KEY_SPACE);
+    case PersonKey::confirm:
+      return down(GLFW_KEY_ENTER);
+    case PersonKey::next:
+      return down(GLFW_KEY_TAB);
+    case PersonKey::back:
+      return down(GLFW_KEY_BACKSPACE);
+    case PersonKey::pause:
+      return down(GLFW_KEY_ESCAPE);
+    case PersonKey::yes:
+      return typed(U'y');
+    case PersonKey::no:
+      return typed(U'n');
+    case PersonKey::again:
+      break;
+  }
+  return typed(U'r');
+}
+
 }  // namespace foveola::study

@@ -22,4 +22,7 @@ enum class PersonKey {
 /// keys by their place.
 std::optional<PersonKey> person_key(const WindowEvent& event);
 
+/// An event that means this.
+WindowEvent press_of(PersonKey key, Nanoseconds time);
+
 }  // namespace foveola::study

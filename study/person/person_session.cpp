@@ -37,7 +37,7 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const Parts&
       seen_(settings.state),
       asked_{.reaction = ReactionPresses(Pcg32(
                  derive_seed(settings.seed, SeedPurpose::waiting, {settings.state.presses_left})))},
-      viewer_(parts.pointer) {
+      viewer_(parts.pointer, parts.head) {
   parts_.eye->correct(settings.correction);
   viewer_.show(parts_.display->geometry(), parts_.display->framebuffer(), 1.0);
 }
@@ -161,6 +161,8 @@ void PersonSession::stop_rendering() {
   // There is none if it was another program's, which died.
   if (attempt_) {
     attempt_->finish();
+    samples_ += attempt_->samples();
+    non_finite_ += attempt_->non_finite();
     attempt_.reset();
   }
 }

@@ -19,6 +19,7 @@
 #include "study/person/live_attempt.h"
 #include "study/person/page_watch.h"
 #include "study/person/session_log.h"
+#include "study/person/stand_in.h"
 #include "study/person/viewer.h"
 #include "study/stage/seeds.h"
 
@@ -49,6 +50,9 @@ class PersonSession {
     SessionDisplay* display;
     PersonTracker* eye;
     PointerEyeTracker* pointer;  ///< the eye, if the pointer is; otherwise none
+    HeadTracker* head;           ///< none: keys, mouse and gamepad turn the head
+    /// Who takes part in a person's place, and whose `events` then are; otherwise none.
+    StandIn* stand_in;
     RecordThread* record;
     ConsoleLines* console;
     /// Tells the experimenter a line.
@@ -61,6 +65,10 @@ class PersonSession {
   /// experimenter, or `stop` is requested. Returns where it then is. Rethrows what kept the record
   /// from being written.
   Phase run(const std::stop_token& stop);
+
+  /// In the attempts that are over.
+  std::uint64_t samples() const { return samples_; }
+  std::uint64_t non_finite() const { return non_finite_; }
 
  private:
   // Events, and what they lead to once they are on the disk.
@@ -77,6 +85,8 @@ class PersonSession {
 
   // Frames.
   void show_frame();
+  void let_stand_in_see(Nanoseconds shown);
+  std::optional<ShownPixels> take_pixels();
   void go_on(Nanoseconds shown);
   void go_on_validating();
   void go_on_reacting(Nanoseconds shown);
@@ -117,7 +127,9 @@ class PersonSession {
   std::unique_ptr<EquirectFilm> panorama_;  ///< of that scene, without noise
   std::unique_ptr<LiveAttempt> attempt_;    ///< while it goes on
   std::vector<GazeSample> arrived_;         ///< outside of attempts
-  bool was_lost_ = false;                   ///< the tracker
+  std::uint64_t samples_ = 0;
+  std::uint64_t non_finite_ = 0;
+  bool was_lost_ = false;  ///< the tracker
   bool is_done_ = false;
 };
 

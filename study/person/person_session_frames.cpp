@@ -1,4 +1,6 @@
 // What the participant sees, frame by frame.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "study/person/object_pick.h"
@@ -11,6 +13,19 @@ namespace {
 
 constexpr Vec3 forward{0.0F, 0.0F, -1.0F};
 
+/// The part of a picture of the whole window.
+RgbImage cut(RgbImage window, const WindowPart& part) {
+  if (part.size == IVec2(window.width, window.height)) {
+    return window;
+  }
+  RgbImage image(part.size.x, part.size.y);
+  const int top = window.height - part.origin.y - part.size.y;
+  for (int y = 0; y < part.size.y; ++y) {
+    std::copy_n(&window.at(part.origin.x, top + y), part.size.x, &image.at(0, y));
+  }
+  return image;
+}
+
 }  // namespace
 
 void PersonSession::show_frame() {
@@ -20,6 +35,9 @@ void PersonSession::show_frame() {
                                  fmt::format("{:03}-{}.png", *number, name_of(seen_.phase)));
   }
   asked_.reaction.begin_frame(parts_.clock->now());
+  if (parts_.stand_in != nullptr && attempt_ && parts_.stand_in->wants_to_look()) {
+    parts_.display->keep_pixels();
+  }
   Nanoseconds shown{0};
   if (attempt_) {
     shown = attempt_->next();
@@ -30,7 +48,30 @@ void PersonSession::show_frame() {
   }
   page_watch_.was_shown(shown);
   tell_of_tracker();
+  if (parts_.stand_in != nullptr) {
+    let_stand_in_see(shown);
+  }
   go_on(shown);
+}
+
+void PersonSession::let_stand_in_see(Nanoseconds shown) {
+  const bool is_in_trial = trial_of(log_.procedure(), seen_).has_value();
+  parts_.stand_in->follow({.asked = asked_,
+                           .standing = standing(),
+                           .offered = is_in_trial ? &stage().objects() : nullptr,
+                           .shown = shown,
+                           .session_time = now(),
+                           .pixels = take_pixels()},
+                          !log_.has_effects_to_come());
+}
+
+std::optional<ShownPixels> PersonSession::take_pixels() {
+  std::optional<RgbImage> pixels = parts_.display->take_pixels();
+  if (!pixels || !attempt_) {
+    return std::nullopt;
+  }
+  return ShownPixels{.image = cut(std::move(*pixels), parts_.display->geometry().parts.front()),
+                     .viewport = attempt_->viewport()};
 }
 
 void PersonSession::go_on(Nanoseconds shown) {

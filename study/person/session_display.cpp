@@ -41,9 +41,15 @@ void SessionDisplay::draw(SessionPicture picture) {
     frame.screen = std::move(picture.screen);
     if (const auto file = std::exchange(picture_file_, std::nullopt)) {
       pictures_.write(*file, picture_of(frame));
+    } else if (std::exchange(keeps_pixels_, false)) {
+      pixels_ = picture_of(frame);
     }
   }
   presenter_->draw(std::move(frame));
+}
+
+std::optional<RgbImage> SessionDisplay::take_pixels() {
+  return pixels_.valid() ? std::optional(pixels_.get()) : std::nullopt;
 }
 
 std::optional<Nanoseconds> SessionDisplay::wait_until_shown() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/gaze/profiles.h"
+#include "renderer/image/image.h"
 #include "renderer/preview/refresh_estimator.h"
 #include "renderer/window/display_pictures.h"
 #include "renderer/window/film_mirror.h"
@@ -54,6 +56,12 @@ class SessionDisplay {
   /// written.
   void finish_pictures() { pictures_.finish(); }
 
+  /// The pixels of the next frame that is drawn to be seen, and becomes no file, are kept: those
+  /// that are in the framebuffer once all is drawn, before it is swapped to the front.
+  void keep_pixels() { keeps_pixels_ = true; }
+  /// What was kept since it was asked for, sRGB in [0, 1], top row first; empty if nothing was.
+  std::optional<RgbImage> take_pixels();
+
   /// Hands a frame over; returns when it is drawn. Throws Error if the graphics card cannot do it.
   void draw(SessionPicture picture);
   /// Waits until it is shown, and says when, if it was drawn to be seen.
@@ -86,6 +94,8 @@ class SessionDisplay {
   FilmUpdate first_update_;  ///< makes the graphics card forget the film before
   std::unique_ptr<Presenter> presenter_;
   std::optional<std::filesystem::path> picture_file_;
+  bool keeps_pixels_ = false;
+  std::future<RgbImage> pixels_;
   DisplayPictures pictures_;
 };
 

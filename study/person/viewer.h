@@ -9,9 +9,12 @@ namespace foveola::study {
 
 class Viewer {
  public:
-  /// Looks straight ahead at first. pointer: told where the pointer is, if there is one; must
-  /// outlive it.
-  explicit Viewer(PointerEyeTracker* pointer) : pointer_(pointer) { look_along({}); }
+  /// Looks straight ahead at first. pointer: told where the pointer is, if there is one. worn: what
+  /// the head is tracked by, if it is not turned by keys. Both must outlive it.
+  explicit Viewer(PointerEyeTracker* pointer, HeadTracker* worn = nullptr)
+      : pointer_(pointer), worn_(worn) {
+    look_along({});
+  }
 
   /// At once; what is held no longer turns it. Whoever has head() has to ask for it again.
   void look_along(const AzimuthElevation& heading);
@@ -23,8 +26,8 @@ class Viewer {
   void turn_to(const Vec3& direction, Nanoseconds time);
 
   /// World from head.
-  Quat orientation(Nanoseconds time) { return head_orientation(neck_->head.pose(time).heading); }
-  HeadTracker& head() { return neck_->head; }
+  Quat orientation(Nanoseconds time) { return head_orientation(head().pose(time).heading); }
+  HeadTracker& head() { return worn_ != nullptr ? *worn_ : neck_->head; }
 
  private:
   struct Neck {
@@ -41,6 +44,7 @@ class Viewer {
   };
 
   PointerEyeTracker* pointer_;
+  HeadTracker* worn_;
   std::optional<Neck> neck_;
   Sight sight_;
 };

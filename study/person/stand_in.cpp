@@ -1,0 +1,265 @@
+#include "study/person/stand_in.h"
+
+#include <algorithm>
+
+#include "renderer/base/angles.h"
+#include "renderer/view/viewport.h"
+#include "study/person/object_pick.h"
+#include "study/person/typed_answer.h"
+#include "study/stage/conduct.h"
+
+namespace foveola::study {
+namespace {
+
+/// What a hand at the machine does, and a wish to close.
+bool is_of_a_hand(const WindowEvent& event) {
+  return std::holds_alternative<KeyMoved>(event.what) ||
+         std::holds_alternative<CharacterTyped>(event.what) ||
+         std::holds_alternative<PointerMoved>(event.what) ||
+         std::holds_alternative<MouseButtonMoved>(event.what) ||
+         std::holds_alternative<GamepadMoved>(event.what) ||
+         std::holds_alternative<CloseWanted>(event.what);
+}
+
+}  // namespace
+
+Vec3 StandIn::gaze_in_head(Nanoseconds time) {
+  const Quat world_from_head = head_orientation(heading(time));
+  return glm::normalize(glm::conjugate(world_from_head) * participant().gaze(time - zero_));
+}
+
+bool StandIn::wants_to_look() const {
+  return !due_ &&
+         (!last_glance_ || now() - *last_glance_ >= nanoseconds_from_seconds(glance_interval_s));
+}
+
+void StandIn::follow(const SeenFrame& frame, bool may_answer) {
+  pass_on_window_events();
+  if (!may_answer) {
+    return;
+  }
+  const Asked& asked = frame.asked;
+  if (asked.doubt) {
+    press(*asked.doubt == Doubt::timing_again ? PersonKey::again : PersonKey::yes);
+  } else if (!asked.notices.empty()) {
+    press(PersonKey::confirm);
+  } else {
+    answer(frame);
+  }
+}
+
+void StandIn::answer(const SeenFrame& frame) {
+  const Asked& asked = frame.asked;
+  switch (frame.standing.seen.phase) {
+    case Phase::consent:
+      fill_in(*asked.form, {});
+      break;
+    case Phase::questionnaire: {
+      const Questionnaire& form = questionnaire_of(*parts_.protocol, asked.form_of);
+      fill_in(*asked.form, participant().answer(form.id, form.questions));
+      break;
+    }
+    case Phase::validation:
+      look_at_targets(frame);
+      break;
+    case Phase::reaction:
+      press_at_what_appears(frame);
+      break;
+    case Phase::choosing_object:
+      choose_object(frame);
+      break;
+    case Phase::ready:
+      get_ready(frame);
+      break;
+    case Phase::armed:
+    case Phase::marking:
+      watch(frame);
+      break;
+    case Phase::rating:
+      rate(frame);
+      break;
+    case Phase::paused:
+      press(withdraws_ ? PersonKey::back : PersonKey::confirm);
+      break;
+    case Phase::completed:
+    case Phase::withdrawn:
+    case Phase::excluded:
+    case Phase::refused:
+      press(PersonKey::confirm);
+      break;
+    case Phase::created:
+    case Phase::interrupted:
+      break;
+  }
+}
+
+void StandIn::fill_in(const Form& form, const std::vector<Answer>& answers) {
+  if (const Question* question = form.question()) {
+    for (const FormInput& input : typed_answer(*question, answers)) {
+      events_.push(press_of(input, now()));
+    }
+  }
+  events_.push(press_of(form.key_on(), now()));
+}
+
+void StandIn::look_at_targets(const SeenFrame& frame) {
+  if (!frame.asked.validation) {
+    target_.reset();
+    begin_occasion({.conduct = seed_of_step(frame.standing.seen, SeedPurpose::conduct)});
+    press(PersonKey::confirm);
+    return;
+  }
+  const std::optional<Vec3> target = frame.asked.validation->target();
+  if (target && target != target_) {
+    participant().look_at(head_orientation(heading(now())) * *target, now() - zero_);
+  }
+  target_ = target;
+}
+
+void StandIn::press_at_what_appears(const SeenFrame& frame) {
+  const bool appeared = frame.asked.reaction.look() == ReactionLook::appeared;
+  if (appeared && !has_reacted_) {
+    due_ =
+        frame.shown + participant().react(seed_of_step(frame.standing.seen, SeedPurpose::conduct));
+  }
+  has_reacted_ = appeared;
+  press_mark_when_due();
+}
+
+void StandIn::choose_object(const SeenFrame& frame) {
+  if (!begin_attempt(frame)) {
+    return;
+  }
+  const std::string& scene = trial_at(frame.standing).scene;
+  const std::size_t chosen = participant().choose_object(scene, *frame.offered);
+  turn_to(scene, (*frame.offered)[chosen]);
+  const Vec3 ahead = direction_from(heading(now()));
+  if (is_settled() && object_ahead(*frame.offered, ahead) == chosen) {
+    press(PersonKey::confirm);
+  }
+}
+
+void StandIn::get_ready(const SeenFrame& frame) {
+  if (!begin_attempt(frame)) {
+    return;
+  }
+  turn_to(trial_at(frame.standing).scene, object_named(*frame.offered, frame.standing.seen.object));
+  if (is_settled()) {
+    press(PersonKey::mark);
+  }
+}
+
+void StandIn::watch(const SeenFrame& frame) {
+  const SessionState& seen = frame.standing.seen;
+  if (seen.mark > 0 && doubts_timing()) {
+    return;
+  }
+  begin(task_of(parts_.protocol->marks[seen.mark]), {*attempt_, seen.mark}, frame.shown);
+  look(frame);
+  press_mark_when_due();
+}
+
+void StandIn::rate(const SeenFrame& frame) {
+  if (frame.asked.form) {
+    const std::vector<Question>& asked = parts_.protocol->ratings;
+    ratings_ = ratings_ ? ratings_ : participant().rate(asked);
+    fill_in(*frame.asked.form, *ratings_);
+    return;
+  }
+  if (doubts_timing()) {
+    return;
+  }
+  begin(Task::look_around, {*attempt_, parts_.protocol->marks.size()}, frame.shown);
+  look(frame);
+  if (frame.session_time >= frame.asked.look_around_until && !frame.asked.wants_to_rate) {
+    press(PersonKey::confirm);
+  }
+}
+
+bool StandIn::doubts_timing() {
+  const bool doubts = participant().wants_retime();
+  if (doubts) {
+    press(PersonKey::again);
+  }
+  return doubts;
+}
+
+bool StandIn::begin_attempt(const SeenFrame& frame) {
+  const SessionState& seen = frame.standing.seen;
+  const Attempt attempt(*trial_of(frame.standing.procedure, seen), seen.attempt);
+  if (attempt_ != attempt) {
+    attempt_ = attempt;
+    object_.clear();
+    const int trials_before = static_cast<int>(attempt.first);
+    begin_occasion({.conduct = trial_seed(parts_.seed, SeedPurpose::conduct, *parts_.protocol,
+                                          trial_at(frame.standing), seen.timing),
+                    .trials_before = trials_before});
+    withdraws_ = participant().wants_to_withdraw(trials_before);
+    if (withdraws_) {
+      press(PersonKey::pause);
+    }
+  }
+  return !withdraws_;
+}
+
+void StandIn::begin_occasion(const Occasion& occasion) {
+  zero_ = now();
+  participant().begin_occasion(occasion);
+}
+
+void StandIn::turn_to(const std::string& scene, const OfferedObject& object) {
+  if (object_ != object.name) {
+    object_ = object.name;
+    turned_ = now();
+    participant().turn_to(scene, object, turned_ - zero_);
+  }
+}
+
+bool StandIn::is_settled() const { return now() - turned_ >= nanoseconds_from_seconds(settling_s); }
+
+void StandIn::begin(Task task, const Mark& mark, Nanoseconds shown) {
+  if (mark_ != mark) {
+    mark_ = mark;
+    due_.reset();
+    last_glance_.reset();
+    ratings_.reset();
+    participant().begin(task, shown - zero_);
+  }
+}
+
+void StandIn::look(const SeenFrame& frame) {
+  if (!frame.pixels) {
+    return;
+  }
+  last_glance_ = frame.shown;
+  const Nanoseconds presented = frame.shown - zero_;
+  const std::optional<Nanoseconds> press = participant().see({.image = frame.pixels->image,
+                                                              .viewport = frame.pixels->viewport,
+                                                              .gaze = participant().gaze(presented),
+                                                              .presented = presented});
+  if (press) {
+    due_ = zero_ + *press;
+  }
+}
+
+void StandIn::press_mark_when_due() {
+  if (due_ && now() >= *due_) {
+    events_.push(press_of(PersonKey::mark, *due_));
+    due_.reset();
+  }
+}
+
+void StandIn::pass_on_window_events() {
+  for (const WindowEvent& event : parts_.window->take()) {
+    if (!is_of_a_hand(event)) {
+      events_.push(event);
+    }
+  }
+}
+
+std::uint32_t StandIn::seed_of_step(const SessionState& seen, SeedPurpose purpose) const {
+  return derive_seed(parts_.seed, purpose,
+                     {static_cast<int>(seen.step), seen.validations_left, seen.presses_left});
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,114 @@
+// Who sits before the window in a person's place: a simulated participant, who sees what the window
+// shows, is asked what its pages ask, and answers by keys.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "renderer/base/clock.h"
+#include "renderer/window/window_event.h"
+#include "study/participant/participant.h"
+#include "study/person/asked.h"
+#include "study/stage/seeds.h"
+
+namespace foveola::study {
+
+/// The pixels of a frame.
+struct ShownPixels {
+  RgbImage image;     ///< of one eye's view, as Percept::image
+  Viewport viewport;  ///< that they were shown through
+};
+
+/// A frame that has been shown.
+struct SeenFrame {
+  const Asked& asked;
+  Standing standing;
+  const std::vector<OfferedObject>*
+      offered;  ///< by the scene that the session is in; none: in none
+  Nanoseconds shown{0};
+  Nanoseconds session_time{0};        ///< now
+  std::optional<ShownPixels> pixels;  ///< of a trial's frame, if they were wanted
+};
+
+/// Head, eye and keys follow the steady clock. The keys reach the session as the window's own do,
+/// with the time at which they go down; the participant's times are those of an occasion, which
+/// begins where a trial is prepared or a validation begins, and has another number each time.
+class StandIn {
+ public:
+  struct Parts {
+    Participant* participant;
+    const Protocol* protocol;
+    const Plan* plan;
+    SessionSeed seed;
+    const Clock* clock;  ///< steady
+    /// The window's. Keys, pointer and gamepad of whoever is at the machine are not passed on.
+    WindowEvents* window;
+  };
+
+  explicit StandIn(const Parts& parts) : parts_(parts), zero_(parts.clock->now()) {}
+
+  /// What the session takes in place of the window's events.
+  WindowEvents& events() { return events_; }
+
+  AzimuthElevation heading(Nanoseconds time) { return participant().head(time - zero_); }
+  /// Unit length, in the head's axes.
+  Vec3 gaze_in_head(Nanoseconds time);
+
+  /// Whether a trial's frame that is shown now should be looked at.
+  bool wants_to_look() const;
+
+  /// To be told of every frame; may_answer: whether what it asks for is still asked.
+  void follow(const SeenFrame& frame, bool may_answer);
+
+ private:
+  /// A trial's attempt.
+  using Attempt = std::pair<std::size_t, int>;
+  using Mark = std::pair<Attempt, std::size_t>;
+
+  void answer(const SeenFrame& frame);
+  void fill_in(const Form& form, const std::vector<Answer>& answers);
+  void look_at_targets(const SeenFrame& frame);
+  void press_at_what_appears(const SeenFrame& frame);
+  void choose_object(const SeenFrame& frame);
+  void get_ready(const SeenFrame& frame);
+  void watch(const SeenFrame& frame);
+  void rate(const SeenFrame& frame);
+  /// If its timing failed, raises the doubt and returns true.
+  bool doubts_timing();
+
+  /// Unless it has begun. Returns false, and asks for a pause, if the participant wants to stop.
+  bool begin_attempt(const SeenFrame& frame);
+  void begin_occasion(const Occasion& occasion);
+  void turn_to(const std::string& scene, const OfferedObject& object);
+  /// Unless it has begun.
+  void begin(Task task, const Mark& mark, Nanoseconds shown);
+  void look(const SeenFrame& frame);
+
+  Participant& participant() const { return *parts_.participant; }
+  Nanoseconds now() const { return parts_.clock->now(); }
+  bool is_settled() const;
+  void press(PersonKey key) { events_.push(press_of(key, now())); }
+  /// Once it is time to.
+  void press_mark_when_due();
+  void pass_on_window_events();
+  std::uint32_t seed_of_step(const SessionState& seen, SeedPurpose purpose) const;
+
+  Parts parts_;
+  WindowEvents events_;
+  Nanoseconds zero_;  ///< the clock's time at which the occasion's is 0
+  std::optional<Attempt> attempt_;
+  Nanoseconds turned_{0};     ///< when it last turned to an object
+  std::string object_;        ///< to which
+  std::optional<Mark> mark_;  ///< what is looked for; the marks' count: the rating
+  std::optional<Nanoseconds> last_glance_;
+  std::optional<Nanoseconds> due_;  ///< when the mark's key goes down
+  bool has_reacted_ = false;        ///< to what has appeared
+  std::optional<Vec3> target_;      ///< in the head's axes
+  std::optional<std::vector<Answer>> ratings_;
+  bool withdraws_ = false;
+};
+
+}  // namespace foveola::study

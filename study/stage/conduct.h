@@ -1,0 +1,26 @@
+// How simulated participants take part, in virtual time and in real time alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/participant/participant.h"
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+/// They look this often. People integrate over about as long, and each look costs as much as
+/// tracing several frames.
+constexpr double glance_interval_s = 0.1;
+
+/// Until a participant is ready for a trial: head and eye have turned to the object.
+constexpr double settling_s = 1.0;
+
+/// What they look for until they make this mark.
+Task task_of(const MarkEntry& mark);
+
+/// The one of this name. Throws Error if the scene does not offer it any more.
+const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
+                                  const std::string& name);
+
+}  // namespace foveola::study
