@@ -203,6 +203,14 @@ TEST_F(SimulateStudyTest, RefusesNumbersThatMakeNoSense) {
   SimulateSettings no_jobs = settings("study.sqlite");
   no_jobs.jobs = 0;
   EXPECT_THROW(simulate(no_jobs), UsageError);
+  SimulateSettings unseen = settings("study.sqlite");
+  unseen.real_time = true;
+  unseen.predicted = true;
+  EXPECT_THROW(simulate(unseen), UsageError);
+  SimulateSettings two_windows = settings("study.sqlite");
+  two_windows.real_time = true;
+  two_windows.jobs = 2;
+  EXPECT_THROW(simulate(two_windows), UsageError);
   SimulateSettings stranger = settings("study.sqlite");
   stranger.plant = "faster:vp:2";
   EXPECT_THROW(simulate(stranger), UsageError);

@@ -42,6 +42,24 @@ TEST(SimulationKind, OneFileHoldsOneKind) {
   SimulationKind rendered = quick;
   rendered.predicted = false;
   EXPECT_THROW(require_same_kind("study.sqlite", sessions, rendered), Error);
+  SimulationKind timed = rendered;
+  timed.real_time = true;
+  EXPECT_THROW(require_same_kind("study.sqlite", sessions, timed), Error);
+}
+
+TEST(SimulationKind, WhatWindowsAndProgramsOfBeforeSayMakesNoOther) {
+  SimulationKind timed = quick;
+  timed.real_time = true;
+  std::string in_a_window = devices_of(timed);
+  in_a_window.insert(1, R"("display": {"refresh_rate_hz": 59.97}, )");
+  EXPECT_TRUE(simulation_kind_in(in_a_window)->real_time);
+  EXPECT_NO_THROW(
+      require_same_kind("study.sqlite", {session(SessionKind::simulated, in_a_window)}, timed));
+  const std::string before_real_time =
+      R"({"simulation": {"scale": 8.0, "predicted": true, "plant": "order:1.1",)"
+      R"( "people_sha256": "abc"}})";
+  EXPECT_NO_THROW(require_same_kind("study.sqlite",
+                                    {session(SessionKind::simulated, before_real_time)}, quick));
 }
 
 }  // namespace

@@ -41,5 +41,13 @@ TEST(PersonKeys, TheWindowsCrossOnlyPauses) {
   EXPECT_EQ(person_key({.what = CloseWanted{}}), PersonKey::pause);
 }
 
+TEST(PersonKeys, APressOfEachMeansIt) {
+  for (int key = 0; key <= static_cast<int>(PersonKey::again); ++key) {
+    const WindowEvent press = press_of(static_cast<PersonKey>(key), std::chrono::seconds(3));
+    EXPECT_EQ(person_key(press), static_cast<PersonKey>(key));
+    EXPECT_EQ(press.time, std::chrono::seconds(3));
+  }
+}
+
 }  // namespace
 }  // namespace foveola::study

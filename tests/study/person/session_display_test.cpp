@@ -48,6 +48,23 @@ TEST_F(SessionDisplayTest, APageBecomesAFileOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "page.png"));
 }
 
+TEST_F(SessionDisplayTest, PixelsAreThoseOfTheFrameThatIsShown) {
+  EXPECT_FALSE(display_.take_pixels());
+  display_.show({});
+  EXPECT_FALSE(display_.take_pixels()) << "nobody asked for them";
+  display_.keep_pixels();
+  display_.show({.screen = ScreenPage{.is_signal = true}});
+  const std::optional<RgbImage> bright = display_.take_pixels();
+  ASSERT_TRUE(bright);
+  EXPECT_EQ(IVec2(bright->width, bright->height), IVec2(64, 48));
+  EXPECT_GT(bright->at(1, 1).g, 0.5F);
+  EXPECT_FALSE(display_.take_pixels()) << "they are of one frame";
+  display_.keep_pixels();
+  display_.hide(true);
+  display_.show({});
+  EXPECT_FALSE(display_.take_pixels()) << "nothing was drawn";
+}
+
 TEST_F(SessionDisplayTest, ThatAPageCouldNotBecomeAFileIsTold) {
   take_picture(folder_ / "no-such-folder" / "page.png");
   EXPECT_THROW(display_.finish_pictures(), Error);

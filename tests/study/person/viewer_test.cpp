@@ -33,6 +33,15 @@ TEST(ViewerTest, LooksAlongItsHeadingAndTurnsToWhatItIsToldTo) {
   EXPECT_NEAR(degrees_off(viewer, 1s, beyond_the_seam), 0.0, 1e-2);
 }
 
+TEST(ViewerTest, AHeadThatIsTrackedIsNotTurnedByKeys) {
+  const AzimuthElevation heading{.azimuth_rad = 0.5, .elevation_rad = 0.1};
+  SimulatedHeadTracker worn([&](Nanoseconds) { return heading; });
+  Viewer viewer(nullptr, &worn);
+  viewer.look_along({.azimuth_rad = 2.0});
+  viewer.follow(key_moved(0s, true), true);
+  EXPECT_NEAR(degrees_off(viewer, 1s, direction_from(heading)), 0.0, 1e-3);
+}
+
 TEST(ViewerTest, KeysTurnItOnlyWhereThePictureIsSeen) {
   Viewer viewer(nullptr);
   viewer.follow(key_moved(0s, true), false);

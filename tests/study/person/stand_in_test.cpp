@@ -1,0 +1,181 @@
+#include "study/person/stand_in.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/study/person/asked_protocol.h"
+
+namespace foveola::study {
+namespace {
+
+using namespace std::chrono_literals;
+using test::AskedSession;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// Presses so long after the first thing that it sees.
+class Onlooker final : public Participant {
+ public:
+  std::vector<Answer> answer(const std::string& /*form*/,
+                             const std::vector<Question>& /*questions*/) override {
+    return {};
+  }
+  Nanoseconds react(std::uint32_t /*occasion*/) override { return 200ms; }
+  std::size_t choose_object(const std::string& /*scene*/,
+                            const std::vector<OfferedObject>& /*offered*/) override {
+    return 0;
+  }
+  void begin_occasion(const Occasion& /*occasion*/) override { is_marking_ = false; }
+  void turn_to(const std::string& /*scene*/, const OfferedObject& /*object*/,
+               Nanoseconds /*now*/) override {}
+  void look_at(const Vec3& /*target*/, Nanoseconds /*now*/) override {}
+  void begin(Task task, Nanoseconds /*now*/) override { is_marking_ = task != Task::look_around; }
+  AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
+  Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
+  std::optional<Nanoseconds> see(const Percept& percept) override {
+    return std::exchange(is_marking_, false) ? std::optional(percept.presented + thought)
+                                             : std::nullopt;
+  }
+  bool wants_retime() const override { return regrets; }
+  bool wants_to_withdraw(int /*trials_before*/) const override { return withdraws; }
+  std::vector<Answer> rate(const std::vector<Question>& /*ratings*/) override { return {}; }
+
+  static constexpr Nanoseconds thought = 300ms;
+  bool regrets = false;
+  bool withdraws = false;
+
+ private:
+  bool is_marking_ = false;
+};
+
+class StandInTest : public ::testing::Test {
+ protected:
+  StandInTest() {
+    session_.seen.phase = Phase::ready;
+    session_.seen.object = "Lamp";
+  }
+
+  /// Shows a frame at this time of the clock.
+  void show(Nanoseconds time, bool may_answer = true) {
+    clock_.advance(time - clock_.now());
+    SeenFrame frame{.asked = session_.asked,
+                    .standing = session_.standing(),
+                    .offered = &objects_,
+                    .shown = time,
+                    .session_time = time};
+    if (stand_in_.wants_to_look()) {
+      frame.pixels = ShownPixels{.image = RgbImage(2, 2),
+                                 .viewport = Viewport(head_orientation({}), 1.0, 1.0)};
+    }
+    stand_in_.follow(frame, may_answer);
+  }
+
+  /// What was pressed since this was asked, and when.
+  std::vector<std::pair<PersonKey, Nanoseconds>> pressed() {
+    std::vector<std::pair<PersonKey, Nanoseconds>> keys;
+    for (const WindowEvent& event : stand_in_.events().take()) {
+      if (const std::optional<PersonKey> key = person_key(event)) {
+        keys.emplace_back(*key, event.time);
+      }
+    }
+    return keys;
+  }
+
+  /// Is ready, and the first frame has been shown at 2 s.
+  void begin_trial() {
+    show(0s);
+    show(1100ms);
+    EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::mark, Nanoseconds(1100ms))));
+    session_.seen.phase = Phase::marking;
+    show(2s);
+  }
+
+  AskedSession session_;
+  std::vector<OfferedObject> objects_ = {{.name = "Lamp"}};
+  Onlooker onlooker_;
+  VirtualClock clock_;
+  WindowEvents window_;
+  StandIn stand_in_{{.participant = &onlooker_,
+                     .protocol = &session_.protocol,
+                     .plan = &session_.plan,
+                     .seed = {},
+                     .clock = &clock_,
+                     .window = &window_}};
+};
+
+TEST_F(StandInTest, StartsATrialOnceHeadAndEyeRest) {
+  show(0s);
+  show(900ms);
+  EXPECT_THAT(pressed(), IsEmpty());
+  show(1s);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::mark, Nanoseconds(1s))));
+}
+
+TEST_F(StandInTest, AKeyGoesDownWhenItIsTimeToWheneverFramesCome) {
+  begin_trial();
+  show(2299ms);
+  EXPECT_THAT(pressed(), IsEmpty());
+  show(2450ms);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::mark, 2s + Onlooker::thought)));
+  show(3s);
+  EXPECT_THAT(pressed(), IsEmpty()) << "the mark is made";
+}
+
+TEST_F(StandInTest, NothingIsAnsweredThatIsNotAskedAnyMore) {
+  begin_trial();
+  show(2450ms, false);
+  EXPECT_THAT(pressed(), IsEmpty());
+}
+
+TEST_F(StandInTest, LooksTenTimesASecondAtMost) {
+  begin_trial();
+  EXPECT_FALSE(stand_in_.wants_to_look()) << "it has seen enough for this mark";
+  session_.seen.mark = 1;
+  show(3s);
+  show(3400ms);
+  session_.seen.phase = Phase::rating;
+  session_.seen.mark = 2;
+  session_.asked.look_around_until = 9s;
+  show(4s);
+  show(4001ms);  // the first look at this
+  clock_.advance(99ms);
+  EXPECT_FALSE(stand_in_.wants_to_look());
+  clock_.advance(1ms);
+  EXPECT_TRUE(stand_in_.wants_to_look());
+}
+
+TEST_F(StandInTest, AFailedTimingIsDoubtedAndConfirmed) {
+  begin_trial();
+  session_.seen.mark = 1;
+  onlooker_.regrets = true;
+  show(3s);
+  session_.asked.doubt = Doubt::timing_again;
+  show(4s);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::again, Nanoseconds(3s)),
+                                     std::pair(PersonKey::again, Nanoseconds(4s))));
+}
+
+TEST_F(StandInTest, WhoWantsToStopPausesAndSaysSo) {
+  onlooker_.withdraws = true;
+  show(0s);
+  show(2s);
+  session_.seen.phase = Phase::paused;
+  show(3s);
+  session_.asked.doubt = Doubt::stopping;
+  show(4s);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::pause, Nanoseconds(0s)),
+                                     std::pair(PersonKey::back, Nanoseconds(3s)),
+                                     std::pair(PersonKey::yes, Nanoseconds(4s))));
+}
+
+TEST_F(StandInTest, HandsAtTheMachineDoNothing) {
+  window_.push(press_of(PersonKey::pause, 0s));
+  window_.push({.what = CloseWanted{}});
+  window_.push({.what = WindowHidden{.is_hidden = true}});
+  show(0s);
+  const std::vector<WindowEvent> events = stand_in_.events().take();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<WindowHidden>(events.front().what));
+}
+
+}  // namespace
+}  // namespace foveola::study
