@@ -39,7 +39,7 @@ class AmendedStudy : public StudyFile {
   void begin() const {
     StudyStore store(path_, small_protocol());
     EXPECT_FALSE(store.amendment());
-    RecordedSession(store, facts_of("P01"), small_plan()).begin();
+    PlayedSession(store, facts_of("P01"), small_plan()).begin();
   }
 };
 
@@ -51,7 +51,7 @@ TEST_F(AmendedStudy, OtherWordsAreTakenWhereThatIsAsked) {
   {
     StudyStore store(path_, amended, OtherProtocol::take_as_amendment);
     EXPECT_EQ(store.amendment(), amendment_of(amended.text, {"title"}));
-    RecordedSession session(store, facts_of("P02"), small_plan());
+    PlayedSession session(store, facts_of("P02"), small_plan());
     session.happen(ms(0), SessionStarted{});
     session.happen(ms(0), NoteWritten{note_of(*store.amendment())});
     session.happen(ms(9), NoteWritten{note_of(*store.amendment())});

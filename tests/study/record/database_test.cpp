@@ -31,7 +31,7 @@ void run_sql(const fs::path& path, const std::string& sql) {
 /// A study with one completed trial in one session.
 void write_small_study(const fs::path& path) {
   StudyStore store(path, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.run_trial(ms(100), ms(2000), ms(3000), 2);
 }
@@ -216,7 +216,7 @@ TEST(Database, LogOfACrashIsReadAndSurvivesARefusal) {
   const fs::path path = crashed / "study.sqlite";
   {
     StudyStore store(folder / "study.sqlite", small_protocol());
-    RecordedSession session(store, facts_of("P01"), small_plan());
+    PlayedSession session(store, facts_of("P01"), small_plan());
     session.begin();
     fs::copy(folder / "study.sqlite", path);
     fs::copy(folder / "study.sqlite-wal", crashed / "study.sqlite-wal");

@@ -62,7 +62,7 @@ TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
 /// Times one method again and again, with one byte on `acknowledgements` for each recorded event.
 [[noreturn]] void record_until_killed(const fs::path& path, int acknowledgements) {
   StudyStore store(path, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   const auto acknowledge = [&](const Event& event) {
     session.happen(ms(1), event);
     if (::write(acknowledgements, "!", 1) != 1) {
@@ -162,7 +162,7 @@ TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
   std::uint64_t acknowledged = 0;
   {
     StudyStore store(path, small_protocol());
-    RecordedSession session(store, facts_of("P01"), small_plan());
+    PlayedSession session(store, facts_of("P01"), small_plan());
     session.begin();
     session.choose_and_start(ms(20));
     const std::vector<FrameRow> frames = noisy_frames(frames_per_chunk);

@@ -46,7 +46,7 @@ TEST(HashChain, CanBeCheckedByAnOutsider) {
     StudyStore store(path, thorough_protocol());
     SessionFacts facts = facts_of("Pü \"1\"\t");
     facts.devices = R"({"display":"Größe"})";
-    RecordedSession session(store, facts, small_plan(), thorough_protocol());
+    PlayedSession session(store, facts, small_plan(), thorough_protocol());
     session.begin_thoroughly();
     session.choose_and_start(ms(20), "Väse/\\");
     run_thorough_session(store, "P02");

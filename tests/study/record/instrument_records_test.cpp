@@ -31,7 +31,7 @@ class Instrument : public StudyFile {
 TEST_F(Instrument, FramesAreOfTheCountedAttempts) {
   {
     StudyStore store(path_, small_protocol());
-    RecordedSession session(store, facts_of("P01"), small_plan());
+    PlayedSession session(store, facts_of("P01"), small_plan());
     session.begin();
     session.choose_and_start(ms(20));
     store.record_frames(session.id(), 0, 1, 0, plausible_frames(100));

@@ -21,7 +21,7 @@ class Merging : public testing::Test {
   }
 
   static void run_session(StudyStore& store, const std::string& participant) {
-    RecordedSession session(store, facts_of(participant), small_plan(), thorough_protocol());
+    PlayedSession session(store, facts_of(participant), small_plan(), thorough_protocol());
     session.begin_thoroughly();
     session.run_trial(ms(100), ms(2000), ms(3000), 2);
     store.record_frames(session.id(), 0, 1, 0, plausible_frames(10));

@@ -123,7 +123,7 @@ TEST_F(Migration, WhatWasLeftCanBeGoneOnWith) {
   migrate();
   StudyStore store(path_, small_protocol());
   EXPECT_EQ(store.sessions().at(1).phase, Phase::interrupted);
-  RecordedSession session(store, facts_of("P06"), small_plan());
+  PlayedSession session(store, facts_of("P06"), small_plan());
   session.begin();
   EXPECT_THAT(read_study(path_).sessions, testing::SizeIs(6));
 }

@@ -11,7 +11,7 @@ class Recording : public StudyFile {
  protected:
   /// A session in an attempt at its first trial.
   Recording() {
-    RecordedSession session(store_, facts_of("P01"), small_plan());
+    PlayedSession session(store_, facts_of("P01"), small_plan());
     session.begin();
     session.choose_and_start(ms(20));
     id_ = session.id();

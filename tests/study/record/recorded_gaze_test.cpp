@@ -20,7 +20,7 @@ class RecordedGaze : public StudyFile {
   /// P01 timed the first trial twice, P02 once; neither the second trial.
   RecordedGaze() {
     StudyStore store(path_, small_protocol());
-    RecordedSession first(store, facts_of("P01"), small_plan());
+    PlayedSession first(store, facts_of("P01"), small_plan());
     first.begin();
     first.choose_and_start(ms(20));
     store.record_gaze(first.id(), 0, 1, 0, {{.time = ms(1)}, {.time = ms(2)}});
@@ -30,7 +30,7 @@ class RecordedGaze : public StudyFile {
     first.choose_and_start(ms(55));
     store.record_gaze(first.id(), 0, 2, 0, {{.time = ms(60)}, {.time = ms(61)}});
     store.record_gaze(first.id(), 0, 2, 2, {{.time = ms(62), .mark = GazeMark::saccade}});
-    RecordedSession second(store, facts_of("P02"), small_plan());
+    PlayedSession second(store, facts_of("P02"), small_plan());
     second.begin();
     second.choose_and_start(ms(20));
     store.record_gaze(second.id(), 0, 1, 0, {{.time = ms(7), .valid = true}});

@@ -46,7 +46,7 @@ TEST(Robustness, AFullDiskIsNamedAndLosesNothing) {
   }
   const fs::path path = folder / "study.sqlite";
   StudyStore store(path, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   std::size_t written = 0;
   const std::string message = refusal([&] {

@@ -18,7 +18,7 @@ class Schema : public testing::Test {
   Schema() {
     StudyStore store(folder_ / "study.sqlite", thorough_protocol());
     run_thorough_session(store, "P01");
-    RecordedSession second(store, facts_of("P02"), thorough_plan(), thorough_protocol());
+    PlayedSession second(store, facts_of("P02"), thorough_plan(), thorough_protocol());
     second.begin_thoroughly();
     second.choose_and_start(ms(100));
   }

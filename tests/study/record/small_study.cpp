@@ -125,27 +125,27 @@ SessionFacts facts_of(const std::string& participant) {
            .shown_as = R"({"exposure_stops":1.5})"}}};
 }
 
-RecordedSession::RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan,
-                                 const Protocol& protocol)
+PlayedSession::PlayedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan,
+                             const Protocol& protocol)
     : store_(store),
       procedure_(procedure_of(protocol, plan)),
       id_(store.begin_session(facts, plan)) {}
 
-void RecordedSession::happen(Nanoseconds time, const Event& event) {
+void PlayedSession::happen(Nanoseconds time, const Event& event) {
   const std::optional<Transition> transition = step(procedure_, state_, event);
   ASSERT_TRUE(transition) << name_of(event) << " in " << name_of(state_.phase);
   store_.record_event(id_, time, event, state_, transition->state);
   state_ = transition->state;
 }
 
-void RecordedSession::begin() {
+void PlayedSession::begin() {
   happen(ms(0), SessionStarted{});
   happen(ms(10), QuestionnaireAnswered{.questionnaire = "background",
                                        .answers = {{.question = "age", .value = 31.0},
                                                    {.question = "cg_experience", .value = 4.0}}});
 }
 
-void RecordedSession::begin_thoroughly() {
+void PlayedSession::begin_thoroughly() {
   happen(ms(0), SessionStarted{});
   happen(ms(1), ConsentGiven{});
   happen(ms(2), GazeValidated{.runs = {bad_run()}});
@@ -158,15 +158,15 @@ void RecordedSession::begin_thoroughly() {
                                                    {.question = "cg_experience", .value = 4.0}}});
 }
 
-void RecordedSession::choose_and_start(Nanoseconds time, const std::string& object) {
+void PlayedSession::choose_and_start(Nanoseconds time, const std::string& object) {
   if (state_.phase == Phase::choosing_object) {
     happen(time, ObjectChosen{object});
   }
   happen(time, TrialStarted{});
 }
 
-void RecordedSession::run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material,
-                                int rating) {
+void PlayedSession::run_trial(Nanoseconds first_frame, Nanoseconds outline, Nanoseconds material,
+                              int rating) {
   choose_and_start(first_frame - ms(1));
   happen(first_frame, FirstFramePresented{first_frame});
   happen(first_frame + outline, Marked{first_frame + outline});
@@ -179,7 +179,7 @@ Rated rated(int artifacts) {
 }
 
 void run_thorough_session(StudyStore& store, const std::string& participant, const Event& last) {
-  RecordedSession session(store, facts_of(participant), thorough_plan(), thorough_protocol());
+  PlayedSession session(store, facts_of(participant), thorough_plan(), thorough_protocol());
   session.begin_thoroughly();
   session.run_trial(ms(1000), ms(100), ms(200), 5);
   session.happen(ms(1500), NoteWritten{.text = "glasses"});

@@ -45,10 +45,10 @@ Plan thorough_plan();
 SessionFacts facts_of(const std::string& participant);
 
 /// Takes a session through events and records each.
-class RecordedSession {
+class PlayedSession {
  public:
-  RecordedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan,
-                  const Protocol& protocol = small_protocol());
+  PlayedSession(StudyStore& store, const SessionFacts& facts, const Plan& plan,
+                const Protocol& protocol = small_protocol());
 
   /// Fails the test if the session does not allow the event.
   void happen(Nanoseconds time, const Event& event);

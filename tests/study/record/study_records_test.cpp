@@ -9,8 +9,8 @@ namespace {
 
 class Records : public StudyFile {
  protected:
-  RecordedSession session_of(const std::string& participant) {
-    RecordedSession session(store_, facts_of(participant), small_plan());
+  PlayedSession session_of(const std::string& participant) {
+    PlayedSession session(store_, facts_of(participant), small_plan());
     session.begin();
     return session;
   }
@@ -19,7 +19,7 @@ class Records : public StudyFile {
 };
 
 TEST_F(Records, OfACompletedSession) {
-  RecordedSession session = session_of("P01");
+  PlayedSession session = session_of("P01");
   session.run_trial(ms(1000), ms(500), ms(1500), 1);
   session.run_trial(ms(11'000), ms(4000), ms(9250), 4);
   session.run_trial(ms(31'000), ms(2000), ms(2000), 3);
@@ -42,7 +42,7 @@ TEST_F(Records, OfACompletedSession) {
 }
 
 TEST_F(Records, GiveTheLastAttempt) {
-  RecordedSession session = session_of("P01");
+  PlayedSession session = session_of("P01");
   session.choose_and_start(ms(20));
   session.happen(ms(1000), FirstFramePresented{ms(1000)});
   session.happen(ms(2000), Marked{ms(2000)});
@@ -62,7 +62,7 @@ TEST_F(Records, GiveTheLastAttempt) {
 }
 
 TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
-  RecordedSession session = session_of("P01");
+  PlayedSession session = session_of("P01");
   session.choose_and_start(ms(20));
   session.happen(ms(1000), FirstFramePresented{ms(1000)});
   session.happen(ms(121'000), TimedOut{ms(121'000)});
@@ -80,7 +80,7 @@ TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
 }
 
 TEST_F(Records, HoldInterruptedSessionsWithWhatTheyReached) {
-  RecordedSession session = session_of("P01");
+  PlayedSession session = session_of("P01");
   session.run_trial(ms(1000), ms(500), ms(1500), 1);
   session.choose_and_start(ms(5000));
   session.happen(ms(6000), FirstFramePresented{ms(6000)});
@@ -95,7 +95,7 @@ TEST_F(Records, HoldInterruptedSessionsWithWhatTheyReached) {
 }
 
 TEST_F(Records, LeaveOutWhatAParticipantTookBack) {
-  RecordedSession withdrawn = session_of("P01");
+  PlayedSession withdrawn = session_of("P01");
   withdrawn.run_trial(ms(1000), ms(500), ms(1500), 1);
   withdrawn.happen(ms(5000), Withdrawn{});
   session_of("P02");

@@ -21,7 +21,7 @@ class Store : public StudyFile {
 TEST_F(Store, LeavesOneFileInWalMode) {
   {
     StudyStore store(path_, small_protocol());
-    RecordedSession(store, facts_of("P01"), small_plan()).begin();
+    PlayedSession(store, facts_of("P01"), small_plan()).begin();
     EXPECT_EQ(folder_.content().count("study.sqlite-wal"), 1U);
   }
   const auto content = folder_.content();
@@ -66,7 +66,7 @@ TEST_F(Store, KeepsTheMarksAndRatings) {
 
 TEST_F(Store, WritesEveryRunOfAValidation) {
   StudyStore store(path_, thorough_protocol());
-  RecordedSession session(store, facts_of("P01"), thorough_plan(), thorough_protocol());
+  PlayedSession session(store, facts_of("P01"), thorough_plan(), thorough_protocol());
   session.begin_thoroughly();
   EXPECT_THAT(column("SELECT (payload ->> 'passed') || ' ' || json_array_length(payload, '$.runs')"
                      " FROM event WHERE type = 'gaze_validated' ORDER BY sequence"),
@@ -92,7 +92,7 @@ TEST_F(Store, WritesEveryRunOfAValidation) {
 
 TEST_F(Store, ASessionThatIsRefusedIsOver) {
   StudyStore store(path_, thorough_protocol());
-  RecordedSession session(store, facts_of("P01"), thorough_plan(), thorough_protocol());
+  PlayedSession session(store, facts_of("P01"), thorough_plan(), thorough_protocol());
   session.happen(ms(0), SessionStarted{});
   session.happen(ms(1), ConsentGiven{});
   session.happen(ms(2), GazeValidated{.runs = {bad_run()}});
@@ -149,7 +149,7 @@ TEST_F(Store, OneParticipantHasOneSession) {
 
 TEST_F(Store, LogsEveryEventWithItsValues) {
   StudyStore store(path_, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.run_trial(ms(100), ms(2000), ms(3000), 2);
   session.happen(ms(4000), NoteWritten{.text = "coughs"});
@@ -188,7 +188,7 @@ TEST_F(Store, KeepsAnswersOfEveryKindOfForm) {
 
 TEST_F(Store, KeepsFalseStartsAmongReactions) {
   StudyStore store(path_, thorough_protocol());
-  RecordedSession(store, facts_of("P01"), thorough_plan(), thorough_protocol()).begin_thoroughly();
+  PlayedSession(store, facts_of("P01"), thorough_plan(), thorough_protocol()).begin_thoroughly();
   EXPECT_THAT(column("SELECT number || ': ' || shown_ns || ' ' || pressed_ns || ' ' || early"
                      " FROM reaction ORDER BY number"),
               ElementsAre("1: 6000000 4000000 1", "2: 6000000 7000000 0", "3: 8000000 9000000 0"));
@@ -196,7 +196,7 @@ TEST_F(Store, KeepsFalseStartsAmongReactions) {
 
 TEST_F(Store, LogsAnObjectWhoseNameIsNoUnicode) {
   StudyStore store(path_, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.choose_and_start(ms(20), "v\xff");
   EXPECT_EQ(stored("SELECT payload ->> 'object' FROM event WHERE sequence = 3"), "v\xEF\xBF\xBD");
@@ -226,7 +226,7 @@ TEST_F(Store, AnEndWithinAnAttemptIsItsOutcome) {
   for (const auto& [end, outcome] : ends) {
     const fs::path path = folder_ / outcome;
     StudyStore store(path, small_protocol());
-    RecordedSession session(store, facts_of("P01"), small_plan());
+    PlayedSession session(store, facts_of("P01"), small_plan());
     session.begin();
     session.choose_and_start(ms(20));
     session.happen(ms(30), end);
@@ -237,7 +237,7 @@ TEST_F(Store, AnEndWithinAnAttemptIsItsOutcome) {
 
 TEST_F(Store, InterruptionBetweenTrialsLeavesAttemptsAlone) {
   StudyStore store(path_, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.run_trial(ms(100), ms(2000), ms(3000), 2);
   session.happen(ms(4000), Interrupted{});
@@ -251,7 +251,7 @@ TEST_F(Store, GivesBackEverySessionWithItsPlanAndEvents) {
     run_thorough_session(store, "P01");
     SessionFacts pilot = facts_of("P02");
     pilot.kind = SessionKind::pilot;
-    RecordedSession(store, pilot, small_plan()).begin();
+    PlayedSession(store, pilot, small_plan()).begin();
   }
   const StudyStore store(path_, thorough_protocol());
   const std::vector<KnownSession> sessions = store.sessions();
@@ -289,7 +289,7 @@ TEST_F(Store, GivesBackEverySessionWithItsPlanAndEvents) {
 
 TEST_F(Store, KeepsFramesAndGazeCompressedWithTheirHashes) {
   StudyStore store(path_, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.choose_and_start(ms(20));
   store.record_frames(session.id(), 0, 1, 0, std::vector<FrameRow>(3));
@@ -309,7 +309,7 @@ TEST_F(Store, KeepsFramesAndGazeCompressedWithTheirHashes) {
 
 TEST_F(Store, KeepsFilmHashes) {
   StudyStore store(path_, small_protocol());
-  RecordedSession session(store, facts_of("P01"), small_plan());
+  PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.choose_and_start(ms(20));
   store.record_film_hash(session.id(), 0, 1, {.frame = 12, .sha256 = std::string(64, 'a')});
@@ -323,12 +323,12 @@ TEST_F(Store, KeepsFilmHashes) {
 TEST_F(Store, AppendsToAStudyThatExists) {
   {
     StudyStore store(path_, small_protocol());
-    RecordedSession(store, facts_of("P01"), small_plan()).begin();
+    PlayedSession(store, facts_of("P01"), small_plan()).begin();
   }
   {
     StudyStore store(path_, small_protocol());
     EXPECT_TRUE(store.has_participant("P01"));
-    RecordedSession(store, facts_of("P02"), small_plan()).begin();
+    PlayedSession(store, facts_of("P02"), small_plan()).begin();
   }
   EXPECT_THAT(column("SELECT session || ' ' || sequence FROM event ORDER BY session, sequence"),
               ElementsAre("1 1", "1 2", "2 1", "2 2"));

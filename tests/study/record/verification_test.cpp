@@ -22,12 +22,12 @@ class VerifiedStudy : public StudyFile {
     StudyStore store(path_, thorough_protocol());
     run_whole_session(store);
     run_thorough_session(store, "P02");
-    RecordedSession third(store, facts_of("P03"), thorough_plan(), thorough_protocol());
+    PlayedSession third(store, facts_of("P03"), thorough_plan(), thorough_protocol());
     third.begin_thoroughly();
   }
 
   static void run_whole_session(StudyStore& store) {
-    RecordedSession session(store, facts_of("P01"), small_plan(), thorough_protocol());
+    PlayedSession session(store, facts_of("P01"), small_plan(), thorough_protocol());
     session.begin_thoroughly();
     for (std::size_t trial = 0; trial < small_plan().size(); ++trial) {
       session.run_trial(ms(1000 + 10'000 * static_cast<int>(trial)), ms(2000), ms(3000), 2);

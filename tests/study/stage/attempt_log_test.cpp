@@ -34,7 +34,7 @@ class AttemptLogTest : public testing::Test {
   TemporaryFolder folder_;
   fs::path path_ = folder_ / "study.sqlite";
   StudyStore store_{path_, small_protocol()};
-  RecordedSession session_{store_, facts_of("P01"), small_plan()};
+  PlayedSession session_{store_, facts_of("P01"), small_plan()};
 };
 
 // 70 frames and 120 samples a second for two minutes, one saccade in them.
