@@ -12,8 +12,9 @@ namespace foveola::analysis {
 struct Correlation {
   std::size_t n = 0;
   double r = 0.0;
-  double t = 0.0;  ///< r sqrt((n - 2) / (1 - r^2)); infinite for a perfect correlation
-  double p = 0.0;  ///< two-sided, from t with n - 2 degrees of freedom
+  double t = 0.0;      ///< r sqrt((n - 2) / (1 - r^2)); infinite for a perfect correlation
+  double p = 0.0;      ///< two-sided, from t with n - 2 degrees of freedom unless it is exact
+  bool exact = false;  ///< p counts all orders that the ranks could have had
   std::optional<Interval> interval;  ///< Fisher's z transform; needs four pairs
 };
 

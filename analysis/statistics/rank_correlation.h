@@ -1,6 +1,7 @@
 // Spearman's rank correlation, beside Pearson's in inference.h.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -8,11 +9,17 @@
 
 namespace foveola::analysis {
 
-/// Pearson's correlation of the ranks, ties sharing theirs. t and its P-value are the approximation
-/// by Student's t with n - 2 degrees of freedom (as R's cor.test with exact = FALSE); the interval
-/// is Fisher's z with the variance (1 + r^2 / 2) / (n - 3) of Bonett and Wright (2000). All values
-/// finite. Empty as pearson.
+/// Up to so many pairs the P-value is exact, whether or not there are ties: twice the share of all
+/// orders of y whose correlation is at least as far on the same side (as R's cor.test, which
+/// refuses ties).
+inline constexpr std::size_t largest_exact_spearman = 9;
+
+/// Pearson's correlation of the ranks, ties sharing theirs. Above `largest_exact` pairs the P-value
+/// is the approximation by Student's t with n - 2 degrees of freedom (as R's cor.test with
+/// exact = FALSE). The interval is Fisher's z with the variance (1 + r^2 / 2) / (n - 3) of Bonett
+/// and Wright (2000). All values finite. Empty as pearson.
 std::optional<Correlation> spearman(std::span<const double> x, std::span<const double> y,
-                                    double confidence = default_confidence);
+                                    double confidence = default_confidence,
+                                    std::size_t largest_exact = largest_exact_spearman);
 
 }  // namespace foveola::analysis

@@ -70,6 +70,20 @@ double greenhouse_geisser_epsilon(const RepeatedMeasures& data, const SumsOfSqua
   return std::clamp(epsilon, 1.0 / degrees, 1.0);
 }
 
+/// For one group of n participants: (n (k - 1) e - 2) / ((k - 1) (n - 1 - (k - 1) e)).
+double huynh_feldt_epsilon(const RepeatedMeasures& data, double greenhouse_geisser) {
+  if (data.participants == 2) {  // one direction of residuals, whose epsilon needs no correction
+    return greenhouse_geisser;
+  }
+  const auto n = static_cast<double>(data.participants);
+  const auto degrees = static_cast<double>(data.conditions - 1);
+  const double denominator = degrees * (n - 1.0 - degrees * greenhouse_geisser);
+  // Where the participants are no more than the conditions, it may vanish: the limit is above 1.
+  return denominator > 0.0 ? std::clamp((n * degrees * greenhouse_geisser - 2.0) / denominator,
+                                        greenhouse_geisser, 1.0)
+                           : 1.0;
+}
+
 double f_tail(double f, double numerator_degrees, double denominator_degrees) {
   const boost::math::fisher_f distribution(numerator_degrees, denominator_degrees);
   return boost::math::cdf(boost::math::complement(distribution, f));
@@ -125,6 +139,9 @@ std::optional<VarianceAnalysis> repeated_measures_anova(const RepeatedMeasures& 
   result.p_greenhouse_geisser =
       f_tail(result.f, result.greenhouse_geisser * result.degrees_of_freedom,
              result.greenhouse_geisser * result.residual_degrees_of_freedom);
+  result.huynh_feldt = huynh_feldt_epsilon(data, result.greenhouse_geisser);
+  result.p_huynh_feldt = f_tail(result.f, result.huynh_feldt * result.degrees_of_freedom,
+                                result.huynh_feldt * result.residual_degrees_of_freedom);
   result.partial_eta_squared =
       static_cast<double>(sums.conditions / (sums.conditions + sums.residual));
   return result;

@@ -37,6 +37,10 @@ struct VarianceAnalysis {
   /// How far from sphericity: 1 down to 1 / (conditions - 1) (Box 1954; Greenhouse, Geisser 1959).
   double greenhouse_geisser = 1.0;
   double p_greenhouse_geisser = 0.0;  ///< both degrees of freedom times epsilon
+  /// The same, corrected for being too small where differences are nearly alike (Huynh, Feldt
+  /// 1976), 1 where the correction leads above it.
+  double huynh_feldt = 1.0;
+  double p_huynh_feldt = 0.0;
   double partial_eta_squared = 0.0;
 };
 

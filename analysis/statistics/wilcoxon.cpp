@@ -51,29 +51,10 @@ std::vector<std::size_t> doubled(const SignedRanks& ranks) {
   return doubled_ranks;
 }
 
-/// The probability that the doubled sum of positive ranks is at most `doubled_sum`, when every sign
-/// is a fair coin. Probabilities, not counts: these would leave the range of a double.
-double probability_up_to(const std::vector<std::size_t>& doubled_ranks, std::size_t doubled_sum) {
-  const std::size_t total =
-      std::accumulate(doubled_ranks.begin(), doubled_ranks.end(), std::size_t{0});
-  std::vector<double> probability(total + 1, 0.0);
-  probability[0] = 1.0;
-  std::size_t reach = 0;
-  for (const std::size_t rank : doubled_ranks) {
-    reach += rank;
-    for (std::size_t sum = reach + 1; sum-- > 0;) {
-      const double with_rank = sum >= rank ? probability[sum - rank] : 0.0;
-      probability[sum] = 0.5 * (probability[sum] + with_rank);
-    }
-  }
-  const auto end = probability.begin() + static_cast<std::ptrdiff_t>(doubled_sum + 1);
-  return std::accumulate(probability.begin(), end, 0.0);
-}
-
 double exact_p(const SignedRanks& ranks, double smaller_sum) {
-  const double tail =
-      probability_up_to(doubled(ranks), static_cast<std::size_t>(std::lround(2.0 * smaller_sum)));
-  return std::min(1.0, 2.0 * tail);
+  const std::vector<double> probability = rank_sum_distribution(doubled(ranks));
+  const auto end = probability.begin() + std::lround(2.0 * smaller_sum) + 1;
+  return std::min(1.0, 2.0 * std::accumulate(probability.begin(), end, 0.0));
 }
 
 /// The variance of the sum of positive ranks is a quarter of the sum of squared ranks, which says
@@ -90,6 +71,22 @@ double approximate_p(const SignedRanks& ranks, double w_plus, double w_minus) {
 }
 
 }  // namespace
+
+// Probabilities, not counts: these would leave the range of a double.
+std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks) {
+  const std::size_t total = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
+  std::vector<double> probability(total + 1, 0.0);
+  probability[0] = 1.0;
+  std::size_t reach = 0;
+  for (const std::size_t rank : ranks) {
+    reach += rank;
+    for (std::size_t sum = reach + 1; sum-- > 0;) {
+      const double with_rank = sum >= rank ? probability[sum - rank] : 0.0;
+      probability[sum] = 0.5 * (probability[sum] + with_rank);
+    }
+  }
+  return probability;
+}
 
 std::optional<SignedRankTest> signed_rank(std::span<const double> differences, ZeroRule zeros,
                                           std::size_t largest_exact) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace foveola::analysis {
 
@@ -29,6 +30,10 @@ struct SignedRankTest {
 /// the distribution of rank sums over all signs, by dynamic programming. Above, it is the normal
 /// approximation with the variance corrected for ties and the continuity correction.
 inline constexpr std::size_t largest_exact_signed_rank = 200;
+
+/// How probable each sum of positive ranks is, from 0 to that of all `ranks`, when every sign is a
+/// fair coin.
+std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks);
 
 /// Whether differences are symmetric around zero. Empty if all are zero or there are none. Two
 /// differences are tied if their absolute values are the same number: round what was computed.

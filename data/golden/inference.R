@@ -29,6 +29,19 @@ person <- rnorm(n, 0, 0.4)
 times <- signif(exp(outer(person, log(c(12, 4, 1.3)), "+") + rnorm(3 * n, 0, 0.25)), 6)
 ratings <- function(rows, columns) matrix(sample(1:5, rows * columns, replace = TRUE), rows)
 
+# Every order of y's ranks; the same as R's own where nothing is tied.
+orders <- function(y) if (length(y) < 2) list(y) else
+  unlist(lapply(seq_along(y), function(i) lapply(orders(y[-i]), function(rest) c(y[i], rest))), FALSE)
+exact_spearman <- function(x, y) {
+  a <- rank(x)
+  sums <- sapply(orders(rank(y)), function(b) sum(a * b))
+  found <- min(1, 2 * min(mean(sums <= sum(a * rank(y))), mean(sums >= sum(a * rank(y)))))
+  if (!anyDuplicated(x) && !anyDuplicated(y)) {
+    stopifnot(abs(cor.test(x, y, method = "spearman", exact = TRUE)$p.value / found - 1) < 1e-12)
+  }
+  found
+}
+
 # Differences within participants ---------------------------------------------------------------
 strong <- signif(cbind(rnorm(400, 4, 1), rnorm(400, 0, 0.1)), 8)
 pairs <- list(
@@ -72,6 +85,17 @@ for (name in names(pairs)) {
     note(name, "ratio_high", exp(ratio$conf.int[2]))
     note(name, "ratio_p", ratio$p.value)
   }
+  walsh <- sort((outer(d, d, "+") / 2)[upper.tri(diag(length(d)), diag = TRUE)])
+  note(name, "pseudo_median", median(walsh) * unit)
+  lowest <- qsignrank(0.025, length(d))
+  if (lowest > 0 && length(d) <= 60) {
+    note(name, "pseudo_median_low", walsh[lowest] * unit)
+    note(name, "pseudo_median_high", rev(walsh)[lowest] * unit)
+    if (!any(d == 0) && !anyDuplicated(abs(d))) { # the same by R's own
+      own <- wilcox.test(d, conf.int = TRUE, exact = TRUE)
+      stopifnot(own$estimate == median(walsh), own$conf.int == c(walsh[lowest], rev(walsh)[lowest]))
+    }
+  }
   rho <- suppressWarnings(cor.test(x[, 1], x[, 2], method = "spearman", exact = FALSE))
   if (!is.na(rho$estimate) && nrow(x) > 3) {
     note(name, "rho", rho$estimate)
@@ -79,6 +103,7 @@ for (name in names(pairs)) {
     width <- qnorm(0.975) * sqrt((1 + rho$estimate^2 / 2) / (nrow(x) - 3))
     note(name, "rho_low", tanh(atanh(rho$estimate) - width))
     note(name, "rho_high", tanh(atanh(rho$estimate) + width))
+    if (nrow(x) <= 9) note(name, "rho_p_exact", exact_spearman(x[, 1], x[, 2]))
   }
 }
 
@@ -113,11 +138,28 @@ for (name in names(blocks)) {
   note(name, "f_p", pf(f, df[1], df[2], lower.tail = FALSE))
   note(name, "epsilon", epsilon)
   note(name, "f_p_gg", pf(f, epsilon * df[1], epsilon * df[2], lower.tail = FALSE))
+  corrected <- if (nrow(x) == 2) epsilon else
+    min(1, (nrow(x) * (k - 1) * epsilon - 2) / ((k - 1) * (nrow(x) - 1 - (k - 1) * epsilon)))
+  if (nrow(x) > k && k > 2) {
+    stopifnot(abs(own[1, "H-F Pr"] - pf(f, corrected * df[1], corrected * df[2], lower.tail = FALSE)) < 1e-10)
+  }
+  note(name, "huynh_feldt", corrected)
+  note(name, "f_p_hf", pf(f, corrected * df[1], corrected * df[2], lower.tail = FALSE))
   note(name, "partial_eta_squared", table[1, "Sum Sq"] / sum(table[, "Sum Sq"]))
   ranked <- friedman.test(x)
   note(name, "chi_squared", ranked$statistic)
   note(name, "chi_squared_p", ranked$p.value)
   note(name, "kendalls_w", ranked$statistic / (nrow(x) * (k - 1)))
+}
+
+# Orders of few -----------------------------------------------------------------------------------
+few <- list(ranks_of_nine = cbind(c(3, 1, 4, 15, 9, 2, 6, 5, 35), c(2, 7, 18, 28, 1, 8, 3, 14, 16)),
+  ranks_with_ties = cbind(c(1, 2, 2, 3, 5, 5, 5), c(2, 1, 4, 4, 3, 9, 7)),
+  ranks_of_three = cbind(c(1, 2, 3), c(1, 3, 2)), ranks_alike = cbind(1:6, c(2, 4, 8, 16, 32, 64)),
+  ranks_offset = cbind(1e9 + c(0.5, 0.25, 0.75, 1, 1.25), c(1, 2, 3, 4, 4)))
+for (name in names(few)) {
+  x <- keep(name, few[[name]])
+  note(name, "rho_p_exact", exact_spearman(x[, 1], x[, 2]))
 }
 
 # Several P-values --------------------------------------------------------------------------------

@@ -18,7 +18,9 @@ TEST(RankCorrelation, SpearmansIsThatOfR) {
       continue;
     }
     SCOPED_TRACE(name);
-    const Correlation found = spearman(golden_column(matrix, 0), golden_column(matrix, 1)).value();
+    const Correlation found =
+        spearman(golden_column(matrix, 0), golden_column(matrix, 1), 0.95, 0).value();
+    EXPECT_FALSE(found.exact);
     EXPECT_GOLDEN(found.r, golden.at(name + ".rho"));
     EXPECT_GOLDEN(found.p, golden.at(name + ".rho_p"));
     EXPECT_GOLDEN(found.interval->low, golden.at(name + ".rho_low"));
@@ -26,6 +28,29 @@ TEST(RankCorrelation, SpearmansIsThatOfR) {
     ++compared;
   }
   EXPECT_GE(compared, 6);
+}
+
+TEST(RankCorrelation, OfFewPairsThePValueIsExact) {
+  const auto golden = golden_inference();
+  int compared = 0;
+  for (const auto& [name, matrix] : golden_matrices()) {
+    if (!golden.contains(name + ".rho_p_exact")) {
+      continue;
+    }
+    SCOPED_TRACE(name);
+    const Correlation found = spearman(golden_column(matrix, 0), golden_column(matrix, 1)).value();
+    EXPECT_TRUE(found.exact);
+    EXPECT_GOLDEN(found.p, golden.at(name + ".rho_p_exact"));
+    ++compared;
+  }
+  EXPECT_GE(compared, 7);
+}
+
+TEST(RankCorrelation, AboveNinePairsThePValueIsApproximate) {
+  const std::vector<double> x = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  const std::vector<double> y = {2, 1, 4, 3, 6, 5, 8, 7, 10, 9};
+  EXPECT_FALSE(spearman(x, y)->exact);
+  EXPECT_TRUE(spearman(std::span(x).first(9), std::span(y).first(9))->exact);
 }
 
 TEST(RankCorrelation, OnlyTheOrderCounts) {

@@ -24,6 +24,8 @@ TEST(RepeatedMeasures, AnalysesOfVarianceAreThoseOfR) {
     EXPECT_GOLDEN(test.p, golden.at(name + ".f_p"));
     EXPECT_GOLDEN(test.greenhouse_geisser, golden.at(name + ".epsilon"));
     EXPECT_GOLDEN(test.p_greenhouse_geisser, golden.at(name + ".f_p_gg"));
+    EXPECT_GOLDEN(test.huynh_feldt, golden.at(name + ".huynh_feldt"));
+    EXPECT_GOLDEN(test.p_huynh_feldt, golden.at(name + ".f_p_hf"));
     EXPECT_GOLDEN(test.partial_eta_squared, golden.at(name + ".partial_eta_squared"));
     ++compared;
   }
