@@ -72,24 +72,84 @@ json artifact_ratings(const StudyTables& tables) {
   return rows;
 }
 
+json correlation(const std::optional<Correlation>& found) {
+  if (!found) {
+    return nullptr;
+  }
+  return {{"r", found->r},
+          {"ci95", interval(found->interval)},
+          {"t", found->t},
+          {"p_two_sided", found->p},
+          {"exact", found->exact}};
+}
+
 json background(const StudyTables& tables) {
+  json answers = json::array();
+  for (const QuestionAnswers& row : tables.background_answers) {
+    answers.push_back({{"question", row.question},
+                       {"answers", description(row.answers)},
+                       {"missing", row.missing},
+                       {"participant_kind", tables.set.kind}});
+  }
   json rows = json::array();
   for (const BackgroundCorrelation& row : tables.background_correlations) {
-    json entry = {{"mark", name_of(row.mark)},
-                  {"method", row.method},
-                  {"n", row.participants},
-                  {"pearson_r", nullptr},
-                  {"p_two_sided", nullptr},
-                  {"ci95_r", nullptr},
-                  {"participant_kind", tables.set.kind}};
-    if (row.correlation) {
-      entry["pearson_r"] = row.correlation->r;
-      entry["p_two_sided"] = row.correlation->p;
-      entry["ci95_r"] = interval(row.correlation->interval);
-    }
-    rows.push_back(std::move(entry));
+    rows.push_back({{"mark", name_of(row.mark)},
+                    {"method", row.method},
+                    {"n", row.participants},
+                    {"pearson", correlation(row.pearson)},
+                    {"spearman", correlation(row.spearman)},
+                    {"participant_kind", tables.set.kind}});
   }
-  return {{"questions", tables.background.questions}, {"correlations", rows}};
+  return {{"answers", answers},
+          {"scale", tables.background.questions},
+          {"scale_as_published", tables.background.as_published},
+          {"correlations", rows}};
+}
+
+json amended(const StudyTables& tables) {
+  json rows = json::array();
+  for (const AmendedSession& row : tables.amended) {
+    rows.push_back({{"participant", row.participant},
+                    {"protocol_sha256", row.protocol_sha256},
+                    {"changed_keys", row.changed_keys},
+                    {"analysed", row.is_analysed},
+                    {"participant_kind", row.kind}});
+  }
+  return rows;
+}
+
+json instrument(const InstrumentReport& report, const std::string& kind) {
+  json checks = json::array();
+  for (const InstrumentCheck& check : report.checks) {
+    checks.push_back({{"check", check.name},
+                      {"verdict", name_of(check.verdict)},
+                      {"found", check.found},
+                      {"limit", check.limit}});
+  }
+  json latency = json::array();
+  for (const study::FrameFigures& row : report.frames) {
+    latency.push_back({{"participant", row.participant},
+                       {"frames", row.frames},
+                       {"late_frames", row.late},
+                       {"untracked_frames", row.untracked},
+                       {"mean_gaze_age_s", row.mean_gaze_age_s},
+                       {"mean_poll_to_display_s", row.mean_to_display_s},
+                       {"longest_frame_s", row.longest_frame_s},
+                       {"longest_frame_to_mark_s", row.longest_mark_after_frame_s}});
+  }
+  json reactions = json::array();
+  for (const ReactionFloor& row : report.reactions) {
+    reactions.push_back({{"participant", row.participant},
+                         {"presses", row.presses},
+                         {"false_starts", row.false_starts},
+                         {"median_s", number(row.median_s)},
+                         {"marks", row.marks},
+                         {"marks_within_median", row.within_floor}});
+  }
+  return {{"checks", checks},
+          {"latency", latency},
+          {"reaction_times", reactions},
+          {"participant_kind", kind}};
 }
 
 }  // namespace
@@ -118,6 +178,9 @@ std::string analysis_json(const AnalysisOutput& output) {
                        {"background", background(tables)},
                        {"comparisons", comparisons_json(output.comparisons, tables.set.kind)},
                        {"omnibus", omnibus_json(output.comparisons, tables.set.kind)},
+                       {"order_effects", order_json(output.comparisons, tables.set.kind)},
+                       {"instrument", instrument(output.checks, tables.set.kind)},
+                       {"amended_sessions", amended(tables)},
                        {"excluded", tables.set.exclusions.size()}};
   return result.dump(2, ' ', false, json::error_handler_t::replace);
 }

@@ -15,4 +15,7 @@ nlohmann::ordered_json comparisons_json(const Comparisons& comparisons, const st
 /// An array with an object for each measure.
 nlohmann::ordered_json omnibus_json(const Comparisons& comparisons, const std::string& kind);
 
+/// Whether times change along the session; a change without a test is null.
+nlohmann::ordered_json order_json(const Comparisons& comparisons, const std::string& kind);
+
 }  // namespace foveola::analysis

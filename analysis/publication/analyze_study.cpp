@@ -43,6 +43,11 @@ std::vector<std::string> warnings_about(const StudyTables& tables, const Instrum
           fmt::format("The instrument missed a limit: {}: {}.", check.name, check.found));
     }
   }
+  if (const std::size_t count = tables.amended.size(); count > 0) {
+    warnings.push_back(fmt::format(
+        "{} by an amended protocol: amended_sessions.csv says which and what was changed.",
+        count == 1 ? "One session went" : fmt::format("{} sessions went", count)));
+  }
   if (const std::size_t count = tables.set.exclusions.size(); count > 0) {
     warnings.push_back(fmt::format(
         "{} left out: exclusions.csv says which and why.",
@@ -70,6 +75,7 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   files.push_back({"order_effects.csv", order_csv(comparisons, tables.set.kind)});
   append(files, latex_tables(tables, comparisons));
   files.push_back({"instrument.csv", instrument_csv(output.checks, tables.set.kind)});
+  files.push_back({"figure7_latency.csv", latency_csv(output.checks, tables.set.kind)});
   files.push_back({"reaction_times.csv", reactions_csv(output.checks, tables.set.kind)});
   files.push_back({"codebook.csv", codebook_csv()});
   files.push_back(psych_ds(tables).description);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/statistics/rank_correlation.h"
 #include "renderer/base/error.h"
 
 namespace foveola::analysis {
@@ -94,7 +95,8 @@ BackgroundCorrelation correlate_with_method(const AnalysisSet& set, const Answer
       saved.push_back(*seconds);
     }
   }
-  return {set.methods[method], mark, background.size(), pearson(background, saved)};
+  return {set.methods[method], mark, background.size(), pearson(background, saved),
+          spearman(background, saved)};
 }
 
 }  // namespace

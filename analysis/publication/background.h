@@ -34,7 +34,8 @@ struct BackgroundCorrelation {
   std::string method;
   Mark mark = Mark::outline;
   std::size_t participants = 0;  ///< with an answer to every question and a complete scene
-  std::optional<Correlation> correlation;
+  std::optional<Correlation> pearson;
+  std::optional<Correlation> spearman;
 };
 
 /// The published study averaged the answers on experience with offline rendering and with virtual

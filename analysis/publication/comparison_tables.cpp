@@ -11,12 +11,14 @@ namespace {
 /// Column by column: its name and its text in this row.
 class RowBuilder {
  public:
-  void add(const char* column, std::string text) {
-    columns_.emplace_back(column);
+  void add(const std::string& column, std::string text) {
+    columns_.push_back(column);
     fields_.push_back(std::move(text));
   }
-  void add(const char* column, std::optional<double> value) { add(column, csv_number(value)); }
-  void add(const char* column, std::size_t count) { add(column, std::to_string(count)); }
+  void add(const std::string& column, std::optional<double> value) {
+    add(column, csv_number(value));
+  }
+  void add(const std::string& column, std::size_t count) { add(column, std::to_string(count)); }
 
   const CsvRow& columns() const { return columns_; }
   const CsvRow& fields() const { return fields_; }
@@ -95,10 +97,40 @@ void add_ranks(const MethodComparison& row, RowBuilder& out) {
   out.add("rank_biserial", of([](const SignedRankTest& test) { return test.rank_biserial; }));
 }
 
+/// Of ratios in per cent or of differences in points: one of the two is empty.
+void add_pseudo_median(const MethodComparison& row, RowBuilder& out) {
+  const bool is_rating = row.measure == artifacts_measure;
+  const auto add = [&](const std::string& unit, bool is_of_it, const auto& scaled) {
+    const auto of = [&](const auto& value) {
+      return is_of_it ? number_in(row.pseudo_median, value) : std::nullopt;
+    };
+    const auto bound = [&](const auto& end) {
+      return is_of_it && row.pseudo_median && row.pseudo_median->interval
+                 ? std::optional<double>(scaled(end(*row.pseudo_median->interval)))
+                 : std::nullopt;
+    };
+    out.add("pseudo_median_" + unit,
+            of([&](const PseudoMedian& found) { return scaled(found.value); }));
+    out.add("pseudo_median_low_" + unit, bound([](const Interval& ends) { return ends.low; }));
+    out.add("pseudo_median_high_" + unit, bound([](const Interval& ends) { return ends.high; }));
+  };
+  add("ratio_percent", !is_rating, [](double log_ratio) { return 100.0 * std::exp(log_ratio); });
+  add("points", is_rating, [](double points) { return points; });
+}
+
+/// The interval is in the margin's unit: a factor of times, or points.
 void add_equivalence(const MethodComparison& row, RowBuilder& out) {
+  const bool is_rating = row.measure == artifacts_measure;
+  const auto of = [&](const auto& value) { return number_in(row.equivalent, value); };
+  const auto in_unit = [&](double bound) { return is_rating ? bound : std::exp(bound); };
   out.add("equivalence_margin", row.margin);
-  out.add("p_equivalence",
-          number_in(row.equivalent, [](const EquivalenceTest& test) { return test.p; }));
+  out.add("equivalence_interval_low",
+          of([&](const EquivalenceTest& test) { return in_unit(test.interval.low); }));
+  out.add("equivalence_interval_high",
+          of([&](const EquivalenceTest& test) { return in_unit(test.interval.high); }));
+  out.add("p_above_low_margin", of([](const EquivalenceTest& test) { return test.p_above_low; }));
+  out.add("p_below_high_margin", of([](const EquivalenceTest& test) { return test.p_below_high; }));
+  out.add("p_equivalence", of([](const EquivalenceTest& test) { return test.p; }));
 }
 
 }  // namespace
@@ -116,6 +148,7 @@ std::string comparisons_csv(const Comparisons& comparisons, const std::string& k
     add_points(row, out);
     add_t(row, out);
     add_ranks(row, out);
+    add_pseudo_median(row, out);
     out.add("p_holm", row.p_holm);
     add_bounded(row, out);
     add_equivalence(row, out);
@@ -142,6 +175,8 @@ std::string omnibus_csv(const Comparisons& comparisons, const std::string& kind)
             variance([](const auto& test) { return test.greenhouse_geisser; }));
     out.add("p_greenhouse_geisser",
             variance([](const auto& test) { return test.p_greenhouse_geisser; }));
+    out.add("epsilon_huynh_feldt", variance([](const auto& test) { return test.huynh_feldt; }));
+    out.add("p_huynh_feldt", variance([](const auto& test) { return test.p_huynh_feldt; }));
     out.add("partial_eta_squared",
             variance([](const auto& test) { return test.partial_eta_squared; }));
     out.add("friedman_chi_squared", ranks([](const auto& test) { return test.chi_squared; }));
@@ -167,7 +202,9 @@ std::string order_csv(const Comparisons& comparisons, const std::string& kind) {
     out.add("ci95_high_percent",
             of([&](const TTest& test) { return percent(test.interval.high); }));
     out.add("t", of([](const TTest& test) { return test.t; }));
+    out.add("df", of([](const TTest& test) { return test.degrees_of_freedom; }));
     out.add("p", of([](const TTest& test) { return test.p; }));
+    out.add("d_z", of([](const TTest& test) { return test.d_z; }));
     out.add("participant_kind", kind);
   }
   return csv_of(rows);

@@ -101,6 +101,7 @@ MethodComparison compare_times(const AnalysisSet& set, const study::AnalysisPlan
   comparison.ratio_bca = bca_of_ratio(pairs.differences);
   comparison.bounded = with_bounds(set, mark, method, reference);
   comparison.ranks = signed_rank(without_rounding(pairs.differences));
+  comparison.pseudo_median = pseudo_median(pairs.differences);
   if (comparison.margin) {
     comparison.equivalent =
         equivalence(pairs.differences, std::log(*comparison.margin), plan.alpha);
@@ -116,6 +117,7 @@ MethodComparison compare_ratings(const AnalysisSet& set, const study::AnalysisPl
   comparison.n = pairs.differences.size();
   comparison.points = one_sample_t(pairs.differences);
   comparison.ranks = signed_rank(without_rounding(pairs.differences));
+  comparison.pseudo_median = pseudo_median(pairs.differences);
   if (comparison.margin) {
     comparison.equivalent = equivalence(pairs.differences, *comparison.margin, plan.alpha);
   }

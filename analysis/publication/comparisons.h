@@ -11,6 +11,7 @@
 #include "analysis/statistics/equivalence.h"
 #include "analysis/statistics/friedman.h"
 #include "analysis/statistics/paired_t.h"
+#include "analysis/statistics/pseudo_median.h"
 #include "analysis/statistics/repeated_measures.h"
 #include "analysis/statistics/wilcoxon.h"
 #include "study/protocol/protocol.h"
@@ -33,6 +34,7 @@ struct MethodComparison {
   std::optional<CensoredMean> bounded;  ///< log ratio with times that ran out; only if some did
   std::optional<TTest> points;          ///< of ratings: method minus reference
   std::optional<SignedRankTest> ranks;  ///< of log ratios or rating differences; exact
+  std::optional<PseudoMedian> pseudo_median;  ///< of log ratios or rating differences
   std::optional<EquivalenceTest> equivalent;  ///< where the plan has a margin
   std::optional<double> margin;
 

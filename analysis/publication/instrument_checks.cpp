@@ -198,8 +198,9 @@ std::string_view name_of(Verdict verdict) {
 
 InstrumentReport check_instrument(const StudyTables& tables,
                                   const study::InstrumentRecords& instrument) {
-  const std::vector<study::FrameFigures> frames = analysed_frames(tables, instrument);
   InstrumentReport report;
+  report.frames = analysed_frames(tables, instrument);
+  const std::vector<study::FrameFigures>& frames = report.frames;
   report.checks = {
       check_kind(tables),
       check_frames(frames, "Frames that missed their refresh", "%", most_late_percent, "ours",
@@ -224,6 +225,21 @@ std::string instrument_csv(const InstrumentReport& report, const std::string& ki
   for (const InstrumentCheck& check : report.checks) {
     rows.push_back(
         {check.name, check.found, check.limit, std::string(name_of(check.verdict)), kind});
+  }
+  return format_csv(rows);
+}
+
+std::string latency_csv(const InstrumentReport& report, const std::string& kind) {
+  std::vector<CsvRow> rows = {{"participant", "frames", "late_frames", "untracked_frames",
+                               "mean_gaze_age_s", "mean_poll_to_display_s", "longest_frame_s",
+                               "marks", "mean_frame_to_mark_s", "longest_frame_to_mark_s",
+                               "participant_kind"}};
+  for (const study::FrameFigures& row : report.frames) {
+    rows.push_back({row.participant, std::to_string(row.frames), std::to_string(row.late),
+                    std::to_string(row.untracked), csv_number(row.mean_gaze_age_s),
+                    csv_number(row.mean_to_display_s), csv_number(row.longest_frame_s),
+                    std::to_string(row.marks), csv_number(row.mean_mark_after_frame_s),
+                    csv_number(row.longest_mark_after_frame_s), kind});
   }
   return format_csv(rows);
 }

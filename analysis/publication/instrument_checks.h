@@ -35,7 +35,8 @@ struct ReactionFloor {
 
 struct InstrumentReport {
   std::vector<InstrumentCheck> checks;
-  std::vector<ReactionFloor> reactions;  ///< of the participants who took the test
+  std::vector<study::FrameFigures> frames;  ///< of the analysed participants who have any
+  std::vector<ReactionFloor> reactions;     ///< of the participants who took the test
 };
 
 /// Dropped frames, gaze loss, latency, validation, marks against frames, order balance, and whose
@@ -44,6 +45,7 @@ InstrumentReport check_instrument(const StudyTables& tables,
                                   const study::InstrumentRecords& instrument);
 
 std::string instrument_csv(const InstrumentReport& report, const std::string& kind);
+std::string latency_csv(const InstrumentReport& report, const std::string& kind);
 std::string reactions_csv(const InstrumentReport& report, const std::string& kind);
 
 }  // namespace foveola::analysis

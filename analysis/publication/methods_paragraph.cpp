@@ -1,6 +1,7 @@
 #include "analysis/publication/methods_paragraph.h"
 
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -94,6 +95,25 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
   return text;
 }
 
+std::string amendments_in_words(const StudyTables& tables) {
+  std::size_t analysed = 0;
+  std::set<std::string> keys;
+  for (const AmendedSession& session : tables.amended) {
+    if (session.is_analysed) {
+      ++analysed;
+      keys.insert(session.changed_keys.begin(), session.changed_keys.end());
+    }
+  }
+  if (analysed == 0) {
+    return "";
+  }
+  return fmt::format(
+      " {} of the {} went by a protocol that was amended after the study had begun ({}).", analysed,
+      counted(tables.set.participants.size(), "analysed session"),
+      keys.empty() ? std::string("comments or spaces only")
+                   : "changed: " + listed({keys.begin(), keys.end()}));
+}
+
 }  // namespace
 
 std::string methods_paragraph(const StudyTables& tables, const Comparisons& comparisons,
@@ -109,7 +129,7 @@ std::string methods_paragraph(const StudyTables& tables, const Comparisons& comp
       participants_in_words(tables), counted(tables.set.scenes.size(), "scene"),
       listed(tables.set.scenes), counted(tables.set.methods.size(), "preview"),
       listed(tables.set.methods));
-  return text + orders_in_words(facts) + apparatus_in_words(facts) +
+  return text + orders_in_words(facts) + apparatus_in_words(facts) + amendments_in_words(tables) +
          analysis_in_words(tables, comparisons);
 }
 

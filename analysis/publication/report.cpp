@@ -59,8 +59,8 @@ std::string report_html(const ReportContent& content) {
           ratings_section(tables, content.figures) +
           comparisons_section(tables, content.comparisons) + background_section(tables) +
           instrument_section(tables, content.checks, content.instrument) +
-          exclusions_section(tables) + methods_text_section(content.methods) +
-          definitions_section(tables) + citation_section());
+          exclusions_section(tables) + amended_section(tables) +
+          methods_text_section(content.methods) + definitions_section(tables) + citation_section());
 }
 
 }  // namespace foveola::analysis

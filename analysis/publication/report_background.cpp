@@ -26,19 +26,26 @@ std::string background_scale_in_words(const BackgroundScale& scale) {
                    questions);
 }
 
+std::string coefficient(const std::optional<Correlation>& found) {
+  return found ? with_interval(Estimate{found->n, found->r, found->interval}, 2) : "–";
+}
+
+std::string p_of(const std::optional<Correlation>& found) {
+  return found ? p_value(found->p) : "–";
+}
+
 std::vector<std::string> correlation_row(const BackgroundCorrelation& row,
                                          const std::string& reference) {
   const std::string name =
       fmt::format("{} − {}, {}", reference, method_label(row.method), name_of(row.mark));
   const std::string n = std::to_string(row.participants);
-  if (!row.correlation) {
-    return {name, n, "–", "–", "–", "–"};
-  }
-  const Correlation& found = *row.correlation;
-  const std::string interval =
-      found.interval ? fmt::format("[{:.2f}, {:.2f}]", found.interval->low, found.interval->high)
-                     : "–";
-  return {name, n, fixed(found.r, 2), interval, fixed(found.t, 2), p_value(found.p)};
+  return {name,
+          n,
+          coefficient(row.pearson),
+          row.pearson ? fixed(row.pearson->t, 2) : "–",
+          p_of(row.pearson),
+          coefficient(row.spearman),
+          p_of(row.spearman) + (row.spearman && row.spearman->exact ? " (exact)" : "")};
 }
 
 std::string background_answers_table(const StudyTables& tables) {
@@ -67,11 +74,11 @@ std::string background_section(const StudyTables& tables) {
   }
   HtmlTable table;
   table.caption_html =
-      caption_start(tables, "Pearson correlation of background with the seconds saved.") +
-      "Seconds saved are each participant’s mean over scenes. The interval is for r, 95 %; P is "
-      "two-sided. A dash: not defined, because of fewer than three participants or constant "
-      "values.";
-  table.columns = {"Seconds saved", "n", "r", "95 % interval", "t", "P"};
+      caption_start(tables, "Correlation of background with the seconds saved.") +
+      "Pearson’s r of the values and Spearman’s ρ of their ranks, with 95 % intervals. Seconds "
+      "saved are each participant’s mean over scenes; P is two-sided. A dash: not defined, because "
+      "of fewer than three participants or constant values.";
+  table.columns = {"Seconds saved", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
   for (const BackgroundCorrelation& row : tables.background_correlations) {
     table.rows.push_back(correlation_row(row, baseline_label(tables)));
   }

@@ -37,7 +37,6 @@ std::vector<std::string> ratio_row(const MethodComparison& row) {
     cells.insert(cells.end(), 6, "–");
   }
   cells.push_back(row.ranks ? p_value(row.ranks->p) : "–");
-  cells.push_back(fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2));
   return cells;
 }
 
@@ -49,11 +48,50 @@ std::string ratio_table(const StudyTables& tables, const Comparisons& comparison
       "Ratio of times in per cent: geometric mean over participants with t interval, then BCa "
       "bootstrap interval; paired t on logarithms; Wilcoxon signed-rank.";
   table.columns = {"Methods, mark", "n",   "ratio, % [95 %]", "BCa 95 %", "t (df)", "P",
-                   "P, Holm",       "d_z", "P, Wilcoxon",     "r, rank"};
+                   "P, Holm",       "d_z", "P, Wilcoxon"};
   for (const MethodComparison& row : comparisons.methods) {
     if (row.measure != artifacts_measure && row.primary == primary) {
       table.rows.push_back(ratio_row(row));
     }
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
+/// A pseudo-median with its interval, both as `scaled` makes them of the values tested.
+template <typename Scaled>
+std::string pseudo_median_text(const MethodComparison& row, int decimals, const Scaled& scaled) {
+  if (!row.pseudo_median) {
+    return "–";
+  }
+  const PseudoMedian& found = *row.pseudo_median;
+  Estimate estimate{found.n, scaled(found.value), std::nullopt};
+  if (found.interval) {
+    estimate.interval = {scaled(found.interval->low), scaled(found.interval->high)};
+  }
+  return with_interval(estimate, decimals);
+}
+
+std::string rank_sums(const MethodComparison& row) {
+  return row.ranks ? fmt::format("{:g} / {:g}", row.ranks->w_plus, row.ranks->w_minus) : "–";
+}
+
+std::string rank_table(const StudyTables& tables, const Comparisons& comparisons) {
+  HtmlTable table;
+  table.caption_html = caption_start(tables, "Times by ranks.") +
+                       "Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges "
+                       "and Lehmann’s estimate of the ratio.";
+  table.columns = {"Methods, mark", "n",       "of these zero",          "W+ / W−",
+                   "P, Wilcoxon",   "r, rank", "pseudo-median, % [95 %]"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.measure == artifacts_measure) {
+      continue;
+    }
+    table.rows.push_back(
+        {pair_name(row) + (row.primary ? " (planned)" : ""), std::to_string(row.n),
+         row.ranks ? std::to_string(row.ranks->zeros) : "–", rank_sums(row),
+         row.ranks ? p_value(row.ranks->p) + (row.ranks->exact ? "" : " (approximate)") : "–",
+         fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2),
+         pseudo_median_text(row, 1, [](double value) { return 100.0 * std::exp(value); })});
   }
   return table.rows.empty() ? "" : render(table);
 }
@@ -87,7 +125,8 @@ std::vector<std::string> rating_row(const MethodComparison& row) {
           row.points
               ? fmt::format("{:.2f} {}", row.points->mean, bracketed(row.points->interval, 1.0, 2))
               : "–",
-          row.ranks ? fmt::format("{:g} / {:g}", row.ranks->w_plus, row.ranks->w_minus) : "–",
+          pseudo_median_text(row, 2, [](double points) { return points; }),
+          rank_sums(row),
           row.ranks ? p_value(row.ranks->p) : "–",
           p_or_dash(row.p_holm),
           fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2)};
@@ -99,8 +138,14 @@ std::string rating_table(const StudyTables& tables, const Comparisons& compariso
       caption_start(tables, "Artifact ratings, method against method.") +
       "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
       "participants; the difference of means stands beside it as in the published study.";
-  table.columns = {"Methods", "n",      "difference, points [95 %]", "W+ / W−", "P, Wilcoxon",
-                   "P, Holm", "r, rank"};
+  table.columns = {"Methods",
+                   "n",
+                   "difference, points [95 %]",
+                   "pseudo-median [95 %]",
+                   "W+ / W−",
+                   "P, Wilcoxon",
+                   "P, Holm",
+                   "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
     if (row.measure == artifacts_measure) {
       table.rows.push_back(rating_row(row));
@@ -138,11 +183,12 @@ std::vector<std::string> omnibus_row(const OmnibusTest& row) {
     cells.push_back(fmt::format("{:.2f} ({:.2f}, {:.2f})", found.f,
                                 found.greenhouse_geisser * found.degrees_of_freedom,
                                 found.greenhouse_geisser * found.residual_degrees_of_freedom));
-    cells.push_back(fmt::format("{:.3f}", found.greenhouse_geisser));
+    cells.push_back(fmt::format("{:.3f} / {:.3f}", found.greenhouse_geisser, found.huynh_feldt));
     cells.push_back(p_value(found.p_greenhouse_geisser));
+    cells.push_back(p_value(found.p_huynh_feldt));
     cells.push_back(fmt::format("{:.2f}", found.partial_eta_squared));
   } else {
-    cells.insert(cells.end(), 4, "–");
+    cells.insert(cells.end(), 5, "–");
   }
   if (row.ranks) {
     cells.push_back(
@@ -161,9 +207,11 @@ std::string omnibus_table(const StudyTables& tables, const Comparisons& comparis
   table.caption_html =
       caption_start(tables, "All methods at once.") +
       "Repeated-measures analysis of variance of log times with Greenhouse and Geisser’s "
-      "correction; Friedman’s test, with ties; participants with a gap are left out of both.";
-  table.columns = {"Measure", "F (df)",      "ε", "P",       "partial η²",
-                   "χ² (df)", "P, Friedman", "W", "left out"};
+      "correction, the degrees of freedom so corrected, and Huynh and Feldt’s beside it; "
+      "Friedman’s "
+      "test, with ties; participants with a gap are left out of both.";
+  table.columns = {"Measure",    "F (df)",  "ε, GG / HF",  "P, GG", "P, HF",
+                   "partial η²", "χ² (df)", "P, Friedman", "W",     "left out"};
   for (const OmnibusTest& row : comparisons.omnibus) {
     table.rows.push_back(omnibus_row(row));
   }
@@ -175,11 +223,11 @@ std::string order_table(const StudyTables& tables, const Comparisons& comparison
   table.caption_html = caption_start(tables, "Order and learning.") +
                        "Change of the time with each step, with 95 % interval over participants; "
                        "participants, scenes and methods are taken out first.";
-  table.columns = {"Mark, per", "n", "change, % [95 %]", "t (df)", "P"};
+  table.columns = {"Mark, per", "n", "change, % [95 %]", "t (df)", "P", "d_z"};
   for (const OrderTest& row : comparisons.order) {
     const std::string name = fmt::format("{}, {}", name_of(row.mark), row.of);
     if (!row.change_per_step) {
-      table.rows.push_back({name, "–", "–", "–", "–"});
+      table.rows.push_back({name, "–", "–", "–", "–", "–"});
       continue;
     }
     const TTest& test = *row.change_per_step;
@@ -187,7 +235,8 @@ std::string order_table(const StudyTables& tables, const Comparisons& comparison
     table.rows.push_back(
         {name, std::to_string(test.n),
          fmt::format("{:.1f} {}", 100.0 * std::expm1(test.mean), bracketed(change, 100.0, 1)),
-         fmt::format("{:.2f} ({:g})", test.t, test.degrees_of_freedom), p_value(test.p)});
+         fmt::format("{:.2f} ({:g})", test.t, test.degrees_of_freedom), p_value(test.p),
+         fixed(test.d_z, 2)});
   }
   return render(table);
 }
@@ -221,9 +270,9 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
       fmt::format("<p>{}</p>\n",
                   escape_html(plan_in_words(comparisons, tables.set.participants.size()))) +
           ratio_table(tables, comparisons, true) + ratio_table(tables, comparisons, false) +
-          bounded_table(tables, comparisons) + rating_table(tables, comparisons) +
-          equivalence_table(tables, comparisons) + omnibus_table(tables, comparisons) +
-          order_table(tables, comparisons));
+          rank_table(tables, comparisons) + bounded_table(tables, comparisons) +
+          rating_table(tables, comparisons) + equivalence_table(tables, comparisons) +
+          omnibus_table(tables, comparisons) + order_table(tables, comparisons));
 }
 
 }  // namespace foveola::analysis

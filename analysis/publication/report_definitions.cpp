@@ -49,6 +49,15 @@ std::string definitions_section(const StudyTables& tables) {
       "differences of zero and is exact, with ties, up to 200 participants, above which it is "
       "the normal approximation with corrections for ties and continuity. r, rank: the "
       "matched-pairs rank-biserial correlation, (W+ − W−)/(W+ + W−).");
+  define("Pseudo-median",
+         "Hodges and Lehmann’s: the median of the means of all pairs of participants’ values, each "
+         "with itself too, of log ratios or of rating differences. Its interval inverts the "
+         "signed-rank test, exact without ties up to 200 participants; of fewer than six "
+         "participants there is none of 95 %.");
+  define("ε",
+         "How far the analysis of variance is from its assumption that differences between methods "
+         "vary alike: 1 if they do. Greenhouse and Geisser’s (GG) is the one to rely on; Huynh and "
+         "Feldt’s (HF) is less strict. P is with both degrees of freedom times ε.");
   define("BCa",
          "Bias-corrected and accelerated bootstrap over participants, 9999 resamples (fewer above "
          "2000 participants), a fixed seed. Of 16 participants it covers about 92 %, where the t "
@@ -66,7 +75,9 @@ std::string definitions_section(const StudyTables& tables) {
          "and say so.");
   define("P",
          "Of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees of freedom. "
-         "The interval of r is Fisher’s z. None is corrected for the number of comparisons.");
+         "Spearman’s is of the same form, but exact, over all orders of the ranks, for up to nine "
+         "participants. Intervals are Fisher’s z, for ρ with the variance (1 + ρ²/2)/(n − 3) of "
+         "Bonett and Wright. None is corrected for the number of comparisons.");
   return html_section("Definitions", html + "</dl>\n");
 }
 

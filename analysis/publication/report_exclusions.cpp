@@ -10,8 +10,41 @@
 
 namespace foveola::analysis {
 
+namespace {
+
+constexpr std::size_t most_rows = 100;
+
+std::string rest_in_words(std::size_t rows, const char* file) {
+  return rows > most_rows
+             ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - most_rows, file)
+             : "";
+}
+
+}  // namespace
+
+std::string amended_section(const StudyTables& tables) {
+  if (tables.amended.empty()) {
+    return html_section("Amended sessions",
+                        "<p>None: every session went by the protocol of the study.</p>\n");
+  }
+  HtmlTable table;
+  table.numeric = false;
+  table.caption_html = caption_start(tables, "Sessions by an amended protocol.") +
+                       "Words or time-outs were changed after the study had begun; the design was "
+                       "not. They are analysed with the others where a session is.";
+  table.columns = {"Participant", "Changed keys", "SHA-256 of the text", "Analysed"};
+  for (std::size_t i = 0; i < std::min(most_rows, tables.amended.size()); ++i) {
+    const AmendedSession& row = tables.amended[i];
+    table.rows.push_back(
+        {row.participant,
+         row.changed_keys.empty() ? "none: comments or spaces only" : listed(row.changed_keys),
+         row.protocol_sha256, row.is_analysed ? "yes" : "no"});
+  }
+  return html_section("Amended sessions",
+                      render(table) + rest_in_words(tables.amended.size(), "amended_sessions.csv"));
+}
+
 std::string exclusions_section(const StudyTables& tables) {
-  constexpr std::size_t most_rows = 100;
   const std::vector<Exclusion>& exclusions = tables.set.exclusions;
   if (exclusions.empty()) {
     return html_section("What was left out",
@@ -37,12 +70,8 @@ std::string exclusions_section(const StudyTables& tables) {
                           or_all(row.method.empty() ? "" : method_label(row.method)),
                           or_all(row.measure), row.reason});
   }
-  html += render(table);
-  if (exclusions.size() > most_rows) {
-    html += fmt::format("<p>And {} more in <code>exclusions.csv</code>.</p>\n",
-                        exclusions.size() - most_rows);
-  }
-  return html_section("What was left out", html);
+  return html_section("What was left out",
+                      html + render(table) + rest_in_words(exclusions.size(), "exclusions.csv"));
 }
 
 }  // namespace foveola::analysis

@@ -37,6 +37,9 @@ std::string instrument_flags(const StudyTables& tables, const InstrumentReport& 
 std::string instrument_section(const StudyTables& tables, const InstrumentReport& report,
                                const study::InstrumentRecords& instrument);
 
+/// The sessions that went by an amended protocol, and which of its keys had changed.
+std::string amended_section(const StudyTables& tables);
+
 /// What no number uses, and why.
 std::string exclusions_section(const StudyTables& tables);
 

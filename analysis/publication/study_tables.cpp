@@ -1,5 +1,6 @@
 #include "analysis/publication/study_tables.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace foveola::analysis {
@@ -98,6 +99,19 @@ std::size_t count_incomplete_scenes(const AnalysisSet& set) {
   return count;
 }
 
+std::vector<AmendedSession> list_amended(const study::StudyRecords& records,
+                                         const AnalysisSet& set) {
+  std::vector<AmendedSession> amended;
+  for (const auto& [participant, amendment] : records.amended) {
+    const auto kind = set.kinds.find(participant);
+    const bool is_analysed = std::find(set.participants.begin(), set.participants.end(),
+                                       participant) != set.participants.end();
+    amended.push_back({participant, kind == set.kinds.end() ? "" : kind->second, is_analysed,
+                       amendment.sha256, amendment.changed});
+  }
+  return amended;
+}
+
 }  // namespace
 
 const SceneTimes& StudyTables::scene_times_of(Mark mark, std::size_t scene,
@@ -141,6 +155,7 @@ StudyTables tabulate_study(const study::StudyRecords& records) {
   tables.background = choose_background_scale(records.background);
   tables.background_correlations = correlate_background(set, records.background, tables.background);
   exclude(list_missing_answers(set, records.background, tables.background), tables.set);
+  tables.amended = list_amended(records, set);
   tables.incomplete_scenes = count_incomplete_scenes(set);
   return tables;
 }

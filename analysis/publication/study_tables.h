@@ -55,6 +55,15 @@ struct MethodRatings {
   int missing = 0;
 };
 
+/// A session of the file that went by other words or time-outs than the study's protocol has.
+struct AmendedSession {
+  std::string participant;
+  std::string kind;                       ///< as AnalysisSet::kind
+  bool is_analysed = false;               ///< counts in the numbers here
+  std::string protocol_sha256;            ///< of the text that it went by
+  std::vector<std::string> changed_keys;  ///< none if only comments or spaces changed
+};
+
 struct StudyTables {
   std::string protocol_name;
   std::string protocol_title;
@@ -67,6 +76,7 @@ struct StudyTables {
   std::vector<QuestionAnswers> background_answers;  ///< Table 1
   BackgroundScale background;
   std::vector<BackgroundCorrelation> background_correlations;  ///< mark by mark, without baseline
+  std::vector<AmendedSession> amended;
   std::size_t incomplete_scenes = 0;  ///< (participant, scene, mark) triples left out of Fig. 5
 
   const SceneTimes& scene_times_of(Mark mark, std::size_t scene, std::size_t method) const;

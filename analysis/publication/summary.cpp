@@ -113,8 +113,8 @@ std::string background_block(const StudyTables& tables) {
     rows.push_back(
         {fmt::format("{} − {}, {}", printable(method_label(tables.set.methods[baseline])),
                      printable(method_label(row.method)), name_of(row.mark)),
-         std::to_string(row.participants), row.correlation ? fixed(row.correlation->r, 2) : "–",
-         row.correlation ? p_value(row.correlation->p) : "–"});
+         std::to_string(row.participants), row.pearson ? fixed(row.pearson->r, 2) : "–",
+         row.pearson ? p_value(row.pearson->p) : "–"});
   }
   return fmt::format("Background ({}) against speed-up{}\n{}",
                      printable(listed(tables.background.questions)), notice(tables), aligned(rows));

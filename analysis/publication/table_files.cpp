@@ -76,28 +76,29 @@ std::string ratings_csv(const StudyTables& tables) {
   return finished_csv(std::move(rows), tables);
 }
 
-/// n, r, t, P and the interval of r; empty fields where the correlation is not defined.
-CsvRow correlation_fields(const BackgroundCorrelation& row) {
-  if (!row.correlation) {
-    return {std::to_string(row.participants), "", "", "", "", ""};
+/// The coefficient, t, P and the coefficient's interval; empty fields where it is not defined.
+CsvRow correlation_fields(const std::optional<Correlation>& found) {
+  if (!found) {
+    return {"", "", "", "", ""};
   }
-  const Correlation& found = *row.correlation;
-  return {std::to_string(row.participants),
-          csv_number(found.r),
-          csv_number(found.t),
-          csv_number(found.p),
-          found.interval ? csv_number(found.interval->low) : "",
-          found.interval ? csv_number(found.interval->high) : ""};
+  return {csv_number(found->r), csv_number(found->t), csv_number(found->p),
+          found->interval ? csv_number(found->interval->low) : "",
+          found->interval ? csv_number(found->interval->high) : ""};
 }
 
 std::string background_csv(const StudyTables& tables) {
   std::vector<CsvRow> rows = {{"mark", "method", "background_questions", "n", "pearson_r", "t",
-                               "p_two_sided", "ci95_low_r", "ci95_high_r"}};
+                               "p_two_sided", "ci95_low_r", "ci95_high_r", "spearman_rho", "t_rho",
+                               "p_rho", "ci95_low_rho", "ci95_high_rho", "p_rho_exact"}};
   const std::string questions = fmt::format("{}", fmt::join(tables.background.questions, "+"));
   for (const BackgroundCorrelation& correlation : tables.background_correlations) {
-    CsvRow row = {std::string(name_of(correlation.mark)), correlation.method, questions};
-    const CsvRow fields = correlation_fields(correlation);
-    row.insert(row.end(), fields.begin(), fields.end());
+    CsvRow row = {std::string(name_of(correlation.mark)), correlation.method, questions,
+                  std::to_string(correlation.participants)};
+    for (const auto* found : {&correlation.pearson, &correlation.spearman}) {
+      const CsvRow fields = correlation_fields(*found);
+      row.insert(row.end(), fields.begin(), fields.end());
+    }
+    row.emplace_back(!correlation.spearman ? "" : correlation.spearman->exact ? "true" : "false");
     rows.push_back(std::move(row));
   }
   return finished_csv(std::move(rows), tables);
@@ -111,6 +112,17 @@ std::string background_answers_csv(const StudyTables& tables) {
                     std::to_string(row.missing)});
   }
   return finished_csv(std::move(rows), tables);
+}
+
+std::string amended_csv(const StudyTables& tables) {
+  std::vector<CsvRow> rows = {
+      {"participant", "protocol_sha256", "changed_keys", "analysed", "participant_kind"}};
+  for (const AmendedSession& row : tables.amended) {
+    rows.push_back({row.participant, row.protocol_sha256,
+                    fmt::format("{}", fmt::join(row.changed_keys, " ")),
+                    row.is_analysed ? "true" : "false", row.kind});
+  }
+  return format_csv(rows);
 }
 
 std::string exclusions_csv(const StudyTables& tables) {
@@ -132,7 +144,8 @@ std::vector<TextFile> table_files(const StudyTables& tables) {
           {"figure5_geometric_means.csv", method_times_csv(tables)},
           {"figure6_artifact_ratings.csv", ratings_csv(tables)},
           {"background_correlation.csv", background_csv(tables)},
-          {"exclusions.csv", exclusions_csv(tables)}};
+          {"exclusions.csv", exclusions_csv(tables)},
+          {"amended_sessions.csv", amended_csv(tables)}};
 }
 
 }  // namespace foveola::analysis

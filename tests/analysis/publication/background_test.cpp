@@ -71,10 +71,13 @@ TEST(Background, CorrelatesTheMeanAnswerWithTheSecondsSaved) {
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].method, "fv");
   EXPECT_EQ(rows[0].participants, 4U);
-  EXPECT_DOUBLE_EQ(rows[0].correlation->r, -1.0);
+  EXPECT_DOUBLE_EQ(rows[0].pearson->r, -1.0);
+  EXPECT_DOUBLE_EQ(rows[0].spearman->r, -1.0);
+  EXPECT_DOUBLE_EQ(rows[0].spearman->p, 2.0 / 24.0);
   EXPECT_EQ(rows[1].mark, Mark::material);
   EXPECT_EQ(rows[1].participants, 0U);
-  EXPECT_FALSE(rows[1].correlation);
+  EXPECT_FALSE(rows[1].pearson);
+  EXPECT_FALSE(rows[1].spearman);
 }
 
 TEST(Background, AParticipantWithoutEveryAnswerIsLeftOut) {

@@ -66,7 +66,17 @@ TEST(Report, IsOnePageWithItsFiguresInside) {
 TEST(Report, HasTheNumbersOfR) {
   const std::string html = report_of(golden_study_records());
   EXPECT_THAT(html, HasSubstr("10.1 [9.2, 11.0]"));
-  EXPECT_THAT(html, HasSubstr("<td>[-0.92, 0.14]</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>-0.62 [-0.92, 0.14]</td>"));
+}
+
+TEST(Report, SaysWhichSessionsWereAmendedAndHow) {
+  study::StudyRecords records = golden_study_records();
+  EXPECT_THAT(report_of(records), HasSubstr("None: every session went by the protocol"));
+  records.amended.push_back({"P02", {"0a1b2c", {"timing.timeout_s"}, "title = 'x'"}});
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">P02</th><td>timing.timeout_s</td><td>0a1b2c</td>"
+                              "<td>yes</td>"));
+  EXPECT_THAT(html, HasSubstr("1 of the 8 analysed sessions went by a protocol that was amended"));
 }
 
 TEST(Report, NamesTheProtocolAndThePaper) {

@@ -96,12 +96,12 @@ TEST(StudyTables, BackgroundCorrelationIsThatOfR) {
   EXPECT_TRUE(tables.background.as_published);
   ASSERT_EQ(tables.background_correlations.size(), 4U);
   for (const BackgroundCorrelation& row : tables.background_correlations) {
-    ASSERT_TRUE(row.correlation);
+    ASSERT_TRUE(row.pearson);
     EXPECT_EQ(row.participants, 8U);
-    EXPECT_GOLDEN(row.correlation->r, golden.at(key(row.mark, row.method, "r")));
-    EXPECT_GOLDEN(row.correlation->p, golden.at(key(row.mark, row.method, "p")));
-    EXPECT_GOLDEN(row.correlation->interval->low, golden.at(key(row.mark, row.method, "r_low")));
-    EXPECT_GOLDEN(row.correlation->interval->high, golden.at(key(row.mark, row.method, "r_high")));
+    EXPECT_GOLDEN(row.pearson->r, golden.at(key(row.mark, row.method, "r")));
+    EXPECT_GOLDEN(row.pearson->p, golden.at(key(row.mark, row.method, "p")));
+    EXPECT_GOLDEN(row.pearson->interval->low, golden.at(key(row.mark, row.method, "r_low")));
+    EXPECT_GOLDEN(row.pearson->interval->high, golden.at(key(row.mark, row.method, "r_high")));
   }
 }
 
@@ -190,8 +190,8 @@ TEST(StudyTables, PercentagesDoNotDependOnTheUnit) {
     }
   }
   for (std::size_t i = 0; i < in_seconds.background_correlations.size(); ++i) {
-    EXPECT_GOLDEN(in_milliseconds.background_correlations[i].correlation->p,
-                  in_seconds.background_correlations[i].correlation->p);
+    EXPECT_GOLDEN(in_milliseconds.background_correlations[i].pearson->p,
+                  in_seconds.background_correlations[i].pearson->p);
   }
 }
 
@@ -205,7 +205,7 @@ TEST(StudyTables, OneParticipantHasValuesWithoutSpread) {
     EXPECT_TRUE(times.seconds);
     EXPECT_FALSE(times.seconds->interval);
   }
-  EXPECT_FALSE(tables.background_correlations.front().correlation);
+  EXPECT_FALSE(tables.background_correlations.front().pearson);
 }
 
 TEST(StudyTables, OneMethodHasNothingToCompare) {

@@ -36,12 +36,26 @@ TEST(TableFiles, ColumnsAreFixedAndNameTheirUnits) {
   EXPECT_THAT(table(tables, "figure6_artifact_ratings.csv").at(0),
               ElementsAre("method", "n", "mean", "sd", "median", "count_1", "count_2", "count_3",
                           "count_4", "count_5", "missing", "participant_kind"));
-  EXPECT_THAT(table(tables, "background_correlation.csv").at(0),
-              ElementsAre("mark", "method", "background_questions", "n", "pearson_r", "t",
-                          "p_two_sided", "ci95_low_r", "ci95_high_r", "participant_kind"));
+  EXPECT_THAT(
+      table(tables, "background_correlation.csv").at(0),
+      ElementsAre("mark", "method", "background_questions", "n", "pearson_r", "t", "p_two_sided",
+                  "ci95_low_r", "ci95_high_r", "spearman_rho", "t_rho", "p_rho", "ci95_low_rho",
+                  "ci95_high_rho", "p_rho_exact", "participant_kind"));
   EXPECT_THAT(
       table(tables, "exclusions.csv").at(0),
       ElementsAre("participant", "scene", "method", "measure", "reason", "participant_kind"));
+}
+
+TEST(TableFiles, AmendedSessionsAreListed) {
+  study::StudyRecords records = complete_study(3);
+  records.amended.push_back({"P2", {"0a1b", {"timing.timeout_s", "texts.rest"}, "title = 'x'"}});
+  records.sessions[2].state = "interrupted";
+  records.amended.push_back({"P3", {"2c3d", {}, "title = 'y'"}});
+  EXPECT_THAT(table(tabulate_study(records), "amended_sessions.csv"),
+              ElementsAre(ElementsAre("participant", "protocol_sha256", "changed_keys", "analysed",
+                                      "participant_kind"),
+                          ElementsAre("P2", "0a1b", "timing.timeout_s texts.rest", "true", "human"),
+                          ElementsAre("P3", "2c3d", "", "false", "human")));
 }
 
 TEST(TableFiles, EveryRowHasEveryColumn) {
@@ -70,7 +84,7 @@ TEST(TableFiles, WhatDoesNotExistIsEmpty) {
   EXPECT_EQ(baseline_row.at(8), "");
   EXPECT_THAT(table(tables, "background_correlation.csv").at(1),
               ElementsAre("outline", "vp", "offline_rendering+virtual_reality", "1", "", "", "", "",
-                          "", "human"));
+                          "", "", "", "", "", "", "", "human"));
 }
 
 TEST(TableFiles, SimulatedParticipantsAreSaidToBe) {
@@ -91,6 +105,7 @@ TEST(TableFiles, EveryTableSaysWhoseDataItShows) {
       session.kind = kind;
     }
     records.trials[0].artifact_rating.reset();
+    records.amended = {{"P1", {"0a1b", {"texts.rest"}, "title = 'x'"}}};
     for (const TextFile& file : table_files(tabulate_study(records))) {
       const std::vector<CsvRow> rows = parse_csv(file.content, file.name);
       ASSERT_GT(rows.size(), 1U) << file.name;
