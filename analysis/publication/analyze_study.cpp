@@ -8,6 +8,7 @@
 
 #include "analysis/publication/analysis_plan.h"
 #include "analysis/publication/bids.h"
+#include "analysis/publication/bids_eye_tracking.h"
 #include "analysis/publication/comparison_tables.h"
 #include "analysis/publication/figures.h"
 #include "analysis/publication/latex_tables.h"
@@ -111,11 +112,35 @@ void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path
   write_output(folder, shared.participants_name, participants, output);
 }
 
+/// The behavioural data, and the gaze of whoever is among them, an attempt in memory at a time.
+void write_bids(const std::vector<study::BackgroundRow>& answers,
+                const std::vector<study::GazeRunRow>& validations, const GazeReader& read_gaze,
+                const fs::path& folder, AnalysisOutput& output) {
+  for (const TextFile& file : bids_files(output.tables, answers)) {
+    write_output(folder, file.name, file.content, output);
+  }
+  if (!read_gaze) {
+    return;
+  }
+  EyeTrackingExport eyes(output.tables.set, validations);
+  read_gaze([&](const study::AttemptGaze& attempt) {
+    for (const TextFile& file : eyes.files_of(attempt)) {
+      write_output(folder, file.name, file.content, output);
+    }
+  });
+  if (eyes.too_short() > 0) {
+    output.warnings.push_back(
+        fmt::format("{} of gaze too short for a sampling frequency, and not in the BIDS files.",
+                    eyes.too_short() == 1 ? "One recording is"
+                                          : fmt::format("{} recordings are", eyes.too_short())));
+  }
+}
+
 }  // namespace
 
 AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument, const fs::path& folder,
-                               const AnalysisOptions& options) {
+                               const AnalysisOptions& options, const GazeReader& read_gaze) {
   AnalysisOutput output;
   output.tables = tabulate_study(records);
   // The tables hold what the trials say, and there may be millions.
@@ -130,9 +155,7 @@ AnalysisOutput analyze_records(study::StudyRecords records,
   make_output_folder(folder);
   write_data(records.background, folder, output);
   if (options.bids) {
-    for (const TextFile& file : bids_files(output.tables, records.background)) {
-      write_output(folder, file.name, file.content, output);
-    }
+    write_bids(records.background, instrument.gaze_runs, read_gaze, folder, output);
   }
   for (const TextFile& file : files) {
     write_output(folder, file.name, file.content, output);
@@ -144,7 +167,7 @@ AnalysisOutput analyze_records(study::StudyRecords records,
 AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder,
                              const AnalysisOptions& options) {
   return analyze_records(study::read_study(database), study::read_instrument(database), folder,
-                         options);
+                         options, [&](const auto& visit) { study::visit_gaze(database, visit); });
 }
 
 }  // namespace foveola::analysis

@@ -2,18 +2,23 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "analysis/publication/comparisons.h"
 #include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/study_tables.h"
+#include "study/record/recorded_gaze.h"
 
 namespace foveola::analysis {
 
 struct AnalysisOptions {
   bool bids = false;  ///< also bids/, with a folder for each participant
 };
+
+/// Calls its argument for every attempt's gaze, as study::visit_gaze does; empty: there is none.
+using GazeReader = std::function<void(const std::function<void(const study::AttemptGaze&)>&)>;
 
 struct AnalysisOutput {
   std::filesystem::path report;              ///< report.html
@@ -37,6 +42,7 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
 AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument,
                                const std::filesystem::path& folder,
-                               const AnalysisOptions& options = {});
+                               const AnalysisOptions& options = {},
+                               const GazeReader& read_gaze = {});
 
 }  // namespace foveola::analysis

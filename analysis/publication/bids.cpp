@@ -18,6 +18,8 @@ namespace {
 
 using BidsJson = nlohmann::ordered_json;
 
+constexpr const char* bids_version = "1.11.1";
+
 std::string bids_json(const BidsJson& json) {
   return json.dump(2, ' ', false, BidsJson::error_handler_t::replace) + "\n";
 }
@@ -41,21 +43,6 @@ std::string letters_and_digits(const std::string& code) {
   return label.empty() ? "x" : label;
 }
 
-/// In the order of the participants, each another.
-std::vector<std::string> labels_of(const std::vector<std::string>& participants) {
-  std::set<std::string> taken;
-  std::vector<std::string> labels;
-  for (const std::string& code : participants) {
-    const std::string plain = letters_and_digits(code);
-    std::string label = plain;
-    for (int number = 2; !taken.insert(label).second; ++number) {
-      label = fmt::format("{}n{}", plain, number);
-    }
-    labels.push_back(label);
-  }
-  return labels;
-}
-
 std::string description_json(const StudyTables& tables) {
   const std::string warning = data_warning(tables);
   const std::string& title =
@@ -64,7 +51,7 @@ std::string description_json(const StudyTables& tables) {
   generator["Name"] = "Foveola";
   BidsJson json;
   json["Name"] = warning.empty() ? title : title + " (" + data_notice(tables) + ")";
-  json["BIDSVersion"] = "1.8.0";
+  json["BIDSVersion"] = bids_version;
   json["DatasetType"] = "raw";
   json["GeneratedBy"] = BidsJson::array();
   json["GeneratedBy"].push_back(generator);
@@ -152,12 +139,41 @@ std::string behaviour_tsv(const AnalysisSet& set, std::size_t participant) {
   return text;
 }
 
+std::string readme(const StudyTables& tables) {
+  const std::string warning = data_warning(tables);
+  return fmt::format(
+      "{}\n\n{}The task \"preview\": participants looked at scenes while they were rendered, and "
+      "marked when the\noutline of an object and when its material was visible.\n\n"
+      "*_beh.tsv has a row for each trial of an analysed participant.\n"
+      "*_run-<index>_recording-eye1_physio.tsv.gz, where gaze was recorded, has the gaze of one "
+      "timing of a\ntrial; runs count these in the order of the session, trials that were timed "
+      "again and practice included.\nIts .json says which trial it is, and "
+      "*_physioevents.tsv.gz has the first frame, the marks and the eye's\nmovements.\n",
+      tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title,
+      warning.empty() ? "" : warning + "\n\n");
+}
+
 }  // namespace
+
+std::vector<std::string> bids_labels(const AnalysisSet& set) {
+  std::set<std::string> taken;
+  std::vector<std::string> labels;
+  for (const std::string& code : set.participants) {
+    const std::string plain = letters_and_digits(code);
+    std::string label = plain;
+    for (int number = 2; !taken.insert(label).second; ++number) {
+      label = fmt::format("{}n{}", plain, number);
+    }
+    labels.push_back(label);
+  }
+  return labels;
+}
 
 std::vector<TextFile> bids_files(const StudyTables& tables,
                                  const std::vector<study::BackgroundRow>& answers) {
-  const std::vector<std::string> labels = labels_of(tables.set.participants);
+  const std::vector<std::string> labels = bids_labels(tables.set);
   std::vector<TextFile> files = {
+      {"bids/README", readme(tables)},
       {"bids/dataset_description.json", description_json(tables)},
       {"bids/participants.tsv", participants_tsv(tables, answers, labels)},
       {"bids/participants.json", participants_json()},

@@ -1,4 +1,4 @@
-// The behavioural data as the Brain Imaging Data Structure (BIDS 1.8) lays them out.
+// The behavioural data as the Brain Imaging Data Structure (BIDS 1.11.1) lays them out.
 #pragma once
 
 #include <string>
@@ -10,11 +10,14 @@
 
 namespace foveola::analysis {
 
-/// bids/dataset_description.json, participants.tsv with its sidecar, task-preview_beh.json, and
-/// sub-LABEL/beh/sub-LABEL_task-preview_beh.tsv for each analysed participant, whose rows are
-/// trials in the order in which they were planned. LABEL has the letters and digits of the
-/// participant's code, and a number behind them where two codes have the same; participants.tsv
-/// has the codes. Missing values are "n/a".
+/// The participants' labels in BIDS, in the order of tables.set.participants, each another: the
+/// letters and digits of the code, and a number behind them where two codes have the same.
+std::vector<std::string> bids_labels(const AnalysisSet& set);
+
+/// bids/README, dataset_description.json, participants.tsv with its sidecar, task-preview_beh.json,
+/// and sub-LABEL/beh/sub-LABEL_task-preview_beh.tsv for each analysed participant, whose rows are
+/// trials in the order in which they were planned. LABEL is of bids_labels; participants.tsv has
+/// the codes. Missing values are "n/a".
 std::vector<TextFile> bids_files(const StudyTables& tables,
                                  const std::vector<study::BackgroundRow>& answers);
 

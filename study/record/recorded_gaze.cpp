@@ -31,7 +31,79 @@ std::vector<GazeSample> samples_of(SQLite::Statement& chunks, const fs::path& pa
   return samples;
 }
 
+/// Reads attempts' chunks and marks, with statements that are prepared once.
+class AttemptReader {
+ public:
+  AttemptReader(SQLite::Database& database, const fs::path& path)
+      : path_(path),
+        chunks_(database,
+                "SELECT data, data_sha256, sample_count FROM gaze_chunk"
+                " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY first_sample"),
+        marks_(database,
+               "SELECT kind, time_ns, censored FROM mark"
+               " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY time_ns") {}
+
+  void read(std::int64_t session, AttemptGaze& attempt) {
+    const auto start = [&](SQLite::Statement& rows) {
+      rows.reset();
+      SQLite::bind(rows, session, static_cast<std::int64_t>(attempt.trial), attempt.attempt);
+    };
+    start(chunks_);
+    attempt.samples = samples_of(chunks_, path_);
+    start(marks_);
+    while (marks_.executeStep()) {
+      attempt.marks.push_back({marks_.getColumn(0).getString(),
+                               attempt.first_frame.value_or(Nanoseconds(0)) +
+                                   Nanoseconds(marks_.getColumn(1).getInt64()),
+                               marks_.getColumn(2).getInt() == 1});
+    }
+  }
+
+ private:
+  fs::path path_;
+  SQLite::Statement chunks_;
+  SQLite::Statement marks_;
+};
+
+AttemptGaze attempt_in(SQLite::Statement& row) {
+  AttemptGaze attempt;
+  attempt.participant = row.getColumn("participant").getString();
+  attempt.trial = static_cast<std::size_t>(row.getColumn("trial").getInt64());
+  attempt.trial_kind = row.getColumn("trial_kind").getString();
+  attempt.scene = row.getColumn("scene").getString();
+  attempt.method = row.getColumn("method").getString();
+  attempt.attempt = row.getColumn("attempt").getInt();
+  attempt.outcome = row.getColumn("outcome").getString();
+  if (const SQLite::Column first = row.getColumn("first_frame_ns"); !first.isNull()) {
+    attempt.first_frame = Nanoseconds(first.getInt64());
+  }
+  return attempt;
+}
+
 }  // namespace
+
+void visit_gaze(const fs::path& path, const std::function<void(const AttemptGaze&)>& visit) {
+  with_clear_errors(path, [&] {
+    SQLite::Database database = open_study_to_read(path);
+    const SQLite::Transaction moment(database);
+    AttemptReader reader(database, path);
+    SQLite::Statement rows(
+        database,
+        "SELECT attempt.session, participant, attempt.trial, planned_trial.kind AS trial_kind,"
+        "  scene, method, attempt, outcome, first_frame_ns"
+        " FROM attempt JOIN session ON session.id = attempt.session"
+        " JOIN planned_trial USING (session, trial)"
+        " WHERE state <> 'withdrawn' AND EXISTS (SELECT 1 FROM gaze_chunk AS chunk"
+        "  WHERE chunk.session = attempt.session AND chunk.trial = attempt.trial"
+        "   AND chunk.attempt = attempt.attempt)"
+        " ORDER BY attempt.session, attempt.trial, attempt.attempt");
+    while (rows.executeStep()) {
+      AttemptGaze attempt = attempt_in(rows);
+      reader.read(rows.getColumn("session").getInt64(), attempt);
+      visit(attempt);
+    }
+  });
+}
 
 std::vector<GazeSample> read_gaze(const fs::path& path, const std::string& participant,
                                   std::size_t trial) {

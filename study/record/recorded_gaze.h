@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +17,32 @@ namespace foveola::study {
 /// none, or they are not what was written.
 std::vector<GazeSample> read_gaze(const std::filesystem::path& path, const std::string& participant,
                                   std::size_t trial);
+
+/// A mark of an attempt, or the moment at which the wait for it ended.
+struct MarkedMoment {
+  std::string mark;  ///< its name in the protocol
+  Nanoseconds time{0};
+  bool censored = false;  ///< it timed out
+};
+
+/// One timing of a trial with all of its gaze; times are of the session's clock.
+struct AttemptGaze {
+  std::string participant;
+  std::size_t trial = 0;   ///< in the session's plan, from 0
+  std::string trial_kind;  ///< "test", "practice" or "catch"
+  std::string scene;
+  std::string method;
+  int attempt = 1;
+  std::string outcome;  ///< as schema.sql names them
+  std::optional<Nanoseconds> first_frame;
+  std::vector<MarkedMoment> marks;  ///< in the order of time
+  std::vector<GazeSample> samples;  ///< in the order of their arrival; never none
+};
+
+/// Calls `visit` for every attempt that has gaze, session by session in the order of time; one is
+/// in memory at a time. None of withdrawn sessions. Throws Error as read_gaze, and what `visit`
+/// throws.
+void visit_gaze(const std::filesystem::path& path,
+                const std::function<void(const AttemptGaze&)>& visit);
 
 }  // namespace foveola::study

@@ -67,8 +67,8 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
 TEST_F(AnalyzeStudy, WritesBidsWhereAsked) {
   (void)analyze_records(complete_study(2), {}, folder, {.bids = true});
   EXPECT_THAT(names_in(folder / "bids"),
-              ElementsAre("dataset_description.json", "participants.json", "participants.tsv",
-                          "sub-P1", "sub-P2", "task-preview_beh.json"));
+              ElementsAre("README", "dataset_description.json", "participants.json",
+                          "participants.tsv", "sub-P1", "sub-P2", "task-preview_beh.json"));
   EXPECT_TRUE(fs::exists(folder / "bids/sub-P1/beh/sub-P1_task-preview_beh.tsv"));
 }
 

@@ -53,7 +53,7 @@ TEST(Bids, SidecarsAreJsonAndDescribeEveryColumn) {
   EXPECT_EQ(columns.size(), static_cast<std::size_t>(tabs) + 2);  // and TaskName
   EXPECT_EQ(
       nlohmann::json::parse(content_of(files, "bids/dataset_description.json"))["BIDSVersion"],
-      "1.8.0");
+      "1.11.1");
   const nlohmann::json people = nlohmann::json::parse(content_of(files, "bids/participants.json"));
   EXPECT_EQ(people["participant_kind"]["Levels"].size(), 3U);
 }
@@ -85,7 +85,7 @@ TEST(Bids, CodesThatCannotBeLabelsStayApart) {
     EXPECT_THAT(file.name, testing::Not(HasSubstr("..")));
     names.insert(file.name);
   }
-  EXPECT_EQ(names.size(), 4U + 3U);
+  EXPECT_EQ(names.size(), 5U + 3U);
   EXPECT_TRUE(names.contains("bids/sub-P1n2/beh/sub-P1n2_task-preview_beh.tsv"));
 }
 

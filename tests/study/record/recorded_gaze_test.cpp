@@ -43,6 +43,32 @@ TEST_F(RecordedGaze, IsThatOfTheLastAttemptInOrder) {
   EXPECT_EQ(samples.at(2).mark, GazeMark::saccade);
 }
 
+TEST_F(RecordedGaze, IsVisitedAttemptByAttempt) {
+  std::vector<AttemptGaze> visited;
+  visit_gaze(path_, [&](const AttemptGaze& attempt) { visited.push_back(attempt); });
+  ASSERT_EQ(visited.size(), 3U);
+  EXPECT_THAT(times_ms(visited[0].samples), testing::ElementsAre(1, 2));
+  EXPECT_THAT(times_ms(visited[1].samples), testing::ElementsAre(60, 61, 62));
+  EXPECT_EQ(visited[0].participant, "P01");
+  EXPECT_EQ(visited[0].trial, 0U);
+  EXPECT_EQ(visited[0].trial_kind, "test");
+  EXPECT_EQ(visited[0].scene, "hall");
+  EXPECT_EQ(visited[0].method, "fv");
+  EXPECT_EQ(visited[0].outcome, "retimed");
+  EXPECT_EQ(visited[0].first_frame, ms(30));
+  ASSERT_EQ(visited[0].marks.size(), 1U);
+  EXPECT_EQ(visited[0].marks[0].mark, "outline");
+  EXPECT_EQ(visited[0].marks[0].time, ms(40));
+  EXPECT_EQ(visited[1].attempt, 2);
+  EXPECT_FALSE(visited[1].first_frame);
+  EXPECT_EQ(visited[2].participant, "P02");
+}
+
+TEST_F(RecordedGaze, WhatAVisitThrowsArrives) {
+  EXPECT_THROW(visit_gaze(path_, [](const AttemptGaze&) { throw std::length_error("full"); }),
+               std::length_error);
+}
+
 TEST_F(RecordedGaze, IsTheParticipantsOwn) {
   const std::vector<GazeSample> samples = read_gaze(path_, "P02", 0);
   EXPECT_THAT(times_ms(samples), testing::ElementsAre(7));
