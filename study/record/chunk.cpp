@@ -51,14 +51,17 @@ void insert_chunk(SQLite::Database& database, const std::string& table, const Ch
   row.exec();
 }
 
-std::string chunk_bytes(SQLite::Statement& row, std::int64_t size) {
-  const std::string data = row.getColumn("data").getString();
+StoredChunk stored_chunk(SQLite::Statement& row) {
+  return {row.getColumn("data").getString(), row.getColumn("data_sha256").getString()};
+}
+
+std::string chunk_bytes(const StoredChunk& chunk, std::int64_t size) {
   constexpr std::int64_t most_that_zlib_shrinks = 1100;
-  if (size < 0 || size / most_that_zlib_shrinks > static_cast<std::int64_t>(data.size())) {
+  if (size < 0 || size / most_that_zlib_shrinks > static_cast<std::int64_t>(chunk.data.size())) {
     throw changed_chunk();
   }
-  std::string bytes = uncompressed(data, static_cast<std::size_t>(size));
-  if (sha256(bytes) != row.getColumn("data_sha256").getString()) {
+  std::string bytes = uncompressed(chunk.data, static_cast<std::size_t>(size));
+  if (sha256(bytes) != chunk.sha256) {
     throw changed_chunk();
   }
   return bytes;

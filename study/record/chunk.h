@@ -25,8 +25,15 @@ struct ChunkPlace {
 void insert_chunk(SQLite::Database& database, const std::string& table, const ChunkPlace& place,
                   const std::string& encoding, const std::string& bytes);
 
-/// What the columns data and data_sha256 of a row keep, uncompressed, which has to be `size` bytes.
-/// Throws std::invalid_argument if it is not what was written.
-std::string chunk_bytes(SQLite::Statement& row, std::int64_t size);
+/// What the columns data and data_sha256 of a row keep.
+struct StoredChunk {
+  std::string data;
+  std::string sha256;
+};
+StoredChunk stored_chunk(SQLite::Statement& row);
+
+/// The chunk uncompressed, which has to be `size` bytes. Throws std::invalid_argument if it is not
+/// what was written.
+std::string chunk_bytes(const StoredChunk& chunk, std::int64_t size);
 
 }  // namespace foveola::study

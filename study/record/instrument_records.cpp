@@ -1,10 +1,13 @@
 #include "study/record/instrument_records.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 
+#include "renderer/base/parallel.h"
 #include "study/record/database.h"
 #include "study/record/recorded_frames.h"
 
@@ -15,10 +18,11 @@ namespace {
 
 double seconds_of(Nanoseconds duration) { return static_cast<double>(duration.count()) * 1e-9; }
 
-/// Sums over a session's attempts, for FrameFigures.
+/// Sums over an attempt's frames, or over those of a session, for FrameFigures.
 class FrameSums {
  public:
-  void add_attempt(const std::vector<FrameRow>& frames, const std::vector<Nanoseconds>& marks) {
+  FrameSums() = default;
+  FrameSums(const std::vector<FrameRow>& frames, const std::vector<Nanoseconds>& marks) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       add_frame(frames[i]);
       if (i > 0) {
@@ -29,6 +33,20 @@ class FrameSums {
     for (const Nanoseconds mark : marks) {
       add_mark(frames, mark);
     }
+  }
+
+  void add(const FrameSums& attempt) {
+    const FrameFigures& more = attempt.figures_;
+    figures_.frames += more.frames;
+    figures_.late += more.late;
+    figures_.untracked += more.untracked;
+    figures_.mean_gaze_age_s += more.mean_gaze_age_s;
+    figures_.mean_to_display_s += more.mean_to_display_s;
+    figures_.longest_frame_s = std::max(figures_.longest_frame_s, more.longest_frame_s);
+    figures_.marks += more.marks;
+    figures_.mean_mark_after_frame_s += more.mean_mark_after_frame_s;
+    figures_.longest_mark_after_frame_s =
+        std::max(figures_.longest_mark_after_frame_s, more.longest_mark_after_frame_s);
   }
 
   FrameFigures figures(std::string participant) const {
@@ -68,60 +86,119 @@ class FrameSums {
   FrameFigures figures_;  ///< means are sums still
 };
 
-struct AttemptKey {
+/// The last attempt at a test trial, with what is kept of it.
+struct CountedAttempt {
   std::int64_t session = 0;
   std::string participant;
   std::size_t trial = 0;
   int attempt = 0;
-  Nanoseconds first_frame{0};
+  std::vector<StoredFrames> frames;
+  std::vector<Nanoseconds> marks;  ///< by the session's clock; not those that timed out
+
+  FrameSums sums() const {
+    try {
+      return {decode_stored(frames), marks};
+    } catch (const std::invalid_argument&) {
+      throw changed_frames(session, trial, attempt);
+    }
+  }
 };
 
-/// The last attempts at the test trials, session by session.
-std::vector<AttemptKey> counted_attempts(SQLite::Database& database) {
-  std::vector<AttemptKey> attempts;
-  SQLite::Statement rows(
-      database,
-      "SELECT attempt.session, session.participant, attempt.trial, max(attempt.attempt),"
-      "  attempt.first_frame_ns"
-      " FROM attempt JOIN session ON session.id = attempt.session"
-      " JOIN planned_trial USING (session, trial)"
-      " WHERE planned_trial.kind = 'test' AND state <> 'withdrawn'"
-      "  AND EXISTS (SELECT 1 FROM frame_chunk AS chunk WHERE chunk.session = attempt.session"
-      "   AND chunk.trial = attempt.trial AND chunk.attempt = attempt.attempt)"
-      " GROUP BY attempt.session, attempt.trial ORDER BY attempt.session, attempt.trial");
-  while (rows.executeStep()) {
-    attempts.push_back({rows.getColumn(0).getInt64(), rows.getColumn(1).getString(),
-                        static_cast<std::size_t>(rows.getColumn(2).getInt64()),
-                        rows.getColumn(3).getInt(), Nanoseconds(rows.getColumn(4).getInt64())});
+/// Walks through the counted attempts that have frames, session by session.
+class AttemptRows {
+ public:
+  explicit AttemptRows(SQLite::Database& database)
+      : attempts_(database,
+                  "SELECT attempt.session, session.participant, attempt.trial,"
+                  "  max(attempt.attempt), attempt.first_frame_ns"
+                  " FROM attempt JOIN session ON session.id = attempt.session"
+                  " JOIN planned_trial USING (session, trial)"
+                  " WHERE planned_trial.kind = 'test' AND state <> 'withdrawn'"
+                  "  AND EXISTS (SELECT 1 FROM frame_chunk AS chunk"
+                  "   WHERE chunk.session = attempt.session AND chunk.trial = attempt.trial"
+                  "   AND chunk.attempt = attempt.attempt)"
+                  " GROUP BY attempt.session, attempt.trial"
+                  " ORDER BY attempt.session, attempt.trial"),
+        frames_(database,
+                "SELECT * FROM frame_chunk WHERE session = ? AND trial = ? AND attempt = ?"
+                " ORDER BY first_frame"),
+        marks_(database,
+               "SELECT time_ns FROM mark WHERE session = ? AND trial = ? AND attempt = ?"
+               " AND censored = 0") {}
+
+  /// Empty behind the last.
+  std::optional<CountedAttempt> next() {
+    if (!attempts_.executeStep()) {
+      return std::nullopt;
+    }
+    CountedAttempt counted{attempts_.getColumn(0).getInt64(), attempts_.getColumn(1).getString(),
+                           static_cast<std::size_t>(attempts_.getColumn(2).getInt64()),
+                           attempts_.getColumn(3).getInt()};
+    const Nanoseconds first_frame(attempts_.getColumn(4).getInt64());
+    start(frames_, counted);
+    while (frames_.executeStep()) {
+      counted.frames.push_back(stored_frames(frames_));
+    }
+    start(marks_, counted);
+    while (marks_.executeStep()) {
+      counted.marks.push_back(first_frame + Nanoseconds(marks_.getColumn(0).getInt64()));
+    }
+    return counted;
   }
-  return attempts;
+
+ private:
+  static void start(SQLite::Statement& rows, const CountedAttempt& of) {
+    rows.reset();
+    SQLite::bind(rows, of.session, static_cast<std::int64_t>(of.trial), of.attempt);
+  }
+
+  SQLite::Statement attempts_;
+  SQLite::Statement frames_;
+  SQLite::Statement marks_;
+};
+
+/// As many attempts as are decoded at the same time: enough for every core, little enough to hold.
+std::vector<CountedAttempt> next_batch(AttemptRows& rows) {
+  constexpr std::size_t most_attempts = 256;
+  constexpr std::int64_t most_frames = 1'000'000;
+  std::vector<CountedAttempt> batch;
+  for (std::int64_t frames = 0; batch.size() < most_attempts && frames < most_frames;) {
+    std::optional<CountedAttempt> attempt = rows.next();
+    if (!attempt) {
+      break;
+    }
+    for (const StoredFrames& chunk : attempt->frames) {
+      frames += chunk.count;
+    }
+    batch.push_back(std::move(*attempt));
+  }
+  return batch;
 }
 
-/// When marks were made, by the session's clock; not those that timed out.
-std::vector<Nanoseconds> marks_of(SQLite::Database& database, const AttemptKey& key) {
-  std::vector<Nanoseconds> marks;
-  SQLite::Statement rows(database,
-                         "SELECT time_ns FROM mark WHERE session = ? AND trial = ? AND attempt = ?"
-                         " AND censored = 0");
-  SQLite::bind(rows, key.session, static_cast<std::int64_t>(key.trial), key.attempt);
-  while (rows.executeStep()) {
-    marks.push_back(key.first_frame + Nanoseconds(rows.getColumn(0).getInt64()));
-  }
-  return marks;
-}
-
+/// One thread reads, all of them uncompress and sum, and attempts are added in their order.
 std::vector<FrameFigures> read_frames(SQLite::Database& database) {
   std::vector<FrameFigures> figures;
-  FrameSums sums;
-  const std::vector<AttemptKey> attempts = counted_attempts(database);
-  for (std::size_t i = 0; i < attempts.size(); ++i) {
-    const AttemptKey& key = attempts[i];
-    sums.add_attempt(frames_of(database, key.session, key.trial, key.attempt),
-                     marks_of(database, key));
-    if (i + 1 == attempts.size() || attempts[i + 1].session != key.session) {
-      figures.push_back(sums.figures(key.participant));
-      sums = FrameSums();
+  AttemptRows rows(database);
+  const Workers workers;
+  CountedAttempt last;
+  FrameSums session;
+  for (std::vector<CountedAttempt> batch = next_batch(rows); !batch.empty();
+       batch = next_batch(rows)) {
+    std::vector<FrameSums> sums(batch.size());
+    workers.for_each_block(batch.size(), 1,
+                           [&](std::size_t i, std::size_t /*end*/) { sums[i] = batch[i].sums(); });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (!last.participant.empty() && batch[i].session != last.session) {
+        figures.push_back(session.figures(last.participant));
+        session = FrameSums();
+      }
+      session.add(sums[i]);
+      last.session = batch[i].session;
+      last.participant = batch[i].participant;
     }
+  }
+  if (!last.participant.empty()) {
+    figures.push_back(session.figures(last.participant));
   }
   return figures;
 }

@@ -21,29 +21,44 @@ Error changed_record(std::int64_t session, std::size_t trial, int attempt, const
 
 }  // namespace
 
-std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session, std::size_t trial,
-                                int attempt) {
+StoredFrames stored_frames(SQLite::Statement& row) {
+  return {row.getColumn("encoding").getString(), row.getColumn("first_frame").getInt64(),
+          row.getColumn("frame_count").getInt64(), stored_chunk(row)};
+}
+
+std::vector<FrameRow> decode_stored(const std::vector<StoredFrames>& rows) {
   std::vector<FrameRow> frames;
-  SQLite::Statement chunks(
-      database,
-      "SELECT encoding, data, data_sha256, first_frame, frame_count FROM frame_chunk"
-      " WHERE session = ? AND trial = ? AND attempt = ? ORDER BY first_frame");
-  SQLite::bind(chunks, session, static_cast<std::int64_t>(trial), attempt);
-  while (chunks.executeStep()) {
-    try {
-      const std::string encoding = chunks.getColumn("encoding").getString();
-      const std::int64_t count = chunks.getColumn("frame_count").getInt64();
-      const std::vector<FrameRow> more =
-          decode_frames(encoding, chunk_bytes(chunks, count * bytes_per_frame(encoding)));
-      if (chunks.getColumn("first_frame").getInt64() != static_cast<std::int64_t>(frames.size())) {
-        throw std::invalid_argument("a chunk is missing");
-      }
-      frames.insert(frames.end(), more.begin(), more.end());
-    } catch (const std::invalid_argument&) {
-      throw changed_record(session, trial, attempt, "frames");
+  for (const StoredFrames& row : rows) {
+    if (row.first != static_cast<std::int64_t>(frames.size())) {
+      throw std::invalid_argument("a chunk is missing");
     }
+    const std::vector<FrameRow> more = decode_frames(
+        row.encoding, chunk_bytes(row.chunk, row.count * bytes_per_frame(row.encoding)));
+    frames.insert(frames.end(), more.begin(), more.end());
   }
   return frames;
+}
+
+Error changed_frames(std::int64_t session, std::size_t trial, int attempt) {
+  return changed_record(session, trial, attempt, "frames");
+}
+
+std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session, std::size_t trial,
+                                int attempt) {
+  std::vector<StoredFrames> rows;
+  SQLite::Statement chunks(
+      database,
+      "SELECT * FROM frame_chunk WHERE session = ? AND trial = ? AND attempt = ?"
+      " ORDER BY first_frame");
+  SQLite::bind(chunks, session, static_cast<std::int64_t>(trial), attempt);
+  while (chunks.executeStep()) {
+    rows.push_back(stored_frames(chunks));
+  }
+  try {
+    return decode_stored(rows);
+  } catch (const std::invalid_argument&) {
+    throw changed_frames(session, trial, attempt);
+  }
 }
 
 std::vector<FilmHash> film_hashes_of(SQLite::Database& database, std::int64_t session,

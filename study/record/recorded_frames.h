@@ -2,15 +2,37 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "renderer/base/error.h"
+#include "study/record/chunk.h"
 #include "study/record/study_store.h"
 
 namespace SQLite {
 class Database;
-}
+class Statement;
+}  // namespace SQLite
 
 namespace foveola::study {
+
+/// A row of frame_chunk as it is kept.
+struct StoredFrames {
+  std::string encoding;
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+  StoredChunk chunk;
+};
+
+/// The row that stands in `row`, whose columns are those of frame_chunk.
+StoredFrames stored_frames(SQLite::Statement& row);
+
+/// The frames of all rows of an attempt, in their order. Throws std::invalid_argument if they are
+/// not what was written.
+std::vector<FrameRow> decode_stored(const std::vector<StoredFrames>& rows);
+
+/// What to throw to the user then.
+Error changed_frames(std::int64_t session, std::size_t trial, int attempt);
 
 /// The frames of an attempt in their order; none if it has none. Throws Error if they are not what
 /// was written, and what SQLite throws.

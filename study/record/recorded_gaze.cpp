@@ -21,7 +21,8 @@ std::vector<GazeSample> samples_of(SQLite::Statement& chunks, const fs::path& pa
   while (chunks.executeStep()) {
     try {
       const std::vector<GazeSample> more = decode_gaze(
-          chunk_bytes(chunks, chunks.getColumn("sample_count").getInt64() * bytes_per_gaze_sample));
+          chunk_bytes(stored_chunk(chunks),
+                      chunks.getColumn("sample_count").getInt64() * bytes_per_gaze_sample));
       samples.insert(samples.end(), more.begin(), more.end());
     } catch (const std::invalid_argument&) {
       throw Error(path.string(), "its gaze samples are not those that were written",

@@ -141,7 +141,7 @@ class SessionCheck {
     const std::int64_t bytes_each =
         encoding == gaze_encoding_name ? bytes_per_gaze_sample : bytes_per_frame(encoding);
     try {
-      chunk_bytes(chunk, chunk.getColumn("count").getInt64() * bytes_each);
+      chunk_bytes(stored_chunk(chunk), chunk.getColumn("count").getInt64() * bytes_each);
     } catch (const std::invalid_argument&) {
       return false;
     }
