@@ -126,9 +126,9 @@ class AttemptRows {
                "SELECT time_ns FROM mark WHERE session = ? AND trial = ? AND attempt = ?"
                " AND censored = 0") {}
 
-  /// Empty behind the last.
+  /// Empty behind the last, as often as it is asked.
   std::optional<CountedAttempt> next() {
-    if (!attempts_.executeStep()) {
+    if (attempts_.isDone() || !attempts_.executeStep()) {
       return std::nullopt;
     }
     CountedAttempt counted{attempts_.getColumn(0).getInt64(), attempts_.getColumn(1).getString(),
