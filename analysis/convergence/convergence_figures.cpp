@@ -28,6 +28,8 @@ constexpr std::array kinds = {
 /// Told apart by people who see few colours too (Okabe and Ito 2008, "Color Universal Design").
 constexpr std::array line_colors = {"#000000", "#0072b2", "#d55e00", "#009e73",
                                     "#cc79a7", "#e69f00", "#56b4e9"};
+/// And by people who see none: gnuplot's disc, square, triangles, diamond and their outlines.
+constexpr std::array point_types = {7, 5, 9, 11, 13, 6, 4};
 
 /// What is drawn of an error: mean squared errors as their roots.
 double drawn(Metric metric, double error) {
@@ -86,10 +88,10 @@ std::string panel(const std::vector<Line>& lines, const FigureKind& kind, Axis a
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].curve.empty()) {
       plot += fmt::format(
-          "{}$line{} using {}:3 with linespoints pointtype 7 pointsize 0.5 linewidth 2 "
+          "{}$line{} using {}:3 with linespoints pointtype {} pointsize 0.6 linewidth 2 "
           "linecolor rgb '{}' title {}",
           is_first ? "" : ", \\\n", i, axis == Axis::samples ? 1 : 2,
-          line_colors[i % line_colors.size()],
+          point_types[i % point_types.size()], line_colors[i % line_colors.size()],
           gnuplot_quoted(title_of(lines[i], kind.metric, axis)));
       is_first = false;
     }

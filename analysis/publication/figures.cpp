@@ -94,22 +94,23 @@ std::string time_data(const StudyTables& tables, Mark mark, const std::vector<st
 }
 
 std::string time_plot() {
+  // Discs and squares, so that the marks differ by more than their colours.
   const auto dots = [](Mark mark, const FigureColor& color) {
     return fmt::format(
-        "${}_participants using 1:2 with points pointtype 7 pointsize 0.55 linecolor rgb '{}' "
+        "${}_participants using 1:2 with points pointtype {} pointsize 0.55 linecolor rgb '{}' "
         "notitle",
-        name_of(mark), color.rgb);
+        name_of(mark), mark == Mark::outline ? 6 : 4, color.rgb);
   };
   const auto estimates = [](Mark mark, const FigureColor& color) {
     return fmt::format(
-        "${} using 1:4:2:3 with xerrorbars pointtype 7 pointsize 0.9 linewidth 2 "
+        "${} using 1:4:2:3 with xerrorbars pointtype {} pointsize 0.9 linewidth 2 "
         "linecolor rgb '{}' title '{}'",
-        name_of(mark), color.rgb, name_of(mark));
+        name_of(mark), mark == Mark::outline ? 7 : 5, color.rgb, name_of(mark));
   };
-  return fmt::format(
-      "plot {}, \\\n{}, \\\n{}, \\\n{}\n", dots(Mark::outline, palette::outline_pale),
-      dots(Mark::material, palette::material_pale), estimates(Mark::outline, palette::outline),
-      estimates(Mark::material, palette::material));
+  return fmt::format("plot {}, \\\n{}, \\\n{}, \\\n{}\n", dots(Mark::outline, palette::outline),
+                     dots(Mark::material, palette::material),
+                     estimates(Mark::outline, palette::outline),
+                     estimates(Mark::material, palette::material));
 }
 
 /// How far a time figure's axis reaches: over every participant's value, and over an interval only
@@ -240,9 +241,10 @@ std::string rating_plot() {
   std::string plot = "plot ";
   for (std::size_t answer = 0; answer < palette::ratings.size(); ++answer) {
     plot += fmt::format(
-        "{}$answer{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid 1 noborder "
-        "linecolor rgb '{}' title '{}'",
-        answer > 0 ? ", \\\n" : "", answer + 1, palette::ratings[answer].rgb, answer + 1);
+        "{}$answer{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid 1 border "
+        "rgb '{}' linecolor rgb '{}' title '{}'",
+        answer > 0 ? ", \\\n" : "", answer + 1, palette::ink.rgb, palette::ratings[answer].rgb,
+        answer + 1);
   }
   return plot + "\n";
 }

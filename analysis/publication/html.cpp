@@ -60,8 +60,10 @@ std::string escape_html(std::string_view text) {
 }
 
 std::string render(const HtmlTable& table) {
-  std::string html = fmt::format("<div class=\"scroll\"><table{}>\n<caption>{}</caption>\n<thead>",
-                                 table.numeric ? " class=\"numeric\"" : "", table.caption_html);
+  std::string html = fmt::format(
+      "<div class=\"scroll\" role=\"group\" aria-label=\"Table\" "
+      "tabindex=\"0\"><table{}>\n<caption>{}</caption>\n<thead>",
+      table.numeric ? " class=\"numeric\"" : "", table.caption_html);
   if (!table.groups.empty()) {
     html += "<tr>" + group_cells(table) + "</tr>\n";
   }

@@ -13,8 +13,8 @@ namespace {
 std::string p_or_dash(const std::optional<double>& p) { return p ? p_value(*p) : "–"; }
 
 std::string bracketed(const Interval& interval, double scale, int decimals) {
-  return fmt::format("[{:.{}f}, {:.{}f}]", scale * interval.low, decimals, scale * interval.high,
-                     decimals);
+  return fmt::format("[{}, {}]", fixed(scale * interval.low, decimals),
+                     fixed(scale * interval.high, decimals));
 }
 
 std::string pair_name(const MethodComparison& row) {

@@ -77,9 +77,11 @@ std::string figure_html(const StudyTables& tables, const std::vector<Figure>& fi
   }
   const std::string description =
       fmt::format("{} {} The table has the numbers.", title, data_notice(tables));
-  return fmt::format("<figure>\n{}<figcaption>{}{}</figcaption>\n</figure>\n",
-                     inline_svg(figure->svg, figure->name, description),
-                     caption_start(tables, title), escape_html(explanation));
+  return fmt::format(
+      "<figure>\n<div class=\"scroll\" role=\"group\" aria-label=\"Figure\" "
+      "tabindex=\"0\">{}</div>\n<figcaption>{}{}</figcaption>\n</figure>\n",
+      inline_svg(figure->svg, figure->name, description), caption_start(tables, title),
+      escape_html(explanation));
 }
 
 std::string report_page(const StudyTables& tables, std::string_view page_name,

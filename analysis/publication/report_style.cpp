@@ -17,9 +17,7 @@ std::string_view report_style() {
   --figure-ink: #1f2328;
   --figure-grid: #e1e4e8;
   --figure-outline: #0b6aa8;
-  --figure-outline-pale: #a9cde4;
   --figure-material: #b8500c;
-  --figure-material-pale: #ecc3a5;
   --figure-rating-1: #e6edf4;
   --figure-rating-2: #b9cfe3;
   --figure-rating-3: #7fa8cc;
@@ -41,9 +39,7 @@ std::string_view report_style() {
     --figure-ink: #d5dade;
     --figure-grid: #2c3238;
     --figure-outline: #5fb4ea;
-    --figure-outline-pale: #2b5773;
     --figure-material: #f09a5c;
-    --figure-material-pale: #74482a;
     --figure-rating-1: #24303b;
     --figure-rating-2: #31495e;
     --figure-rating-3: #456d91;
@@ -57,7 +53,7 @@ std::string_view report_style() {
 body {
   margin: 0 auto;
   padding: 3rem 1.5rem 4rem;
-  max-width: 54rem;
+  max-width: 60rem;
   background: var(--paper);
   color: var(--text);
   font: 1rem/1.55 Charter, "Bitstream Charter", "Source Serif 4", Cambria, Georgia, serif;
@@ -104,7 +100,7 @@ blockquote { margin: 0 0 1rem; padding-left: 1rem; border-left: 2px solid var(--
 .scroll { overflow-x: auto; margin: 1.4rem 0 1.8rem; }
 table { border-collapse: collapse; width: 100%; font-size: 0.88rem; line-height: 1.4; }
 caption, figcaption { text-align: left; color: var(--quiet); font-size: 0.88rem; line-height: 1.45; }
-caption { max-width: calc(100vw - 3rem); padding-bottom: 0.6rem; }
+caption { max-width: min(56rem, 100vw - 3rem); padding-bottom: 0.6rem; }
 caption strong, figcaption strong { color: var(--text); }
 thead { border-top: 1.5px solid var(--text); border-bottom: 1px solid var(--text); }
 tbody { border-bottom: 1.5px solid var(--text); }
@@ -112,23 +108,38 @@ th, td { padding: 0.32rem 0.7rem; text-align: left; vertical-align: baseline; }
 th:first-child, td:first-child { padding-left: 0; }
 th:last-child, td:last-child { padding-right: 0; }
 th { font-weight: 600; }
-tbody th { font-weight: 400; overflow-wrap: anywhere; }
+tbody th { font-weight: 400; overflow-wrap: break-word; }
 .numeric th:not(:first-child), .numeric td { text-align: right; }
 .numeric td { font-variant-numeric: tabular-nums lining-nums; white-space: nowrap; }
 .numeric th[scope="colgroup"] { text-align: center; }
 thead th[scope="colgroup"] { background: linear-gradient(var(--rule), var(--rule)) bottom / calc(100% - 1.4rem) 1px no-repeat; }
 figure { margin: 1.8rem 0 2.2rem; }
-figure svg { display: block; width: 100%; max-width: 44rem; height: auto; margin-bottom: 0.5rem; }
+figure .scroll { margin: 0 0 0.5rem; }
+figure svg { display: block; width: 100%; min-width: 34rem; max-width: 44rem; height: auto; }
 .definitions dt { font-weight: 600; }
 .definitions dd { margin: 0 0 0.7rem; }
 footer { margin-top: 3rem; padding-top: 0.9rem; border-top: 1px solid var(--rule); color: var(--quiet); font-size: 0.88rem; }
 .page-mark { display: none; }
+@media screen and (max-width: 40rem) {
+  body { padding: 1.5rem 1rem 3rem; }
+  h1 { font-size: 1.5rem; }
+  caption { max-width: calc(100vw - 2rem); }
+  .facts { display: block; }
+  .facts dd { margin-bottom: 0.5rem; }
+}
 @media print {
-  body { max-width: none; padding: 0; font-size: 10pt; }
-  /* A fixed element is printed on every page. */
-  .page-mark { display: block; position: fixed; top: 0; right: 0; margin: 0; font-weight: 600; }
-  section, figure, table { break-inside: avoid; }
+  @page { margin: 15mm; }
+  :root { --paper: white; }
+  * { print-color-adjust: exact; }
+  /* A table's heading is printed on every page and, unlike a fixed element, over nothing. */
+  body { display: table; width: 100%; max-width: none; padding: 0; font-size: 10pt; }
+  .page-mark { display: table-header-group; break-inside: avoid; text-align: right; font-weight: 600; }
+  h2 { margin-top: 2rem; }
+  h2, .definitions dt, p:has(+ figure), p:has(+ .scroll), p:has(+ blockquote) { break-after: avoid; }
+  figure, table, tr, .notice, .flags, blockquote, dd { break-inside: avoid; }
+  p, li { orphans: 3; widows: 3; }
   .scroll { overflow: visible; }
+  figure svg { min-width: 0; }
 }
 )css";
 }

@@ -115,9 +115,10 @@ std::string method_times_table(const StudyTables& tables,
   return render(table);
 }
 
-/// What the pale dots are, if there are any; ends the sentence.
-std::string dots_in_words(const StudyTables& tables) {
-  return tables.set.participants.size() > most_dots ? "." : "; each pale dot is one participant.";
+/// What the hollow points are, if there are any; ends the sentence.
+std::string points_in_words(const StudyTables& tables) {
+  return tables.set.participants.size() > most_dots ? "."
+                                                    : "; each hollow point is one participant.";
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ std::string scenes_section(const StudyTables& tables) {
 std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
                             const std::vector<PublishedMean>& published) {
   const std::string what_is_drawn =
-      "Geometric mean over scenes and 95 % interval over participants" + dots_in_words(tables);
+      "Geometric mean over scenes and 95 % interval over participants" + points_in_words(tables);
   const std::string off_the_axis = " An interval may run off the axis; the table has it.";
   std::string html = "<p>Fig. 5 of the published study.</p>\n";
   html += figure_html(tables, figures, "figure5_relative",

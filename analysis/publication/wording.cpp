@@ -1,6 +1,7 @@
 #include "analysis/publication/wording.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -43,7 +44,13 @@ std::string_view method_meaning(const std::string& method) {
 }
 
 std::string fixed(std::optional<double> value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : std::string(no_value);
+  if (!value) {
+    return std::string(no_value);
+  }
+  const std::string text = fmt::format("{:.{}f}", *value, decimals);
+  const bool is_negative_zero = text.find_first_of("123456789") == std::string::npos &&
+                                std::isfinite(*value) && text.front() == '-';
+  return is_negative_zero ? text.substr(1) : text;
 }
 
 std::string mean_and_deviation(const Description& description, int decimals) {
@@ -66,7 +73,7 @@ std::string with_interval(const std::optional<Estimate>& estimate, int decimals)
   return text;
 }
 
-std::string p_value(double p) { return fmt::format("{:.2g}", p); }
+std::string p_value(double p) { return fmt::format("{:#.2g}", p); }
 
 std::string counted(std::size_t count, std::string_view singular) {
   return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");

@@ -1,0 +1,104 @@
+// What a reader who sees, hears or prints the report relies on, held against its markup.
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/publication/analysis_plan.h"
+#include "analysis/publication/methods_paragraph.h"
+#include "analysis/publication/report.h"
+#include "tests/analysis/made_up_study.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+std::string simulated_report() {
+  study::StudyRecords records = golden_study_records();
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "simulated";
+  }
+  study::InstrumentRecords instrument;
+  instrument.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
+  const StudyTables tables = tabulate_study(records);
+  const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
+  return report_html({tables, comparisons, instrument, check_instrument(tables, instrument),
+                      draw_figures(tables), std::vector<PublishedMean>{},
+                      methods_paragraph(tables, comparisons, records.protocol_text)});
+}
+
+/// What stands from each `begin` to the next `end`.
+std::vector<std::string> parts(const std::string& html, const std::string& begin,
+                               const std::string& end) {
+  std::vector<std::string> found;
+  for (std::size_t at = html.find(begin); at != std::string::npos; at = html.find(begin, at + 1)) {
+    found.push_back(html.substr(at, html.find(end, at) - at));
+  }
+  return found;
+}
+
+TEST(ReportLook, ThePageNamesItsLanguageAndFitsNarrowScreens) {
+  const std::string html = simulated_report();
+  EXPECT_THAT(html, HasSubstr("<html lang=\"en\">"));
+  EXPECT_THAT(html, HasSubstr("content=\"width=device-width, initial-scale=1\""));
+  EXPECT_EQ(parts(html, "<main>", "</main>").size(), 1U);
+}
+
+TEST(ReportLook, OneHeadingOfThePageAndOneOfEachSection) {
+  const std::string html = simulated_report();
+  EXPECT_EQ(parts(html, "<h1>", "</h1>").size(), 1U);
+  EXPECT_GE(parts(html, "<section>", "</section>").size(), 8U);
+  EXPECT_THAT(parts(html, "<section>\n", "</h2>"), Each(StartsWith("<section>\n<h2>")));
+  EXPECT_THAT(html, Not(HasSubstr("<h3")));
+}
+
+TEST(ReportLook, EveryTableHasACaptionAndHeadingsForRowsAndColumns) {
+  const std::vector<std::string> tables = parts(simulated_report(), "<table", "</table>");
+  EXPECT_GE(tables.size(), 10U);
+  EXPECT_THAT(tables, Each(HasSubstr("<caption><span class=\"tag\">Simulated data</span>")));
+  EXPECT_THAT(tables, Each(HasSubstr("<th scope=\"col\">")));
+  EXPECT_THAT(tables, Each(HasSubstr("<tr><th scope=\"row\">")));
+}
+
+TEST(ReportLook, EveryFigureHasANameACaptionAndAMark) {
+  const std::vector<std::string> figures = parts(simulated_report(), "<figure>", "</figure>");
+  EXPECT_EQ(figures.size(), 3U);
+  EXPECT_THAT(figures, Each(testing::ContainsRegex("<svg role=\"img\" aria-label=\"[A-Z]")));
+  EXPECT_THAT(figures, Each(HasSubstr("<figcaption><span class=\"tag\">Simulated data</span>")));
+  EXPECT_THAT(figures, Each(HasSubstr("<text>Simulated data</text>")));
+}
+
+/// What is wider than the screen can be moved by keys.
+TEST(ReportLook, WhateverScrollsIsReachedByKeys) {
+  const std::string html = simulated_report();
+  const std::vector<std::string> boxes = parts(html, "<div class=\"scroll\"", ">");
+  EXPECT_EQ(boxes.size(), parts(html, "<table", ">").size() + parts(html, "<figure", ">").size());
+  EXPECT_THAT(boxes, Each(HasSubstr("role=\"group\" aria-label=\"")));
+  EXPECT_THAT(boxes, Each(HasSubstr("tabindex=\"0\"")));
+}
+
+TEST(ReportLook, FlagsAreWordsAndASignAndNotOnlyAColor) {
+  const std::string html = simulated_report();
+  const std::vector<std::string> flags = parts(html, "<div class=\"flags\"", "</div>");
+  ASSERT_EQ(flags.size(), 1U);
+  EXPECT_THAT(flags[0], HasSubstr("The instrument missed:"));
+  EXPECT_THAT(flags[0], HasSubstr("<li>⚑ Validation of the gaze"));
+  EXPECT_THAT(html, HasSubstr("<td>⚑ flagged</td>"));
+}
+
+TEST(ReportLook, MarksDifferByShapeAsWellAsColor) {
+  const std::vector<Figure> figures = draw_figures(tabulate_study(complete_study(4)));
+  ASSERT_FALSE(figures.empty());
+  // gnuplot's names: point type 7, a disc, is gpPt6, and 5, a square, gpPt4.
+  for (const char* point : {"#gpPt6'", "#gpPt4'"}) {
+    EXPECT_THAT(figures[0].svg, HasSubstr(point));
+  }
+}
+
+}  // namespace
+}  // namespace foveola::analysis
