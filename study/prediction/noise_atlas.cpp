@@ -95,7 +95,6 @@ class SceneAtlas {
   std::vector<std::vector<ObjectNoise>> noise_of_objects(const std::string& method) {
     const auto sampler = make_sampler(setting_.protocol, method);
     std::vector<std::vector<ObjectNoise>> noise(objects_.size());
-
     std::vector<std::size_t> unknown;
     for (std::size_t i = 0; i < objects_.size(); ++i) {
       if (const auto known = cache_.find(key_of(objects_[i], method))) {
@@ -178,9 +177,10 @@ class SceneAtlas {
 
   /// How far cells reach beyond the radius that their middles are in.
   double cell_reach_rad(const OfferedObject& object) const {
-    const double outline_deg =
-        2.0 * object.radius_deg / (2.0 * setting_.vision.recognition_line_pairs);
-    return radians(std::numbers::sqrt2 * std::max(outline_deg, setting_.vision.material_cell_deg));
+    const Vision& vision = setting_.vision;
+    const double outline_deg = object.radius_deg / vision.recognition_line_pairs;
+    const double material_deg = scales_deg(vision, vision.material_cell_deg).back();
+    return radians(std::numbers::sqrt2 * std::max(outline_deg, material_deg));
   }
 
   PilotSetting pilot_of(const TrialSettings& shown) const {

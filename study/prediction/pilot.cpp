@@ -154,9 +154,24 @@ double geometric_mean_density(const ViewSampler& sampler, const std::vector<Scal
   return count > 0.0 ? std::exp(sum / count) : 0.0;
 }
 
+using ScaleEnergies = std::vector<PatchEnergies>;
+
+/// What is to be seen in a view on each scale.
+std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
+                                const std::vector<std::vector<ChannelValues>>& expected) {
+  const auto presented = display.means(view);
+  std::vector<ScaleEnergies> seen;
+  for (std::size_t scale = 0; scale < presented.size(); ++scale) {
+    const JudgedCells& judged = view.judged[scale];
+    seen.push_back(patch_energies(judged.cells, judged.pixels, presented[scale], expected[scale],
+                                  judged.with_contrast));
+  }
+  return seen;
+}
+
 /// Notes what a picture after `samples` says about a rung.
 void set_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t rung,
-              const std::vector<PatchEnergies>& seen, NoiseTable& table) {
+              const ScaleEnergies& seen, NoiseTable& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table[i].noise_times_density.empty()) {
       continue;  // the method does not go there
@@ -216,13 +231,9 @@ std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSa
   for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
     render.continue_to(rungs[rung]);
     for (std::size_t view = 0; view < views.size(); ++view) {
-      const auto seen = display.means(views[view]);
+      const std::vector<ScaleEnergies> seen = look(display, views[view], expected[view]);
       for (std::size_t scale = 0; scale < seen.size(); ++scale) {
-        const JudgedCells& judged = views[view].judged[scale];
-        set_rung(sampler, rungs[rung], rung,
-                 patch_energies(judged.cells, judged.pixels, seen[scale], expected[view][scale],
-                                judged.with_contrast),
-                 tables[view][scale]);
+        set_rung(sampler, rungs[rung], rung, seen[scale], tables[view][scale]);
       }
     }
   }
