@@ -152,14 +152,15 @@ AnalysisOutput analyze_records(study::StudyRecords records,
   const std::vector<TextFile> files =
       files_of(output, instrument,
                methods_paragraph(output.tables, output.comparisons, records.protocol_text));
-  make_output_folder(folder);
-  write_data(records.background, folder, output);
+  StagedFolder staged(folder);
+  write_data(records.background, staged.path(), output);
   if (options.bids) {
-    write_bids(records.background, instrument.gaze_runs, read_gaze, folder, output);
+    write_bids(records.background, instrument.gaze_runs, read_gaze, staged.path(), output);
   }
   for (const TextFile& file : files) {
-    write_output(folder, file.name, file.content, output);
+    write_output(staged.path(), file.name, file.content, output);
   }
+  output.files = staged.publish(output.files);
   output.report = output.files.back();
   return output;
 }

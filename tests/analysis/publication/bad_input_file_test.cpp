@@ -1,0 +1,181 @@
+// Files that no analysis can be made of, or only a part of one: each is refused in one line, and
+// nothing is left behind, or is analysed as far as it goes.
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/publication/analyze_study.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "tests/study/record/study_file.h"
+#include "tests/unprivileged.h"
+
+namespace foveola::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+
+using study::ms;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class BadInputFile : public study::StudyFile {
+ protected:
+  /// The single line by which the file is refused; fails if anything is left of the analysis.
+  std::string refusal() {
+    const std::vector<std::string> before = folder_.entries();
+    const std::string line = study::refusal([&] { (void)analyze_study(path_, results_); });
+    EXPECT_THAT(line, Not(HasSubstr("\n")));
+    EXPECT_EQ(folder_.entries(), before);
+    return line;
+  }
+
+  /// A study whose sessions are complete, P01, P02, ...
+  void write_study(int participants) {
+    study::StudyStore store(path_, study::small_protocol());
+    for (int i = 1; i <= participants; ++i) {
+      study::RecordedSession session(store, study::facts_of("P0" + std::to_string(i)),
+                                     study::small_plan());
+      session.begin();
+      run_trials(session, i, 4);
+    }
+  }
+
+  static void run_trials(study::RecordedSession& session, int participant, int trials) {
+    for (int trial = 0; trial < trials; ++trial) {
+      const int outline_ms = 400 + 90 * participant + 700 * (trial % 2);
+      session.run_trial(ms(1000 + 20'000 * trial), ms(outline_ms), ms(2 * outline_ms),
+                        1 + (participant + trial) % 5);
+    }
+  }
+
+  const fs::path results_ = folder_ / "results";
+};
+
+TEST_F(BadInputFile, OneThatIsNotThere) { EXPECT_THAT(refusal(), HasSubstr("no such file")); }
+
+TEST_F(BadInputFile, AFolder) {
+  fs::create_directory(path_);
+  EXPECT_THAT(refusal(), HasSubstr("is no file"));
+}
+
+TEST_F(BadInputFile, AnEmptyFile) {
+  write_file(path_, "");
+  EXPECT_THAT(refusal(), HasSubstr("is no study"));
+}
+
+TEST_F(BadInputFile, Garbage) {
+  write_file(path_, std::string(5000, 'x'));
+  EXPECT_THAT(refusal(), HasSubstr("is no database"));
+}
+
+TEST_F(BadInputFile, AnotherProgramsDatabase) {
+  SQLite::Database(path_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("CREATE TABLE song (title)");
+  EXPECT_THAT(refusal(), HasSubstr("is no study"));
+}
+
+TEST_F(BadInputFile, ANewerFoveolasStudy) {
+  write_study(1);
+  study::tamper(path_, "PRAGMA user_version = 99");
+  EXPECT_THAT(refusal(), HasSubstr("use a newer Foveola"));
+}
+
+TEST_F(BadInputFile, ATruncatedStudy) {
+  write_study(2);
+  const std::string whole = read_file(path_);
+  for (const std::size_t length : {std::size_t{100}, std::size_t{4096}, whole.size() / 2}) {
+    write_file(path_, whole.substr(0, length));
+    EXPECT_THAT(refusal(), HasSubstr("is damaged")) << length;
+  }
+}
+
+/// Whatever is flipped, the end is an analysis or a refusal.
+TEST_F(BadInputFile, FlippedBytes) {
+  write_study(2);
+  const std::string whole = read_file(path_);
+  int refused = 0;
+  for (std::size_t at = 150; at < whole.size(); at += 4093) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x5a);
+    write_file(path_, damaged);
+    try {
+      (void)tabulate_study(study::read_study(path_));
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
+TEST_F(BadInputFile, AStudyWithoutSessions) {
+  write_study(0);
+  EXPECT_THAT(refusal(), HasSubstr("none of its 0 sessions is completed"));
+}
+
+TEST_F(BadInputFile, AStudyWithoutAFinishedSession) {
+  {
+    study::StudyStore store(path_, study::small_protocol());
+    study::RecordedSession session(store, study::facts_of("P01"), study::small_plan());
+    session.begin();
+    run_trials(session, 1, 2);
+  }
+  EXPECT_THAT(refusal(), HasSubstr("none of its 1 sessions is completed"));
+}
+
+TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
+  write_study(2);
+  {
+    study::StudyStore store(path_, study::small_protocol());
+    study::RecordedSession session(store, study::facts_of("P03"), study::small_plan());
+    session.begin();
+    run_trials(session, 3, 3);
+  }
+  const AnalysisOutput output = analyze_study(path_, results_);
+  EXPECT_EQ(output.tables.set.participants.size(), 2U);
+  EXPECT_THAT(read_file(results_ / "exclusions.csv"), HasSubstr("P03,,,,session "));
+  EXPECT_THAT(read_file(results_ / "report.html"), HasSubstr("<th scope=\"row\">P03</th>"));
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("left out")));
+}
+
+TEST_F(BadInputFile, ATimeWithoutALogarithmNamesItsRow) {
+  write_study(2);
+  for (const char* time : {"0", "-5000000"}) {
+    study::tamper(path_,
+                  std::string("PRAGMA ignore_check_constraints = 1; UPDATE mark SET time_ns = ") +
+                      time + " WHERE session = 2 AND trial = 1 AND kind = 'material'");
+    const std::string line = refusal();
+    EXPECT_THAT(line, HasSubstr("participant P02, scene hall, method od, material time"));
+    EXPECT_THAT(line, HasSubstr("has no logarithm"));
+  }
+}
+
+TEST_F(BadInputFile, AFolderThatNothingMayBeWrittenInto) {
+  write_study(2);
+  test::open_to_all(folder_.path());
+  test::open_to_all(path_);
+  fs::create_directory(results_);
+  write_file(results_ / "report.html", "of yesterday");
+  const test::Unprivileged nobody;
+  const std::string line = study::refusal([&] { (void)analyze_study(path_, results_); });
+  EXPECT_THAT(line, HasSubstr("results: cannot be written: Permission denied"));
+  EXPECT_EQ(read_file(results_ / "report.html"), "of yesterday");
+}
+
+TEST_F(BadInputFile, AResultThatCannotBeReplacedIsNamed) {
+  write_study(2);
+  fs::create_directories(results_ / "report.html" / "taken");
+  const std::string line = study::refusal([&] { (void)analyze_study(path_, results_); });
+  EXPECT_THAT(line, HasSubstr("results/report.html: cannot be written"));
+  for (const fs::directory_entry& entry : fs::directory_iterator(results_)) {
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("unfinished")));
+  }
+}
+
+}  // namespace
+}  // namespace foveola::analysis

@@ -1,0 +1,135 @@
+// Studies with holes: what can be computed is, and what cannot says why, everywhere that it would
+// have stood.
+#include <functional>
+#include <regex>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/publication/analyze_study.h"
+#include "renderer/base/files.h"
+#include "tests/analysis/made_up_study.h"
+#include "tests/temporary_folder.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class BadInputRecords : public testing::Test {
+ protected:
+  AnalysisOutput analyze(const study::StudyRecords& records) {
+    AnalysisOutput output = analyze_records(records, {}, results_, {.bids = true});
+    expect_no_stray_numbers(output);
+    return output;
+  }
+
+  std::string written(const std::string& name) const { return read_file(results_ / name); }
+
+ private:
+  /// What is not a number is a dash, an empty field or null.
+  static void expect_no_stray_numbers(const AnalysisOutput& output) {
+    const std::regex stray("[^a-zA-Z](nan|inf)[^a-zA-Z]");
+    EXPECT_FALSE(std::regex_search(output.summary, stray)) << output.summary;
+    for (const std::filesystem::path& file : output.files) {
+      if (file.extension() != ".png" && file.extension() != ".pdf" && file.extension() != ".gz") {
+        EXPECT_FALSE(std::regex_search(read_file(file), stray)) << file;
+      }
+    }
+  }
+
+  const test::TemporaryFolder folder_;
+  const std::filesystem::path results_ = folder_ / "results";
+};
+
+void for_each_trial(study::StudyRecords& records,
+                    const std::function<void(study::TrialRow&)>& change) {
+  for (study::TrialRow& row : records.trials) {
+    change(row);
+  }
+}
+
+TEST_F(BadInputRecords, OneParticipantHasMeansWithoutDeviations) {
+  const AnalysisOutput output = analyze(complete_study(1));
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("One participant")));
+  EXPECT_TRUE(output.tables.scene_times.at(0).seconds.mean);
+  EXPECT_FALSE(output.tables.scene_times.at(0).seconds.standard_deviation);
+  EXPECT_FALSE(output.comparisons.methods.at(0).ratio);
+  EXPECT_THAT(written("report.html"), HasSubstr("<td>–</td>"));
+}
+
+TEST_F(BadInputRecords, OneMethodHasTimesAndNoComparison) {
+  study::StudyRecords records = complete_study(4);
+  records.methods = {"od"};
+  std::erase_if(records.trials, [](const study::TrialRow& row) { return row.method != "od"; });
+  const AnalysisOutput output = analyze(records);
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("one method: nothing can be compared")));
+  EXPECT_TRUE(output.tables.method_times.at(0).seconds);
+  EXPECT_TRUE(output.comparisons.methods.empty());
+  EXPECT_THAT(written("report.html"), Not(HasSubstr("Method against method")));
+}
+
+TEST_F(BadInputRecords, OneSceneIsEnough) {
+  study::StudyRecords records = complete_study(4);
+  records.scenes = {"aula"};
+  std::erase_if(records.trials, [](const study::TrialRow& row) { return row.scene != "aula"; });
+  const AnalysisOutput output = analyze(records);
+  EXPECT_TRUE(output.comparisons.methods.at(0).ratio);
+  EXPECT_TRUE(output.tables.set.exclusions.empty());
+}
+
+TEST_F(BadInputRecords, TimesThatAllRanOutAreCountedAndNotAveraged) {
+  study::StudyRecords records = complete_study(4);
+  for_each_trial(records, [](study::TrialRow& row) {
+    row.outline_censored = true;
+    row.material_censored = true;
+  });
+  const AnalysisOutput output = analyze(records);
+  EXPECT_EQ(output.tables.scene_times.at(0).censored, 4);
+  EXPECT_FALSE(output.tables.scene_times.at(0).seconds.mean);
+  EXPECT_FALSE(output.tables.method_times.at(0).seconds);
+  EXPECT_THAT(written("report.html"), HasSubstr("48 × timed out"));
+  EXPECT_THAT(written("exclusions.csv"), HasSubstr("timed out: the time is only a lower bound"));
+}
+
+TEST_F(BadInputRecords, MissingCellsAreListedOneByOne) {
+  study::StudyRecords records = complete_study(4);
+  trial_of(records, "P2", "barn", "fv").outline_s.reset();
+  trial_of(records, "P3", "aula", "vp").artifact_rating.reset();
+  records.trials.erase(records.trials.begin());  // P1, aula, od
+  (void)analyze(records);
+  const std::string exclusions = written("exclusions.csv");
+  EXPECT_THAT(exclusions, HasSubstr("P1,aula,od,,no trial recorded"));
+  EXPECT_THAT(exclusions, HasSubstr("P2,barn,fv,outline,no time recorded"));
+  EXPECT_THAT(exclusions, HasSubstr("P3,aula,vp,artifacts,no rating recorded"));
+}
+
+TEST_F(BadInputRecords, NothingMeasuredIsStillAReport) {
+  study::StudyRecords records = complete_study(3);
+  for_each_trial(records, [](study::TrialRow& row) {
+    row.outline_s.reset();
+    row.material_s.reset();
+    row.artifact_rating.reset();
+  });
+  records.background.clear();
+  const AnalysisOutput output = analyze(records);
+  EXPECT_EQ(output.tables.set.exclusions.size(), records.trials.size() * 3);
+  EXPECT_THAT(written("report.html"), HasSubstr("36 × no time recorded"));
+  EXPECT_THAT(written("report.html"), HasSubstr("18 × no rating recorded"));
+}
+
+TEST_F(BadInputRecords, InterruptedSessionsLeaveTheOthers) {
+  study::StudyRecords records = complete_study(5);
+  records.sessions[1].state = "interrupted";
+  records.sessions[3].state = "withdrawn";
+  const AnalysisOutput output = analyze(records);
+  EXPECT_EQ(output.tables.set.participants.size(), 3U);
+  EXPECT_THAT(written("report.html"), HasSubstr("1 × session interrupted"));
+  EXPECT_THAT(written("report.html"), HasSubstr("1 × session withdrawn"));
+}
+
+}  // namespace
+}  // namespace foveola::analysis
