@@ -100,7 +100,21 @@ LatexTable ratings_latex(const StudyTables& tables) {
   return table;
 }
 
-std::string latex_p(const std::optional<double>& p) { return p ? p_value(*p) : "--"; }
+/// Powers of ten as such: 3.3e-05 becomes $3.3 \times 10^{-5}$, and < 1e-300 $< 10^{-300}$.
+std::string latex_p(const std::optional<double>& p) {
+  if (!p) {
+    return "--";
+  }
+  const std::string text = p_value(*p);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) {
+    return text;
+  }
+  const std::string power = fmt::format("10^{{{}}}", std::stoi(text.substr(e + 1)));
+  const std::string factor = text.substr(0, e);
+  return factor == "< 1" ? fmt::format("$< {}$", power)
+                         : fmt::format("${} \\times {}$", factor, power);
+}
 
 LatexTable comparisons_latex(const Comparisons& comparisons) {
   LatexTable table{"comparisons",
@@ -121,13 +135,13 @@ LatexTable comparisons_latex(const Comparisons& comparisons) {
                                   100.0 * row.ratio->interval.low,
                                   100.0 * row.ratio->interval.high));
       cells.push_back(fmt::format("{:.2f}", logs.t));
-      cells.push_back(p_value(logs.p));
+      cells.push_back(latex_p(logs.p));
       cells.push_back(latex_p(row.p_holm));
       cells.push_back(fmt::format("{:.2f}", logs.d_z));
     } else {
       cells.insert(cells.end(), {"--", "--", "--", latex_p(row.p_holm), "--"});
     }
-    cells.push_back(row.ranks ? p_value(row.ranks->p) : "--");
+    cells.push_back(latex_p(row.ranks ? std::optional(row.ranks->p) : std::nullopt));
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -73,7 +73,10 @@ std::string with_interval(const std::optional<Estimate>& estimate, int decimals)
   return text;
 }
 
-std::string p_value(double p) { return fmt::format("{:#.2g}", p); }
+std::string p_value(double p) {
+  constexpr double smallest_told_apart = 1e-300;
+  return p < smallest_told_apart ? "< 1e-300" : fmt::format("{:#.2g}", p);
+}
 
 std::string counted(std::size_t count, std::string_view singular) {
   return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");

@@ -25,7 +25,7 @@ std::string mean_and_deviation(const Description& description, int decimals);
 /// "12.3 [10.1, 14.9]", without the interval if there is none, or an en dash.
 std::string with_interval(const std::optional<Estimate>& estimate, int decimals);
 
-/// Two significant digits: "0.63", "3.2e-05".
+/// Two significant digits: "0.63", "3.2e-05"; "< 1e-300" of what doubles hardly tell from 0.
 std::string p_value(double p);
 
 /// "1 scene", "2 scenes".

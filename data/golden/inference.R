@@ -237,6 +237,8 @@ note("tails", "normal_30", 2 * pnorm(-30))
 note("tails", "normal_37", 2 * pnorm(-37))
 note("tails", "f_1e5", pf(1e5, 2, 118, lower.tail = FALSE))
 note("tails", "t_30_df_15", pt(-30, 15))
+note("tails", "t_1e60_df_5", 2 * pt(-1e60, 5))
+note("tails", "chi_squared_1380", pchisq(1380, 2, lower.tail = FALSE))
 
 exact <- function(x) ifelse(is.na(x), "", sprintf("%.17g", x))
 samples$value <- exact(samples$value)

@@ -49,6 +49,16 @@ TEST(LatexTables, NamesCannotBecomeCommands) {
   EXPECT_THAT(latex_of(records)[0].content, Not(HasSubstr("\\input")));
 }
 
+TEST(LatexTables, SmallPValuesAreWrittenAsPowersOfTen) {
+  const StudyTables tables = tabulate_study(golden_study_records());
+  Comparisons comparisons = compare_methods(tables.set, {});
+  comparisons.methods.at(0).ratio->logs.p = 3.31e-5;
+  comparisons.methods.at(0).ranks->p = 0.0;
+  EXPECT_THAT(latex_tables(tables, comparisons).back().content,
+              testing::AllOf(HasSubstr(" & $3.3 \\times 10^{-5}$ & "),
+                             HasSubstr(" & $< 10^{-300}$ \\\\\n")));
+}
+
 TEST(LatexTables, OneMethodHasNoComparisons) {
   study::StudyRecords records = complete_study(2);
   records.methods = {"od"};

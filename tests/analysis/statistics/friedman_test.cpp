@@ -32,6 +32,13 @@ TEST(Friedman, WhoAllAgreeHaveAnAgreementOfOne) {
   EXPECT_DOUBLE_EQ(test.chi_squared, 6.0);
 }
 
+TEST(Friedman, PValuesAreRightDownTo1eMinus300) {
+  const std::vector<std::vector<std::optional<double>>> agreeing(690, {1.0, 2.0, 3.0});
+  const FriedmanTest test = friedman(complete_participants(agreeing)).value();
+  EXPECT_DOUBLE_EQ(test.chi_squared, 1380.0);
+  EXPECT_GOLDEN(test.p, golden_inference().at("tails.chi_squared_1380"));
+}
+
 TEST(Friedman, WhereNobodyTellsConditionsApartThereIsNoTest) {
   EXPECT_FALSE(friedman(complete_participants({{3.0, 3.0, 3.0}, {2.0, 2.0, 2.0}})));
   EXPECT_FALSE(friedman(complete_participants({{1.0}, {2.0}})));

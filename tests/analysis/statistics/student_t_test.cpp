@@ -30,6 +30,7 @@ TEST(StudentT, TailsAreRightFarOut) {
   const auto golden = golden_statistics();
   EXPECT_GOLDEN(student_t_two_sided(1e10, 30), golden.at("t30.two_sided_of_1e10"));
   EXPECT_GOLDEN(student_t_two_sided(80, 400), golden.at("t400.two_sided_of_80"));
+  EXPECT_GOLDEN(student_t_two_sided(1e60, 5), golden_inference().at("tails.t_1e60_df_5"));
 }
 
 TEST(StudentT, InfiniteTHasNoTail) {
