@@ -39,7 +39,10 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
   for (const CoverageFigure& figure : figures) {
     width = std::max(width, figure.name.size());
   }
-  fmt::print("Data-only studies of {} simulated participants\n", settings.participants);
+  fmt::print(
+      "Data-only studies of {} simulated participants; in brackets, 95 % intervals of the "
+      "shares themselves\n",
+      settings.participants);
   for (const CoverageFigure& figure : figures) {
     const std::string asked =
         figure.asked ? fmt::format("asked {} to {} %", figure.asked->low, figure.asked->high)

@@ -11,6 +11,7 @@
 #include "analysis/statistics/friedman.h"
 #include "analysis/statistics/paired_t.h"
 #include "analysis/statistics/proportion.h"
+#include "analysis/statistics/pseudo_median.h"
 #include "analysis/statistics/repeated_measures.h"
 #include "analysis/statistics/wilcoxon.h"
 #include "renderer/base/parallel.h"
@@ -91,6 +92,13 @@ std::vector<Question> planted_questions(const CoverageSettings& settings) {
                                                           {.resamples = settings.resamples}),
                                        100.0 * truth.ratios[2]);
                        }});
+  questions.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the planted ratio",
+                       std::nullopt, truth, [=](const AnalysisSet& set, const StudyTables&) {
+                         const auto found = pseudo_median(log_ratios(set));
+                         return found && found->interval
+                                    ? covers(found->interval, std::log(truth.ratios[2]))
+                                    : std::nullopt;
+                       }});
   questions.push_back(
       {"t interval, learning 2 % per trial", "covers the planted change", nominal_coverage,
        learning, [=](const AnalysisSet& set, const StudyTables&) {
@@ -131,6 +139,11 @@ std::vector<Question> null_questions(const CoverageSettings& settings) {
            [=](const AnalysisSet& set, const StudyTables&) {
              const auto test = repeated_measures_anova(measures(set));
              return test ? below(test->p_greenhouse_geisser) : std::nullopt;
+           }},
+          {"ANOVA, Huynh-Feldt, no effect", "rejects at 5 %", std::nullopt, null,
+           [=](const AnalysisSet& set, const StudyTables&) {
+             const auto test = repeated_measures_anova(measures(set));
+             return test ? below(test->p_huynh_feldt) : std::nullopt;
            }},
           {"Friedman, no effect", "rejects at 5 %", std::nullopt, null,
            [=](const AnalysisSet& set, const StudyTables&) {

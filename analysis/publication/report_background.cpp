@@ -30,7 +30,7 @@ std::string coefficient(const std::optional<Correlation>& found) {
   return found ? with_interval(Estimate{found->n, found->r, found->interval}, 2) : "–";
 }
 
-std::string p_of(const std::optional<Correlation>& found) {
+std::string p_text(const std::optional<Correlation>& found) {
   return found ? p_value(found->p) : "–";
 }
 
@@ -43,9 +43,9 @@ std::vector<std::string> correlation_row(const BackgroundCorrelation& row,
           n,
           coefficient(row.pearson),
           row.pearson ? fixed(row.pearson->t, 2) : "–",
-          p_of(row.pearson),
+          p_text(row.pearson),
           coefficient(row.spearman),
-          p_of(row.spearman) + (row.spearman && row.spearman->exact ? " (exact)" : "")};
+          p_text(row.spearman) + (row.spearman && row.spearman->exact ? " (exact)" : "")};
 }
 
 std::string background_answers_table(const StudyTables& tables) {

@@ -12,11 +12,11 @@ namespace foveola::analysis {
 
 namespace {
 
-constexpr std::size_t most_rows = 100;
+constexpr std::size_t most_listed = 100;
 
 std::string rest_in_words(std::size_t rows, const char* file) {
-  return rows > most_rows
-             ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - most_rows, file)
+  return rows > most_listed
+             ? fmt::format("<p>And {} more in <code>{}</code>.</p>\n", rows - most_listed, file)
              : "";
 }
 
@@ -33,7 +33,7 @@ std::string amended_section(const StudyTables& tables) {
                        "Words or time-outs were changed after the study had begun; the design was "
                        "not. They are analysed with the others where a session is.";
   table.columns = {"Participant", "Changed keys", "SHA-256 of the text", "Analysed"};
-  for (std::size_t i = 0; i < std::min(most_rows, tables.amended.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_listed, tables.amended.size()); ++i) {
     const AmendedSession& row = tables.amended[i];
     table.rows.push_back(
         {row.participant,
@@ -64,7 +64,7 @@ std::string exclusions_section(const StudyTables& tables) {
   table.caption_html = caption_start(tables, "Left out, one by one.") + "A dash means all.";
   table.columns = {"Participant", "Scene", "Method", "Measure", "Reason"};
   const auto or_all = [](const std::string& text) { return text.empty() ? "–" : text; };
-  for (std::size_t i = 0; i < std::min(most_rows, exclusions.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_listed, exclusions.size()); ++i) {
     const Exclusion& row = exclusions[i];
     table.rows.push_back({row.participant, or_all(row.scene),
                           or_all(row.method.empty() ? "" : method_label(row.method)),
