@@ -79,7 +79,6 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   files.push_back({"figure7_latency.csv", latency_csv(output.checks, tables.set.kind)});
   files.push_back({"reaction_times.csv", reactions_csv(output.checks, tables.set.kind)});
   files.push_back({"codebook.csv", codebook_csv()});
-  files.push_back(psych_ds(tables).description);
   append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
@@ -101,7 +100,8 @@ void write_output(const fs::path& folder, const std::string& name, const std::st
 /// The data, which may be large: one table in memory at a time.
 void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path& folder,
                 AnalysisOutput& output) {
-  const PsychDs shared = psych_ds(output.tables);
+  const PsychDs shared = psych_ds(output.tables, answers);
+  write_output(folder, shared.description.name, shared.description.content, output);
   {
     const std::string trials = trials_long_csv(output.tables.set);
     write_output(folder, "trials_long.csv", trials, output);

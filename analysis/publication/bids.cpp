@@ -85,7 +85,7 @@ std::string participants_tsv(const StudyTables& tables,
   return text;
 }
 
-std::string participants_json() {
+std::string participants_json(const std::vector<study::BackgroundRow>& answers) {
   BidsJson json;
   json["participant_code"]["Description"] = "Code of the participant in the study's file";
   BidsJson& kind = json["participant_kind"];
@@ -93,6 +93,10 @@ std::string participants_json() {
   kind["Levels"]["human"] = "a person";
   kind["Levels"]["pilot"] = "a person trying out the procedure";
   kind["Levels"]["simulated"] = "a simulated participant, not a person";
+  for (const study::BackgroundRow& row : answers) {
+    json["background_" + row.question]["Description"] =
+        "Answer to the background question " + row.question + ", as a number";
+  }
   return bids_json(json);
 }
 
@@ -176,7 +180,7 @@ std::vector<TextFile> bids_files(const StudyTables& tables,
       {"bids/README", readme(tables)},
       {"bids/dataset_description.json", description_json(tables)},
       {"bids/participants.tsv", participants_tsv(tables, answers, labels)},
-      {"bids/participants.json", participants_json()},
+      {"bids/participants.json", participants_json(answers)},
       {"bids/task-preview_beh.json", behaviour_json()}};
   for (std::size_t i = 0; i < labels.size(); ++i) {
     files.push_back({fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_beh.tsv", labels[i]),

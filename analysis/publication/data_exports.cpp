@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -17,9 +18,26 @@ std::string file_word(const std::string& name) {
   return word.empty() ? "study" : word;
 }
 
-std::string dataset_description(const StudyTables& tables) {
+/// Every column of the data files once: Psych-DS lets no file have one that is not told of.
+std::vector<Variable> all_variables(const StudyTables& tables,
+                                    const std::vector<study::BackgroundRow>& answers) {
+  std::vector<Variable> variables = trial_variables();
+  std::set<std::string> told;
+  for (const Variable& variable : variables) {
+    told.insert(variable.name);
+  }
+  for (Variable& variable : participant_variables(tables.set, answers)) {
+    if (told.insert(variable.name).second) {
+      variables.push_back(std::move(variable));
+    }
+  }
+  return variables;
+}
+
+std::string dataset_description(const StudyTables& tables,
+                                const std::vector<study::BackgroundRow>& answers) {
   nlohmann::ordered_json variables = nlohmann::ordered_json::array();
-  for (const Variable& variable : trial_variables()) {
+  for (const Variable& variable : all_variables(tables, answers)) {
     nlohmann::ordered_json entry = {
         {"@type", "PropertyValue"}, {"name", variable.name}, {"description", variable.description}};
     if (!variable.unit.empty()) {
@@ -34,7 +52,8 @@ std::string dataset_description(const StudyTables& tables) {
       {"name", tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title},
       {"description",
        (warning.empty() ? "" : warning + " ") +
-           "Times and ratings of progressive previews, one row per trial; protocol " +
+           "Times and ratings of progressive previews, one row per trial and one per participant; "
+           "protocol " +
            tables.protocol_name + ", SHA-256 " + tables.protocol_sha256},
       {"variableMeasured", variables}};
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -82,9 +101,9 @@ print(summary(model))
 
 }  // namespace
 
-PsychDs psych_ds(const StudyTables& tables) {
+PsychDs psych_ds(const StudyTables& tables, const std::vector<study::BackgroundRow>& answers) {
   const std::string data = "psych-ds/data/study-" + file_word(tables.protocol_name);
-  return {{"psych-ds/dataset_description.json", dataset_description(tables)},
+  return {{"psych-ds/dataset_description.json", dataset_description(tables, answers)},
           data + "_type-trials_data.csv",
           data + "_type-participants_data.csv"};
 }

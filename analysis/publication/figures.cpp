@@ -296,7 +296,7 @@ std::string pdf_of(const Figure& figure) {
   constexpr double units_per_inch = 96.0;
   const std::string terminal = fmt::format(
       "set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font 'sans-serif,10.5' "
-      "fontscale 1 linewidth 0.75 pointscale 0.6 background rgb 'white'\n",
+      "fontscale 1 linewidth 1 pointscale 1.2 background rgb 'white'\n",
       figure.width / units_per_inch, figure.height / units_per_inch);
   return without_date(run_gnuplot(terminal + figure.script));
 }

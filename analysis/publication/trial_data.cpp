@@ -38,20 +38,18 @@ WideAnswers wide_answers(const std::vector<study::BackgroundRow>& answers) {
   return wide;
 }
 
-CsvRow wide_heading(const AnalysisSet& set, const WideAnswers& answers) {
-  CsvRow row = {"participant", "participant_kind"};
-  for (const std::string& scene : set.scenes) {
-    for (const std::string& method : set.methods) {
-      for (const char* measure : {"outline_s", "outline_censored", "material_s",
-                                  "material_censored", "artifacts_rating"}) {
-        row.push_back(fmt::format("{}.{}.{}", measure, scene, method));
-      }
-    }
+/// The columns of the long table that the wide one has for each scene and method.
+bool is_of_one_trial(const Variable& variable) {
+  return variable.name.starts_with("outline_") || variable.name.starts_with("material_") ||
+         variable.name.starts_with("artifacts_");
+}
+
+CsvRow names_of(const std::vector<Variable>& variables) {
+  CsvRow names;
+  for (const Variable& variable : variables) {
+    names.push_back(variable.name);
   }
-  for (const std::string& question : answers.questions) {
-    row.push_back("background." + question);
-  }
-  return row;
+  return names;
 }
 
 CsvRow wide_row(const AnalysisSet& set, const WideAnswers& answers, std::size_t participant) {
@@ -98,6 +96,28 @@ std::vector<Variable> trial_variables() {
        "Artifacts in other areas, 1 none to 5 not discernible at all"}};
 }
 
+std::vector<Variable> participant_variables(const AnalysisSet& set,
+                                            const std::vector<study::BackgroundRow>& answers) {
+  const std::vector<Variable> of_trials = trial_variables();
+  std::vector<Variable> variables(of_trials.begin(), of_trials.begin() + 2);
+  for (const std::string& scene : set.scenes) {
+    for (const std::string& method : set.methods) {
+      for (Variable variable : of_trials) {
+        if (is_of_one_trial(variable)) {
+          variable.name = fmt::format("{}.{}.{}", variable.name, scene, method);
+          variable.description += fmt::format("; scene {}, method {}", scene, method);
+          variables.push_back(std::move(variable));
+        }
+      }
+    }
+  }
+  for (const std::string& question : wide_answers(answers).questions) {
+    variables.push_back({"background." + question, "", "number",
+                         "Answer to the background question " + question + ", as a number"});
+  }
+  return variables;
+}
+
 std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participant,
                                    std::size_t scene, std::size_t method) {
   const Cell& cell = set.cell(participant, scene, method);
@@ -118,11 +138,7 @@ std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participa
 }
 
 std::string trials_long_csv(const AnalysisSet& set) {
-  CsvRow heading;
-  for (const Variable& variable : trial_variables()) {
-    heading.push_back(variable.name);
-  }
-  std::string text = format_csv({heading});
+  std::string text = format_csv({names_of(trial_variables())});
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
     for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
       for (std::size_t method = 0; method < set.methods.size(); ++method) {
@@ -136,7 +152,7 @@ std::string trials_long_csv(const AnalysisSet& set) {
 std::string participants_wide_csv(const AnalysisSet& set,
                                   const std::vector<study::BackgroundRow>& answers) {
   const WideAnswers wide = wide_answers(answers);
-  std::string text = format_csv({wide_heading(set, wide)});
+  std::string text = format_csv({names_of(participant_variables(set, answers))});
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
     text += format_csv({wide_row(set, wide, participant)});
   }

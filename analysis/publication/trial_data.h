@@ -31,8 +31,13 @@ std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participa
 /// empty.
 std::string trials_long_csv(const AnalysisSet& set);
 
+/// The columns of the wide table, in their order: those of the participant, MEASURE.SCENE.METHOD,
+/// and background.QUESTION.
+std::vector<Variable> participant_variables(const AnalysisSet& set,
+                                            const std::vector<study::BackgroundRow>& answers);
+
 /// One row per participant: their values in each scene with each method, then their answers about
-/// their background. Columns are named MEASURE.SCENE.METHOD and background.QUESTION.
+/// their background.
 std::string participants_wide_csv(const AnalysisSet& set,
                                   const std::vector<study::BackgroundRow>& answers);
 
@@ -46,7 +51,7 @@ struct PsychDs {
   std::string trials_name;
   std::string participants_name;
 };
-PsychDs psych_ds(const StudyTables& tables);
+PsychDs psych_ds(const StudyTables& tables, const std::vector<study::BackgroundRow>& answers);
 
 /// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4), and
 /// ordinal models of ratings (ordinal). They read the long table beside them.

@@ -56,6 +56,7 @@ TEST(Bids, SidecarsAreJsonAndDescribeEveryColumn) {
       "1.11.1");
   const nlohmann::json people = nlohmann::json::parse(content_of(files, "bids/participants.json"));
   EXPECT_EQ(people["participant_kind"]["Levels"].size(), 3U);
+  EXPECT_TRUE(people["background_virtual_reality"].contains("Description"));
 }
 
 TEST(Bids, SaysWhoTookPart) {

@@ -95,11 +95,16 @@ void expect_same_tables(const StudyTables& a, const StudyTables& b, double secon
     EXPECT_EQ(a.ratings[i].counts, b.ratings[i].counts);
   }
   for (std::size_t i = 0; i < a.background_correlations.size(); ++i) {
-    const auto& x = a.background_correlations[i].correlation;
-    const auto& y = b.background_correlations[i].correlation;
+    const auto& x = a.background_correlations[i].pearson;
+    const auto& y = b.background_correlations[i].pearson;
     ASSERT_TRUE(x && y);
     expect_same(x->r, y->r, 1.0, "background");
     expect_same(x->p, y->p, 1.0, "background");
+    const auto& x_ranks = a.background_correlations[i].spearman;
+    const auto& y_ranks = b.background_correlations[i].spearman;
+    ASSERT_TRUE(x_ranks && y_ranks);
+    expect_same(x_ranks->r, y_ranks->r, 1.0, "background's ranks");
+    expect_same(x_ranks->p, y_ranks->p, 1.0, "background's ranks");
   }
 }
 

@@ -1,6 +1,8 @@
 #include "analysis/publication/trial_data.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,10 +71,24 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  const PsychDs shared = psych_ds(tabulate_study(records));
+  const PsychDs shared = psych_ds(tabulate_study(records), records.background);
   const nlohmann::json json = nlohmann::json::parse(shared.description.content);
   EXPECT_EQ(json["@type"], "Dataset");
-  EXPECT_EQ(json["variableMeasured"].size(), trial_variables().size());
+  std::set<std::string> told;
+  for (const nlohmann::json& variable : json["variableMeasured"]) {
+    EXPECT_TRUE(told.insert(variable["name"]).second) << variable["name"];
+    EXPECT_FALSE(variable["description"].get<std::string>().empty());
+  }
+  std::set<std::string> columns;
+  const AnalysisSet set = select_for_analysis(records);
+  for (const std::string& file :
+       {trials_long_csv(set), participants_wide_csv(set, records.background)}) {
+    const CsvRow heading = parse_csv(file, "data").at(0);
+    columns.insert(heading.begin(), heading.end());
+  }
+  EXPECT_EQ(told, columns);
+  EXPECT_TRUE(columns.contains("material_s.barn.fv"));
+  EXPECT_TRUE(columns.contains("background.virtual_reality"));
   EXPECT_THAT(json["description"].get<std::string>(), HasSubstr("Simulated data"));
   EXPECT_EQ(shared.trials_name, "psych-ds/data/study-mystudy2_type-trials_data.csv");
 }
