@@ -39,14 +39,14 @@ class BadInputFile : public study::StudyFile {
   void write_study(int participants) {
     study::StudyStore store(path_, study::small_protocol());
     for (int i = 1; i <= participants; ++i) {
-      study::RecordedSession session(store, study::facts_of("P0" + std::to_string(i)),
-                                     study::small_plan());
+      study::PlayedSession session(store, study::facts_of("P0" + std::to_string(i)),
+                                   study::small_plan());
       session.begin();
       run_trials(session, i, 4);
     }
   }
 
-  static void run_trials(study::RecordedSession& session, int participant, int trials) {
+  static void run_trials(study::PlayedSession& session, int participant, int trials) {
     for (int trial = 0; trial < trials; ++trial) {
       const int outline_ms = 400 + 90 * participant + 700 * (trial % 2);
       session.run_trial(ms(1000 + 20'000 * trial), ms(outline_ms), ms(2 * outline_ms),
@@ -121,7 +121,7 @@ TEST_F(BadInputFile, AStudyWithoutSessions) {
 TEST_F(BadInputFile, AStudyWithoutAFinishedSession) {
   {
     study::StudyStore store(path_, study::small_protocol());
-    study::RecordedSession session(store, study::facts_of("P01"), study::small_plan());
+    study::PlayedSession session(store, study::facts_of("P01"), study::small_plan());
     session.begin();
     run_trials(session, 1, 2);
   }
@@ -132,7 +132,7 @@ TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
   write_study(2);
   {
     study::StudyStore store(path_, study::small_protocol());
-    study::RecordedSession session(store, study::facts_of("P03"), study::small_plan());
+    study::PlayedSession session(store, study::facts_of("P03"), study::small_plan());
     session.begin();
     run_trials(session, 3, 3);
   }
