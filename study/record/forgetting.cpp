@@ -85,7 +85,8 @@ void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& 
 std::optional<std::string> rebuild_without(const fs::path& file, const std::string& code) {
   schema_of_study(file);
   fold_in_log(file);
-  // A log that came back after a loss of power would be played into the new file.
+  // A log that came back after a loss of power would be played into the new file. SQLite, too,
+  // syncs the folder for a journal that it makes before that, but nowhere says so.
   sync_to_disk(folder_of(file));
   SQLite::Database study = open_as_it_is(file);
   const std::optional<FoundSession> session = session_of(study, code);
