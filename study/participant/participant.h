@@ -81,7 +81,8 @@ class Participant {
   virtual Vec3 gaze(Nanoseconds time) = 0;
 
   /// Shows the participant what is on the display. Returns the time of the key press, not earlier
-  /// than the percept, once the mark that the task asks for is made.
+  /// than the percept, once the mark that the task asks for is made. Another thread may meanwhile
+  /// ask for head() and gaze(), and for nothing else.
   virtual std::optional<Nanoseconds> see(const Percept& percept) = 0;
 
   /// After a mark, or before a rating: whether the timing of this occasion's trial failed, since

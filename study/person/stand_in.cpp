@@ -25,16 +25,17 @@ bool is_of_a_hand(const WindowEvent& event) {
 
 Vec3 StandIn::gaze_in_head(Nanoseconds time) {
   const Quat world_from_head = head_orientation(heading(time));
-  return glm::normalize(glm::conjugate(world_from_head) * participant().gaze(time - zero_));
+  return glm::normalize(glm::conjugate(world_from_head) * parts_.participant->gaze(time - zero_));
 }
 
 bool StandIn::wants_to_look() const {
-  return !due_ &&
+  return !due_ && !thought_.valid() &&
          (!last_glance_ || now() - *last_glance_ >= nanoseconds_from_seconds(glance_interval_s));
 }
 
-void StandIn::follow(const SeenFrame& frame, bool may_answer) {
+void StandIn::follow(SeenFrame frame, bool may_answer) {
   pass_on_window_events();
+  take_thought();
   if (!may_answer) {
     return;
   }
@@ -48,7 +49,7 @@ void StandIn::follow(const SeenFrame& frame, bool may_answer) {
   }
 }
 
-void StandIn::answer(const SeenFrame& frame) {
+void StandIn::answer(SeenFrame& frame) {
   const Asked& asked = frame.asked;
   switch (frame.standing.seen.phase) {
     case Phase::consent:
@@ -149,39 +150,30 @@ void StandIn::get_ready(const SeenFrame& frame) {
   }
 }
 
-void StandIn::watch(const SeenFrame& frame) {
+void StandIn::watch(SeenFrame& frame) {
   const SessionState& seen = frame.standing.seen;
-  if (seen.mark > 0 && doubts_timing()) {
+  const Task task = task_of(parts_.protocol->marks[seen.mark]);
+  if (!begin(task, {*attempt_, seen.mark}, frame.shown)) {
     return;
   }
-  begin(task_of(parts_.protocol->marks[seen.mark]), {*attempt_, seen.mark}, frame.shown);
   look(frame);
   press_mark_when_due();
 }
 
-void StandIn::rate(const SeenFrame& frame) {
+void StandIn::rate(SeenFrame& frame) {
   if (frame.asked.form) {
     const std::vector<Question>& asked = parts_.protocol->ratings;
     ratings_ = ratings_ ? ratings_ : participant().rate(asked);
     fill_in(*frame.asked.form, *ratings_);
     return;
   }
-  if (doubts_timing()) {
+  if (!begin(Task::look_around, {*attempt_, parts_.protocol->marks.size()}, frame.shown)) {
     return;
   }
-  begin(Task::look_around, {*attempt_, parts_.protocol->marks.size()}, frame.shown);
   look(frame);
   if (frame.session_time >= frame.asked.look_around_until && !frame.asked.wants_to_rate) {
     press(PersonKey::confirm);
   }
-}
-
-bool StandIn::doubts_timing() {
-  const bool doubts = participant().wants_retime();
-  if (doubts) {
-    press(PersonKey::again);
-  }
-  return doubts;
 }
 
 bool StandIn::begin_attempt(const SeenFrame& frame) {
@@ -217,27 +209,42 @@ void StandIn::turn_to(const std::string& scene, const OfferedObject& object) {
 
 bool StandIn::is_settled() const { return now() - turned_ >= nanoseconds_from_seconds(settling_s); }
 
-void StandIn::begin(Task task, const Mark& mark, Nanoseconds shown) {
-  if (mark_ != mark) {
-    mark_ = mark;
-    due_.reset();
-    last_glance_.reset();
-    ratings_.reset();
-    participant().begin(task, shown - zero_);
+bool StandIn::begin(Task task, const Mark& mark, Nanoseconds shown) {
+  if (mark_ == mark) {
+    return true;
   }
+  thought_ = {};  // about the mark before: who destroys it waits for it
+  if (mark.second > 0 && participant().wants_retime()) {
+    press(PersonKey::again);
+    return false;
+  }
+  mark_ = mark;
+  due_.reset();
+  last_glance_.reset();
+  ratings_.reset();
+  participant().begin(task, shown - zero_);
+  return true;
 }
 
-void StandIn::look(const SeenFrame& frame) {
-  if (!frame.pixels) {
+void StandIn::look(SeenFrame& frame) {
+  if (!frame.pixels || thought_.valid()) {
     return;
   }
   last_glance_ = frame.shown;
   const Nanoseconds presented = frame.shown - zero_;
-  const std::optional<Nanoseconds> press = participant().see({.image = frame.pixels->image,
-                                                              .viewport = frame.pixels->viewport,
-                                                              .gaze = participant().gaze(presented),
-                                                              .presented = presented});
-  if (press) {
+  thought_ = std::async(std::launch::async, [participant = parts_.participant,
+                                             pixels = std::move(*frame.pixels),
+                                             gaze = participant().gaze(presented), presented] {
+    return participant->see(
+        {.image = pixels.image, .viewport = pixels.viewport, .gaze = gaze, .presented = presented});
+  });
+}
+
+void StandIn::take_thought() {
+  if (!thought_.valid() || thought_.wait_for(Nanoseconds(0)) != std::future_status::ready) {
+    return;
+  }
+  if (const std::optional<Nanoseconds> press = thought_.get()) {
     due_ = zero_ + *press;
   }
 }

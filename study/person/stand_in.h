@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <future>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,7 +35,9 @@ struct SeenFrame {
 
 /// Head, eye and keys follow the steady clock. The keys reach the session as the window's own do,
 /// with the time at which they go down; the participant's times are those of an occasion, which
-/// begins where a trial is prepared or a validation begins, and has another number each time.
+/// begins where a trial is prepared or a validation begins, and has another number each time. Looks
+/// take a thread of their own, since frames must not wait for them; while one goes on, there is no
+/// other.
 class StandIn {
  public:
   struct Parts {
@@ -53,7 +55,7 @@ class StandIn {
   /// What the session takes in place of the window's events.
   WindowEvents& events() { return events_; }
 
-  AzimuthElevation heading(Nanoseconds time) { return participant().head(time - zero_); }
+  AzimuthElevation heading(Nanoseconds time) { return parts_.participant->head(time - zero_); }
   /// Unit length, in the head's axes.
   Vec3 gaze_in_head(Nanoseconds time);
 
@@ -61,33 +63,39 @@ class StandIn {
   bool wants_to_look() const;
 
   /// To be told of every frame; may_answer: whether what it asks for is still asked.
-  void follow(const SeenFrame& frame, bool may_answer);
+  void follow(SeenFrame frame, bool may_answer);
 
  private:
   /// A trial's attempt.
   using Attempt = std::pair<std::size_t, int>;
   using Mark = std::pair<Attempt, std::size_t>;
 
-  void answer(const SeenFrame& frame);
+  void answer(SeenFrame& frame);
   void fill_in(const Form& form, const std::vector<Answer>& answers);
   void look_at_targets(const SeenFrame& frame);
   void press_at_what_appears(const SeenFrame& frame);
   void choose_object(const SeenFrame& frame);
   void get_ready(const SeenFrame& frame);
-  void watch(const SeenFrame& frame);
-  void rate(const SeenFrame& frame);
-  /// If its timing failed, raises the doubt and returns true.
-  bool doubts_timing();
-
+  void watch(SeenFrame& frame);
+  void rate(SeenFrame& frame);
   /// Unless it has begun. Returns false, and asks for a pause, if the participant wants to stop.
   bool begin_attempt(const SeenFrame& frame);
   void begin_occasion(const Occasion& occasion);
   void turn_to(const std::string& scene, const OfferedObject& object);
-  /// Unless it has begun.
-  void begin(Task task, const Mark& mark, Nanoseconds shown);
-  void look(const SeenFrame& frame);
+  /// Unless it has begun. Returns false, and raises a doubt, if the timing before it has failed.
+  bool begin(Task task, const Mark& mark, Nanoseconds shown);
+  /// Begins a look at the frame, if its pixels were wanted.
+  void look(SeenFrame& frame);
+  /// Knows what came of a look that is over.
+  void take_thought();
 
-  Participant& participant() const { return *parts_.participant; }
+  /// Once it has looked enough.
+  Participant& participant() {
+    if (thought_.valid()) {
+      thought_.wait();
+    }
+    return *parts_.participant;
+  }
   Nanoseconds now() const { return parts_.clock->now(); }
   bool is_settled() const;
   void press(PersonKey key) { events_.push(press_of(key, now())); }
@@ -104,9 +112,10 @@ class StandIn {
   std::string object_;        ///< to which
   std::optional<Mark> mark_;  ///< what is looked for; the marks' count: the rating
   std::optional<Nanoseconds> last_glance_;
-  std::optional<Nanoseconds> due_;  ///< when the mark's key goes down
-  bool has_reacted_ = false;        ///< to what has appeared
-  std::optional<Vec3> target_;      ///< in the head's axes
+  std::future<std::optional<Nanoseconds>> thought_;  ///< what see() returns, while it looks
+  std::optional<Nanoseconds> due_;                   ///< when the mark's key goes down
+  bool has_reacted_ = false;                         ///< to what has appeared
+  std::optional<Vec3> target_;                       ///< in the head's axes
   std::optional<std::vector<Answer>> ratings_;
   bool withdraws_ = false;
 };
