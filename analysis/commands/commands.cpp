@@ -78,8 +78,9 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   command->add_option("-o,--output", arguments->folder,
                       "A folder for the results; made if its parent exists");
   command->add_flag("--json", arguments->json, "Print paths and main numbers as JSON");
-  command->add_flag("--bids", arguments->options.bids,
-                    "Also the behavioural data and the gaze as BIDS, a folder for each participant");
+  command->add_flag(
+      "--bids", arguments->options.bids,
+      "Also the behavioural data and the gaze as BIDS, a folder for each participant");
   add_planning(*command, *arguments);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"
