@@ -195,6 +195,7 @@ bool StandIn::begin_attempt(const SeenFrame& frame) {
 }
 
 void StandIn::begin_occasion(const Occasion& occasion) {
+  thought_ = {};  // about the occasion before: who destroys it waits for it
   zero_ = now();
   participant().begin_occasion(occasion);
 }
@@ -213,7 +214,7 @@ bool StandIn::begin(Task task, const Mark& mark, Nanoseconds shown) {
   if (mark_ == mark) {
     return true;
   }
-  thought_ = {};  // about the mark before: who destroys it waits for it
+  thought_ = {};  // about the mark before
   if (mark.second > 0 && participant().wants_retime()) {
     press(PersonKey::again);
     return false;

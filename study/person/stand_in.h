@@ -26,8 +26,8 @@ struct ShownPixels {
 struct SeenFrame {
   const Asked& asked;
   Standing standing;
-  const std::vector<OfferedObject>*
-      offered;  ///< by the scene that the session is in; none: in none
+  /// By the scene that the session is in; none if it is in none.
+  const std::vector<OfferedObject>* offered;
   Nanoseconds shown{0};
   Nanoseconds session_time{0};        ///< now
   std::optional<ShownPixels> pixels;  ///< of a trial's frame, if they were wanted
