@@ -111,8 +111,8 @@ SessionOutcome sit(const Seat& seat, const BegunSession& begun, const std::stop_
 
 DisplayProfile shown_display(const Protocol& protocol) {
   const DisplaySettings& settings = protocol.display;
-  DisplayProfile display = settings.profile.value_or(DisplayProfile{
-      .name = "the protocol's", .refresh_rate_hz = protocol.machine.frame_rate_hz});
+  DisplayProfile display = settings.profile.value_or(
+      DisplayProfile{.name = "the protocol's", .refresh_rate_hz = protocol.machine.frame_rate_hz});
   display.width_px = settings.view_width;
   display.height_px = settings.view_height;
   if (display.kind == DisplayKind::headset) {
