@@ -131,6 +131,8 @@ StudyTables tabulate_study(const study::StudyRecords& records) {
   tables.protocol_title = records.protocol_title;
   tables.protocol_sha256 = records.protocol_sha256;
   tables.has_simulated = records.has_simulated();
+  tables.simulation = records.simulation;
+
   tables.set = select_for_analysis(records);
   const AnalysisSet& set = tables.set;
   for (const Mark mark : marks) {

@@ -68,7 +68,9 @@ struct StudyTables {
   std::string protocol_name;
   std::string protocol_title;
   std::string protocol_sha256;
-  bool has_simulated = false;  ///< any session of the file, analysed or not
+  bool has_simulated = false;                        ///< any session of the file, analysed or not
+  std::optional<study::SimulationFacts> simulation;  ///< of those, as far as it is known
+
   AnalysisSet set;
   std::vector<SceneTimes> scene_times;    ///< mark by mark, scene by scene, method by method
   std::vector<MethodTimes> method_times;  ///< mark by mark, method by method

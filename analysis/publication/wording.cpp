@@ -101,9 +101,28 @@ std::string data_notice(const StudyTables& tables) {
   return tables.has_simulated ? "Without the simulated sessions" : "";
 }
 
+namespace {
+
+std::string simulation_in_words(const study::SimulationFacts& simulation) {
+  std::string text;
+  if (simulation.predicted && simulation.plant.empty()) {
+    text += " What they looked at was not rendered but predicted from pilot renders.";
+  }
+  if (!simulation.plant.empty()) {
+    text += fmt::format(" Their times were drawn, with planted effects ({}).", simulation.plant);
+  }
+  if (simulation.scale != 1.0) {
+    text += fmt::format(" Film and machine were scaled down by {:g}.", simulation.scale);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string data_warning(const StudyTables& tables) {
   if (tables.set.kind == "simulated") {
-    return "Simulated data: every number here comes from simulated participants, not from people.";
+    return "Simulated data: every number here comes from simulated participants, not from people." +
+           (tables.simulation ? simulation_in_words(*tables.simulation) : "");
   }
   if (tables.set.kind == "pilot") {
     return "Pilot data: these sessions tried out the procedure and are not the study.";

@@ -79,6 +79,21 @@ std::vector<SessionRow> read_sessions(SQLite::Database& database) {
   return sessions;
 }
 
+std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
+  SQLite::Statement rows(
+      database,
+      "SELECT devices ->> '$.simulation.scale' AS scale,"
+      " devices ->> '$.simulation.predicted' AS predicted,"
+      " coalesce(nullif(devices ->> '$.simulation.plant', 'none'), '') AS plant FROM session"
+      " WHERE kind = 'simulated' AND devices -> '$.simulation' IS NOT NULL LIMIT 1");
+  if (!rows.executeStep()) {
+    return std::nullopt;
+  }
+  return SimulationFacts{.scale = rows.getColumn("scale").getDouble(),
+                         .predicted = rows.getColumn("predicted").getInt() == 1,
+                         .plant = rows.getColumn("plant").getString()};
+}
+
 TrialRow read_trial(SQLite::Statement& row) {
   return {.participant = row.getColumn("participant").getString(),
           .scene = row.getColumn("scene").getString(),
@@ -125,6 +140,7 @@ StudyRecords read_records(SQLite::Database& database) {
   StudyRecords records;
   read_protocol(database, records);
   records.sessions = read_sessions(database);
+  records.simulation = read_simulation(database);
   records.amended = read_amended(database);
   records.trials = read_trials(database);
   records.background = read_background(database);

@@ -49,6 +49,15 @@ struct AmendedSession {
   friend bool operator==(const AmendedSession&, const AmendedSession&) = default;
 };
 
+/// How a study's simulated sessions came about, all of them in the same way.
+struct SimulationFacts {
+  double scale = 1.0;      ///< so many times fewer pixels and samples per second
+  bool predicted = false;  ///< what was looked at was not rendered but predicted from pilots
+  std::string plant;       ///< effects that were planted; empty: none
+
+  friend bool operator==(const SimulationFacts&, const SimulationFacts&) = default;
+};
+
 struct StudyRecords {
   std::string protocol_name;
   std::string protocol_title;
@@ -57,6 +66,8 @@ struct StudyRecords {
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
   std::vector<SessionRow> sessions;
+  /// Of simulated sessions, unless there are none or they are older than these facts.
+  std::optional<SimulationFacts> simulation;
   std::vector<AmendedSession> amended;  ///< none twice: reports must say which
   std::vector<TrialRow> trials;  ///< all that were planned, in order; none of withdrawn sessions
   std::vector<BackgroundRow> background;  ///< none of withdrawn sessions

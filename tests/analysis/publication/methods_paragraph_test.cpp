@@ -13,6 +13,8 @@
 namespace foveola::analysis {
 namespace {
 
+using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -50,6 +52,20 @@ TEST(MethodsParagraph, CallsSimulatedDataSo) {
   const std::string text = paragraph(records, "");
   EXPECT_THAT(text, HasSubstr("Simulated data:"));
   EXPECT_THAT(text, HasSubstr("2 simulated participants saw"));
+}
+
+TEST(MethodsParagraph, SaysHowDataWereSimulated) {
+  study::StudyRecords records = complete_study(2);
+  for (study::SessionRow& session : records.sessions) {
+    session.kind = "simulated";
+  }
+  EXPECT_THAT(paragraph(records, ""), Not(AnyOf(HasSubstr("predicted"), HasSubstr("scaled"))));
+  records.simulation = study::SimulationFacts{.scale = 36.0, .predicted = true, .plant = ""};
+  EXPECT_THAT(paragraph(records, ""),
+              AllOf(HasSubstr("not rendered but predicted"), HasSubstr("scaled down by 36.")));
+  records.simulation = study::SimulationFacts{.scale = 1.0, .plant = "faster:fv:2"};
+  EXPECT_THAT(paragraph(records, ""),
+              AllOf(HasSubstr("planted effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
 }
 
 TEST(MethodsParagraph, AProtocolThatIsNoTomlIsAnError) {

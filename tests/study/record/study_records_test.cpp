@@ -147,6 +147,27 @@ TEST_F(Records, SayWhetherAnySessionWasSimulated) {
   EXPECT_TRUE(read_study(path_).has_simulated());
 }
 
+TEST_F(Records, SayHowSessionsWereSimulated) {
+  SessionFacts human = facts_of("P01");
+  human.kind = SessionKind::human;
+  store_.begin_session(human, small_plan());
+  EXPECT_FALSE(read_study(path_).simulation);
+  SessionFacts predicted = facts_of("P02");
+  predicted.devices =
+      R"({"simulation": {"scale": 36.0, "predicted": true, "plant": "none", "people_sha256": ""}})";
+  store_.begin_session(predicted, small_plan());
+  EXPECT_EQ(read_study(path_).simulation,
+            (SimulationFacts{.scale = 36.0, .predicted = true, .plant = ""}));
+}
+
+TEST_F(Records, TellWhatWasPlanted) {
+  SessionFacts planted = facts_of("P01");
+  planted.devices = R"({"simulation": {"scale": 1.0, "predicted": false, "plant": "faster:fv:2"}})";
+  store_.begin_session(planted, small_plan());
+  EXPECT_EQ(read_study(path_).simulation,
+            (SimulationFacts{.scale = 1.0, .predicted = false, .plant = "faster:fv:2"}));
+}
+
 TEST_F(Records, OfANewStudyAreEmpty) {
   const StudyRecords records = read_study(path_);
   EXPECT_TRUE(records.sessions.empty());
