@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -226,11 +227,15 @@ class SceneAtlas {
                     patches);
   }
 
-  /// A table for each scale, of all views, each standing for a patch.
+  /// A table for each scale, of all views, each standing for a patch. A view whose cells are too
+  /// small for the film's pixels on any scale is left out on all.
   static std::vector<NoiseTable> gathered(const std::vector<ScaleTables>& views,
                                           const std::vector<Cells::Patch>& patches) {
     std::vector<NoiseTable> tables(views.front().size());
     for (std::size_t view = 0; view < views.size(); ++view) {
+      if (std::any_of(views[view].begin(), views[view].end(), std::mem_fn(&NoiseTable::empty))) {
+        continue;
+      }
       for (std::size_t scale = 0; scale < tables.size(); ++scale) {
         tables[scale].push_back(mean_of(views[view][scale]));
         tables[scale].back().direction = patches[view].direction;
