@@ -171,6 +171,10 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_sc
   if (!fs::is_directory(arguments.folder)) {
     throw Error(arguments.folder, "is no folder", "make it");
   }
+  const fs::path protocol = find_protocol(arguments.protocol);
+  if (load_protocol(protocol).methods.size() < 2) {
+    throw Error(protocol.string(), "has a single method", "choose one that compares methods");
+  }
   const std::vector<Outcome> outcomes = simulate_all(arguments, find_scene, stop);
   if (arguments.json) {
     const nlohmann::json report = {{"simulated", true},

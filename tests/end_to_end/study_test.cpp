@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <set>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -212,6 +214,37 @@ TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
            "--report", (folder / "report").string()});
   ASSERT_EQ(reported.exit_code, 0) << reported.errors;
   EXPECT_THAT(read_file(folder / "report/published_comparison.html"), HasSubstr("imulated"));
+}
+
+TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {
+  const fs::path out = folder / "bench";
+  fs::create_directory(out);
+  const auto bench = [&](const std::string& number) {
+    return run({"bench", "sensitivity", "hall", "--participants", "2", "--seed", "1", "--factor",
+                "3", "-o", out.string(), "--json", "--number", number});
+  };
+  EXPECT_THAT(bench("decision.lapse_s").errors, HasSubstr("has a single method"));
+  std::string protocol = hall_protocol();
+  protocol.replace(protocol.find(R"(["od"])"), 6, R"(["od", "vp"])");
+  folder.write("share/protocols/hall.toml", protocol);
+  const ProgramResult unknown = bench("decision.courage");
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.errors, HasSubstr("decision.courage: is none of people"));
+  EXPECT_TRUE(fs::is_empty(out));
+
+  const ProgramResult told = bench("decision.lapse_s");
+  ASSERT_EQ(told.exit_code, 0) << told.errors;
+  const nlohmann::json outcomes = nlohmann::json::parse(told.output).at("outcomes");
+  ASSERT_EQ(outcomes.size(), 3U) << "as they are, a third, three times";
+  EXPECT_EQ(outcomes[2].at("value"), 3.0);
+  EXPECT_EQ(outcomes[2].at("means").size(), 2U) << "VP, until the outline and the material";
+  std::set<std::string> people;
+  for (const char* study : {"adults", "decision.lapse_s-0.333333", "decision.lapse_s-3"}) {
+    people.insert(value_of(out / fmt::format("{}.sqlite", study),
+                           "SELECT devices ->> '$.simulation.people_sha256' FROM session"));
+  }
+  EXPECT_EQ(people.size(), 3U);
+  EXPECT_EQ(bench("decision.lapse_s").output, told.output) << "gone on with";
 }
 
 /// A camera that sees the eye 2 degrees off.

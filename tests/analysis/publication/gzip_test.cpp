@@ -9,7 +9,7 @@ namespace {
 
 TEST(Gzip, ZlibGivesTheTextBack) {
   std::string text;
-  for (int i = 0; i < 50'000; ++i) {
+  for (long i = 0; i < 50'000; ++i) {
     text += std::to_string(i * i) + "\t\n";
   }
   EXPECT_EQ(gunzip(gzip(text)), text);
