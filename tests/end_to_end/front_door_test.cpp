@@ -1,9 +1,11 @@
 // The front-door script on machines that lack something, played by small stand-ins on its PATH.
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/base/files.h"
 #include "tests/end_to_end/program.h"
 
 namespace fs = std::filesystem;
@@ -11,7 +13,9 @@ namespace fs = std::filesystem;
 namespace foveola::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class FrontDoor : public testing::Test {
@@ -27,10 +31,22 @@ class FrontDoor : public testing::Test {
     fs::permissions(path, fs::perms::owner_all);
   }
 
-  ProgramResult open() {
+  ProgramResult open(Environment environment = {}) {
     const char* path = std::getenv("PATH");
-    return run_program({(folder_ / "foveola").string(), "demo"},
-                       {{"PATH", (folder_ / "bin").string() + ":" + path}});
+    environment.emplace_back("PATH", (folder_ / "bin").string() + ":" + path);
+    return run_program({(folder_ / "foveola").string(), "demo"}, environment);
+  }
+
+  /// How the compiler would be called; nothing is compiled.
+  std::string compiler_calls(const std::string& warnings_are_errors) {
+    stand_in("dpkg-query", "for p; do echo \"ii  $p\"; done");
+    stand_in("cmake", fmt::format("[ \"$1\" != --build ] || exit 1\ncd {} && PATH={} exec cmake "
+                                  "\"$@\" -B {}",
+                                  fs::path(FRONT_DOOR).parent_path().string(), std::getenv("PATH"),
+                                  (folder_ / "build" / "release").string()));
+    EXPECT_THAT(open({{"FOVEOLA_WARNINGS_ARE_ERRORS", warnings_are_errors}}).errors,
+                HasSubstr("building failed"));
+    return read_file(folder_ / "build" / "release" / "compile_commands.json");
   }
 
   TemporaryFolder folder_;
@@ -66,6 +82,14 @@ TEST_F(FrontDoor, SaysPlainlyThatTheNetworkFailed) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.errors, HasSubstr("Could not resolve host"));
   EXPECT_THAT(result.errors, HasSubstr("http_proxy"));
+}
+
+TEST_F(FrontDoor, ANewerCompilersWarningsDoNotStopAUsersBuild) {
+  EXPECT_THAT(compiler_calls(""), AllOf(HasSubstr("-Wall"), Not(HasSubstr("-Werror"))));
+}
+
+TEST_F(FrontDoor, WarningsAreErrorsWhereThatIsAskedFor) {
+  EXPECT_THAT(compiler_calls("ON"), HasSubstr("-Werror"));
 }
 
 }  // namespace
