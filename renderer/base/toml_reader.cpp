@@ -17,10 +17,78 @@ std::string place_of(const std::string& file, const toml::source_region& source)
   return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
 }
 
+/// The same of the byte at `offset`.
+std::string place_of(const std::string& file, std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+  return fmt::format("{}:{}:{}", file, std::count(before.begin(), before.end(), '\n') + 1,
+                     offset - line_begin + 1);
+}
+
+/// Where the string that begins with the quotation mark at `begin` has ended. One of a single line
+/// ends with its line at the latest.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char mark = text[begin];
+  const std::string three(3, mark);
+  const bool is_multi_line = text.substr(begin, 3) == three;
+  const std::string_view close = is_multi_line ? std::string_view(three) : text.substr(begin, 1);
+  for (std::size_t i = begin + close.size(); i < text.size(); ++i) {
+    if (mark == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text.substr(i, close.size()) == close) {
+      return i + close.size();
+    } else if (!is_multi_line && text[i] == '\n') {
+      return i;
+    }
+  }
+  return text.size();
+}
+
+/// Each part of a dotted key is a table within a table, which toml++ reads and destroys by
+/// recursion, without a limit of its own as it has for arrays and inline tables: a long key would
+/// exhaust the stack.
+void require_short_keys(const std::string& file, std::string_view text, const std::string& remedy) {
+  constexpr std::size_t most_parts = 16;
+  std::size_t parts = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const char letter = text[i];
+    if (letter == '"' || letter == '\'') {
+      i = end_of_string(text, i);
+      continue;
+    }
+    if (letter == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    if (letter == '.' && ++parts > most_parts) {
+      throw Error(place_of(file, text, i), fmt::format("a key of over {} parts", most_parts),
+                  remedy);
+    }
+    if (std::string_view("=,[]{}\n").find(letter) != std::string_view::npos) {
+      parts = 1;
+    }
+    ++i;
+  }
+}
+
+void require_moderate_size(const std::string& file, std::string_view text,
+                           const std::string& remedy) {
+  constexpr std::size_t most_bytes = 4'000'000;
+  if (text.size() > most_bytes) {
+    throw Error(file, fmt::format("has {} bytes, and at most {} are read", text.size(), most_bytes),
+                remedy);
+  }
+}
+
+/// Lists longer than any study's: what is made of their entries may take each with each other.
+constexpr std::size_t longest_list = 1000;
+
 }  // namespace
 
 toml::table parse_toml(const std::string& file, const std::string& text,
                        const std::string& remedy) {
+  require_moderate_size(file, text, remedy);
+  require_short_keys(file, text, remedy);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
@@ -158,11 +226,12 @@ std::vector<TomlReader::Text> TomlReader::texts(std::string_view key) {
   if (array == nullptr || array->empty() || !array->is_homogeneous<std::string>()) {
     fail(node->source(), full_name(key) + " must be a list of texts", R"(write ["a", "b"])");
   }
+  require_moderate_length(key, *array);
   std::vector<Text> texts;
+  std::set<std::string_view> known;
   for (const toml::node& element : *array) {
-    const std::string value = **element.as_string();
-    if (std::any_of(texts.begin(), texts.end(),
-                    [&](const Text& text) { return text.value == value; })) {
+    const std::string& value = **element.as_string();
+    if (!known.insert(value).second) {
       fail(element.source(), fmt::format("{} names '{}' twice", full_name(key), value),
            "name each once");
     }
@@ -206,6 +275,7 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
     fail(node->source(), full_name(key) + " must be a list of tables",
          fmt::format("begin each with [[{}]]", full_name(key)));
   }
+  require_moderate_length(key, *node->as_array());
   std::vector<TomlReader> readers;
   for (const toml::node& element : *node->as_array()) {
     readers.emplace_back(file_, *element.as_table(), full_name(key));
@@ -230,6 +300,15 @@ void TomlReader::fail(const toml::source_region& source, const std::string& what
 const toml::node* TomlReader::find(std::string_view key) {
   asked_.emplace(key);
   return table_->get(key);
+}
+
+void TomlReader::require_moderate_length(std::string_view key, const toml::array& array) const {
+  if (array.size() > longest_list) {
+    fail(array.source(),
+         fmt::format("{} has {} entries, and at most {} are read", full_name(key), array.size(),
+                     longest_list),
+         "name fewer");
+  }
 }
 
 std::string TomlReader::full_name(std::string_view key) const {

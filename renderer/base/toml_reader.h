@@ -16,7 +16,8 @@
 
 namespace foveola {
 
-/// Throws Error with the place of what is no TOML.
+/// Throws Error with the place of what is no TOML, of a key of over 16 parts, or if the text has
+/// over four million bytes: files come from strangers.
 toml::table parse_toml(const std::string& file, const std::string& text, const std::string& remedy);
 
 /// The names of the TOML files in one of Foveola's own folders, without .toml, in alphabetical
@@ -70,7 +71,7 @@ class TomlReader {
     std::string value;
     toml::source_region source;
   };
-  /// A non-empty array of strings, none twice; no strings if the key is absent.
+  /// A non-empty array of at most 1000 strings, none twice; no strings if the key is absent.
   std::vector<Text> texts(std::string_view key);
   /// Likewise. Throws Error if the key is absent.
   std::vector<Text> require_texts(std::string_view key);
@@ -79,7 +80,7 @@ class TomlReader {
 
   /// The table `key`, or an empty one.
   TomlReader table(std::string_view key);
-  /// The array of tables `key`, or none.
+  /// The array of at most 1000 tables `key`, or none.
   std::vector<TomlReader> tables(std::string_view key);
 
   /// To be called after everything was read: throws Error for the first key that nothing asked for.
@@ -95,6 +96,7 @@ class TomlReader {
 
  private:
   const toml::node* find(std::string_view key);
+  void require_moderate_length(std::string_view key, const toml::array& array) const;
   std::string full_name(std::string_view key) const;
   /// The index in `known` of the text under `key`; known.size() if the key is absent.
   std::size_t find_word(std::string_view key, const std::vector<std::string_view>& known);

@@ -170,6 +170,30 @@ TEST_F(BadInput, ProtocolsAreRefusedWithLineAndColumn) {
   EXPECT_THAT(folder_.entries(), ElementsAre("p.toml", "room.gltf"));
 }
 
+TEST_F(BadInput, FilesThatNestOrListWithoutEndAreRefused) {
+  std::string deep = "a";
+  std::string scenes = "\"arcade\"";
+  for (int i = 0; i < 50'000; ++i) {
+    deep += ".a";
+    scenes += ", \"scene-" + std::to_string(i) + "\"";
+  }
+  deep += " = 1\n";
+  write_file(folder_ / "deep.toml", deep);
+  const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
+  write_file(folder_ / "long.toml", replaced(protocol, "\"arcade\"", scenes));
+  write_file(folder_ / "asks.toml",
+             protocol + "\n[[questionnaire]]\nid = \"q\"\nfile = \"./deep.toml\"\n");
+  const auto path = [&](const char* name) { return (folder_ / name).string(); };
+  expect_one_line(run_foveola({"study", "check", path("deep.toml")}), 1, "deep.toml:1:32");
+  expect_one_line(run_foveola({"study", "check", path("asks.toml")}), 1, "deep.toml:1:32");
+  expect_one_line(run_foveola({"study", "check", path("long.toml")}), 1,
+                  "scenes has 50003 entries, and at most 1000 are read");
+  expect_one_line(run_foveola({"study", "simulate", "demo", "--db", path("new.sqlite"),
+                               "--participants", "1", "--people", path("deep.toml")}),
+                  1, "deep.toml:1:32");
+  EXPECT_THAT(folder_.entries(), ElementsAre("asks.toml", "deep.toml", "long.toml", "room.gltf"));
+}
+
 TEST_F(BadInput, DatabasesOfAnotherSchemaAreLeftAlone) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open((folder_ / "other.sqlite").c_str(), &database), SQLITE_OK);

@@ -121,6 +121,63 @@ TEST(TomlReader, KeysOfTablesAreNamedWithTheirTable) {
       << "required, but nothing read it";
 }
 
+/// "a.a.a" of so many parts.
+std::string key_of(std::size_t parts) {
+  std::string key = "a";
+  for (std::size_t i = 1; i < parts; ++i) {
+    key += ".a";
+  }
+  return key;
+}
+
+TEST(TomlReader, DeepKeysAreRefusedBeforeTheyAreRead) {
+  const auto nothing = [](TomlReader&) {};
+  for (const std::size_t parts : {17U, 50'000U}) {
+    EXPECT_THAT(complaint("b = 1\n" + key_of(parts) + " = 1\n", nothing),
+                AllOf(HasSubstr("a.toml:2:32"), HasSubstr("a key of over 16 parts")));
+    EXPECT_THAT(complaint("[" + key_of(parts) + "]\n", nothing), HasSubstr("a.toml:1:33"));
+    EXPECT_THAT(complaint("b = {" + key_of(parts) + " = 1}\n", nothing), HasSubstr("a.toml:1:37"));
+  }
+  EXPECT_THAT(complaint("\"b\" . 'b'." + key_of(50'000) + " = 1\n", nothing),
+              HasSubstr("a key of over 16 parts"));
+  EXPECT_THAT(complaint(key_of(16) + " = 1\n", nothing), HasSubstr("unknown key"));
+}
+
+TEST(TomlReader, DotsThatAreOfNoKeyAreNotCounted) {
+  const std::string dots(100, '.');
+  const auto read = [](TomlReader& reader) {
+    std::string text;
+    Vec3 place(0.0F);
+    for (const char* key : {"a", "b", "c", "d"}) {
+      reader.read(key, text);
+    }
+    reader.read("place", place, 0.0, 9.0);
+  };
+  EXPECT_EQ(complaint("# " + dots + "\na = \"\\\"" + dots + "\"\nb = '" + dots +
+                          "\\'\nc = \"\"\"\n" + dots + "\"" + dots + "\n\"\"\"\nd = '''" + dots +
+                          "'''\nplace = [" + "1.5, 2.5, 3.5] # " + dots + "\n",
+                      read),
+            "");
+}
+
+TEST(TomlReader, EndlessFilesAndListsAreRefused) {
+  EXPECT_THAT(complaint("# " + std::string(4'000'000, 'a'), [](TomlReader&) {}),
+              HasSubstr("at most 4000000"));
+  std::string names = "\"n0\"";
+  std::string tables;
+  for (int i = 1; i < 1000; ++i) {
+    names += ", \"n" + std::to_string(i) + "\"";
+    tables += "[[table]]\n";
+  }
+  const auto read_texts = [](TomlReader& reader) { reader.texts("names"); };
+  const auto read_tables = [](TomlReader& reader) { reader.tables("table"); };
+  EXPECT_EQ(complaint("names = [" + names + "]\n", read_texts), "");
+  EXPECT_THAT(complaint("names = [" + names + ", \"last\"]\n", read_texts),
+              AllOf(HasSubstr("a.toml:1:9"), HasSubstr("names has 1001 entries")));
+  EXPECT_EQ(complaint(tables, read_tables), "");
+  EXPECT_THAT(complaint(tables + tables, read_tables), HasSubstr("table has 1998 entries"));
+}
+
 TEST(TomlReader, SaysWhereTheFileIsNoToml) {
   EXPECT_THAT(complaint("a = 1\nb = \n", [](TomlReader&) {}),
               AllOf(HasSubstr("a.toml:2:"), HasSubstr("look at an example")));
