@@ -76,6 +76,20 @@ void undo_what_was_half_done(const fs::path& path) {
   }
 }
 
+/// A file with two names could be written by two programs at once, each with a lock and a log
+/// beside its own name, and whoever reads by one name misses what is in the log beside the other.
+void require_single_name(const fs::path& path) {
+  std::error_code ignored;
+  if (const std::uintmax_t names = fs::hard_link_count(path, ignored); !ignored && names > 1) {
+    throw Error(path.string(),
+                fmt::format("has {} names (hard links), by which two programs could write it at "
+                            "once",
+                            names),
+                "remove all but the one that is in use (find -samefile lists them), or go on with "
+                "a copy of it (cp)");
+  }
+}
+
 void require_regular_file(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
@@ -85,6 +99,7 @@ void require_regular_file(const fs::path& path) {
   if (!fs::is_regular_file(status)) {
     throw Error(path.string(), "is no file", "name a study that foveola has written");
   }
+  require_single_name(path);
 }
 
 /// A file of an older schema, as one of this one that lies in memory.

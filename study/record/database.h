@@ -18,7 +18,8 @@ namespace foveola::study {
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 
 /// The version of the schema that the study at `path` has, one that this program knows. Throws
-/// Error or what SQLite throws if it is missing, no study or of another schema.
+/// Error or what SQLite throws if it is missing, no study, of another schema, or if the file has a
+/// second name (hard link).
 int schema_of_study(const std::filesystem::path& path);
 
 /// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a

@@ -220,6 +220,9 @@ void require_gone(const fs::path& study, const std::set<std::string>& traces) {
 Forgotten forget(const fs::path& study, const std::string& code) {
   const ControllerLock lock(study);
   const std::vector<fs::path> copies = copies_of(study);
+  for (const fs::path& copy : copies) {
+    with_clear_errors(copy, [&] { schema_of_study(copy); });
+  }
   // First, so that what is left to do by another call can be told by the copies alone.
   remove_leftovers(study, copies);
   Forgotten forgotten;

@@ -93,6 +93,12 @@ std::vector<BadFile> bad_files() {
          overwrite(path, 68, "Abcd");
        },
        "is no study of Foveola"},
+      {"SecondName",
+       [](const fs::path& path) {
+         write_small_study(path);
+         fs::create_hard_link(path, path.parent_path() / "other.sqlite");
+       },
+       "has 2 names (hard links)"},
       {"NewerSchema",
        [](const fs::path& path) {
          write_small_study(path);
@@ -142,6 +148,25 @@ std::vector<BadFile> bad_files() {
 
 INSTANTIATE_TEST_SUITE_P(Database, BadFiles, testing::ValuesIn(bad_files()),
                          [](const auto& parameter) { return parameter.param.name; });
+
+TEST(Database, WhileOneWriterIsAtWorkNoSecondComesByAnotherName) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  {
+    StudyStore store(path, small_protocol());
+    PlayedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    const fs::path other = folder / "other.sqlite";
+    fs::create_hard_link(path, other);
+    EXPECT_THAT(refusal([&] { const StudyStore second(other, small_protocol()); }),
+                AllOf(StartsWith(other.string() + ": "), HasSubstr("has 2 names")));
+    EXPECT_THAT(refusal([&] { read_study(other); }), HasSubstr("has 2 names"))
+        << "it would miss the log beside the first name";
+    fs::remove(other);
+    session.run_trial(ms(100), ms(2000), ms(3000), 2);
+  }
+  EXPECT_EQ(read_study(path).trials.size(), 4U);
+}
 
 TEST(Database, ReaderRefusesWhatIsNotThereAndMakesNothing) {
   const TemporaryFolder folder;

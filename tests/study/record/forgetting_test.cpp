@@ -47,6 +47,14 @@ class Forgetting : public StudyFile {
   std::string uuid_;
 };
 
+TEST_F(Forgetting, RefusesAnythingWithASecondNameByWhichThePersonWouldStay) {
+  fs::create_hard_link(backups().back(), folder_ / "kept.sqlite");
+  const std::string before = everything();
+  EXPECT_THAT(refusal([&] { forget_participant(path_, code); }),
+              AllOf(HasSubstr(backups().back().string()), HasSubstr("has 2 names")));
+  EXPECT_EQ(everything(), before);
+}
+
 TEST_F(Forgetting, LeavesNoByteOfThePerson) {
   EXPECT_THAT(everything(), AllOf(HasSubstr(code), HasSubstr(uuid_)));
   const Forgotten forgotten = forget_participant(path_, code);
