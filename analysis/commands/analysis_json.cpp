@@ -4,6 +4,7 @@
 
 #include "analysis/commands/comparisons_json.h"
 #include "analysis/publication/wording.h"
+#include "study/record/verification_json.h"
 
 namespace foveola::analysis {
 namespace {
@@ -161,27 +162,29 @@ std::string analysis_json(const AnalysisOutput& output) {
   for (const std::filesystem::path& file : output.files) {
     files.push_back(file.string());
   }
-  const json result = {{"report", output.report.string()},
-                       {"files", files},
-                       {"warnings", output.warnings},
-                       {"protocol", tables.protocol_name},
-                       {"protocol_sha256", tables.protocol_sha256},
-                       {"participant_kind", tables.set.kind},
-                       {"data_notice", notice.empty() ? json(nullptr) : json(notice)},
-                       {"participants", tables.set.participants.size()},
-                       {"scenes", tables.set.scenes},
-                       {"methods", tables.set.methods},
-                       {"baseline", tables.set.methods.front()},
-                       {"scene_times", scene_times(tables)},
-                       {"geometric_means", geometric_means(tables)},
-                       {"artifact_ratings", artifact_ratings(tables)},
-                       {"background", background(tables)},
-                       {"comparisons", comparisons_json(output.comparisons, tables.set.kind)},
-                       {"omnibus", omnibus_json(output.comparisons, tables.set.kind)},
-                       {"order_effects", order_json(output.comparisons, tables.set.kind)},
-                       {"instrument", instrument(output.checks, tables.set.kind)},
-                       {"amended_sessions", amended(tables)},
-                       {"excluded", tables.set.exclusions.size()}};
+  const json result = {
+      {"report", output.report.string()},
+      {"files", files},
+      {"warnings", output.warnings},
+      {"protocol", tables.protocol_name},
+      {"protocol_sha256", tables.protocol_sha256},
+      {"participant_kind", tables.set.kind},
+      {"data_notice", notice.empty() ? json(nullptr) : json(notice)},
+      {"participants", tables.set.participants.size()},
+      {"scenes", tables.set.scenes},
+      {"methods", tables.set.methods},
+      {"baseline", tables.set.methods.front()},
+      {"scene_times", scene_times(tables)},
+      {"geometric_means", geometric_means(tables)},
+      {"artifact_ratings", artifact_ratings(tables)},
+      {"background", background(tables)},
+      {"comparisons", comparisons_json(output.comparisons, tables.set.kind)},
+      {"omnibus", omnibus_json(output.comparisons, tables.set.kind)},
+      {"order_effects", order_json(output.comparisons, tables.set.kind)},
+      {"record", output.record ? study::verification_json(*output.record) : json(nullptr)},
+      {"instrument", instrument(output.checks, tables.set.kind)},
+      {"amended_sessions", amended(tables)},
+      {"excluded", tables.set.exclusions.size()}};
   return result.dump(2, ' ', false, json::error_handler_t::replace);
 }
 

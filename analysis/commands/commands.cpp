@@ -81,6 +81,9 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   command->add_flag(
       "--bids", arguments->options.bids,
       "Also the behavioural data and the gaze as BIDS, a folder for each participant");
+  command->add_flag("--unverified", arguments->options.unverified,
+                    "Analyse a file that is not what was written; the report says what is wrong "
+                    "with it");
   add_planning(*command, *arguments);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"

@@ -20,6 +20,7 @@
 #include "analysis/publication/table_files.h"
 #include "analysis/publication/trial_data.h"
 #include "analysis/publication/wording.h"
+#include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
 namespace fs = std::filesystem;
@@ -27,8 +28,30 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-std::vector<std::string> warnings_about(const StudyTables& tables, const InstrumentReport& checks) {
+/// What `foveola study verify` finds. Throws Error if the file is broken, unless that is asked for.
+study::Verification verified(const fs::path& database, bool takes_broken) {
+  study::Verification found = study::verify_study(database);
+  if (!found.faults.empty() && !takes_broken) {
+    const study::RecordFault& first = found.faults.front();
+    throw Error(database.string(),
+                fmt::format("is not what was written ({}, the first: {}{}{})",
+                            counted(found.faults.size(), "fault"), first.participant,
+                            first.participant.empty() ? "" : ": ", first.what),
+                "restore it from a backup (foveola study verify lists the faults), or analyse it "
+                "as it is with --unverified");
+  }
+  return found;
+}
+
+std::vector<std::string> warnings_about(const AnalysisOutput& output) {
+  const StudyTables& tables = output.tables;
   std::vector<std::string> warnings;
+  if (output.record && !output.record->faults.empty()) {
+    warnings.push_back(fmt::format(
+        "The study's file is not what was written ({}): any number may be wrong; foveola study "
+        "verify lists what is.",
+        counted(output.record->faults.size(), "fault")));
+  }
   if (const std::string warning = data_warning(tables); !warning.empty()) {
     warnings.push_back(warning);
   }
@@ -38,7 +61,7 @@ std::vector<std::string> warnings_about(const StudyTables& tables, const Instrum
   if (tables.set.participants.size() < 2) {
     warnings.emplace_back("One participant: no standard deviations and no intervals.");
   }
-  for (const InstrumentCheck& check : checks.checks) {
+  for (const InstrumentCheck& check : output.checks.checks) {
     if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
       warnings.push_back(
           fmt::format("The instrument missed a limit: {}: {}.", check.name, check.found));
@@ -86,7 +109,7 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
     files.push_back({figure.name + ".png", png_of(figure)});
   }
   files.push_back({"report.html", report_html({tables, comparisons, instrument, output.checks,
-                                               figures, published, methods})});
+                                               figures, published, methods, output.record})});
   return files;
 }
 
@@ -140,15 +163,17 @@ void write_bids(const std::vector<study::BackgroundRow>& answers,
 
 AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument, const fs::path& folder,
-                               const AnalysisOptions& options, const GazeReader& read_gaze) {
+                               const AnalysisOptions& options, const GazeReader& read_gaze,
+                               std::optional<study::Verification> record) {
   AnalysisOutput output;
+  output.record = std::move(record);
   output.tables = tabulate_study(records);
   // The tables hold what the trials say, and there may be millions.
   records.trials = std::vector<study::TrialRow>();
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
   output.checks = check_instrument(output.tables, instrument);
   output.summary = terminal_summary(output.tables);
-  output.warnings = warnings_about(output.tables, output.checks);
+  output.warnings = warnings_about(output);
   const std::vector<TextFile> files =
       files_of(output, instrument,
                methods_paragraph(output.tables, output.comparisons, records.protocol_text));
@@ -167,8 +192,10 @@ AnalysisOutput analyze_records(study::StudyRecords records,
 
 AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder,
                              const AnalysisOptions& options) {
-  return analyze_records(study::read_study(database), study::read_instrument(database), folder,
-                         options, [&](const auto& visit) { study::visit_gaze(database, visit); });
+  study::Verification record = verified(database, options.unverified);
+  return analyze_records(
+      study::read_study(database), study::read_instrument(database), folder, options,
+      [&](const auto& visit) { study::visit_gaze(database, visit); }, std::move(record));
 }
 
 }  // namespace foveola::analysis

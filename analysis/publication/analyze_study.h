@@ -3,18 +3,21 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/publication/comparisons.h"
 #include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/study_tables.h"
+#include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 
 namespace foveola::analysis {
 
 struct AnalysisOptions {
-  bool bids = false;  ///< also bids/, with a folder for each participant
+  bool bids = false;        ///< also bids/, with a folder for each participant
+  bool unverified = false;  ///< analyse a study's file even if it is not what was written
 };
 
 /// Calls its argument for every attempt's gaze, as study::visit_gaze does; empty: there is none.
@@ -28,21 +31,24 @@ struct AnalysisOutput {
   StudyTables tables;
   Comparisons comparisons;
   InstrumentReport checks;
+  std::optional<study::Verification> record;  ///< of the study's file, if one was read
 };
 
-/// Reads the study's file and writes the published tables and figures to `folder`, which is made if
-/// its parent exists. Files of an earlier analysis are replaced, others left alone; nothing is
-/// written before everything is computed. Throws Error if there is nothing to analyse or the folder
-/// cannot be written.
+/// Verifies the study's file, reads it and writes the published tables and figures to `folder`,
+/// which is made if its parent exists. Files of an earlier analysis are replaced, others left
+/// alone; nothing is written before everything is computed. Throws Error if the file is not what
+/// was written (unless options.unverified), there is nothing to analyse, or the folder cannot be
+/// written.
 AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder,
                              const AnalysisOptions& options = {});
 
-/// The same for records at hand.
+/// The same for records at hand; `record` is what verifying their file found, if they are of one.
 AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::InstrumentRecords& instrument,
                                const std::filesystem::path& folder,
                                const AnalysisOptions& options = {},
-                               const GazeReader& read_gaze = {});
+                               const GazeReader& read_gaze = {},
+                               std::optional<study::Verification> record = {});
 
 }  // namespace foveola::analysis

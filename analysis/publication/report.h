@@ -1,6 +1,7 @@
 // The study's report: one HTML file that needs no network.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
+#include "study/record/maintenance.h"
 
 namespace foveola::analysis {
 
@@ -20,7 +22,8 @@ struct ReportContent {
   const InstrumentReport& checks;
   const std::vector<Figure>& figures;
   const std::vector<PublishedMean>& published;
-  const std::string& methods;  ///< methods_paragraph
+  const std::string& methods;                        ///< methods_paragraph
+  const std::optional<study::Verification>& record;  ///< what verifying it found, if it is a file
 };
 
 /// The whole page. It says at its top and in each caption when its data are not people's, lists

@@ -1,6 +1,7 @@
 // The sections of the report, one after the other; report.h puts them on a page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
+#include "study/record/maintenance.h"
 
 namespace foveola::analysis {
 
@@ -29,6 +31,12 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
 
 /// The P-value of background.
 std::string background_section(const StudyTables& tables);
+
+/// That the study's file is not what was written, for the top of the report; empty if it is.
+std::string record_flags(const std::optional<study::Verification>& record);
+
+/// How the study's file was verified, and what was found; no file: that there was none.
+std::string record_section(const std::optional<study::Verification>& record);
 
 /// What the instrument missed, for the top of the report; empty if nothing.
 std::string instrument_flags(const StudyTables& tables, const InstrumentReport& report);

@@ -13,6 +13,7 @@
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/study_records.h"
+#include "study/record/verification_json.h"
 
 namespace foveola::study {
 namespace {
@@ -83,23 +84,10 @@ void run_status(const Arguments& arguments) {
   }
 }
 
-nlohmann::json json_faults(const std::vector<RecordFault>& faults) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const RecordFault& fault : faults) {
-    list.push_back({{"participant", fault.participant}, {"what", fault.what}});
-  }
-  return list;
-}
-
 void run_verify(const Arguments& arguments) {
   const Verification found = verify_study(arguments.database);
   if (arguments.json) {
-    const nlohmann::json json = {{"sessions", found.sessions},
-                                 {"events", found.events},
-                                 {"chunks", found.chunks},
-                                 {"faults", json_faults(found.faults)},
-                                 {"gaps", json_faults(found.gaps)}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", verification_json(found).dump(2));
   } else {
     fmt::print("{}", verification_table(found));
   }

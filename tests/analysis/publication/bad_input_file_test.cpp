@@ -27,9 +27,9 @@ using testing::Not;
 class BadInputFile : public study::StudyFile {
  protected:
   /// The single line by which the file is refused; fails if anything is left of the analysis.
-  std::string refusal() {
+  std::string refusal(const AnalysisOptions& options = {}) {
     const std::vector<std::string> before = folder_.entries();
-    const std::string line = study::refusal([&] { (void)analyze_study(path_, results_); });
+    const std::string line = study::refusal([&] { (void)analyze_study(path_, results_, options); });
     EXPECT_THAT(line, Not(HasSubstr("\n")));
     EXPECT_EQ(folder_.entries(), before);
     return line;
@@ -143,13 +143,45 @@ TEST_F(BadInputFile, ASessionThatIsNotOverIsLeftOutAndListed) {
   EXPECT_THAT(output.warnings, Contains(HasSubstr("left out")));
 }
 
+TEST_F(BadInputFile, ATimeThatWasChangedAfterwards) {
+  write_study(2);
+  study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
+  const std::string line = refusal();
+  EXPECT_THAT(line,
+              HasSubstr("is not what was written (1 fault, the first: P02: its rows in mark do "
+                        "not follow from its events)"));
+  EXPECT_THAT(line, HasSubstr("--unverified"));
+}
+
+TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysSo) {
+  write_study(2);
+  study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
+  const AnalysisOutput output = analyze_study(path_, results_, {.unverified = true});
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("is not what was written (1 fault)")));
+  const std::string report = read_file(results_ / "report.html");
+  EXPECT_THAT(report, HasSubstr("⚑ The study’s file is not what was written (1 fault)"));
+  EXPECT_THAT(report, HasSubstr("<li>P02: its rows in mark do not follow from its events</li>"));
+}
+
+TEST_F(BadInputFile, TheReportSaysThatAWholeRecordWasVerifiedAndWhatIsMissingInIt) {
+  write_study(2);
+  const AnalysisOutput output = analyze_study(path_, results_);
+  ASSERT_TRUE(output.record);
+  EXPECT_EQ(output.record->sessions, 2U);
+  EXPECT_TRUE(output.record->faults.empty());
+  const std::string report = read_file(results_ / "report.html");
+  EXPECT_THAT(report, HasSubstr(" events of 2 sessions, "));
+  EXPECT_THAT(report, HasSubstr("<p>It is what was written.</p>"));
+  EXPECT_THAT(report, HasSubstr("<li>P01: trial 0, attempt 1 has no frames</li>"));
+}
+
 TEST_F(BadInputFile, ATimeWithoutALogarithmNamesItsRow) {
   write_study(2);
   for (const char* time : {"0", "-5000000"}) {
     study::tamper(path_,
                   std::string("PRAGMA ignore_check_constraints = 1; UPDATE mark SET time_ns = ") +
                       time + " WHERE session = 2 AND trial = 1 AND kind = 'material'");
-    const std::string line = refusal();
+    const std::string line = refusal({.unverified = true});
     EXPECT_THAT(line, HasSubstr("participant P02, scene hall, method od, material time"));
     EXPECT_THAT(line, HasSubstr("has no logarithm"));
   }

@@ -29,7 +29,7 @@ std::string simulated_report() {
   const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
   return report_html({tables, comparisons, instrument, check_instrument(tables, instrument),
                       draw_figures(tables), std::vector<PublishedMean>{},
-                      methods_paragraph(tables, comparisons, records.protocol_text)});
+                      methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
 }
 
 /// What stands from each `begin` to the next `end`.

@@ -23,7 +23,7 @@ std::string report_of(const study::StudyRecords& records,
   const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
   return report_html({tables, comparisons, instrument, check_instrument(tables, instrument),
                       draw_figures(tables), published,
-                      methods_paragraph(tables, comparisons, records.protocol_text)});
+                      methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {

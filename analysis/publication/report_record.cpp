@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/html.h"
+#include "analysis/publication/report_parts.h"
+#include "analysis/publication/report_sections.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+constexpr std::size_t most_listed = 100;
+
+std::string in_words(const study::RecordFault& fault) {
+  return fault.participant.empty() ? fault.what
+                                   : fmt::format("{}: {}", fault.participant, fault.what);
+}
+
+std::string listed(const std::vector<study::RecordFault>& faults) {
+  std::string items = "<ul>\n";
+  for (std::size_t i = 0; i < std::min(most_listed, faults.size()); ++i) {
+    items += fmt::format("<li>{}</li>\n", escape_html(in_words(faults[i])));
+  }
+  if (faults.size() > most_listed) {
+    items += fmt::format("<li>and {} more, which <code>foveola study verify</code> lists</li>\n",
+                         faults.size() - most_listed);
+  }
+  return items + "</ul>\n";
+}
+
+std::string finding(const study::Verification& record) {
+  return record.faults.empty() ? "<p>It is what was written.</p>\n"
+                               : "<p>It is not what was written, and was analysed all the same, as "
+                                 "was asked for with "
+                                 "<code>--unverified</code>:</p>\n" +
+                                     listed(record.faults);
+}
+
+std::string gaps(const study::Verification& record) {
+  return record.gaps.empty()
+             ? "<p>Nothing is missing in it.</p>\n"
+             : "<p>What is missing in it, which is no damage:</p>\n" + listed(record.gaps);
+}
+
+}  // namespace
+
+std::string record_flags(const std::optional<study::Verification>& record) {
+  if (!record || record->faults.empty()) {
+    return "";
+  }
+  return fmt::format(
+      "<div class=\"flags\" role=\"note\"><p>⚑ The study’s file is not what was written ({}): any "
+      "number here may be wrong.</p></div>\n",
+      counted(record->faults.size(), "fault"));
+}
+
+std::string record_section(const std::optional<study::Verification>& record) {
+  if (!record) {
+    return html_section("The record",
+                        "<p>These data do not come from a study’s file: there is no record to "
+                        "verify.</p>\n");
+  }
+  return html_section(
+      "The record",
+      fmt::format("<p>The study’s file was verified before it was read, as <code>foveola study "
+                  "verify</code> does: by SQLite’s own checks, the hash chains over {} of {}, the "
+                  "checksums of {} of frames and gaze, and whether every table follows from the "
+                  "events.</p>\n",
+                  counted(record->events, "event"), counted(record->sessions, "session"),
+                  counted(record->chunks, "chunk")) +
+          finding(*record) + gaps(*record));
+}
+
+}  // namespace foveola::analysis
