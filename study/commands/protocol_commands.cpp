@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "study/commands/analysable.h"
 #include "study/commands/command_line.h"
 #include "study/commands/design_tables.h"
 #include "study/commands/participant_code.h"
@@ -67,8 +68,10 @@ nlohmann::json json_check(const Protocol& protocol) {
 
 void run_check(const Arguments& arguments, const SceneFinder& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
+  require_analysable(protocol);
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
+  warn_of_recorded_only(protocol);
   if (arguments.json) {
     fmt::print("{}\n", json_check(protocol).dump(2));
   } else {
@@ -99,9 +102,10 @@ void run_plan(const Arguments& arguments) {
 
 void add_check(CLI::App& study, const SceneFinder& find_scene) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      add_command(study, "check", "What a protocol means, whether it is sound, how long it takes",
-                  "check demo");
+  CLI::App* command = add_command(
+      study, "check",
+      "What a protocol means, whether it is sound and can be analysed, how long it takes",
+      "check demo");
   add_protocol(command, arguments->protocol);
   add_json(command, arguments->json);
   command->callback([arguments, find_scene] { run_check(*arguments, find_scene); });

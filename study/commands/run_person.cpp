@@ -13,6 +13,7 @@
 #include "renderer/base/files.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/gaze/gaze_source.h"
+#include "study/commands/analysable.h"
 #include "study/commands/same_scenes.h"
 #include "study/commands/session_so_far.h"
 #include "study/commands/session_window.h"
@@ -224,6 +225,11 @@ fs::path back_up(const StudyStore& store, const fs::path& database) {
 RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
                      const std::stop_token& stop) {
   const Protocol protocol = load_protocol(settings.protocol);
+  if (fs::exists(settings.database)) {
+    warn_of_unanalysable(protocol);
+  } else {
+    require_analysable(protocol);
+  }
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   DisplayProfile display = display_of(settings, protocol);
@@ -233,6 +239,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
   std::optional<SessionSoFar> so_far =
       session_so_far(store, protocol, settings.participant,
                      {.resumes = settings.resumes, .despite_changes = settings.despite_changes});
+  warn_of_recorded_only(protocol);
   const SteadyClock clock;
   WindowEvents events;
   Window window({.size = settings.window, .monitor = settings.monitor}, events, clock);

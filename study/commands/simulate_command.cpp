@@ -66,7 +66,8 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
                                                 .scale = arguments.scale,
                                                 .predicted = arguments.predicted,
                                                 .real_time = arguments.real_time,
-                                                .resume = arguments.resume},
+                                                .resume = arguments.resume,
+                                                .warns = true},
                                                find_scene, stop);
   const bool is_reported = !arguments.report.empty() && !stop.stop_requested();
   const std::string about_report =

@@ -10,12 +10,14 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
+#include "study/commands/analysable.h"
 #include "study/commands/predicted_study.h"
 #include "study/commands/real_time_study.h"
 #include "study/commands/rendered_attempt.h"
 #include "study/commands/same_scenes.h"
 #include "study/commands/simulation_kind.h"
 #include "study/commands/study_simulation.h"
+#include "study/participant/judged_measures.h"
 #include "study/participant/make_observer.h"
 #include "study/participant/population_file.h"
 #include "study/protocol/scaled_protocol.h"
@@ -104,7 +106,10 @@ Simulated simulated_people(const SimulateSettings& settings) {
 /// The protocol as it is simulated.
 Protocol simulated_protocol(const SimulateSettings& settings, const Simulated& simulated) {
   Protocol protocol = scaled_protocol(load_protocol(settings.protocol), settings.scale);
-  if (simulated.effect) {
+  require_analysable(protocol);
+  if (!simulated.effect) {
+    require_judgements(protocol);
+  } else {
     require_methods(*simulated.effect, protocol.methods);
     if (simulated.effect->tracker_loss_part > 0.0) {
       protocol.tracker.simulated.data_loss = simulated.effect->tracker_loss_part;
@@ -201,6 +206,9 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
                             .people_sha256 = sha256(std::string_view(simulated.people.toml))};
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   require_usable(settings, protocol, kind);
+  if (settings.warns) {
+    warn_of_recorded_only(protocol);
+  }
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
   warn_of_other_files(stages);

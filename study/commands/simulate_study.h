@@ -25,6 +25,7 @@ struct SimulateSettings {
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;
+  bool warns = false;  ///< on standard error of what comes out in the record only
 };
 
 struct SimulateReport {
@@ -47,9 +48,9 @@ struct SimulateReport {
 /// to the machine. When `stop` is requested, a session that runs alone is
 /// recorded as interrupted, those that run side by side or are predicted are left out, and the
 /// report says how many were completed. Throws UsageError for settings that exclude one another,
-/// and Error, before anything is rendered, if a session to
-/// be resumed is of another seed or program, or if the file has sessions that were simulated in
-/// another way.
+/// and Error, before anything is rendered, if the protocol asks for what its analysis or simulated
+/// participants cannot do, if a session to be resumed is of another seed or program, or if the file
+/// has sessions that were simulated in another way.
 SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
                               std::stop_token stop);
 

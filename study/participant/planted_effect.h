@@ -31,7 +31,8 @@ PlantedEffect parse_planted_effect(const std::string& text);
 
 /// What parse_planted_effect() takes, for the command line's help.
 inline constexpr const char* planted_effect_help =
-    "participants with a known effect, who press at times that are drawn and not seen: none, or "
+    "participants with a known effect, whose times, of any marks, and ratings are drawn and not "
+    "seen: none, or "
     "any of faster:METHOD:FACTOR, order:FACTOR (with every trial), outlier:PARTICIPANT:FACTOR "
     "(slower), dropout:PART (of participants), tracker-loss:PART (of samples), with commas between";
 

@@ -2,6 +2,10 @@
 
 namespace foveola::study {
 
+bool is_judged(const Question& rating) {
+  return rating.id == "artifacts" && rating.kind == QuestionKind::likert;
+}
+
 double rate_artifacts(const RatingHabits& habits, const Question& scale, double noticed_jnd) {
   double rating = scale.minimum;
   double threshold_jnd = habits.second_point_jnd;

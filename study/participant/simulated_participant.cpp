@@ -91,7 +91,7 @@ std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& rati
     const auto asked = std::find_if(ratings.begin(), ratings.end(), [&](const Question& question) {
       return question.id == answer.question;
     });
-    if (asked->id == "artifacts" && asked->kind == QuestionKind::likert) {
+    if (is_judged(*asked)) {
       answer.value = rate_artifacts(population_.rating, *asked, noticed);
     }
   }

@@ -39,7 +39,8 @@ class SimulatedParticipant final : public SimulatedObserver {
   std::optional<Nanoseconds> see(const Percept& percept) override;
   bool wants_retime() const override { return decision_.wants_retime(); }
   bool wants_to_withdraw(int /*trials_before*/) const override { return false; }
-  /// "artifacts" by what was noticed, others as if it were asked on a form.
+  /// See is_judged(); any other as if it were asked on a form, which require_judgements() lets be
+  /// only for words.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
   std::optional<Nanoseconds> consider(const Sighting& sighting, Nanoseconds now) override;

@@ -57,41 +57,6 @@ bool is_language_tag(const std::string& text) {
          });
 }
 
-/// The published ones, if the protocol has none of its own.
-std::vector<MarkEntry> read_marks(TomlReader& reader) {
-  std::vector<MarkEntry> marks;
-  std::vector<std::string> ids;
-  for (TomlReader& entry : reader.tables("mark")) {
-    ids.push_back(read_new_id(entry, ids));
-    marks.push_back({.id = ids.back(), .instruction = entry.require_text("instruction")});
-    entry.reject_unknown_keys();
-  }
-  if (!marks.empty()) {
-    return marks;
-  }
-  return {{.id = "outline",
-           .instruction = "Press as soon as you could tell whether moving or turning the object "
-                          "succeeded: you see its outline."},
-          {.id = "material",
-           .instruction = "Press as soon as you could tell whether changing its material "
-                          "succeeded: you see what it is made of."}};
-}
-
-/// The published one, if the protocol has none of its own.
-std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks) {
-  std::vector<std::string> taken;
-  for (const MarkEntry& mark : marks) {
-    taken.push_back(mark.id);
-  }
-  std::vector<Question> ratings = read_questions(reader, "rating", taken);
-  if (ratings.empty()) {
-    ratings.push_back({.id = "artifacts",
-                       .text = "How prevalent were disturbing artifacts in the other areas?",
-                       .labels = {"none", "not discernible at all"}});
-  }
-  return ratings;
-}
-
 std::vector<PracticeEntry> read_practice(TomlReader& reader, const Protocol& protocol) {
   std::vector<PracticeEntry> practice;
   for (TomlReader& entry : reader.tables("practice")) {
@@ -216,6 +181,39 @@ void read_texts(TomlReader& reader, Protocol& protocol) {
                 "write its tag: en, fi, pt-BR");
   }
   protocol.texts = read_words(reader.table("texts"));
+}
+
+std::vector<MarkEntry> read_marks(TomlReader& reader) {
+  std::vector<MarkEntry> marks;
+  std::vector<std::string> ids;
+  for (TomlReader& entry : reader.tables("mark")) {
+    ids.push_back(read_new_id(entry, ids));
+    marks.push_back({.id = ids.back(), .instruction = entry.require_text("instruction")});
+    entry.reject_unknown_keys();
+  }
+  if (!marks.empty()) {
+    return marks;
+  }
+  return {{.id = "outline",
+           .instruction = "Press as soon as you could tell whether moving or turning the object "
+                          "succeeded: you see its outline."},
+          {.id = "material",
+           .instruction = "Press as soon as you could tell whether changing its material "
+                          "succeeded: you see what it is made of."}};
+}
+
+std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks) {
+  std::vector<std::string> taken;
+  for (const MarkEntry& mark : marks) {
+    taken.push_back(mark.id);
+  }
+  std::vector<Question> ratings = read_questions(reader, "rating", taken);
+  if (ratings.empty()) {
+    ratings.push_back({.id = "artifacts",
+                       .text = "How prevalent were disturbing artifacts in the other areas?",
+                       .labels = {"none", "not discernible at all"}});
+  }
+  return ratings;
 }
 
 void read_procedure(TomlReader& reader, Protocol& protocol) {

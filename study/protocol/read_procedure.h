@@ -1,6 +1,8 @@
 // How a session goes: orders, marks, ratings, practice, phases.
 #pragma once
 
+#include <vector>
+
 #include "renderer/base/toml_reader.h"
 #include "study/protocol/protocol.h"
 
@@ -8,6 +10,12 @@ namespace foveola::study {
 
 /// Fills the protocol's language and texts.
 void read_texts(TomlReader& reader, Protocol& protocol);
+
+/// The protocol's marks; the published ones if it has none of its own.
+std::vector<MarkEntry> read_marks(TomlReader& reader);
+
+/// Its ratings, whose ids are none of the marks'; the published one if it has none of its own.
+std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks);
 
 /// Fills the protocol's orders, marks, ratings, practice, catch trials and reaction. Its scenes and
 /// methods must have been read.

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
+#include "study/participant/judged_measures.h"
 
 namespace foveola::study {
 
-Task task_of(const MarkEntry& mark) {
-  return mark.id == "outline" ? Task::mark_outline : Task::mark_material;
-}
+Task task_of(const MarkEntry& mark) { return judgement_of(mark).value_or(Task::mark_material); }
 
 const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
                                   const std::string& name) {

@@ -16,7 +16,8 @@ constexpr double glance_interval_s = 0.1;
 /// Until a participant is ready for a trial: head and eye have turned to the object.
 constexpr double settling_s = 1.0;
 
-/// What they look for until they make this mark.
+/// What they look for until they make this mark. Whoever makes one that nobody judges, at a drawn
+/// time, keeps the eyes on the object as for its material.
 Task task_of(const MarkEntry& mark);
 
 /// The one of this name. Throws Error if the scene does not offer it any more.

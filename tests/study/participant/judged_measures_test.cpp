@@ -1,0 +1,46 @@
+// What simulated participants are not asked, since their answers would be made up.
+#include "study/participant/judged_measures.h"
+
+#include "tests/study/protocol/protocol_folder.h"
+
+namespace foveola::study {
+namespace {
+
+class JudgedMeasures : public ProtocolTables {
+ protected:
+  auto requiring(const std::string& tables) const {
+    return [this, tables] { require_judgements(load(tables)); };
+  }
+};
+
+TEST_F(JudgedMeasures, AreThePublishedOnesInAnyOrder) {
+  EXPECT_NO_THROW(requiring("")());
+  EXPECT_NO_THROW(
+      requiring("[[mark]]\nid = \"material\"\ninstruction = \"Now.\"\n"
+                "[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n")());
+  EXPECT_EQ(judgement_of({.id = "outline", .instruction = ""}), Task::mark_outline);
+  EXPECT_EQ(judgement_of({.id = "material", .instruction = ""}), Task::mark_material);
+  EXPECT_EQ(judgement_of({.id = "third", .instruction = ""}), std::nullopt);
+}
+
+TEST_F(JudgedMeasures, AreNoOtherMarks) {
+  EXPECT_THAT(requiring("[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n"
+                        "[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n"),
+              ThrowsMessage<Error>(AllOf(
+                  HasSubstr("p.toml:9:6: simulated participants do not know how to judge the mark "
+                            "third; "),
+                  HasSubstr("outline and material"), HasSubstr("--plant"))));
+}
+
+TEST_F(JudgedMeasures, AreNoOtherRatingsButWords) {
+  const std::string artifacts = "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\n";
+  EXPECT_NO_THROW(requiring(artifacts + "labels = [\"keine\", \"überall\"]\n")());
+  EXPECT_NO_THROW(requiring(artifacts + "[[rating]]\nid = \"why\"\ntext = \"?\"\n"
+                                        "kind = \"text\"\nrequired = false\n")());
+  EXPECT_THAT(requiring(artifacts + "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"),
+              ThrowsMessage<Error>(HasSubstr("p.toml:9:6: simulated participants do not know how "
+                                             "to judge the rating comfort")));
+}
+
+}  // namespace
+}  // namespace foveola::study
