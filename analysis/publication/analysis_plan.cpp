@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/base/toml_reader.h"
+#include "study/protocol/analysed_measures.h"
 
 namespace foveola::analysis {
 namespace {
@@ -55,6 +56,17 @@ bool is_primary(const study::AnalysisPlan& plan, const std::string& measure,
   return std::any_of(plan.primary.begin(), plan.primary.end(), [&](const auto& planned) {
     return planned.measure == measure && planned.method == method && planned.baseline == reference;
   });
+}
+
+std::size_t planned_without_tables(const study::AnalysisPlan& plan) {
+  const auto is_compared = [](const std::string& measure) {
+    return measure == study::analysed_rating ||
+           std::find(study::analysed_marks.begin(), study::analysed_marks.end(), measure) !=
+               study::analysed_marks.end();
+  };
+  return static_cast<std::size_t>(
+      std::count_if(plan.primary.begin(), plan.primary.end(),
+                    [&](const auto& planned) { return !is_compared(planned.measure); }));
 }
 
 std::optional<double> equivalence_margin(const study::AnalysisPlan& plan,

@@ -1,6 +1,8 @@
 // What the protocol planned to compare before there were data; anything else is exploratory.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "study/protocol/protocol.h"
@@ -13,6 +15,10 @@ study::AnalysisPlan plan_of(const std::string& protocol_text);
 
 bool is_primary(const study::AnalysisPlan& plan, const std::string& measure,
                 const std::string& method, const std::string& reference);
+
+/// How many of the planned comparisons are of measures that nothing here compares. A study that
+/// plans them is not begun any more, but there are records of some.
+std::size_t planned_without_tables(const study::AnalysisPlan& plan);
 
 /// Empty where the plan says nothing.
 std::optional<double> equivalence_margin(const study::AnalysisPlan& plan,

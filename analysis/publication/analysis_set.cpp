@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "study/protocol/analysed_measures.h"
 
 namespace foveola::analysis {
 namespace {
@@ -136,7 +137,7 @@ std::vector<bool> fill_cells(const StudyRecords& records, AnalysisSet& set) {
     const auto methods_in_scene = static_cast<int>(set.methods.size());
     set.cells[index] = {
         .times = {mark_time(row, Mark::outline), mark_time(row, Mark::material)},
-        .rating = rating(row),
+        .rating = set.rating_scale.is_analysed() ? rating(row) : std::nullopt,
         .trial_position = row.scene_position * methods_in_scene + row.method_position,
         .method_position = row.method_position,
         .attempts = row.attempts};
@@ -144,7 +145,14 @@ std::vector<bool> fill_cells(const StudyRecords& records, AnalysisSet& set) {
   return has_row;
 }
 
-void list_gaps_of_cell(const Cell& cell, const Exclusion& place,
+/// Why there is no rating where there is none.
+std::string_view why_not_rated(const RatingScale& scale) {
+  return !scale.question || scale.is_analysed()
+             ? "no rating recorded"
+             : "rated on another scale than from 1 to 5: in the record only";
+}
+
+void list_gaps_of_cell(const Cell& cell, const Exclusion& place, const RatingScale& scale,
                        std::vector<Exclusion>& exclusions) {
   const auto exclude = [&](std::string_view measure, std::string_view reason) {
     exclusions.push_back(
@@ -158,7 +166,7 @@ void list_gaps_of_cell(const Cell& cell, const Exclusion& place,
     }
   }
   if (!cell.rating) {
-    exclude("artifacts", "no rating recorded");
+    exclude("artifacts", why_not_rated(scale));
   }
 }
 
@@ -168,7 +176,8 @@ void list_gaps(const std::vector<bool>& has_row, AnalysisSet& set) {
     for (const std::string& scene : set.scenes) {
       for (const std::string& method : set.methods) {
         if (has_row[index]) {
-          list_gaps_of_cell(set.cells[index], {participant, scene, method, "", ""}, set.exclusions);
+          list_gaps_of_cell(set.cells[index], {participant, scene, method, "", ""},
+                            set.rating_scale, set.exclusions);
         } else {
           set.exclusions.push_back({participant, scene, method, "", "no trial recorded"});
         }
@@ -180,7 +189,9 @@ void list_gaps(const std::vector<bool>& has_row, AnalysisSet& set) {
 
 }  // namespace
 
-std::string_view name_of(Mark mark) { return mark == Mark::outline ? "outline" : "material"; }
+std::string_view name_of(Mark mark) {
+  return study::analysed_marks.at(static_cast<std::size_t>(mark));
+}
 
 const Cell& AnalysisSet::cell(std::size_t participant, std::size_t scene,
                               std::size_t method) const {
@@ -204,6 +215,7 @@ AnalysisSet select_for_analysis(const StudyRecords& records) {
   set.participants = participants_of(records, set.kind);
   set.scenes = records.scenes;
   set.methods = records.methods;
+  set.rating_scale = rating_scale_of(records, set.participants);
   for (const SessionRow& row : records.sessions) {
     set.kinds[row.participant] = row.kind;
   }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/publication/rating_scale.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {
@@ -31,7 +32,7 @@ struct MarkTime {
 /// One method in one scene by one participant.
 struct Cell {
   std::array<MarkTime, marks.size()> times;
-  std::optional<int> rating;  ///< 1 none ... 5 not discernible at all
+  std::optional<int> rating;  ///< 1 ... 5, on the set's rating_scale
   int trial_position = 0;     ///< among the session's trials, as planned, from 0
   int method_position = 0;    ///< among the methods in the scene, as planned, from 0
   int attempts = 0;           ///< more than 1: it was timed again, and the last time counts
@@ -54,8 +55,9 @@ struct AnalysisSet {
   std::vector<std::string> participants;  ///< in the order of their codes
   std::vector<std::string> scenes;        ///< in the protocol's order
   std::vector<std::string> methods;       ///< in the protocol's order; the first is the baseline
-  std::vector<Cell> cells;                ///< [participant][scene][method]
-  std::vector<Exclusion> exclusions;      ///< in the order of participants
+  RatingScale rating_scale;
+  std::vector<Cell> cells;            ///< [participant][scene][method]
+  std::vector<Exclusion> exclusions;  ///< in the order of participants
   /// Of every session in the file, analysed or not, by the participant's code.
   std::map<std::string, std::string> kinds;
 
@@ -65,8 +67,9 @@ struct AnalysisSet {
 };
 
 /// Takes the completed sessions of one kind: of people if there are any, else pilots, else
-/// simulated ones; they are never mixed. Throws Error if nothing can be analysed, or if a value is
-/// impossible (a time that is not above zero, a rating outside 1 to 5, a row twice), naming it.
+/// simulated ones; they are never mixed. Ratings on another scale than from 1 to 5 are left out.
+/// Throws Error if nothing can be analysed, or if a value is impossible (a time that is not above
+/// zero, a rating outside 1 to 5, a row twice), naming it.
 AnalysisSet select_for_analysis(const study::StudyRecords& records);
 
 /// Adds to the set's exclusions and keeps their order.

@@ -61,6 +61,17 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   if (tables.set.participants.size() < 2) {
     warnings.emplace_back("One participant: no standard deviations and no intervals.");
   }
+  if (const std::size_t missing = planned_without_tables(output.comparisons.plan); missing > 0) {
+    warnings.push_back(fmt::format(
+        "The protocol plans {} of measures that are in the record only: Holm's adjustment is for "
+        "the others alone.",
+        counted(missing, "comparison")));
+  }
+  if (!tables.set.rating_scale.is_analysed() && tables.set.rating_scale.question) {
+    warnings.emplace_back(
+        "Artifacts were rated on another scale than from 1 to 5: the ratings are in the record "
+        "only.");
+  }
   for (const InstrumentCheck& check : output.checks.checks) {
     if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
       warnings.push_back(
@@ -101,7 +112,7 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   files.push_back({"instrument.csv", instrument_csv(output.checks, tables.set.kind)});
   files.push_back({"figure7_latency.csv", latency_csv(output.checks, tables.set.kind)});
   files.push_back({"reaction_times.csv", reactions_csv(output.checks, tables.set.kind)});
-  files.push_back({"codebook.csv", codebook_csv()});
+  files.push_back({"codebook.csv", codebook_csv(tables.set.rating_scale)});
   append(files, r_scripts());
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});

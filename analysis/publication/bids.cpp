@@ -103,10 +103,10 @@ std::string participants_json(const std::vector<study::BackgroundRow>& answers) 
 /// The columns of a behavioural file: those of the long table but for the participant's.
 constexpr std::size_t first_trial_variable = 2;
 
-std::string behaviour_json() {
+std::string behaviour_json(const RatingScale& scale) {
   BidsJson json;
   json["TaskName"] = "preview";
-  const std::vector<Variable> variables = trial_variables();
+  const std::vector<Variable> variables = trial_variables(scale);
   for (std::size_t i = first_trial_variable; i < variables.size(); ++i) {
     BidsJson entry;
     entry["Description"] = variables[i].description;
@@ -120,7 +120,7 @@ std::string behaviour_json() {
 
 std::string behaviour_tsv(const AnalysisSet& set, std::size_t participant) {
   std::vector<std::string> heading;
-  for (const Variable& variable : trial_variables()) {
+  for (const Variable& variable : trial_variables(set.rating_scale)) {
     heading.push_back(variable.name);
   }
   const auto trial_fields = [](const std::vector<std::string>& row) {
@@ -181,7 +181,7 @@ std::vector<TextFile> bids_files(const StudyTables& tables,
       {"bids/dataset_description.json", description_json(tables)},
       {"bids/participants.tsv", participants_tsv(tables, answers, labels)},
       {"bids/participants.json", participants_json(answers)},
-      {"bids/task-preview_beh.json", behaviour_json()}};
+      {"bids/task-preview_beh.json", behaviour_json(tables.set.rating_scale)}};
   for (std::size_t i = 0; i < labels.size(); ++i) {
     files.push_back({fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_beh.tsv", labels[i]),
                      behaviour_tsv(tables.set, i)});

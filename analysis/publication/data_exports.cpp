@@ -21,7 +21,7 @@ std::string file_word(const std::string& name) {
 /// Every column of the data files once: Psych-DS lets no file have one that is not told of.
 std::vector<Variable> all_variables(const StudyTables& tables,
                                     const std::vector<study::BackgroundRow>& answers) {
-  std::vector<Variable> variables = trial_variables();
+  std::vector<Variable> variables = trial_variables(tables.set.rating_scale);
   std::set<std::string> told;
   for (const Variable& variable : variables) {
     told.insert(variable.name);

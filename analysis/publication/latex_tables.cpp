@@ -84,8 +84,9 @@ LatexTable means_latex(const StudyTables& tables) {
 
 LatexTable ratings_latex(const StudyTables& tables) {
   LatexTable table{"artifacts",
-                   "Artifacts in other areas: how many answers were 1 (none) to 5 (not discernible "
-                   "at all).",
+                   escape_latex(fmt::format("Artifacts in other areas: how many answers were {}.{}",
+                                            points_in_brackets(tables.set.rating_scale),
+                                            notes_on(tables.set.rating_scale))),
                    {"Method", "1", "2", "3", "4", "5", "mean $\\pm$ sd", "median"},
                    {}};
   for (const MethodRatings& ratings : tables.ratings) {
@@ -164,6 +165,10 @@ std::string escape_latex(std::string_view text) {
       escaped += c;
     } else if (c == '\\') {
       escaped += "\\textbackslash{}";
+    } else if (c == '<' || c == '>' || c == '|') {
+      escaped += c == '<' ? "\\textless{}" : c == '>' ? "\\textgreater{}" : "\\textbar{}";
+    } else if (c == '"') {
+      escaped += "''";  // a command of its own in several languages' packages
     } else if (c == '~' || c == '^') {
       escaped += fmt::format("\\{}{{}}", c);
     } else {

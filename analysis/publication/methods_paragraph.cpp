@@ -1,12 +1,17 @@
 #include "analysis/publication/methods_paragraph.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "analysis/publication/analysis_plan.h"
 #include "analysis/publication/wording.h"
 #include "renderer/base/toml_reader.h"
+#include "study/protocol/analysed_measures.h"
+#include "study/protocol/read_procedure.h"
 
 namespace foveola::analysis {
 namespace {
@@ -20,6 +25,8 @@ struct ProtocolFacts {
   std::optional<int> film_width;
   std::optional<int> film_height;
   std::optional<double> timeout_s;
+  std::vector<std::string> marks;
+  std::vector<std::string> not_analysed;  ///< marks and ratings
 };
 
 template <typename Number>
@@ -27,6 +34,18 @@ std::optional<Number> number_under(TomlReader& table, const char* key) {
   Number value = 0;
   table.read(key, value, Number{0}, Number{1'000'000});
   return table.has(key) ? std::optional(value) : std::nullopt;
+}
+
+void add_measures(TomlReader& protocol, ProtocolFacts& facts) {
+  const std::vector<study::MarkEntry> marks = study::read_marks(protocol);
+  for (const study::MarkEntry& mark : marks) {
+    (study::is_analysed(mark) ? facts.marks : facts.not_analysed).push_back(mark.id);
+  }
+  for (const study::Question& rating : study::read_ratings(protocol, marks)) {
+    if (!study::is_analysed(rating)) {
+      facts.not_analysed.push_back(rating.id);
+    }
+  }
 }
 
 ProtocolFacts facts_of(const std::string& protocol_text) {
@@ -43,7 +62,33 @@ ProtocolFacts facts_of(const std::string& protocol_text) {
   facts.film_height = number_under<int>(film, "height");
   TomlReader timing = protocol.table("timing");
   facts.timeout_s = number_under<double>(timing, "mark_timeout_s");
+  add_measures(protocol, facts);
   return facts;
+}
+
+/// What was marked and rated of what is analysed, to follow what was seen.
+std::string measures_in_words(const ProtocolFacts& facts, const RatingScale& scale) {
+  const auto has = [&](const char* mark) {
+    return std::find(facts.marks.begin(), facts.marks.end(), mark) != facts.marks.end();
+  };
+  std::string text;
+  if (has("outline") || has("material")) {
+    text += fmt::format(", and marked when the {} could be judged",
+                        !has("material")  ? "outline of a chosen object"
+                        : !has("outline") ? "material of a chosen object"
+                                          : "outline of a chosen object and when its material");
+  }
+  if (scale.is_analysed()) {
+    const bool names_every_point = scale.question->labels.size() > 2;
+    text += fmt::format("; then they rated artifacts in other areas {} {}",
+                        names_every_point ? "as" : "from", points_in_brackets(scale));
+  }
+  text += scale.is_analysed() ? "." + notes_on(scale) : ".";
+  if (!facts.not_analysed.empty()) {
+    text += fmt::format(" What they marked or rated besides ({}) is not analysed here.",
+                        listed(facts.not_analysed));
+  }
+  return text;
 }
 
 std::string orders_in_words(const ProtocolFacts& facts) {
@@ -92,6 +137,12 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
                         ? std::string("One comparison was")
                         : fmt::format("{} comparisons were", comparisons.plan.primary.size()),
                     comparisons.plan.alpha);
+  if (const std::size_t missing = planned_without_tables(comparisons.plan); missing > 0) {
+    text += fmt::format(
+        " {} of those planned {} not analysed here, and the adjustment is for the "
+        "others alone.",
+        missing, missing == 1 ? "is" : "are");
+  }
   return text;
 }
 
@@ -121,15 +172,12 @@ std::string methods_paragraph(const StudyTables& tables, const Comparisons& comp
   const ProtocolFacts facts = facts_of(protocol_text);
   const std::string warning = data_warning(tables);
   std::string text = warning.empty() ? "" : warning + " ";
-  text += fmt::format(
-      "{} saw {} ({}), each with {} ({}) of progressive path tracing, and marked when the outline "
-      "of "
-      "a chosen object and when its material could be judged; then they rated artifacts in other "
-      "areas from 1 (none) to 5 (not discernible at all).",
-      participants_in_words(tables), counted(tables.set.scenes.size(), "scene"),
-      listed(tables.set.scenes), counted(tables.set.methods.size(), "preview"),
-      listed(tables.set.methods));
-  return text + orders_in_words(facts) + apparatus_in_words(facts) + amendments_in_words(tables) +
+  text += fmt::format("{} saw {} ({}), each with {} ({}) of progressive path tracing",
+                      participants_in_words(tables), counted(tables.set.scenes.size(), "scene"),
+                      listed(tables.set.scenes), counted(tables.set.methods.size(), "preview"),
+                      listed(tables.set.methods));
+  return text + measures_in_words(facts, tables.set.rating_scale) + orders_in_words(facts) +
+         apparatus_in_words(facts) + amendments_in_words(tables) +
          analysis_in_words(tables, comparisons);
 }
 

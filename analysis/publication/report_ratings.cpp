@@ -10,7 +10,9 @@ namespace foveola::analysis {
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures) {
   HtmlTable table;
   table.caption_html = caption_start(tables, "Artifact ratings.") +
-                       "How many answers were 1 (none) to 5 (not discernible at all).";
+                       escape_html(fmt::format("How many answers were {}.{}",
+                                               points_in_brackets(tables.set.rating_scale),
+                                               notes_on(tables.set.rating_scale)));
   table.groups = {{"", 1}, {"Answers", 6}, {"Summary", 3}};
   table.columns = {"Method", "1", "2", "3", "4", "5", "missing", "mean", "sd", "median"};
   for (const MethodRatings& ratings : tables.ratings) {
@@ -33,8 +35,9 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
       intro +
           figure_html(tables, figures, "figure6_artifact_ratings",
                       "Artifact ratings, all scenes and participants.",
-                      "Bars: the share of each answer, 1 none to 5 not discernible at all, with "
-                      "its count. At the right: mean ± standard deviation.") +
+                      fmt::format("Bars: the share of each answer, {}, with its count. At the "
+                                  "right: mean ± standard deviation.",
+                                  points_in_words(tables.set.rating_scale))) +
           render(table));
 }
 

@@ -103,8 +103,11 @@ std::string ratings_block(const StudyTables& tables) {
                     fixed(ratings.rating.median, 1),
                     fmt::format("{}", fmt::join(ratings.counts, " / "))});
   }
-  return fmt::format("Artifacts in other areas, 1 none to 5 not discernible at all{}\n{}",
-                     notice(tables), aligned(rows));
+  const RatingScale& scale = tables.set.rating_scale;
+  const std::string notes = notes_on(scale);
+  return fmt::format("Artifacts in other areas, {}{}\n{}{}", printable(points_in_words(scale)),
+                     notice(tables), aligned(rows),
+                     notes.empty() ? "" : " " + printable(notes) + "\n");
 }
 
 std::string background_block(const StudyTables& tables) {

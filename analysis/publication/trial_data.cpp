@@ -24,6 +24,12 @@ std::string censored_of(const MarkTime& time) {
 
 std::string rating_of(const Cell& cell) { return cell.rating ? std::to_string(*cell.rating) : ""; }
 
+std::string rating_in_words(const RatingScale& scale) {
+  const std::string notes = notes_on(scale);
+  return fmt::format("Artifacts in other areas, {}{}", points_in_words(scale),
+                     notes.empty() ? "" : "." + notes);
+}
+
 struct WideAnswers {
   std::map<std::string, std::map<std::string, double>> by_participant;
   std::set<std::string> questions;
@@ -77,7 +83,7 @@ CsvRow wide_row(const AnalysisSet& set, const WideAnswers& answers, std::size_t 
 
 }  // namespace
 
-std::vector<Variable> trial_variables() {
+std::vector<Variable> trial_variables(const RatingScale& scale) {
   return {
       {"participant", "", "string", "Code of the participant"},
       {"participant_kind", "", "string", "Who took part: human, pilot or simulated"},
@@ -92,13 +98,12 @@ std::vector<Variable> trial_variables() {
       {"material_s", "s", "number",
        "From the first presented frame to the mark that the material was visible"},
       {"material_censored", "", "boolean", "True: it timed out, and material_s is a lower bound"},
-      {"artifacts_rating", "points", "integer",
-       "Artifacts in other areas, 1 none to 5 not discernible at all"}};
+      {"artifacts_rating", "points", "integer", rating_in_words(scale)}};
 }
 
 std::vector<Variable> participant_variables(const AnalysisSet& set,
                                             const std::vector<study::BackgroundRow>& answers) {
-  const std::vector<Variable> of_trials = trial_variables();
+  const std::vector<Variable> of_trials = trial_variables(set.rating_scale);
   std::vector<Variable> variables(of_trials.begin(), of_trials.begin() + 2);
   for (const std::string& scene : set.scenes) {
     for (const std::string& method : set.methods) {
@@ -138,7 +143,7 @@ std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participa
 }
 
 std::string trials_long_csv(const AnalysisSet& set) {
-  std::string text = format_csv({names_of(trial_variables())});
+  std::string text = format_csv({names_of(trial_variables(set.rating_scale))});
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
     for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
       for (std::size_t method = 0; method < set.methods.size(); ++method) {
@@ -159,9 +164,9 @@ std::string participants_wide_csv(const AnalysisSet& set,
   return text;
 }
 
-std::string codebook_csv() {
+std::string codebook_csv(const RatingScale& scale) {
   std::vector<CsvRow> rows = {{"variable", "type", "unit", "description"}};
-  for (const Variable& variable : trial_variables()) {
+  for (const Variable& variable : trial_variables(scale)) {
     rows.push_back({variable.name, variable.type, variable.unit, variable.description});
   }
   return format_csv(rows);

@@ -20,8 +20,8 @@ struct Variable {
   std::string description;
 };
 
-/// The columns of the long table, in their order.
-std::vector<Variable> trial_variables();
+/// The columns of the long table, in their order. scale: that of the rating.
+std::vector<Variable> trial_variables(const RatingScale& scale);
 
 /// One row of the long table; what is missing is empty.
 std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participant,
@@ -42,7 +42,7 @@ std::string participants_wide_csv(const AnalysisSet& set,
                                   const std::vector<study::BackgroundRow>& answers);
 
 /// What each column of the long table is.
-std::string codebook_csv();
+std::string codebook_csv(const RatingScale& scale);
 
 /// A folder as Psych-DS 1 describes it: its description, and the names of its data files, which
 /// hold the long and the wide table.

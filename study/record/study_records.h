@@ -23,7 +23,7 @@ struct TrialRow {
   std::optional<double> material_s;  ///< from the first presented frame to the material mark
   bool outline_censored = false;     ///< timed out: outline_s is a lower bound
   bool material_censored = false;
-  std::optional<int> artifact_rating;  ///< 1 none ... 5 not discernible at all
+  std::optional<int> artifact_rating;  ///< of "artifacts"; whole on a scale from 1 to 5
 };
 
 /// One answer of the questionnaire "background" that is a number.

@@ -42,6 +42,18 @@ TEST(AnalysisPlan, ABaselineThatIsNotNamedIsTheFirstMethod) {
   EXPECT_EQ(equivalence_margin(plan, "outline"), 1.25);
 }
 
+TEST(AnalysisPlan, ComparisonsOfWhatHasNoTablesAreCounted) {
+  const auto plan = [](const std::string& measures) {
+    return plan_of("methods = [\"od\", \"fv\"]\n[analysis]\nprimary = [" + measures + "]\n");
+  };
+  EXPECT_EQ(planned_without_tables(plan_of("")), 0U);
+  const std::string carried =
+      "{ measure = \"outline\", method = \"fv\" }, { measure = \"artifacts\", method = \"fv\" }";
+  EXPECT_EQ(planned_without_tables(plan(carried)), 0U);
+  EXPECT_EQ(planned_without_tables(plan(carried + ", { measure = \"comfort\", method = \"fv\" }")),
+            1U);
+}
+
 TEST(AnalysisPlan, WithoutOneNothingIsPlanned) {
   EXPECT_TRUE(plan_of("").primary.empty());
   EXPECT_FALSE(plan_of("name = \"x\"").participants);

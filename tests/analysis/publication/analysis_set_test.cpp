@@ -1,11 +1,14 @@
 #include "analysis/publication/analysis_set.h"
 
 #include <limits>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/publication/comparisons.h"
 #include "renderer/base/error.h"
+#include "study/protocol/analysed_measures.h"
 #include "tests/analysis/made_up_study.h"
 
 namespace foveola::analysis {
@@ -86,6 +89,32 @@ TEST(AnalysisSet, SessionsThatAreNotCompletedAreListedWithWhy) {
   EXPECT_THAT(exclusions_of(records),
               ElementsAre("P1///: session paused", "P2///: session interrupted",
                           "P3///: session excluded: asleep", "P4///: session withdrawn"));
+}
+
+TEST(AnalysisSet, WhatIsAnalysedIsWhatProtocolsAreToldIsAnalysed) {
+  const AnalysisSet set = select_for_analysis(complete_study(3));
+  std::set<std::string> compared;
+  for (const MethodComparison& row : compare_methods(set, {}).methods) {
+    compared.insert(row.measure);
+  }
+  std::set<std::string> told(study::analysed_marks.begin(), study::analysed_marks.end());
+  told.insert(study::analysed_rating);
+  EXPECT_EQ(compared, told);
+}
+
+TEST(AnalysisSet, RatingsOnAnotherScaleAreLeftOutAndTimesAreNot) {
+  StudyRecords records = complete_study(1);
+  records.protocol_text =
+      "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\nminimum = 0\nmaximum = 100\n";
+  trial_of(records, "P1", "aula", "od").artifact_rating = 38;
+  const AnalysisSet set = select_for_analysis(records);
+  EXPECT_TRUE(set.is_complete(0, 0, Mark::outline));
+  EXPECT_EQ(set.exclusions.size(), set.cells.size());
+  for (std::size_t method = 0; method < set.methods.size(); ++method) {
+    EXPECT_FALSE(set.cell(0, 0, method).rating);
+  }
+  EXPECT_THAT(exclusions_of(records),
+              testing::Each(HasSubstr("/artifacts: rated on another scale than from 1 to 5")));
 }
 
 TEST(AnalysisSet, RowsOutsideTheProtocolAreListed) {

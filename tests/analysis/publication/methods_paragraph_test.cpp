@@ -68,6 +68,39 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
               AllOf(HasSubstr("planted effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
 }
 
+/// Of a study by this protocol.
+std::string paragraph_of(const std::string& protocol) {
+  study::StudyRecords records = complete_study(2);
+  records.protocol_text = protocol;
+  return paragraph(records, protocol);
+}
+
+TEST(MethodsParagraph, SaysWhatWasMarkedAndRatedInTheProtocolsWords) {
+  EXPECT_THAT(paragraph_of(""),
+              HasSubstr("marked when the outline of a chosen object and when its material could be "
+                        "judged; then they rated artifacts in other areas from 1 (none) to 5 (not "
+                        "discernible at all)."));
+  EXPECT_THAT(
+      paragraph_of("[[mark]]\nid = \"material\"\ninstruction = \"Now.\"\n"
+                   "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\n"
+                   "labels = [\"a\", \"b\", \"c\", \"d\", \"e\"]\n"),
+      HasSubstr("marked when the material of a chosen object could be judged; then they rated "
+                "artifacts in other areas as 1 (a), 2 (b), 3 (c), 4 (d), 5 (e)."));
+  EXPECT_THAT(paragraph_of("[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n"
+                           "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"),
+              AllOf(HasSubstr("of progressive path tracing. What they marked or rated besides "
+                              "(third, comfort) is not analysed here."),
+                    Not(HasSubstr("rated artifacts"))));
+}
+
+TEST(MethodsParagraph, SaysOfWhichPlannedComparisonsThereIsNothing) {
+  const std::string text = paragraph_of(
+      "methods = [\"od\", \"fv\"]\n[analysis]\nprimary = [{ measure = \"outline\", "
+      "method = \"fv\" }, { measure = \"comfort\", method = \"fv\" }]\n");
+  EXPECT_THAT(text, AllOf(HasSubstr("2 comparisons were planned"),
+                          HasSubstr("1 of those planned is not analysed here")));
+}
+
 TEST(MethodsParagraph, AProtocolThatIsNoTomlIsAnError) {
   EXPECT_THROW((void)paragraph(complete_study(2), "name = "), Error);
 }

@@ -23,7 +23,7 @@ TEST(TrialData, TheLongTableHasARowForEveryPlannedTrial) {
   const StudyTables tables = tabulate_study(golden_study_records());
   const std::vector<CsvRow> rows = parse_csv(trials_long_csv(tables.set), "long");
   ASSERT_EQ(rows.size(), 1U + 8U * 3U * 3U);
-  EXPECT_THAT(rows, Each(SizeIs(trial_variables().size())));
+  EXPECT_THAT(rows, Each(SizeIs(trial_variables({}).size())));
   EXPECT_THAT(rows[0],
               ElementsAre("participant", "participant_kind", "scene", "method", "trial_position",
                           "method_position", "attempts", "outline_s", "outline_censored",
@@ -57,10 +57,10 @@ TEST(TrialData, TheWideTableHasARowForEveryParticipant) {
 }
 
 TEST(TrialData, TheCodebookNamesEveryColumn) {
-  const std::vector<CsvRow> rows = parse_csv(codebook_csv(), "codebook");
-  ASSERT_EQ(rows.size(), 1U + trial_variables().size());
+  const std::vector<CsvRow> rows = parse_csv(codebook_csv({}), "codebook");
+  ASSERT_EQ(rows.size(), 1U + trial_variables({}).size());
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    EXPECT_EQ(rows[i].at(0), trial_variables()[i - 1].name);
+    EXPECT_EQ(rows[i].at(0), trial_variables({})[i - 1].name);
     EXPECT_FALSE(rows[i].at(3).empty());
   }
 }
