@@ -38,7 +38,7 @@ std::vector<LoggedEvent> events_of(SQLite::Database& database, std::int64_t sess
   return events;
 }
 
-void replay_events(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+void replay_events(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
                    const std::vector<LoggedEvent>& events) {
   SessionState state;
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -49,7 +49,7 @@ void replay_events(SQLite::Database& database, std::int64_t session, const Proce
                       fmt::format("is {} in the state {}, which cannot be", name_of(logged.event),
                                   name_of(state.phase)));
     }
-    insert_event_rows(database, session, procedure, logged, state, next->state);
+    insert_event_rows(statements, session, procedure, logged, state, next->state);
     state = next->state;
   }
 }

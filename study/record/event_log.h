@@ -5,11 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "study/record/prepared_statements.h"
 #include "study/record/study_store.h"
-
-namespace SQLite {
-class Database;
-}
 
 namespace foveola::study {
 
@@ -19,7 +16,7 @@ std::vector<LoggedEvent> events_of(SQLite::Database& database, std::int64_t sess
 
 /// Makes everything that follows from `events` in a database that holds the session and its plan,
 /// but nothing that happened yet. Throws Error for an event that cannot follow those before it.
-void replay_events(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+void replay_events(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
                    const std::vector<LoggedEvent>& events);
 
 }  // namespace foveola::study

@@ -39,35 +39,35 @@ struct Outcome {
 };
 
 /// The event as the next line of a session's log.
-LogLine next_line(SQLite::Database& database, std::int64_t session, const LoggedEvent& logged) {
-  SQLite::Statement last(database,
+LogLine next_line(PreparedStatements& statements, std::int64_t session, const LoggedEvent& logged) {
+  PreparedStatement last(statements,
                          "SELECT coalesce(max(sequence), 0) FROM event WHERE session = ?");
-  last.bind(1, session);
-  last.executeStep();
-  return {.sequence = last.getColumn(0).getInt64() + 1,
+  last->bind(1, session);
+  last->executeStep();
+  return {.sequence = last->getColumn(0).getInt64() + 1,
           .time_ns = logged.time.count(),
           .utc = logged.utc,
           .type = name_of(logged.event),
           .payload = payload_of(logged.event)};
 }
 
-std::string hash_before(SQLite::Database& database, std::int64_t session, const LogLine& line) {
-  SQLite::Statement event(database, "SELECT hash FROM event WHERE session = ? AND sequence = ?");
-  SQLite::bind(event, session, line.sequence - 1);
-  return event.executeStep() ? event.getColumn(0).getString()
-                             : hash_before_events(database, session);
+std::string hash_before(PreparedStatements& statements, std::int64_t session, const LogLine& line) {
+  PreparedStatement event(statements, "SELECT hash FROM event WHERE session = ? AND sequence = ?");
+  SQLite::bind(*event, session, line.sequence - 1);
+  return event->executeStep() ? event->getColumn(0).getString()
+                              : hash_before_events(statements.database(), session);
 }
 
 /// What follows from one event of a session.
 class EventRows {
  public:
-  EventRows(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
+  EventRows(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
             const SessionState& before)
-      : database_(database), session_(session), procedure_(procedure), before_(before) {}
+      : statements_(statements), session_(session), procedure_(procedure), before_(before) {}
 
   void append_to_log(const LoggedEvent& logged) const {
-    const LogLine line = next_line(database_, session_, logged);
-    const std::string hash = hash_of(hash_before(database_, session_, line), line);
+    const LogLine line = next_line(statements_, session_, logged);
+    const std::string hash = hash_of(hash_before(statements_, session_, line), line);
     insert("INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?)", session_, line.sequence, line.time_ns,
            line.utc, line.type, line.payload, hash);
   }
@@ -89,19 +89,19 @@ class EventRows {
   void operator()(const QuestionnaireAnswered& event) const {
     for (const Answer& answer : event.answers) {
       const auto* number = std::get_if<double>(&answer.value);
-      SQLite::Statement row(database_,
+      PreparedStatement row(statements_,
                             number != nullptr
                                 ? "INSERT INTO questionnaire_answer VALUES (?, ?, ?, ?, ?, NULL)"
                                 : "INSERT INTO questionnaire_answer VALUES (?, ?, ?, ?, NULL, ?)");
-      SQLite::bind(row, session_, static_cast<std::int64_t>(before_.step), event.questionnaire,
+      SQLite::bind(*row, session_, static_cast<std::int64_t>(before_.step), event.questionnaire,
                    answer.question);
-      bind_value(row, 5, answer);
-      row.exec();
+      bind_value(*row, 5, answer);
+      row->exec();
     }
   }
 
   void operator()(const GazeValidated& event) const {
-    insert_gaze_runs(database_, session_, event.runs);
+    insert_gaze_runs(statements_.database(), session_, event.runs);
   }
 
   void operator()(const ReactionPressed& event) const {
@@ -121,10 +121,10 @@ class EventRows {
 
   void operator()(const Rated& event) const {
     for (const Answer& answer : event.answers) {
-      SQLite::Statement row(database_, "INSERT INTO rating VALUES (?, ?, ?, ?, ?)");
-      SQLite::bind(row, session_, trial(before_), before_.attempt, answer.question);
-      bind_value(row, 5, answer);
-      row.exec();
+      PreparedStatement row(statements_, "INSERT INTO rating VALUES (?, ?, ?, ?, ?)");
+      SQLite::bind(*row, session_, trial(before_), before_.attempt, answer.question);
+      bind_value(*row, 5, answer);
+      row->exec();
     }
   }
 
@@ -154,20 +154,20 @@ class EventRows {
 
   template <typename... Values>
   void insert(const char* sql, const Values&... values) const {
-    SQLite::Statement statement(database_, sql);
-    SQLite::bind(statement, values...);
-    statement.exec();
+    PreparedStatement statement(statements_, sql);
+    SQLite::bind(*statement, values...);
+    statement->exec();
   }
 
   template <typename... Values>
   void update(const char* sql, const Values&... values) const {
-    SQLite::Statement statement(database_, sql);
-    SQLite::bind(statement, values...);
-    [[maybe_unused]] const int changed = statement.exec();
+    PreparedStatement statement(statements_, sql);
+    SQLite::bind(*statement, values...);
+    [[maybe_unused]] const int changed = statement->exec();
     assert(changed == 1);
   }
 
-  SQLite::Database& database_;
+  PreparedStatements& statements_;
   std::int64_t session_;
   const Procedure& procedure_;
   const SessionState& before_;
@@ -175,10 +175,10 @@ class EventRows {
 
 }  // namespace
 
-void insert_event_rows(SQLite::Database& database, std::int64_t session, const Procedure& procedure,
-                       const LoggedEvent& logged, const SessionState& before,
-                       const SessionState& after) {
-  const EventRows rows(database, session, procedure, before);
+void insert_event_rows(PreparedStatements& statements, std::int64_t session,
+                       const Procedure& procedure, const LoggedEvent& logged,
+                       const SessionState& before, const SessionState& after) {
+  const EventRows rows(statements, session, procedure, before);
   rows.append_to_log(logged);
   std::visit(rows, logged.event);
   if (is_in_attempt(before) && !is_same_attempt(before, after)) {

@@ -58,7 +58,8 @@ class OlderSession {
     const std::vector<LoggedEvent> log = events();
     const std::int64_t session =
         insert_session(target, facts(), origin(), plan_of_session(), agenda());
-    replay_events(target, session, recorded_procedure_of(target, session), log);
+    PreparedStatements statements(target);
+    replay_events(statements, session, recorded_procedure_of(target, session), log);
     bring_chunks(target, session, "frame_chunk", "first_frame", "frame_count");
     bring_chunks(target, session, "gaze_chunk", "first_sample", "sample_count");
   }

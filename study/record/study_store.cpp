@@ -61,6 +61,7 @@ struct StudyStore::Implementation {
         lock(path),
         amendment(make_or_check(path, protocol_in, other)),
         database(open_study(path)),
+        statements(database),
         protocol(protocol_in) {}
 
   /// Runs `work`; all of it is on the disk when this returns, or none if it throws.
@@ -104,6 +105,7 @@ struct StudyStore::Implementation {
   ControllerLock lock;
   std::optional<Amendment> amendment;
   SQLite::Database database;
+  PreparedStatements statements;
   Protocol protocol;
   std::map<std::int64_t, Procedure> procedures;
   bool is_together = false;  ///< what is recorded belongs to one commit
@@ -169,7 +171,7 @@ std::int64_t StudyStore::begin_session(const SessionFacts& facts, const Plan& pl
 void StudyStore::record_event(std::int64_t session, Nanoseconds time, const Event& event,
                               const SessionState& before, const SessionState& after) {
   implementation_->commit([&] {
-    insert_event_rows(implementation_->database, session,
+    insert_event_rows(implementation_->statements, session,
                       implementation_->procedure_of_session(session),
                       {.time = time, .event = event, .utc = utc_now()}, before, after);
   });

@@ -1,5 +1,6 @@
 #include "study/record/table_rows.h"
 
+#include <span>
 #include <vector>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -71,12 +72,13 @@ std::string digest_of_rows(SQLite::Database& database, const std::string& table,
   }
   SQLite::Statement rows(
       database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY 1", values, table, condition));
-  std::string digest;
+  Sha256 digest;
   while (rows.executeStep()) {
-    digest += rows.getColumn(0).getString();
-    digest = sha256(digest);
+    // Values are quoted, so that where one row ends is not in doubt.
+    const std::string row = rows.getColumn(0).getString() + '\n';
+    digest.update(std::as_bytes(std::span(row)));
   }
-  return digest;
+  return digest.hex();
 }
 
 std::string is_of_session(std::int64_t session) { return fmt::format("session = {}", session); }

@@ -26,26 +26,36 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// A study with one session's facts and plan, in which nothing has happened yet.
-SQLite::Database before_events(SQLite::Database& study, std::int64_t session) {
+/// The study without its sessions.
+SQLite::Database without_sessions(SQLite::Database& study) {
   SQLite::Database blank(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   blank.exec(study_schema());
   for (const char* table : study_tables) {
     copy_rows(study, blank, table);
   }
+  return blank;
+}
+
+/// Adds one session's facts and plan, as they were before anything happened.
+void add_session_before_events(SQLite::Database& study, std::int64_t session,
+                               SQLite::Database& blank) {
   copy_rows(study, blank, "session", fmt::format("id = {}", session), {{"state", "'created'"}});
   for (const char* table : plan_tables) {
     copy_rows(study, blank, table, is_of_session(session));
   }
-  return blank;
 }
 
-/// Looks for the faults and gaps of one session.
+/// Looks for the faults and gaps of one session. `blank` is without_sessions(study), and is so
+/// afterwards.
 class SessionCheck {
  public:
-  SessionCheck(SQLite::Database& study, std::int64_t session, std::string participant,
-               Verification& found)
-      : study_(study), session_(session), participant_(std::move(participant)), found_(found) {}
+  SessionCheck(SQLite::Database& study, PreparedStatements& blank, std::int64_t session,
+               std::string participant, Verification& found)
+      : study_(study),
+        blank_(blank),
+        session_(session),
+        participant_(std::move(participant)),
+        found_(found) {}
 
   void run() {
     if (chain_holds()) {
@@ -89,11 +99,13 @@ class SessionCheck {
     return true;
   }
 
-  /// Goes through the events again, in a study of its own, and compares.
+  /// Goes through the events again, in the study without sessions, and compares.
   void check_what_follows() {
+    SQLite::Database& again = blank_.database();
+    const SQLite::Transaction to_be_undone(again);
     try {
-      SQLite::Database again = before_events(study_, session_);
-      replay_events(again, session_, recorded_procedure_of(again, session_),
+      add_session_before_events(study_, session_, again);
+      replay_events(blank_, session_, recorded_procedure_of(again, session_),
                     events_of(study_, session_));
       for (const char* table : event_tables) {
         if (digest_of_rows(study_, table, is_of_session(session_)) !=
@@ -189,6 +201,7 @@ class SessionCheck {
   }
 
   SQLite::Database& study_;
+  PreparedStatements& blank_;
   std::int64_t session_;
   std::string participant_;
   Verification& found_;
@@ -224,13 +237,27 @@ void check_texts(SQLite::Database& study, Verification& found) {
   }
 }
 
-/// A copy in memory: of files that it may not write, SQLite checks no CHECK constraints.
+/// A copy, since SQLite checks no CHECK constraints of files that it may not write. It has no name,
+/// and goes to the disk only as far as it is larger than the cache.
 SQLite::Database copy_to_verify(const fs::path& path) {
   SQLite::Database file = schema_of_study(path) == study_schema_version ? open_as_it_is(path)
                                                                         : open_study_to_read(path);
-  SQLite::Database copy(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Database copy("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  copy.exec("PRAGMA cache_size = -65536");
   SQLite::Backup(copy, file).executeStep();
   return copy;
+}
+
+void check_sessions(SQLite::Database& study, Verification& found) {
+  SQLite::Database blank = without_sessions(study);
+  PreparedStatements statements(blank);
+  SQLite::Statement sessions(study, "SELECT id, participant FROM session ORDER BY id");
+  while (sessions.executeStep()) {
+    ++found.sessions;
+    SessionCheck(study, statements, sessions.getColumn(0).getInt64(),
+                 sessions.getColumn(1).getString(), found)
+        .run();
+  }
 }
 
 Verification verify(const fs::path& path) {
@@ -241,12 +268,7 @@ Verification verify(const fs::path& path) {
   }
   require_schema(study, path);
   check_texts(study, found);
-  SQLite::Statement sessions(study, "SELECT id, participant FROM session ORDER BY id");
-  while (sessions.executeStep()) {
-    ++found.sessions;
-    SessionCheck(study, sessions.getColumn(0).getInt64(), sessions.getColumn(1).getString(), found)
-        .run();
-  }
+  check_sessions(study, found);
   return found;
 }
 

@@ -68,6 +68,7 @@ TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
   create_study(path, small_protocol());
   {
     SQLite::Database database = open_study_to_write(path);
+    PreparedStatements statements(database);
     const Agenda agenda = agenda_of(small_protocol(), small_plan());
     const Procedure procedure = procedure_of(small_protocol(), small_plan());
     const std::int64_t session = insert_session(
@@ -84,7 +85,7 @@ TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
     SessionState state;
     for (const LoggedEvent& logged : events) {
       const Transition next = step(procedure, state, logged.event).value();
-      insert_event_rows(database, session, procedure, logged, state, next.state);
+      insert_event_rows(statements, session, procedure, logged, state, next.state);
       state = next.state;
     }
   }
