@@ -1,6 +1,7 @@
 #include "scenes/descriptor.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <initializer_list>
 #include <limits>
@@ -138,6 +139,14 @@ SunAndSky read_sky(TomlReader table) {
   return sky;
 }
 
+void read_light_units(TomlReader& table, SceneSource& source) {
+  constexpr std::array words{Word<LightUnits>{"photometric", LightUnits::photometric},
+                             Word<LightUnits>{"radiometric", LightUnits::radiometric}};
+  if (table.has("light_units")) {
+    table.read("light_units", source.light_units.emplace(), words);
+  }
+}
+
 void read_light_from_outside(TomlReader& table, SceneSource& source) {
   if (table.has("environment_radiance") && table.has("sky")) {
     table.fail(table.source("sky"), "a scene has one environment",
@@ -222,6 +231,7 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
                "give one of builtin = true and file = \"NAME.glb\"");
   }
   require_known_builtins(table, descriptor);
+  read_light_units(table, descriptor.source);
   read_light_from_outside(table, descriptor.source);
   read_viewpoint(table, descriptor.source);
   table.reject_unknown_keys();

@@ -21,6 +21,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/stage.h"
 #include "renderer/image/image_file.h"
 #include "study/record/shown_scene.h"
@@ -132,6 +133,7 @@ class ConvergenceBench {
     settings.size = plan_.size;
     settings.threads = arguments_.threads;
     const Stage stage(source, settings);
+    print_warnings(stage.scene.warnings);
     std::optional<PathTracer> by_power_alone;
     if (std::any_of(plan_.contenders.begin(), plan_.contenders.end(), [](const Contender& c) {
           return c.light_selection == LightSelection::by_power_alone;
@@ -281,7 +283,9 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
   command->add_flag("--quick", arguments->quick, "Smaller and coarser, in about two minutes");
   command->add_flag("--json", arguments->json, "Print the tables as JSON");
   command->footer("Example: foveola bench convergence arcade church -o convergence --quick");
-  command->callback([arguments, find_scene, stop] { run(*arguments, find_scene, stop); });
+  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
+    run(*arguments, find, stop);
+  });
 }
 
 }  // namespace foveola::analysis

@@ -1,6 +1,7 @@
 // A scene as people name it: a file, where to stand in it, and what to add to it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -37,6 +38,18 @@ struct SunAndSky {
   float ground_albedo = 0.2F;  ///< of what lies below the horizon, in [0, 1]
 };
 
+/// What the numbers of a glTF file's punctual lights (KHR_lights_punctual) mean. Emissive materials
+/// have radiances in either case, and are taken as they are.
+enum class LightUnits : std::uint8_t {
+  /// Lux and candela, as the extension says: divided by 683 lm/W, the luminous efficacy that
+  /// Blender's exporter multiplies by for every colour alike (the SI's definition of the candela,
+  /// at
+  /// 540 THz), they become irradiances and radiant intensities.
+  photometric,
+  /// Irradiances and radiant intensities: taken as they are.
+  radiometric
+};
+
 /// Something in the scene that a participant may choose to look at.
 struct ObjectOfInterest {
   std::string name;
@@ -53,6 +66,9 @@ struct SceneSource {
   std::string described_sha256;
   /// Of the file's units, for files in others than glTF's. All else here is in metres.
   double metres_per_unit = 1.0;
+  /// Of a glTF file's punctual lights. If absent, by the program that wrote the file: photometric
+  /// where it was Blender's exporter since it writes them so, else radiometric.
+  std::optional<LightUnits> light_units;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   double exposure_stops = 0.0;

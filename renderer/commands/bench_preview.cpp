@@ -15,6 +15,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/stage.h"
 #include "renderer/gaze/gaze_source.h"
@@ -78,6 +79,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   const RenderSettings settings = settings_of(arguments);
   PreviewRun run = run_of(arguments, settings);
   const Stage stage(source, settings);
+  print_warnings(stage.scene.warnings);
   run.threads = stage.workers.threads();
   const SteadyClock clock;
   const auto eye = open_eye_tracker(run.tracker, screen_of(run.display), clock);
@@ -164,7 +166,9 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench preview arcade --frames 10000");
-  command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
+  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
+    run_bench(*arguments, find, stop);
+  });
 }
 
 }  // namespace foveola

@@ -15,6 +15,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/medians.h"
 #include "renderer/commands/stage.h"
 #include "renderer/commands/tracing_figures.h"
@@ -208,7 +209,10 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   general_settings.is_general = true;
   const Course general(stage, general_settings);
   const RayLog log = course.log_rays();
-  TracingFigures figures{.threads = stage.workers.threads(), .rays = {}, .embree = {}};
+  TracingFigures figures{.threads = stage.workers.threads(),
+                         .warnings = stage.scene.warnings,
+                         .rays = {},
+                         .embree = {}};
   std::vector<double> render_s;
   std::vector<double> sampling_s;
   std::vector<double> general_s;
@@ -289,6 +293,7 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
     settings.threads = threads;
     runs.push_back(measure(source, settings, arguments.rounds, arguments.no_skip));
   }
+  print_warnings(runs.front().warnings);
   arguments.json ? print_json(runs, arguments, settings)
                  : print_table(runs, settings.budget.samples);
 }
@@ -322,7 +327,8 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
                     "Run the general path too, which skips nothing, and say what skipping gains");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
-  command->callback([arguments, find_scene] { run(*arguments, find_scene); });
+  command->callback(
+      [arguments, find = with_light_units(*command, find_scene)] { run(*arguments, find); });
 }
 
 }  // namespace foveola

@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/stage.h"
@@ -113,6 +114,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
   const PyramidAtlas atlas(settings.size.x, settings.size.y);
   Presenter presenter(window, atlas, clock);
   const Stage stage(source, settings);
+  print_warnings(stage.scene.warnings);
   WindowEyeTracker gaze = open_gaze_source(command, display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
   SteeredHeadTracker steered_head(stage.camera.heading);
@@ -320,7 +322,9 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print how it went as JSON");
   command->footer("Example: foveola preview arcade --method fv (? shows the keys)");
-  command->callback([arguments, find_scene, stop] { run_preview(*arguments, find_scene, stop); });
+  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
+    run_preview(*arguments, find, stop);
+  });
 }
 
 }  // namespace foveola

@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/render.h"
 #include "renderer/commands/render_report.h"
 #include "renderer/image/image_file.h"
@@ -205,7 +206,7 @@ ImageFacts header_of(const RenderReport& report, const RenderSettings& settings,
                      const CLI::App& command, const RenderArguments& arguments) {
   ImageFacts facts = facts_of(report, settings, arguments.scene);
   for (const char* name : {"environment", "environment-rotation", "environment-strength",
-                           "light-radius", "sun-radius"}) {
+                           "light-units", "light-radius", "sun-radius"}) {
     const CLI::Option* option = command.get_option(fmt::format("--{}", name));
     if (option->count() > 0) {
       facts[fmt::format("foveola:{}", name)] = option->as<std::string>();
@@ -321,8 +322,8 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                       "x,y,sample: trace that path of this render again and print its vertices");
   command->add_flag("--json", arguments->json, "Print the result as JSON");
   command->footer("Example: foveola render arcade -o arcade.exr --method fv --gaze 20,-5 --spp 4");
-  command->callback([command, arguments, find_scene, stop] {
-    run_render(*command, *arguments, find_scene, stop);
+  command->callback([command, arguments, find = with_light_units(*command, find_scene), stop] {
+    run_render(*command, *arguments, find, stop);
   });
 }
 

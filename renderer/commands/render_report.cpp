@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
+#include "renderer/commands/stage.h"
 
 namespace foveola {
 namespace {
@@ -72,9 +73,7 @@ nlohmann::json json_report(const RenderReport& report, const RenderSettings& set
 
 void print_report(const RenderReport& report, const RenderSettings& settings,
                   const RenderNames& names) {
-  for (const std::string& warning : report.warnings) {
-    fmt::print(stderr, "foveola: warning: {}\n", warning);
-  }
+  print_warnings(report.warnings);
   if (!report.non_finite.empty()) {
     const DroppedSample& first = report.non_finite.front();
     const auto width = static_cast<unsigned>(settings.size.x);

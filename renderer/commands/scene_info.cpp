@@ -10,6 +10,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/trace/ray_scene.h"
@@ -118,8 +119,8 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
   command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");
-  command->callback([name, as_json, find_scene] {
-    const LoadedFacts loaded = load_facts(find_scene(*name));
+  command->callback([name, as_json, find = with_light_units(*command, find_scene)] {
+    const LoadedFacts loaded = load_facts(find(*name));
     *as_json ? print_json(loaded) : print_text(loaded);
   });
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/stage.h"
 
 namespace foveola {
@@ -38,6 +39,7 @@ std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& so
     settings.camera = parse_vec3("--camera", arguments.camera);
   }
   const Stage stage(source, settings);
+  print_warnings(stage.scene.warnings);
   const auto picked = stage.tracer.pick(stage.camera.position, direction_from(stage.gaze));
   if (!picked) {
     return std::nullopt;
@@ -80,8 +82,8 @@ void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
   command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
   command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");
-  command->callback([arguments, find_scene] {
-    print(pick(*arguments, find_scene(arguments->scene)), arguments->json);
+  command->callback([arguments, find = with_light_units(*command, find_scene)] {
+    print(pick(*arguments, find(arguments->scene)), arguments->json);
   });
 }
 

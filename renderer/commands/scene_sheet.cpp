@@ -12,7 +12,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/render.h"
+#include "renderer/commands/stage.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/image_file.h"
 
@@ -51,7 +53,9 @@ SheetRow render_row(const SceneSource& source, RenderSettings settings,
                     const std::stop_token& stop) {
   SheetRow row;
   const int height = settings.size.y;
-  row.panorama = render(source, settings, stop).image.color;
+  Rendering all_around = render(source, settings, stop);
+  print_warnings(all_around.report.warnings);
+  row.panorama = std::move(all_around.image.color);
   settings.method = "vp";
   settings.fov_deg = view_extent_deg + 2.0 * margin_deg;
   settings.size *= 2;
@@ -152,7 +156,9 @@ void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->footer("Example: foveola scene sheet -o sheet.png --size 512x256 --spp 64");
-  command->callback([arguments, find_scene, stop] { make_sheet(*arguments, find_scene, stop); });
+  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
+    make_sheet(*arguments, find, stop);
+  });
 }
 
 }  // namespace foveola

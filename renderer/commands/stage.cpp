@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "renderer/base/clock.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/view/equirect.h"
@@ -65,6 +67,12 @@ Stage::Stage(const SceneSource& source, const RenderSettings& settings)
       tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
       camera(choose_camera(source, scene, settings)),
       gaze(settings.gaze.value_or(camera.heading)) {}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    fmt::print(stderr, "foveola: warning: {}\n", warning);
+  }
+}
 
 TraceSettings trace_settings(const RenderSettings& settings) {
   return {.max_depth = settings.max_depth,

@@ -1,6 +1,9 @@
 // A scene ready to be seen: loaded, built, with a camera and a gaze chosen for it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "renderer/base/parallel.h"
 #include "renderer/commands/render.h"
 #include "renderer/preview/preview.h"
@@ -21,6 +24,9 @@ struct Stage {
   /// Throws Error for what is wrong with the scene.
   Stage(const SceneSource& source, const RenderSettings& settings);
 };
+
+/// One line each, on standard error.
+void print_warnings(const std::vector<std::string>& warnings);
 
 /// What a render with these settings asks of the tracer.
 TraceSettings trace_settings(const RenderSettings& settings);

@@ -47,8 +47,9 @@ struct GeneralFigures {
 /// Times are medians over the rounds.
 struct TracingFigures {
   int threads = 0;
-  Median seconds;                 ///< for all paths: sampled, traced and filmed
-  double sampling_seconds = 0.0;  ///< of them, for points and directions, on one thread
+  std::vector<std::string> warnings;  ///< of the scene
+  Median seconds;                     ///< for all paths: sampled, traced and filmed
+  double sampling_seconds = 0.0;      ///< of them, for points and directions, on one thread
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
   Median embree_seconds;   ///< for the same rays, each kind by its fastest entry point

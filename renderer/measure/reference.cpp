@@ -28,7 +28,7 @@ constexpr std::uint32_t reference_stream = 0x72656665U;
 /// Everything the image depends on, and this program's way of rendering it.
 std::string cache_key(const std::string& scene_key, const ReferenceSettings& settings) {
   std::string text = fmt::format(
-      "reference 4\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} angle {} spp {} interest {}\n", scene_key,
+      "reference 5\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} angle {} spp {} interest {}\n", scene_key,
       settings.viewpoint.x, settings.viewpoint.y, settings.viewpoint.z, settings.width,
       settings.height, settings.max_depth, settings.seed, settings.pixel_angle_rad,
       settings.samples_per_pixel, settings.samples_per_interest);

@@ -1,6 +1,8 @@
 #include "renderer/scene/gltf_lights.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -14,6 +16,23 @@ namespace foveola {
 namespace {
 
 constexpr double brightest_light = 1e9;
+constexpr double lumens_per_watt = 683.0;
+
+using Version = std::array<int, 3>;
+
+/// "MAJOR.MINOR.PATCH", whatever follows.
+std::optional<Version> parse_version(std::string_view text) {
+  Version version{};
+  for (int& number : version) {
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc()) {
+      return std::nullopt;
+    }
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(text.starts_with('.') ? 1 : 0);
+  }
+  return version;
+}
 
 PunctualLight::Kind kind_of(const tinygltf::Light& source) {
   if (source.type == "directional") {
@@ -22,10 +41,12 @@ PunctualLight::Kind kind_of(const tinygltf::Light& source) {
   return source.type == "spot" ? PunctualLight::Kind::spot : PunctualLight::Kind::point;
 }
 
-Rgb intensity_of(const tinygltf::Light& source, const std::string& place, Warnings& warnings) {
+Rgb intensity_of(const tinygltf::Light& source, LightUnits units, const std::string& place,
+                 Warnings& warnings) {
   const DVec3 color =
       source.color.empty() ? DVec3(1.0) : DVec3(source.color[0], source.color[1], source.color[2]);
-  const DVec3 intensity = color * source.intensity;
+  const double units_per_watt = units == LightUnits::photometric ? lumens_per_watt : 1.0;
+  const DVec3 intensity = color * (source.intensity / units_per_watt);
   const DVec3 limited = glm::clamp(intensity, DVec3(0.0), DVec3(brightest_light));
   if (limited != intensity) {
     warnings.add("the intensity of a light is limited to the range it may have", place);
@@ -51,9 +72,21 @@ void read_cone(const tinygltf::SpotLight& source, const std::string& place, Punc
 
 }  // namespace
 
+LightUnits light_units_of(std::string_view generator) {
+  constexpr std::string_view exporter = "Khronos glTF Blender I/O v";
+  constexpr Version first_photometric = {3, 4, 40};
+  if (!generator.starts_with(exporter)) {
+    return LightUnits::radiometric;
+  }
+  const std::optional<Version> version = parse_version(generator.substr(exporter.size()));
+  return version && *version >= first_photometric ? LightUnits::photometric
+                                                  : LightUnits::radiometric;
+}
+
 std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
                                        const std::vector<PlacedItem>& lights, const DVec3& origin,
-                                       Warnings& warnings) {
+                                       std::optional<LightUnits> units, Warnings& warnings) {
+  const LightUnits meant = units.value_or(light_units_of(model.asset.generator));
   std::vector<PunctualLight> result;
   for (const PlacedItem& item : lights) {
     const tinygltf::Light& source = model.lights[item.index];
@@ -63,7 +96,7 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
     PunctualLight light;
     light.name = disarmed(node.name.empty() ? source.name : node.name);
     light.kind = kind_of(source);
-    light.intensity = intensity_of(source, place, warnings);
+    light.intensity = intensity_of(source, meant, place, warnings);
     light.position = Vec3(DVec3(world_from_local[3]) - origin);
     if (source.range > 0.0) {
       warnings.add("the range of a light is ignored: it shines on with the square of the distance",
@@ -85,6 +118,12 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
     if (max_component(light.intensity) > 0.0F) {
       result.push_back(light);
     }
+  }
+  if (!units && meant == LightUnits::photometric && !result.empty()) {
+    warnings.add(
+        "the lights are divided by 683 lm/W, since Blender's exporter writes them in lux and "
+        "candela, unlike emission; if it was told \"Unitless\" or \"Raw\", give --light-units "
+        "radiometric");
   }
   return result;
 }

@@ -1,8 +1,11 @@
 // KHR_lights_punctual's lights, placed in the world.
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
+#include "renderer/base/scene_source.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/gltf_nodes.h"
 #include "renderer/scene/scene.h"
@@ -10,12 +13,18 @@
 
 namespace foveola {
 
-/// The lights that shine, their positions seen from `origin`. A light's colour times its intensity
-/// is taken as radiant intensity or irradiance as it stands: the extension's photometric units are
-/// not converted, as emissive materials have none either. It shines along its node's -Z, and
-/// nothing else of the node's transform but its position counts.
+/// What the lights of a file with this `asset.generator` are given in, as far as that says it.
+/// Blender's exporter ("Khronos glTF Blender I/O v3.4.50") multiplies them by 683 lm/W since its
+/// version 3.4.40, the first after its pull request 1760, unless it is told to export "Unitless" or
+/// "Raw", which leaves no trace in the file. Whatever else wrote a file: radiometric.
+LightUnits light_units_of(std::string_view generator);
+
+/// The lights that shine, their positions seen from `origin`. A light's colour times its intensity,
+/// in `units`, becomes radiant intensity or irradiance. If absent, the units are those of the
+/// file's generator, with a warning where that changes anything. A light shines along its node's
+/// -Z, and nothing else of the node's transform but its position counts.
 std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
                                        const std::vector<PlacedItem>& lights, const DVec3& origin,
-                                       Warnings& warnings);
+                                       std::optional<LightUnits> units, Warnings& warnings);
 
 }  // namespace foveola

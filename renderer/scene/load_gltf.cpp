@@ -75,7 +75,7 @@ std::string sha256_of_all(const GltfFile& file, FileHashes files) {
   return scene_sha256(file.sha256, files);
 }
 
-Scene scene_of(const GltfFile& file) {
+Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
   warn_of_what_is_ignored(model, warnings);
@@ -91,7 +91,7 @@ Scene scene_of(const GltfFile& file) {
   scene.materials = std::move(materials.materials);
   scene.textures = std::move(materials.textures);
   scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
-  scene.lights = read_lights(model, nodes.lights, scene.origin, warnings);
+  scene.lights = read_lights(model, nodes.lights, scene.origin, light_units, warnings);
   if (scene.object_count() == 0) {
     warnings.add("the scene has no triangles");
   }
@@ -102,9 +102,9 @@ Scene scene_of(const GltfFile& file) {
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
   try {
-    return scene_of(read_gltf_file(path));
+    return scene_of(read_gltf_file(path), light_units);
   } catch (const Error&) {
     throw;
   } catch (const GltfFault& fault) {

@@ -214,11 +214,11 @@ void resize_lights(Scene& scene, const SceneSource& source) {
 
 }  // namespace
 
-Scene load_scene_file(const std::filesystem::path& path) {
+Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".obj" ? load_obj(path) : load_gltf(path);
+  return extension == ".obj" ? load_obj(path) : load_gltf(path, light_units);
 }
 
 std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source) {
@@ -233,7 +233,7 @@ std::optional<std::string> warning_of_another_file(const Scene& scene, const Sce
 
 Scene load_scene(const SceneSource& source) {
   require_valid(source);
-  Scene scene = load_scene_file(source.file);
+  Scene scene = load_scene_file(source.file, source.light_units);
   if (const std::optional<std::string> warning = warning_of_another_file(scene, source)) {
     scene.warnings.insert(scene.warnings.begin(), *warning);
   }

@@ -14,8 +14,10 @@ namespace foveola {
 /// Loads a glTF 2.0 file (.glb or .gltf). Throws Error naming the file and the JSON path of what
 /// is wrong: missing or truncated file, no glTF, a required extension that is not supported, an
 /// index out of range, a reference outside the file's own folder. What is optional and not
-/// supported, and geometry that had to be dropped, becomes a warning in the scene.
-Scene load_gltf(const std::filesystem::path& path);
+/// supported, and geometry that had to be dropped, becomes a warning in the scene. light_units: as
+/// SceneSource's.
+Scene load_gltf(const std::filesystem::path& path,
+                std::optional<LightUnits> light_units = std::nullopt);
 
 /// Loads a Wavefront OBJ file and the material libraries and PNG and JPEG images in its folder that
 /// it names; mtl_materials.h says what the libraries' statements mean. One mesh for each object (or
@@ -23,7 +25,8 @@ Scene load_gltf(const std::filesystem::path& path);
 Scene load_obj(const std::filesystem::path& path);
 
 /// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.
-Scene load_scene_file(const std::filesystem::path& path);
+Scene load_scene_file(const std::filesystem::path& path,
+                      std::optional<LightUnits> light_units = std::nullopt);
 
 /// load_scene_file, brought to metres, with the source's environment, sun and rectangle lights
 /// added and its sizes of lights. A scene in other units looks the same, only larger or smaller.

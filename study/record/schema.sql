@@ -111,7 +111,8 @@ CREATE TABLE session (
 --                   environment_rotation_rad, environment_strength, light_radius_m and
 --                   sun_angular_radius_rad (null: the file's own), lights (rectangles: center, size,
 --                   normal, radiance) and suns (azimuth_rad, elevation_rad, irradiance,
---                   angular_radius_rad)
+--                   angular_radius_rad), and light_units where the file's lights were said to be
+--                   photometric or radiometric
 CREATE TABLE session_scene (
   session INTEGER NOT NULL REFERENCES session (id),
   scene TEXT NOT NULL REFERENCES study_scene (name),

@@ -67,14 +67,19 @@ Json environment_of(const SceneSource& source) {
 }
 
 Json added_to(const SceneSource& source) {
-  return {{"metres_per_unit", source.metres_per_unit},
-          {"environment", environment_of(source)},
-          {"environment_rotation_rad", source.environment_rotation_rad},
-          {"environment_strength", source.environment_strength},
-          {"light_radius_m", json_of(source.light_radius_m)},
-          {"sun_angular_radius_rad", json_of(source.sun_angular_radius_rad)},
-          {"lights", json_of(source.lights)},
-          {"suns", json_of(source.suns)}};
+  Json added = {{"metres_per_unit", source.metres_per_unit},
+                {"environment", environment_of(source)},
+                {"environment_rotation_rad", source.environment_rotation_rad},
+                {"environment_strength", source.environment_strength},
+                {"light_radius_m", json_of(source.light_radius_m)},
+                {"sun_angular_radius_rad", json_of(source.sun_angular_radius_rad)},
+                {"lights", json_of(source.lights)},
+                {"suns", json_of(source.suns)}};
+  if (source.light_units) {
+    added["light_units"] =
+        *source.light_units == LightUnits::photometric ? "photometric" : "radiometric";
+  }
+  return added;
 }
 
 Json camera_of(const SceneSource& source) {

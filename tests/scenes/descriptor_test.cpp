@@ -103,6 +103,18 @@ TEST(Descriptor, IsInTheFilesUnits) {
               HasSubstr("metres_per_unit is out of range"));
 }
 
+TEST(Descriptor, SaysWhatTheFilesLightsAreGivenIn) {
+  const TemporaryFolder folder;
+  const auto units_of = [&](const std::string& line) {
+    return read_descriptor(folder.write("hall.toml", line + good)).source.light_units;
+  };
+  EXPECT_EQ(units_of(""), std::nullopt);
+  EXPECT_EQ(units_of("light_units = \"photometric\"\n"), LightUnits::photometric);
+  EXPECT_EQ(units_of("light_units = \"radiometric\"\n"), LightUnits::radiometric);
+  EXPECT_THAT(error_of(std::string("light_units = \"lumen\"\n") + good),
+              AllOf(HasSubstr("hall.toml:1"), HasSubstr("light_units")));
+}
+
 TEST(Descriptor, SunsStandBesideTheEnvironment) {
   const TemporaryFolder folder;
   const std::string sun =

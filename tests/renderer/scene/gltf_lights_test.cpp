@@ -1,14 +1,20 @@
+#include "renderer/scene/gltf_lights.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
 
+#include "renderer/scene/load_scene.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::FloatEq;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -29,6 +35,26 @@ void expect_near(const Vec3& actual, const Vec3& expected) {
 }
 
 using GltfLights = LoadGltf;
+
+std::filesystem::path blender_export(const std::string& mode) {
+  return std::filesystem::path(TEST_DATA_DIR) / "blender" / (mode + ".gltf");
+}
+
+/// The irradiance of the sun, and the radiant intensities of the point and the spot.
+std::vector<float> intensities(const Scene& scene) {
+  std::vector<float> result;
+  for (const PunctualLight& light : scene.lights) {
+    EXPECT_EQ(light.intensity, Rgb(light.intensity.r)) << "white in Blender";
+    result.push_back(light.intensity.r);
+  }
+  return result;
+}
+
+/// The emission of the panel in Blender's exports.
+Rgb emission(const Scene& scene) {
+  const auto shines = [](const Material& material) { return material.is_emissive(); };
+  return std::find_if(scene.materials.begin(), scene.materials.end(), shines)->emission;
+}
 
 /// The extension's table of defaults.
 TEST_F(GltfLights, AbsentPropertiesAreTheExtensions) {
@@ -74,6 +100,61 @@ TEST_F(GltfLights, ASpotHasACone) {
   EXPECT_EQ(light.inner_cone_rad, 0.25F);
   EXPECT_EQ(light.outer_cone_rad, 0.5F);
   expect_near(light.position, {0, 4, 0});
+}
+
+/// tests/data/blender/README.md: a sun of 2 W/m^2, lights of 4 pi W, and an emission of 3.
+TEST_F(GltfLights, OfBlendersExportsFitTheirEmission) {
+  const Scene standard = load_gltf(blender_export("standard"));
+  EXPECT_THAT(intensities(standard), ElementsAre(FloatEq(2), FloatEq(1), FloatEq(1)));
+  EXPECT_EQ(emission(standard), Rgb(3, 1.5, 0.75));
+  EXPECT_THAT(standard.warnings,
+              ElementsAre(AllOf(HasSubstr("683 lm/W"), HasSubstr("--light-units radiometric"))));
+
+  const Scene unitless = load_gltf(blender_export("unitless"), LightUnits::radiometric);
+  EXPECT_THAT(intensities(unitless), ElementsAre(FloatEq(2), FloatEq(1), FloatEq(1)));
+  EXPECT_EQ(emission(unitless), Rgb(3, 1.5, 0.75));
+  EXPECT_THAT(unitless.warnings, IsEmpty());
+
+  constexpr float all_around = 4.0F * std::numbers::pi_v<float>;
+  const Scene raw = load_gltf(blender_export("raw"), LightUnits::radiometric);
+  EXPECT_THAT(intensities(raw), ElementsAre(FloatEq(2), FloatEq(all_around), FloatEq(all_around)));
+}
+
+TEST_F(GltfLights, AreInTheUnitsThatWereSaid) {
+  EXPECT_THAT(intensities(load_gltf(blender_export("standard"), LightUnits::radiometric)),
+              ElementsAre(FloatEq(1366), FloatEq(683), FloatEq(683)));
+  const Scene said = load_gltf(blender_export("standard"), LightUnits::photometric);
+  EXPECT_THAT(intensities(said), ElementsAre(FloatEq(2), FloatEq(1), FloatEq(1)));
+  EXPECT_THAT(said.warnings, IsEmpty()) << "who said it knows it";
+  const auto from_elsewhere = lit({{"type", "point"}, {"intensity", 1366}});
+  EXPECT_THAT(intensities(load(from_elsewhere)), ElementsAre(FloatEq(1366)));
+  SceneSource source;
+  source.file = write("lit.glb", from_elsewhere.bytes());
+  source.light_units = LightUnits::photometric;
+  EXPECT_THAT(intensities(load_scene(source)), ElementsAre(FloatEq(2)));
+}
+
+/// The exporter's history: lights in lux and candela were merged after 3.4.39.
+TEST(GltfLightUnits, AreTheGenerators) {
+  for (const char* generator :
+       {"Khronos glTF Blender I/O v3.4.40", "Khronos glTF Blender I/O v3.4.50",
+        "Khronos glTF Blender I/O v3.6.28", "Khronos glTF Blender I/O v4.0.44",
+        "Khronos glTF Blender I/O v10.0.0-beta"}) {
+    EXPECT_EQ(light_units_of(generator), LightUnits::photometric) << generator;
+  }
+  for (const char* generator :
+       {"", "Foveola", "Khronos glTF Blender I/O v3.4.39", "Khronos glTF Blender I/O v3.3.36",
+        "Khronos glTF Blender I/O v1.8.19", "Khronos glTF Blender I/O v",
+        "Khronos glTF Blender I/O v4", "Khronos glTF Blender I/O v99999999999.0.0",
+        "Khronos Blender glTF 2.0 exporter", "glTF-Transform v3.4.50"}) {
+    EXPECT_EQ(light_units_of(generator), LightUnits::radiometric) << generator;
+  }
+}
+
+TEST_F(GltfLights, OfAFileWithoutLightsNothingIsSaid) {
+  GlbBuilder glb = one_triangle();
+  glb.document["asset"]["generator"] = "Khronos glTF Blender I/O v4.2.60";
+  EXPECT_THAT(load(glb).warnings, IsEmpty());
 }
 
 /// 0 <= inner < outer <= pi / 2.

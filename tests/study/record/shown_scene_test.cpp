@@ -54,6 +54,17 @@ TEST(ShownScene, SaysAllThatTheSourceSaysBeyondItsFile) {
       R"("angular_radius_rad":0.25}]}})");
 }
 
+/// Records and references of scenes of which it was never said keep their texts.
+TEST(ShownScene, SaysTheUnitsOfTheLightsWhereTheSourceDoes) {
+  SceneSource source = hall();
+  const std::string unsaid = added_to_file(source);
+  EXPECT_EQ(unsaid.find("light_units"), std::string::npos);
+  source.light_units = LightUnits::radiometric;
+  EXPECT_EQ(difference(unsaid, added_to_file(source)), "light_units: nothing, now \"radiometric\"");
+  source.light_units = LightUnits::photometric;
+  EXPECT_EQ(difference(unsaid, added_to_file(source)), "light_units: nothing, now \"photometric\"");
+}
+
 // The digest is coreutils' of "sky".
 TEST(ShownScene, AnEnvironmentsFileIsItsContent) {
   const test::TemporaryFolder folder;
