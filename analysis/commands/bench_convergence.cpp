@@ -133,7 +133,7 @@ class ConvergenceBench {
     settings.size = plan_.size;
     settings.threads = arguments_.threads;
     const Stage stage(source, settings);
-    print_warnings(stage.scene.warnings);
+    print_warnings(stage.warnings);
     std::optional<PathTracer> by_power_alone;
     if (std::any_of(plan_.contenders.begin(), plan_.contenders.end(), [](const Contender& c) {
           return c.light_selection == LightSelection::by_power_alone;

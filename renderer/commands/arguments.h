@@ -27,6 +27,11 @@ FieldsOfView parse_fields_of_view(const std::string& option, const std::string& 
 /// "axis x,axis y,k1,k2", the axis in [0, 1].
 RadialLens parse_lens(const std::string& option, const std::string& text);
 
+/// What --camera's help says of its value.
+inline constexpr const char* camera_help =
+    "x,y,z in metres (default: the scene's; without one in the middle, or in front of a closed "
+    "object)";
+
 /// "x,y,z", all finite.
 DVec3 parse_vec3(const std::string& option, const std::string& text);
 

@@ -79,7 +79,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   const RenderSettings settings = settings_of(arguments);
   PreviewRun run = run_of(arguments, settings);
   const Stage stage(source, settings);
-  print_warnings(stage.scene.warnings);
+  print_warnings(stage.warnings);
   run.threads = stage.workers.threads();
   const SteadyClock clock;
   const auto eye = open_eye_tracker(run.tracker, screen_of(run.display), clock);

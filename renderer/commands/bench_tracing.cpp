@@ -209,10 +209,8 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   general_settings.is_general = true;
   const Course general(stage, general_settings);
   const RayLog log = course.log_rays();
-  TracingFigures figures{.threads = stage.workers.threads(),
-                         .warnings = stage.scene.warnings,
-                         .rays = {},
-                         .embree = {}};
+  TracingFigures figures{
+      .threads = stage.workers.threads(), .warnings = stage.warnings, .rays = {}, .embree = {}};
   std::vector<double> render_s;
   std::vector<double> sampling_s;
   std::vector<double> general_s;
@@ -309,7 +307,7 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
   command->add_option("--method", arguments->method, "As render's")->capture_default_str();
   command->add_option("--size", arguments->size, "Of the film, WIDTHxHEIGHT")
       ->capture_default_str();
-  command->add_option("--camera", arguments->camera, "Where to stand: x,y,z in the file's metres");
+  command->add_option("--camera", arguments->camera, camera_help);
   command->add_option("--threads", arguments->threads, "One measurement each (default: 1 and all)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));

@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/environment_option.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_report.h"
@@ -40,11 +41,13 @@ struct PreviewCommand {
   std::string display = "desktop";
   std::string tracker = "pointer";
   std::string gaze_file;
+  std::string camera;
   std::string head;
   std::string head_file;
   std::string window = "1280x720";
   int monitor = 0;
   bool full_screen = false;
+  std::string environment;
   double exposure_stops = 0.0;
   bool fill_unsampled = false;
   bool correct_gaze = false;
@@ -90,6 +93,9 @@ RenderSettings render_settings(const PreviewCommand& command) {
   settings.max_depth = command.max_depth;
   settings.seed = command.seed;
   settings.threads = command.threads;
+  if (!command.camera.empty()) {
+    settings.camera = parse_vec3("--camera", command.camera);
+  }
   if (!command.head.empty()) {
     settings.head = parse_azimuth_elevation("--head", command.head);
   }
@@ -114,7 +120,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
   const PyramidAtlas atlas(settings.size.x, settings.size.y);
   Presenter presenter(window, atlas, clock);
   const Stage stage(source, settings);
-  print_warnings(stage.scene.warnings);
+  print_warnings(stage.warnings);
   WindowEyeTracker gaze = open_gaze_source(command, display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
   SteeredHeadTracker steered_head(stage.camera.heading);
@@ -234,6 +240,14 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
   fmt::print("{}\n", json.dump(2));
 }
 
+SceneSource scene_of(const PreviewCommand& command, const SceneFinder& find_scene) {
+  SceneSource source = find_scene(command.scene);
+  if (!command.environment.empty()) {
+    replace_environment(command.environment, source);
+  }
+  return source;
+}
+
 void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
                  const std::stop_token& stop) {
   if (!command.screenshot.empty()) {
@@ -242,7 +256,7 @@ void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
   }
   require_method(command.method);
   DisplayProfile display = read_display_profile(command.display);
-  const SceneSource source = find_scene(command.scene);
+  const SceneSource source = scene_of(command, find_scene);
   const SteadyClock clock;
   WindowEvents events;
   Window window({.title = "Foveola: " + command.scene,
@@ -287,6 +301,7 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->excludes(tracker);
   command->add_flag("--correct-gaze", arguments->correct_gaze,
                     "Correct the gaze by what each check of the tracker (key c) finds");
+  command->add_option("--camera", arguments->camera, camera_help);
   CLI::Option* head =
       command->add_option("--head", arguments->head,
                           "azimuth,elevation in degrees to begin with (default: the scene's)");
@@ -300,6 +315,7 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->check(CLI::Range(0, 100))
       ->needs(full_screen)
       ->capture_default_str();
+  command->add_option("--environment", arguments->environment, environment_help);
   command->add_option("--exposure", arguments->exposure_stops, "Brighter by so many stops")
       ->check(CLI::Range(-20.0, 20.0));
   command->add_flag("--fill-unsampled", arguments->fill_unsampled,

@@ -74,7 +74,7 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
   report.load_seconds = stage.load_seconds;
   report.build_seconds = stage.build_seconds;
   report.triangles = stage.scene.triangle_count();
-  report.warnings = stage.scene.warnings;
+  report.warnings = stage.warnings;
   report.camera = DVec3(stage.camera.position) + stage.scene.origin;
   report.head = stage.camera.heading;
   report.gaze = stage.gaze;

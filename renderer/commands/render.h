@@ -25,7 +25,7 @@ struct RenderBudget {
 struct RenderSettings {
   std::string method = "od";  ///< as make_view_sampler reads it
   IVec2 size{2048, 1024};
-  std::optional<DVec3> camera;             ///< default: the source's, the file's first, the middle
+  std::optional<DVec3> camera;             ///< default: see Stage::camera
   std::optional<AzimuthElevation> head;    ///< world; default: with the camera
   std::optional<AzimuthElevation> gaze;    ///< world; default: where the head points
   double fov_deg = 100.0;                  ///< of the viewport, horizontally

@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/environment_option.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/render.h"
 #include "renderer/commands/render_report.h"
@@ -41,6 +42,7 @@ struct RenderArguments {
   std::uint32_t seed = 0;
   int threads = 0;
   std::string environment;
+  double exposure_stops = 0.0;
   double environment_rotation_deg = 0.0;
   double environment_strength = 1.0;
   double light_radius_m = 0.0;
@@ -149,33 +151,13 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
   return settings;
 }
 
-/// "r,g,b" is a constant radiance, "sky:..." daylight, anything else a file. What a descriptor says
-/// of its own environment does not hold for another.
-void apply_environment(const std::string& environment, SceneSource& source) {
-  constexpr std::string_view sky = "sky:";
-  source.environment_radiance.reset();
-  source.sky.reset();
-  source.suns.clear();
-  source.environment_strength = 1.0;
-  source.environment_rotation_rad = 0.0;
-  if (environment.starts_with(sky)) {
-    source.sky = parse_sky("--environment", environment.substr(sky.size()));
-  } else if (std::count(environment.begin(), environment.end(), ',') == 2) {
-    const Rgb radiance = parse_vec3("--environment", environment);
-    require(glm::all(glm::greaterThanEqual(radiance, Rgb(0.0F))), "--environment",
-            "radiance must not be negative");
-    source.environment_radiance = radiance;
-  } else {
-    source.environment_file = environment;
-  }
-}
-
-/// The scene's light as the arguments change it.
+/// The scene's light and exposure as the arguments change them.
 void apply_lighting(const CLI::App& command, const RenderArguments& arguments,
                     SceneSource& source) {
   if (!arguments.environment.empty()) {
-    apply_environment(arguments.environment, source);
+    replace_environment(arguments.environment, source);
   }
+  source.exposure_stops += arguments.exposure_stops;
   source.environment_rotation_rad += radians(arguments.environment_rotation_deg);
   source.environment_strength *= arguments.environment_strength;
   if (command.count("--light-radius") > 0) {
@@ -264,7 +246,7 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                    "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Of the image, in pixels")->capture_default_str();
-  command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
+  command->add_option("--camera", arguments->camera, camera_help);
   command->add_option("--head", arguments->head,
                       "azimuth,elevation in degrees; azimuth from -Z towards +X");
   command->add_option("--gaze", arguments->gaze,
@@ -300,9 +282,11 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   command->add_option("--seed", arguments->seed, "Another seed gives other noise")
       ->capture_default_str();
   command->add_option("--threads", arguments->threads, "0: every core")->capture_default_str();
-  command->add_option("--environment", arguments->environment,
-                      "A lat-long image file, r,g,b for a constant radiance, or "
-                      "sky:AZIMUTH,ELEVATION[,TURBIDITY] for daylight with the sun there");
+  command
+      ->add_option("--exposure", arguments->exposure_stops,
+                   "Brighter by so many stops in a .png; an .exr holds radiances, whatever this is")
+      ->check(CLI::Range(-20.0, 20.0));
+  command->add_option("--environment", arguments->environment, environment_help);
   command->add_option("--environment-rotation", arguments->environment_rotation_deg,
                       "Turns the environment by these degrees, from -Z towards +X");
   command->add_option("--environment-strength", arguments->environment_strength,

@@ -39,7 +39,7 @@ std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& so
     settings.camera = parse_vec3("--camera", arguments.camera);
   }
   const Stage stage(source, settings);
-  print_warnings(stage.scene.warnings);
+  print_warnings(stage.warnings);
   const auto picked = stage.tracer.pick(stage.camera.position, direction_from(stage.gaze));
   if (!picked) {
     return std::nullopt;
@@ -79,7 +79,7 @@ void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
       ->required();
   command->add_option("--gaze", arguments->gaze,
                       "azimuth,elevation in degrees, world (default: the scene's heading)");
-  command->add_option("--camera", arguments->camera, "x,y,z in metres (default: the scene's)");
+  command->add_option("--camera", arguments->camera, camera_help);
   command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");
   command->callback([arguments, find = with_light_units(*command, find_scene)] {

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "renderer/base/clock.h"
+#include "renderer/commands/standpoint.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/scene/scene_facts.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {
@@ -29,8 +31,32 @@ Scene load(const SceneSource& source, const RenderSettings& settings) {
   return scene;
 }
 
-CameraView choose_camera(const SceneSource& source, const Scene& scene,
-                         const RenderSettings& settings) {
+std::vector<std::string> warnings_of(const Scene& scene) {
+  std::vector<std::string> warnings = scene.warnings;
+  if (!has_light(scene)) {
+    warnings.emplace_back(
+        "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
+        "render and preview lights it evenly, and see their --help for daylight and images");
+  }
+  return warnings;
+}
+
+/// Where nobody says where to stand. Adds a warning that says it.
+CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
+                                std::vector<std::string>& warnings) {
+  Standpoint standpoint = choose_standpoint(scene, rays);
+  const DVec3 place = DVec3(standpoint.position) + scene.origin;
+  if (scene.object_count() > 0) {
+    warnings.push_back(fmt::format(
+        "the file has no camera: it is seen from ({:.4g}, {:.4g}, {:.4g}), {}; --camera X,Y,Z "
+        "stands elsewhere",
+        place.x, place.y, place.z, standpoint.reason));
+  }
+  return {.name = "", .position = standpoint.position, .heading = standpoint.heading};
+}
+
+CameraView choose_camera(const SceneSource& source, const Scene& scene, const RayScene& rays,
+                         const RenderSettings& settings, std::vector<std::string>& warnings) {
   CameraView view;
   if (source.camera_position) {
     view = {.name = "",
@@ -38,9 +64,8 @@ CameraView choose_camera(const SceneSource& source, const Scene& scene,
             .heading = source.heading};
   } else if (!scene.cameras.empty()) {
     view = scene.cameras.front();
-  } else {
-    const Bounds bounds = scene.bounds();
-    view.position = 0.5F * (bounds.lower + bounds.upper);
+  } else if (!settings.camera) {
+    view = camera_at_standpoint(scene, rays, warnings);
   }
   if (settings.camera) {
     view.position = scene.from_file(*settings.camera);
@@ -65,7 +90,8 @@ Stage::Stage(const SceneSource& source, const RenderSettings& settings)
     : workers(settings.threads),
       scene(timed(load_seconds, [&] { return load(source, settings); })),
       tracer(timed(build_seconds, [&] { return PathTracer(scene, workers); })),
-      camera(choose_camera(source, scene, settings)),
+      warnings(warnings_of(scene)),
+      camera(choose_camera(source, scene, tracer.ray_scene(), settings, warnings)),
       gaze(settings.gaze.value_or(camera.heading)) {}
 
 void print_warnings(const std::vector<std::string>& warnings) {

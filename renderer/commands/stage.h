@@ -18,6 +18,10 @@ struct Stage {
   Workers workers;
   Scene scene;
   PathTracer tracer;
+  /// One line each: the scene's, where one stands if neither it nor the settings say so (see
+  /// choose_standpoint), and that nothing shines.
+  std::vector<std::string> warnings;
+  /// Where the settings say, else the source, else the file's first, else by choose_standpoint.
   CameraView camera;
   AzimuthElevation gaze;
 

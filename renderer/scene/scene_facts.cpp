@@ -129,4 +129,24 @@ class FactFinder {
 
 SceneFacts facts_of(const Scene& scene) { return FactFinder(scene).facts(); }
 
+bool has_light(const Scene& scene) {
+  const auto shines = [](const PunctualLight& light) {
+    return max_component(light.intensity) > 0.0F;
+  };
+  if (scene.environment && max_component(scene.environment->radiance) > 0.0F) {
+    return true;
+  }
+  if (scene.object_count() > 0 && std::any_of(scene.lights.begin(), scene.lights.end(), shines)) {
+    return true;
+  }
+  for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
+    const Mesh& mesh = scene.mesh_of(object);
+    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    if (!mesh.triangles.empty() && (material.is_emissive() || material.unlit)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace foveola

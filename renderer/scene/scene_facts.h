@@ -29,4 +29,8 @@ struct SceneFacts {
 
 SceneFacts facts_of(const Scene& scene);
 
+/// Whether anything shines: an environment, a surface, or a light where there are surfaces. Does
+/// not look into textures.
+bool has_light(const Scene& scene);
+
 }  // namespace foveola

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/x_server.h"
@@ -18,6 +19,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class PreviewCommand : public ::testing::Test {
@@ -64,6 +66,43 @@ TEST_F(PreviewCommand, WritesItsLastPicture) {
     sum += color.g;
   }
   EXPECT_GT(sum / (200 * 160), 0.02);
+}
+
+/// The mean of the green of a file's pixels.
+double mean_green(const std::string& file) {
+  double sum = 0.0;
+  const RgbImage picture = read_film_image(file).color;
+  for (const Rgb& color : picture.pixels) {
+    sum += color.g;
+  }
+  return sum / static_cast<double>(picture.pixels.size());
+}
+
+/// From 9 m above the room's ceiling, nothing but the environment is overhead.
+TEST_F(PreviewCommand, StandsAndIsLitAsRenderIs) {
+  const std::string file = folder_ / "last.png";
+  const auto seen = [&](const std::string& stops) {
+    const ProgramResult result =
+        preview({"--frames", "10", "--screenshot", file, "--fill-unsampled", "--camera", "0,11,0",
+                 "--head", "0,89", "--environment", "0.125,0.125,0.125", "--exposure", stops});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_THAT(result.errors, Not(HasSubstr("camera")));
+    return mean_green(file);
+  };
+  EXPECT_NEAR(seen("0"), 0.125, 0.01);
+  EXPECT_NEAR(seen("2"), 0.5, 0.02);
+}
+
+TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
+  write_file(scene_, R"({"asset":{"version":"2.0"}})");
+  const ProgramResult empty = preview({"--frames", "5"});
+  EXPECT_EQ(empty.exit_code, 0);
+  EXPECT_THAT(empty.errors, HasSubstr("the scene has no triangles"));
+  EXPECT_THAT(empty.errors, HasSubstr("--environment 1,1,1"));
+  write_file(scene_, room_gltf());
+  EXPECT_THAT(preview({"--frames", "5"}).errors,
+              HasSubstr("it is seen from (0, 0, 0), the middle of its bounds"));
+  EXPECT_EQ(preview({"--frames", "5", "--camera", "0,0"}).exit_code, 2);
 }
 
 TEST_F(PreviewCommand, KeysChangeWhatIsRendered) {

@@ -78,5 +78,37 @@ TEST(SceneFacts, AnEmptySceneHasNone) {
   EXPECT_THAT(facts.features, IsEmpty());
 }
 
+Scene dark_scene() {
+  Scene scene = small_scene();
+  scene.materials[0].emission = Rgb(0.0F);
+  return scene;
+}
+
+TEST(HasLight, FindsWhatShines) {
+  EXPECT_FALSE(has_light(dark_scene())) << "nothing has the unlit material";
+  EXPECT_TRUE(has_light(small_scene()));
+  Scene unlit = dark_scene();
+  unlit.prototypes[0].material = 2;
+  EXPECT_TRUE(has_light(unlit));
+  Scene lamp = dark_scene();
+  lamp.lights.resize(1);
+  EXPECT_TRUE(has_light(lamp));
+  lamp.lights[0].intensity = Rgb(0.0F);
+  EXPECT_FALSE(has_light(lamp));
+  Scene outdoors = dark_scene();
+  outdoors.environment.emplace();
+  EXPECT_TRUE(has_light(outdoors));
+  outdoors.environment->radiance = Rgb(0.0F);
+  EXPECT_FALSE(has_light(outdoors));
+}
+
+TEST(HasLight, ALampIsNotSeenWhereThereAreNoSurfaces) {
+  Scene scene;
+  scene.lights.resize(1);
+  EXPECT_FALSE(has_light(scene));
+  scene.environment.emplace();
+  EXPECT_TRUE(has_light(scene));
+}
+
 }  // namespace
 }  // namespace foveola

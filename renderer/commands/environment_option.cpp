@@ -1,0 +1,33 @@
+#include "renderer/commands/environment_option.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "renderer/base/error.h"
+#include "renderer/commands/arguments.h"
+
+namespace foveola {
+
+void replace_environment(const std::string& text, SceneSource& source) {
+  constexpr std::string_view sky = "sky:";
+  source.environment_radiance.reset();
+  source.environment_file.reset();
+  source.sky.reset();
+  source.suns.clear();
+  source.environment_strength = 1.0;
+  source.environment_rotation_rad = 0.0;
+  if (text.starts_with(sky)) {
+    source.sky = parse_sky("--environment", text.substr(sky.size()));
+  } else if (std::count(text.begin(), text.end(), ',') == 2) {
+    const Rgb radiance = parse_vec3("--environment", text);
+    if (!glm::all(glm::greaterThanEqual(radiance, Rgb(0.0F)))) {
+      throw UsageError("--environment", "radiance must not be negative",
+                       "see foveola render --help");
+    }
+    source.environment_radiance = radiance;
+  } else {
+    source.environment_file = text;
+  }
+}
+
+}  // namespace foveola
