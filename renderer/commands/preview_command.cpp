@@ -111,6 +111,9 @@ WindowEyeTracker open_gaze_source(const PreviewCommand& command, const DisplayPr
   return open_window_eye_tracker(read_tracker_profile(command.tracker), screen_of(display), clock);
 }
 
+/// Beside the report, which JSON's readers want alone.
+void tell_user(const std::string& line) { fmt::print(stderr, "{}\n", line); }
+
 /// Loads the scene and shows it, in a thread of its own beside the window's.
 LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& source,
                              const DisplayProfile& display, Window& window, WindowEvents& events,
@@ -139,7 +142,8 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .seed = settings.seed,
                            .framebuffer = framebuffer,
                            .keeps_last_picture = !command.screenshot.empty(),
-                           .corrects_gaze = command.correct_gaze};
+                           .corrects_gaze = command.correct_gaze,
+                           .tell = tell_user};
   live.choices.look.exposure_stops = source.exposure_stops + command.exposure_stops;
   if (command.frames > 0) {
     live.frames = command.frames;
@@ -219,6 +223,18 @@ Json gaze_checks(const LivePreviewReport& report) {
   return checks;
 }
 
+/// Null unless drawing was found too slow for the window.
+Json slow_drawing(const LivePreviewReport& report) {
+  if (!report.slow_drawing) {
+    return nullptr;
+  }
+  constexpr double ms_per_s = 1e3;
+  const SlowDrawing& slow = *report.slow_drawing;
+  return {{"drawing_ms", ms_per_s * seconds(slow.drawing)},
+          {"refresh_interval_ms", ms_per_s * seconds(slow.interval)},
+          {"window", {slow.framebuffer.x, slow.framebuffer.y}}};
+}
+
 void print_json(const LivePreviewReport& report, const PreviewCommand& command,
                 const DisplayProfile& display) {
   Json json = {{"version", build_info().version},
@@ -234,6 +250,7 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
                {"refresh_is_measured", report.is_refresh_measured},
                {"frame_count", report.frame_count},
                {"late", late_frames(report)},
+               {"slow_drawing", slow_drawing(report)},
                {"lost_monitors", report.lost_monitors},
                {"gaze_checks", gaze_checks(report)}};
   json.update(preview_json(run_of(report, command, display)));

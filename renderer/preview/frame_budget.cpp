@@ -18,6 +18,21 @@ void CostEstimate::add(double cost) {
   mean_ += mean_gain * (cost - mean_);
 }
 
+Nanoseconds FrameBudget::begin_frame(Nanoseconds left, Nanoseconds interval) {
+  // The rest may have a little less than half: batches leave some time unused, and some frames end
+  // one refresh later than they aimed at.
+  constexpr double largest_rest_share = 0.45;
+  interval_s_ = seconds(interval);
+  if (!is_drawing_too_slow_) {
+    return left;
+  }
+  const double usual_rest_s = rest_s_.mean() + rest_s_.deviation();
+  const double refreshes = std::ceil(usual_rest_s / (largest_rest_share * interval_s_));
+  // As every frame is late, none keeps what is kept for being in time.
+  const double kept_s = rest_s_.seldom_exceeded() - usual_rest_s + reserve_s_;
+  return left + nanoseconds_from_seconds((refreshes - 1.0) * interval_s_ + kept_s);
+}
+
 std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
   constexpr double share = 0.75;
   constexpr double fewest = 64.0;
@@ -47,8 +62,24 @@ void FrameBudget::frame_ended(bool is_late) {
   constexpr double late_share = 0.005;
   constexpr double step_s = 2e-4;
   constexpr double largest_s = 5e-3;
+  judge_drawing(is_late);
+  if (is_drawing_too_slow_) {
+    return;  // it is late because it was meant to be
+  }
   const double change_s = is_late ? step_s : -step_s * late_share / (1.0 - late_share);
   reserve_s_ = std::clamp(reserve_s_ + change_s, 0.0, largest_s);
+}
+
+void FrameBudget::judge_drawing(bool is_late) {
+  constexpr double gain = 1.0 / 16.0;
+  constexpr double most_late = 0.75;        // reached by 22 late frames in a row
+  constexpr double too_slow_above = 0.9;    // of the time between two refreshes
+  constexpr double fast_again_below = 0.7;  // likewise
+  const double rest_share = interval_s_ > 0.0 ? rest_s_.mean() / interval_s_ : 0.0;
+  const bool is_late_by_rest = is_late && rest_share >= too_slow_above;
+  late_share_ += gain * ((is_late_by_rest ? 1.0 : 0.0) - late_share_);
+  is_drawing_too_slow_ =
+      is_drawing_too_slow_ ? rest_share >= fast_again_below : late_share_ > most_late;
 }
 
 double FrameBudget::samples_in(Nanoseconds left) const {

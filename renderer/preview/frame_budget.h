@@ -15,6 +15,7 @@ class CostEstimate {
   void add(double cost);
   bool empty() const { return count_ == 0; }
   double mean() const { return mean_; }
+  double deviation() const { return deviation_; }
   double seldom_exceeded() const { return mean_ + 4.0 * deviation_; }
 
  private:
@@ -25,10 +26,18 @@ class CostEstimate {
 
 /// Cuts a frame's tracing into batches: a large one, and then what fits the time that is left. A
 /// frame's deadline is then missed only by what the last one takes longer than expected.
+///
+/// Where drawing alone takes the time between two refreshes, frame after frame, no frame can be in
+/// time. Frames then aim at a later refresh, so that at least half of each is for tracing.
 class FrameBudget {
  public:
   /// What is traced while nothing is known of the machine and the scene.
   static constexpr std::uint64_t first_of_all = 1024;
+
+  /// A frame begins, `left` before its deadline, on a display that refreshes every `interval`.
+  /// Returns what its batches are to take for the time left: `left`, or more if drawing is too
+  /// slow.
+  Nanoseconds begin_frame(Nanoseconds left, Nanoseconds interval);
 
   /// How many samples the frame's first batch has, `left` before its deadline. There are some
   /// however late it is, so that a restart is seen in the next frame: what is traced within a
@@ -47,7 +56,15 @@ class FrameBudget {
   /// approximation method").
   void frame_ended(bool is_late);
 
+  /// Whether frames are late because of the rest of them. It takes a few dozen late frames in a row
+  /// to say so, and a rest that clearly fits between two refreshes to take it back.
+  bool is_drawing_too_slow() const { return is_drawing_too_slow_; }
+  /// What the rest of a frame takes on average; 0 before the first.
+  Nanoseconds drawing_time() const { return nanoseconds_from_seconds(rest_s_.mean()); }
+
  private:
+  /// Judges by a frame that ended.
+  void judge_drawing(bool is_late);
   /// Samples that are done in time, were they traced now.
   double samples_in(Nanoseconds left) const;
   /// Samples that take so long, on average.
@@ -56,6 +73,9 @@ class FrameBudget {
   CostEstimate sample_s_;
   CostEstimate rest_s_;
   double reserve_s_ = 0.0;
+  double interval_s_ = 0.0;  ///< between refreshes, in the frame that began last
+  double late_share_ = 0.0;  ///< of the latest frames, those late because of the rest; smoothed
+  bool is_drawing_too_slow_ = false;
 };
 
 }  // namespace foveola

@@ -34,8 +34,14 @@ LiveFrame LiveFrames::next() {
   return frame;
 }
 
+std::optional<Nanoseconds> LiveFrames::too_slow_drawing() const {
+  return budget_.is_drawing_too_slow() ? std::optional(budget_.drawing_time()) : std::nullopt;
+}
+
 void LiveFrames::trace(LiveFrame& frame) {
-  const auto left = [&] { return frame.deadline - clock_->now(); };
+  const Nanoseconds start = clock_->now();
+  const Nanoseconds end = start + budget_.begin_frame(frame.deadline - start, refresh_.interval());
+  const auto left = [&] { return end - clock_->now(); };
   std::uint64_t samples = budget_.first_batch(left());
   for (int batch = 0; batch < most_batches && samples > 0; ++batch) {
     trace_batch(samples, frame);

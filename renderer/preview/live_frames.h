@@ -37,7 +37,8 @@ struct FrameOutput {
   std::function<std::optional<Nanoseconds>()> present;
 };
 
-/// Renders a frame a refresh. Late frames are told, and the next one begins at the next refresh.
+/// Renders a frame a refresh, or as few refreshes as drawing leaves it time for (see FrameBudget).
+/// Late frames are told, and the next one begins at the next refresh.
 /// Where refreshes are follows from when the output was done with frames, as far as it waits for
 /// them; otherwise they are taken to come at the nominal rate from now on.
 class LiveFrames {
@@ -55,6 +56,9 @@ class LiveFrames {
 
   /// What is known of the display's refreshes.
   const RefreshEstimator& refresh() const { return refresh_; }
+
+  /// What a frame takes beside its tracing, while that is too long for frames ever to be in time.
+  std::optional<Nanoseconds> too_slow_drawing() const;
 
  private:
   void trace(LiveFrame& frame);

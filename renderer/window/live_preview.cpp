@@ -56,6 +56,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
                    .present = [this] { return wait_until_shown(); }});
   while (!is_done_ && !stop.stop_requested()) {
     keep(live.next());
+    tell_of_slow_drawing(live);
   }
   report_.is_refresh_measured = live.refresh().is_measured();
   report_.refresh_rate_hz = live.refresh().rate_hz();
@@ -207,6 +208,20 @@ void LivePreview::keep(const LiveFrame& frame) {
   report_.frames.push_back(frame);
   forget_old(report_.frames, LivePreviewReport::most_frames);
   is_done_ = is_done_ || (settings_.frames && report_.frame_count >= *settings_.frames);
+}
+
+void LivePreview::tell_of_slow_drawing(const LiveFrames& live) {
+  const std::optional<Nanoseconds> drawing = live.too_slow_drawing();
+  if (!drawing || report_.slow_drawing) {
+    return;
+  }
+  report_.slow_drawing = {.drawing = *drawing,
+                          .interval = live.refresh().interval(),
+                          .framebuffer = area_.framebuffer,
+                          .graphics = parts_.presenter->graphics()};
+  if (settings_.tell) {
+    settings_.tell(slow_drawing_line(*report_.slow_drawing));
+  }
 }
 
 fs::path LivePreview::next_picture_file() {

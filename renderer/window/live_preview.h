@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <optional>
 #include <stop_token>
@@ -19,6 +20,7 @@
 #include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
+#include "renderer/window/slow_drawing.h"
 #include "renderer/window/steering.h"
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/window.h"
@@ -34,6 +36,8 @@ struct LivePreviewSettings {
   std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
   bool keeps_last_picture = false;      ///< of those frames
   bool corrects_gaze = false;           ///< by what each check of the tracker finds
+  /// Gets what the user should know as soon as it is known, a line each; if there is any.
+  std::function<void(const std::string& line)> tell;
 };
 
 /// What happened.
@@ -46,11 +50,12 @@ struct LivePreviewReport {
   std::string graphics;              ///< the graphics card and its driver
   double refresh_rate_hz = 0.0;      ///< the display's: measured, or else its profile's
   bool is_refresh_measured = false;
-  int threads = 0;                         ///< that traced
-  std::optional<Nanoseconds> first_shown;  ///< the first picture, after the scene was loaded
-  std::vector<GazeCheck> gaze_checks;      ///< in the order they were made
-  std::vector<std::string> lost_monitors;  ///< names, likewise
-  std::optional<RgbImage> last_picture;    ///< sRGB in [0, 1]
+  int threads = 0;                          ///< that traced
+  std::optional<Nanoseconds> first_shown;   ///< the first picture, after the scene was loaded
+  std::vector<GazeCheck> gaze_checks;       ///< in the order they were made
+  std::vector<std::string> lost_monitors;   ///< names, likewise
+  std::optional<SlowDrawing> slow_drawing;  ///< when it was first found too slow; else none
+  std::optional<RgbImage> last_picture;     ///< sRGB in [0, 1]
   static constexpr std::size_t most_frames = 1 << 16;
 };
 
@@ -83,6 +88,7 @@ class LivePreview {
   void draw(const Preview& preview);
   std::optional<Nanoseconds> wait_until_shown();
   void keep(const LiveFrame& frame);
+  void tell_of_slow_drawing(const LiveFrames& live);
   void go_on_checking(const Preview& preview);
   void end_check();
   void take_picture(ShownFrame& frame);

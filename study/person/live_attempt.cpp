@@ -69,6 +69,17 @@ void LiveAttempt::finish() {
   }
 }
 
+std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {
+  const std::optional<Nanoseconds> drawing = frames_.too_slow_drawing();
+  if (!drawing) {
+    return std::nullopt;
+  }
+  return SlowDrawing{.drawing = *drawing,
+                     .interval = frames_.refresh().interval(),
+                     .framebuffer = setting_.display->framebuffer(),
+                     .graphics = setting_.display->graphics()};
+}
+
 LiveFrame LiveAttempt::next_blank() {
   wait_until(next_blank_);
   LiveFrame frame{.start = setting_.clock->now()};

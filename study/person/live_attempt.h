@@ -9,6 +9,7 @@
 #include "renderer/gaze/head_tracker.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
+#include "renderer/window/slow_drawing.h"
 #include "study/person/person_tracker.h"
 #include "study/person/session_display.h"
 #include "study/record/record_thread.h"
@@ -60,6 +61,8 @@ class LiveAttempt {
   /// handed to the record.
   void finish();
 
+  /// If drawing is found too slow for frames to be in time.
+  std::optional<SlowDrawing> slow_drawing() const;
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   /// That the last frame was shown through.
   const Viewport& viewport() const { return preview_.viewport(); }

@@ -96,6 +96,7 @@ class PersonSession {
   // The experimenter.
   void answer_console();
   void tell_of_tracker();
+  void tell_of_slow_drawing();
 
   // The participant.
   void answer_window();
@@ -130,6 +131,7 @@ class PersonSession {
   std::uint64_t samples_ = 0;
   std::uint64_t non_finite_ = 0;
   bool was_lost_ = false;  ///< the tracker
+  bool has_told_of_slow_drawing_ = false;
   bool is_done_ = false;
 };
 

@@ -45,6 +45,16 @@ void PersonSession::tell_of_tracker() {
   }
 }
 
+void PersonSession::tell_of_slow_drawing() {
+  if (has_told_of_slow_drawing_ || !attempt_) {
+    return;
+  }
+  if (const std::optional<SlowDrawing> slow = attempt_->slow_drawing()) {
+    has_told_of_slow_drawing_ = true;
+    parts_.tell(slow_drawing_line(*slow));
+  }
+}
+
 void PersonSession::answer_window() {
   for (const WindowEvent& event : parts_.events->take()) {
     answer(event);

@@ -48,6 +48,7 @@ void PersonSession::show_frame() {
   }
   page_watch_.was_shown(shown);
   tell_of_tracker();
+  tell_of_slow_drawing();
   if (parts_.stand_in != nullptr) {
     let_stand_in_see(shown);
   }

@@ -158,5 +158,122 @@ TEST(FrameBudget, LateFramesStillTraceSomething) {
   EXPECT_GE(run_frame(budget, machine).samples, 64U) << "even if a millisecond has time for ten";
 }
 
+/// As LiveFrames does: a frame ends with a refresh, at which the next one begins.
+struct ShownFrame {
+  int refreshes = 0;
+  Nanoseconds tracing{0};
+};
+
+ShownFrame show_frame(FrameBudget& budget, Machine& machine) {
+  ShownFrame frame;
+  const Nanoseconds left = budget.begin_frame(frame_time, frame_time);
+  std::uint64_t samples = budget.first_batch(left);
+  for (int batch = 0; batch < 3 && samples > 0; ++batch) {
+    const Nanoseconds time = machine.take(machine.sample_s * static_cast<double>(samples));
+    budget.batch_took(samples, time);
+    frame.tracing += time;
+    samples = budget.next_batch(left - frame.tracing);
+  }
+  const Nanoseconds rest = machine.take(machine.rest_s);
+  budget.rest_took(rest);
+  const Nanoseconds took = frame.tracing + rest + machine.disturbance();
+  frame.refreshes = static_cast<int>((took + frame_time - Nanoseconds(1)) / frame_time);
+  budget.frame_ended(frame.refreshes > 1);
+  return frame;
+}
+
+void show_frames(int frames, FrameBudget& budget, Machine& machine) {
+  for (int i = 0; i < frames; ++i) {
+    show_frame(budget, machine);
+  }
+}
+
+// The time for tracing was a millisecond a frame, whatever a frame took.
+TEST(FrameBudget, HalfOfTheFrameIsForTracingWhereDrawingIsTooSlow) {
+  for (const double rest_in_refreshes : {1.0, 1.2, 2.0, 2.3, 5.0}) {
+    for (const double variation : {0.0, 0.1, 0.4}) {
+      FrameBudget budget;
+      Machine machine;
+      machine.rest_s = rest_in_refreshes * seconds(frame_time);
+      machine.variation = variation;
+      show_frames(200, budget, machine);
+      EXPECT_TRUE(budget.is_drawing_too_slow());
+      constexpr int frames = 2000;
+      int refreshes = 0;
+      double tracing_s = 0.0;
+      for (int i = 0; i < frames; ++i) {
+        const ShownFrame frame = show_frame(budget, machine);
+        refreshes += frame.refreshes;
+        tracing_s += seconds(frame.tracing);
+      }
+      const double share = tracing_s / (refreshes * seconds(frame_time));
+      EXPECT_GE(share, 0.5) << rest_in_refreshes << ", " << variation;
+      EXPECT_LE(share, 0.75) << "the picture is to follow the eye, too";
+    }
+  }
+}
+
+TEST(FrameBudget, KnowsWhatDrawingTakes) {
+  FrameBudget budget;
+  Machine machine;
+  machine.rest_s = 0.04;
+  EXPECT_EQ(budget.drawing_time(), Nanoseconds(0));
+  show_frames(100, budget, machine);
+  EXPECT_NEAR(seconds(budget.drawing_time()), 0.04, 0.004);
+}
+
+TEST(FrameBudget, FramesThatAreSometimesLateAimAtTheirDeadline) {
+  FrameBudget budget;
+  Machine machine;
+  machine.disturbed_share = 0.3;
+  machine.longest_disturbance_s = 0.1;
+  for (int i = 0; i < 10000; ++i) {
+    show_frame(budget, machine);
+    ASSERT_FALSE(budget.is_drawing_too_slow()) << i;
+    ASSERT_EQ(budget.begin_frame(frame_time, frame_time), frame_time);
+  }
+}
+
+TEST(FrameBudget, AFewSlowFramesAreNoSlowDrawing) {
+  FrameBudget budget;
+  Machine machine;
+  for (int pause = 0; pause < 20; ++pause) {
+    machine.rest_s = 0.1;
+    show_frames(10, budget, machine);
+    EXPECT_FALSE(budget.is_drawing_too_slow());
+    machine.rest_s = 3e-3;
+    show_frames(60, budget, machine);
+  }
+}
+
+TEST(FrameBudget, AimsAtTheDeadlineAgainOnceDrawingIsFast) {
+  FrameBudget budget;
+  Machine machine;
+  machine.rest_s = 0.04;
+  show_frames(100, budget, machine);
+  ASSERT_TRUE(budget.is_drawing_too_slow());
+  machine.rest_s = 3e-3;  // the window was made smaller
+  show_frames(60, budget, machine);
+  EXPECT_FALSE(budget.is_drawing_too_slow());
+  int late = 0;
+  for (int i = 0; i < 1000; ++i) {
+    late += show_frame(budget, machine).refreshes > 1 ? 1 : 0;
+  }
+  EXPECT_LE(late, 10);
+}
+
+TEST(FrameBudget, DoesNotWaverWhereDrawingIsNearlyTooSlow) {
+  FrameBudget budget;
+  Machine machine;
+  machine.rest_s = 1.0 * seconds(frame_time);
+  show_frames(100, budget, machine);
+  ASSERT_TRUE(budget.is_drawing_too_slow());
+  machine.rest_s = 0.85 * seconds(frame_time);
+  for (int i = 0; i < 1000; ++i) {
+    show_frame(budget, machine);
+    ASSERT_TRUE(budget.is_drawing_too_slow()) << i;
+  }
+}
+
 }  // namespace
 }  // namespace foveola

@@ -213,6 +213,30 @@ TEST_F(LiveFramesTest, KeepTheNominalRateWhereSwapsDoNotWait) {
   EXPECT_EQ(live.next().start - frame.start, refresh_interval);
 }
 
+// As in software: the picture alone takes the time of four refreshes.
+TEST_F(LiveFramesTest, HalfOfTheFrameIsForTracingWhereDrawingIsTooSlow) {
+  LiveFrames live = frames([&] {
+    clock_.advance(milliseconds(37));
+    return std::nullopt;
+  });
+  EXPECT_FALSE(live.too_slow_drawing());
+  skip(live, 100);
+  ASSERT_TRUE(live.too_slow_drawing());
+  EXPECT_NEAR(seconds(*live.too_slow_drawing()), 37.7e-3, 1e-4);
+  const LiveFrame first = live.next();
+  Nanoseconds tracing = first.tracing;
+  Nanoseconds shown = first.shown;
+  constexpr int frames_watched = 100;
+  for (int i = 1; i < frames_watched; ++i) {
+    const LiveFrame frame = live.next();
+    EXPECT_TRUE(frame.is_late());
+    EXPECT_EQ(frame.shown, frame.deadline + refresh_interval * frame.missed_refreshes);
+    tracing += frame.tracing;
+    shown = frame.shown;
+  }
+  EXPECT_GE(seconds(tracing) / seconds(shown - first.start), 0.5);
+}
+
 TEST_F(LiveFramesTest, ARestartIsSeenInTheNextFrame) {
   LiveFrames live = frames();
   for (int i = 0; i < 5; ++i) {

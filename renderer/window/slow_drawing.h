@@ -1,0 +1,22 @@
+// A window that is drawn too slowly for its display: what to tell who sits before it.
+#pragma once
+
+#include <string>
+
+#include "renderer/base/clock.h"
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+/// Why frames cannot be in time, whatever is traced in them.
+struct SlowDrawing {
+  Nanoseconds drawing{0};   ///< of a frame, on average
+  Nanoseconds interval{0};  ///< between the display's refreshes
+  IVec2 framebuffer{0};     ///< the window's size in pixels
+  std::string graphics;     ///< the graphics card and its driver, in their own words
+};
+
+/// One line, without its end: what is slow, what follows and what helps.
+std::string slow_drawing_line(const SlowDrawing& slow);
+
+}  // namespace foveola
