@@ -22,7 +22,7 @@ void replace_environment(const std::string& text, SceneSource& source) {
     const Rgb radiance = parse_vec3("--environment", text);
     if (!glm::all(glm::greaterThanEqual(radiance, Rgb(0.0F)))) {
       throw UsageError("--environment", "radiance must not be negative",
-                       "see foveola render --help");
+                       "give r,g,b of 0 or more, for instance 1,1,1");
     }
     source.environment_radiance = radiance;
   } else {
