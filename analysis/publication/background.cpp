@@ -103,7 +103,7 @@ BackgroundCorrelation correlate_with_method(const AnalysisSet& set, const Answer
 
 BackgroundScale choose_background_scale(const std::vector<BackgroundRow>& answers) {
   const auto questions = questions_of(answers);
-  const std::vector<std::string> published = {"offline_rendering", "virtual_reality"};
+  const std::vector<std::string> published = {"graphics_3d", "offline_rendering"};
   const bool as_published =
       std::all_of(published.begin(), published.end(), [&](const std::string& id) {
         return std::any_of(questions.begin(), questions.end(),

@@ -15,7 +15,7 @@ namespace foveola::analysis {
 /// The answers that make up a participant's background.
 struct BackgroundScale {
   std::vector<std::string> questions;
-  bool as_published = false;  ///< experience with offline rendering and with virtual reality
+  bool as_published = false;  ///< experience with 3D graphics and with offline rendering
 };
 
 /// One row of Table 1: what the analysed participants answered to one question.
@@ -38,9 +38,11 @@ struct BackgroundCorrelation {
   std::optional<Correlation> spearman;
 };
 
-/// The published study averaged the answers on experience with offline rendering and with virtual
-/// reality. Where a study did not ask both (ids `offline_rendering` and `virtual_reality`), every
-/// question whose answers are all whole numbers from 1 to 5 counts, except `gender`, a code.
+/// The published study averaged the answers to its questions 3 and 4, on experience with
+/// applications with 3D graphics and with offline rendering, and held them against the difference
+/// of the times with OD and FV (Koskela et al. 2018, section 5.1 and Table 1). Where a study did
+/// not ask both (ids `graphics_3d` and `offline_rendering`), every question whose answers are all
+/// whole numbers from 1 to 5 counts, except `gender`, a code.
 BackgroundScale choose_background_scale(const std::vector<study::BackgroundRow>& answers);
 
 /// The participants of `set` who did not answer every question of the scale.

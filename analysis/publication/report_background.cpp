@@ -17,12 +17,12 @@ std::string background_scale_in_words(const BackgroundScale& scale) {
   return scale.as_published
              ? fmt::format(
                    "Background is the mean of the answers to {}, as in the published "
-                   "study.",
+                   "study, which held it against OD − FV.",
                    questions)
              : fmt::format(
                    "Background is the mean of the answers to every five-point question "
                    "({}): the study did not ask both of the published study’s, "
-                   "offline_rendering and virtual_reality.",
+                   "graphics_3d and offline_rendering.",
                    questions);
 }
 

@@ -27,7 +27,7 @@ trials[at("P03", "aula", "od"), c("outline_censored", "material_censored")] <- 1
 trials[at("P04", "barn", "fv"), "material_s"] <- NA
 trials[at("P05", "cave", "od"), "rating"] <- NA
 trials <- trials[!at("P02", "aula", "vp"), ]
-background <- expand.grid(question = c("offline_rendering", "virtual_reality", "graphics"),
+background <- expand.grid(question = c("offline_rendering", "graphics_3d", "virtual_reality"),
                           participant = participants, stringsAsFactors = FALSE)[, 2:1]
 background$value <- sample(1:5, nrow(background), replace = TRUE)
 
@@ -81,7 +81,7 @@ for (mark in c("outline", "material")) {
       saved <- sapply(rownames(cube), function(p)
         mean(cube[p, !incomplete[p, ], "od"] - cube[p, !incomplete[p, ], m]))
       experience <- sapply(rownames(cube), function(p)
-        mean(background$value[background$participant == p & background$question != "graphics"]))
+        mean(background$value[background$participant == p & background$question != "virtual_reality"]))
       correlation <- cor.test(experience, saved)
       note(c(mark, m, "r"), correlation$estimate)
       note(c(mark, m, "p"), correlation$p.value)

@@ -63,7 +63,7 @@ StudyRecords complete_study(int participants) {
     const std::string code = fmt::format("P{}", p);
     records.sessions.push_back({code, "human", "completed"});
     records.background.push_back({code, "offline_rendering", 1.0 + p % 5});
-    records.background.push_back({code, "virtual_reality", 1.0 + p * p % 3});
+    records.background.push_back({code, "graphics_3d", 1.0 + p * p % 3});
     for (std::size_t scene = 0; scene < records.scenes.size(); ++scene) {
       for (std::size_t method = 0; method < records.methods.size(); ++method) {
         TrialRow trial;

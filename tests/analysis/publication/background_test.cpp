@@ -19,22 +19,24 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
+// Koskela et al. 2018, section 5.1: "The questions used in the calculation were questions 3 and 4."
 TEST(Background, ThePublishedQuestionsAreChosenWhereBothWereAsked) {
   const BackgroundScale scale = choose_background_scale(
-      {{"P1", "graphics", 4}, {"P1", "virtual_reality", 2}, {"P1", "offline_rendering", 5}});
+      {{"P1", "virtual_reality", 2}, {"P1", "offline_rendering", 5}, {"P1", "graphics_3d", 4}});
   EXPECT_TRUE(scale.as_published);
-  EXPECT_THAT(scale.questions, ElementsAre("offline_rendering", "virtual_reality"));
+  EXPECT_THAT(scale.questions, ElementsAre("graphics_3d", "offline_rendering"));
 }
 
 TEST(Background, ElseEveryFivePointQuestionCounts) {
   const BackgroundScale scale = choose_background_scale({{"P1", "virtual_reality", 2},
+                                                         {"P1", "offline_rendering", 3},
                                                          {"P1", "age", 4},
                                                          {"P1", "gender", 5},
                                                          {"P1", "hours", 2.5},
                                                          {"P2", "age", 31},
                                                          {"P2", "graphics", 1}});
   EXPECT_FALSE(scale.as_published);
-  EXPECT_THAT(scale.questions, ElementsAre("graphics", "virtual_reality"));
+  EXPECT_THAT(scale.questions, ElementsAre("graphics", "offline_rendering", "virtual_reality"));
 }
 
 TEST(Background, WithoutQuestionsThereIsNoScale) {

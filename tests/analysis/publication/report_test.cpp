@@ -191,7 +191,7 @@ TEST(Report, HostileStringsStayText) {
     row.method = row.method == "fv" ? records.methods[2] : row.method;
   }
   for (study::BackgroundRow& row : records.background) {
-    row.question = row.question == "virtual_reality" ? hostile : row.question;
+    row.question = row.question == "graphics_3d" ? hostile : row.question;
   }
   const std::string html = report_of(records);
   EXPECT_THAT(html, Not(HasSubstr("<script")));

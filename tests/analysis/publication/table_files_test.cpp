@@ -83,8 +83,8 @@ TEST(TableFiles, WhatDoesNotExistIsEmpty) {
   EXPECT_EQ(baseline_row.at(5), "");
   EXPECT_EQ(baseline_row.at(8), "");
   EXPECT_THAT(table(tables, "background_correlation.csv").at(1),
-              ElementsAre("outline", "vp", "offline_rendering+virtual_reality", "1", "", "", "", "",
-                          "", "", "", "", "", "", "", "human"));
+              ElementsAre("outline", "vp", "graphics_3d+offline_rendering", "1", "", "", "", "", "",
+                          "", "", "", "", "", "", "human"));
 }
 
 TEST(TableFiles, SimulatedParticipantsAreSaidToBe) {

@@ -53,7 +53,7 @@ TEST(TrialData, TheWideTableHasARowForEveryParticipant) {
   EXPECT_THAT(rows, Each(SizeIs(2 + 3 * 3 * 5 + 3)));
   EXPECT_EQ(rows[0][2], "outline_s.aula.od");
   EXPECT_EQ(rows[0].back(), "background.virtual_reality");
-  EXPECT_EQ(rows[1].back(), "4");
+  EXPECT_EQ(rows[1].back(), "3");
 }
 
 TEST(TrialData, TheCodebookNamesEveryColumn) {
@@ -88,7 +88,7 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
   }
   EXPECT_EQ(told, columns);
   EXPECT_TRUE(columns.contains("material_s.barn.fv"));
-  EXPECT_TRUE(columns.contains("background.virtual_reality"));
+  EXPECT_TRUE(columns.contains("background.graphics_3d"));
   EXPECT_THAT(json["description"].get<std::string>(), HasSubstr("Simulated data"));
   EXPECT_EQ(shared.trials_name, "psych-ds/data/study-mystudy2_type-trials_data.csv");
 }
