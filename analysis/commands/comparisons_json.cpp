@@ -40,20 +40,6 @@ Interval in_unit(const MethodComparison& row, const Interval& interval) {
   return {in_unit(row, interval.low), in_unit(row, interval.high)};
 }
 
-OrderedJson bounded_json(const MethodComparison& row) {
-  if (!row.bounded) {
-    return nullptr;
-  }
-  const CensoredMean& found = *row.bounded;
-  return {{"ratio", std::exp(found.mean)},
-          {"ci95", interval_json(in_unit(row, found.interval))},
-          {"n", found.n},
-          {"bounds", found.censored},
-          {"say_nothing", found.unknown},
-          {"t", found.t},
-          {"p", found.p}};
-}
-
 OrderedJson pseudo_median_json(const MethodComparison& row) {
   if (!row.pseudo_median) {
     return nullptr;
@@ -117,7 +103,6 @@ OrderedJson comparisons_json(const Comparisons& comparisons, const std::string& 
                     {"wilcoxon", ranks_json(row)},
                     {"pseudo_median", pseudo_median_json(row)},
                     {"p_holm", optional_json(row.p_holm)},
-                    {"times_with_bounds", bounded_json(row)},
                     {"equivalence", equivalence_json(row)},
                     {"participant_kind", kind}});
   }

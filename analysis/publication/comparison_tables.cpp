@@ -57,20 +57,6 @@ void add_ratio(const MethodComparison& row, RowBuilder& out) {
           number_in(row.ratio_bca, [](const Interval& bca) { return 100.0 * bca.high; }));
 }
 
-void add_bounded(const MethodComparison& row, RowBuilder& out) {
-  const auto of = [&](const auto& value) { return number_in(row.bounded, value); };
-  const auto percent = [](double log_ratio) { return 100.0 * std::exp(log_ratio); };
-  out.add("bounded_ratio_percent",
-          of([&](const CensoredMean& found) { return percent(found.mean); }));
-  out.add("bounded_ci95_low_percent",
-          of([&](const CensoredMean& found) { return percent(found.interval.low); }));
-  out.add("bounded_ci95_high_percent",
-          of([&](const CensoredMean& found) { return percent(found.interval.high); }));
-  out.add("bounded_p", of([](const CensoredMean& found) { return found.p; }));
-  out.add("bounded_participants",
-          of([](const CensoredMean& found) { return static_cast<double>(found.censored); }));
-}
-
 void add_points(const MethodComparison& row, RowBuilder& out) {
   const auto of = [&](const auto& value) { return number_in(row.points, value); };
   out.add("difference_points", of([](const TTest& test) { return test.mean; }));
@@ -150,7 +136,6 @@ std::string comparisons_csv(const Comparisons& comparisons, const std::string& k
     add_ranks(row, out);
     add_pseudo_median(row, out);
     out.add("p_holm", row.p_holm);
-    add_bounded(row, out);
     add_equivalence(row, out);
     out.add("participant_kind", kind);
   }

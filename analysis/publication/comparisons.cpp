@@ -63,18 +63,6 @@ std::optional<Interval> bca_of_ratio(const std::vector<double>& log_ratios) {
   return bca_geometric_mean(ratios, {.resamples = resamples_for(ratios.size())});
 }
 
-/// With the times that ran out as bounds; empty if none did.
-std::optional<CensoredMean> with_bounds(const AnalysisSet& set, Mark mark, std::size_t method,
-                                        std::size_t reference) {
-  std::vector<BoundedValue> ratios;
-  bool some_ran_out = false;
-  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-    ratios.push_back(bounded_log_ratio(set, participant, mark, method, reference));
-    some_ran_out = some_ran_out || !ratios.back().is_exact();
-  }
-  return some_ran_out ? censored_mean(ratios) : std::nullopt;
-}
-
 MethodComparison start_comparison(const AnalysisSet& set, const study::AnalysisPlan& plan,
                                   const std::string& measure, std::size_t method,
                                   std::size_t reference) {
@@ -99,7 +87,6 @@ MethodComparison compare_times(const AnalysisSet& set, const study::AnalysisPlan
   comparison.n = pairs.differences.size();
   comparison.ratio = ratio_of(one_sample_t(pairs.differences));
   comparison.ratio_bca = bca_of_ratio(pairs.differences);
-  comparison.bounded = with_bounds(set, mark, method, reference);
   comparison.ranks = signed_rank(without_rounding(pairs.differences));
   comparison.pseudo_median = pseudo_median(pairs.differences);
   if (comparison.margin) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "analysis/publication/analysis_set.h"
-#include "analysis/statistics/censored_mean.h"
 #include "analysis/statistics/equivalence.h"
 #include "analysis/statistics/friedman.h"
 #include "analysis/statistics/paired_t.h"
@@ -29,11 +28,10 @@ struct MethodComparison {
   bool primary = false;  ///< planned in the protocol; otherwise exploratory
   std::size_t n = 0;
 
-  std::optional<RatioTest> ratio;       ///< of times: method over reference
-  std::optional<Interval> ratio_bca;    ///< of the same geometric mean
-  std::optional<CensoredMean> bounded;  ///< log ratio with times that ran out; only if some did
-  std::optional<TTest> points;          ///< of ratings: method minus reference
-  std::optional<SignedRankTest> ranks;  ///< of log ratios or rating differences; exact
+  std::optional<RatioTest> ratio;             ///< of times: method over reference
+  std::optional<Interval> ratio_bca;          ///< of the same geometric mean
+  std::optional<TTest> points;                ///< of ratings: method minus reference
+  std::optional<SignedRankTest> ranks;        ///< of log ratios or rating differences; exact
   std::optional<PseudoMedian> pseudo_median;  ///< of log ratios or rating differences
   std::optional<EquivalenceTest> equivalent;  ///< where the plan has a margin
   std::optional<double> margin;

@@ -45,16 +45,6 @@ std::vector<double> log_ratios(const AnalysisSet& set) {
   return ratios;
 }
 
-Outcome censored_interval_covers(const AnalysisSet& set, double ratio) {
-  std::vector<BoundedValue> ratios;
-  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-    ratios.push_back(
-        bounded_log_ratio(set, participant, Mark::outline, set.methods.size() - 1, baseline));
-  }
-  const std::optional<CensoredMean> found = censored_mean(ratios);
-  return found ? covers(found->interval, std::log(ratio)) : std::nullopt;
-}
-
 /// What is asked of one study, and what is said of the share that hits.
 struct Question {
   std::string_view name;
@@ -68,8 +58,6 @@ std::vector<Question> planted_questions(const CoverageSettings& settings) {
   const PlantedTruth truth{.participants = settings.participants};
   PlantedTruth learning = truth;
   learning.change_per_trial = -0.02;
-  PlantedTruth hurried = truth;
-  hurried.timeout_s = 60.0;
   std::vector<Question> questions;
   for (const Mark mark : marks) {
     for (const std::size_t method : {std::size_t{1}, std::size_t{2}}) {
@@ -105,10 +93,6 @@ std::vector<Question> planted_questions(const CoverageSettings& settings) {
          const auto found = order_effect(ordered_log_times(set, Mark::outline, OrderOf::trials));
          return found ? covers(found->interval, learning.change_per_trial) : std::nullopt;
        }});
-  questions.push_back({"interval of times that ran out, FV 10 %", "covers the planted ratio",
-                       std::nullopt, hurried, [=](const AnalysisSet& set, const StudyTables&) {
-                         return censored_interval_covers(set, hurried.ratios.back());
-                       }});
   return questions;
 }
 

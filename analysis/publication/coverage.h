@@ -32,7 +32,7 @@ struct CoverageSettings {
   int threads = 0;       ///< 0: every core; the figures do not depend on it
 };
 
-/// Planted effects in t intervals on logs, order and censored times; null studies in every test.
+/// Planted effects in t intervals on logs and order; null studies in every test.
 /// `on_progress` is told the share that is done. Empty when `stop` was requested.
 std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,

@@ -42,14 +42,6 @@ ParticipantValues means_over_complete_scenes(const AnalysisSet& set, const CellV
   return result;
 }
 
-BoundedValue bounded_log(const MarkTime& time) {
-  const double seconds = time.seconds;
-  if (time.state == MarkTime::State::measured) {
-    return BoundedValue::exactly(std::log(seconds));
-  }
-  return seconds > 0.0 ? BoundedValue{.low = std::log(seconds)} : BoundedValue{};
-}
-
 }  // namespace
 
 ParticipantValues mean_log_times(const AnalysisSet& set, Mark mark) {
@@ -64,26 +56,6 @@ ParticipantValues mean_ratings(const AnalysisSet& set) {
   return means_over_complete_scenes(set, [](const Cell& cell) {
     return cell.rating ? std::optional(static_cast<double>(*cell.rating)) : std::nullopt;
   });
-}
-
-BoundedValue bounded_log_ratio(const AnalysisSet& set, std::size_t participant, Mark mark,
-                               std::size_t method, std::size_t reference) {
-  BoundedValue sum = BoundedValue::exactly(0.0);
-  double scenes = 0.0;
-  for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
-    const MarkTime& time = set.cell(participant, scene, method).time(mark);
-    const MarkTime& other = set.cell(participant, scene, reference).time(mark);
-    const auto is_missing = [](const MarkTime& value) {
-      return value.state == MarkTime::State::missing;
-    };
-    const BoundedValue ratio = difference(bounded_log(time), bounded_log(other));
-    if (is_missing(time) || is_missing(other) || ratio.is_unknown()) {
-      continue;
-    }
-    sum = {sum.low + ratio.low, sum.high + ratio.high};
-    scenes += 1.0;
-  }
-  return scenes > 0.0 ? BoundedValue{sum.low / scenes, sum.high / scenes} : BoundedValue{};
 }
 
 std::vector<OrderedValue> ordered_log_times(const AnalysisSet& set, Mark mark, OrderOf order) {

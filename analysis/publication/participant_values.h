@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/publication/analysis_set.h"
-#include "analysis/statistics/censored_mean.h"
 #include "analysis/statistics/order_effect.h"
 
 namespace foveola::analysis {
@@ -20,12 +19,6 @@ ParticipantValues mean_log_times(const AnalysisSet& set, Mark mark);
 
 /// The mean artifact rating, over the scenes in which every method was rated.
 ParticipantValues mean_ratings(const AnalysisSet& set);
-
-/// What is known of a participant's mean log ratio of `method` to `reference`, over the scenes
-/// where both have a time and not both timed out: a time that ran out bounds it on one side. It
-/// says nothing where bounds of both sides meet, or without such a scene.
-BoundedValue bounded_log_ratio(const AnalysisSet& set, std::size_t participant, Mark mark,
-                               std::size_t method, std::size_t reference);
 
 /// The logarithms of all measured times with their place in the session, counted in trials from 0,
 /// or in the order of methods within the scene.

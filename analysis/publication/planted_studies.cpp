@@ -19,12 +19,6 @@ std::vector<int> random_order(std::size_t count, Pcg32& generator) {
   return order;
 }
 
-void set_mark(double seconds, const PlantedTruth& truth, std::optional<double>& time,
-              bool& censored) {
-  censored = truth.timeout_s && seconds > *truth.timeout_s;
-  time = censored ? *truth.timeout_s : seconds;
-}
-
 /// A participant's trials, one after the other.
 class PlantedParticipant {
  public:
@@ -65,8 +59,8 @@ class PlantedParticipant {
     row.attempts = 1;
     const double outline = std::exp(log_time + truth_.trial_sd * generator_.normal());
     const double longer = 1.0 + std::exp(truth_.trial_sd * generator_.normal());
-    set_mark(outline, truth_, row.outline_s, row.outline_censored);
-    set_mark(outline * longer, truth_, row.material_s, row.material_censored);
+    row.outline_s = outline;
+    row.material_s = outline * longer;
     row.artifact_rating =
         std::clamp(static_cast<int>(std::lround(2.5 + generator_.normal())), 1, 5);
     return row;

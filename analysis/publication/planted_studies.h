@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "study/record/study_records.h"
@@ -18,11 +17,10 @@ struct PlantedTruth {
   double speed_sd = 0.5;                          ///< between participants, in logarithms
   double leaning_sd = 0.3;                        ///< of a participant's own ratio
   double trial_sd = 0.35;
-  double change_per_trial = 0.0;    ///< of the logarithm, with each trial: learning if below zero
-  std::optional<double> timeout_s;  ///< times beyond it are censored
+  double change_per_trial = 0.0;  ///< of the logarithm, with each trial: learning if below zero
 };
 
-/// Records of simulated sessions, complete but for what timed out. Same seed, same records.
+/// Records of simulated sessions, complete. Same seed, same records.
 study::StudyRecords plant_study(const PlantedTruth& truth, std::uint64_t seed);
 
 }  // namespace foveola::analysis

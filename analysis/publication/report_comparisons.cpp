@@ -96,28 +96,6 @@ std::string rank_table(const StudyTables& tables, const Comparisons& comparisons
   return table.rows.empty() ? "" : render(table);
 }
 
-/// The comparisons in which times ran out, with these as bounds.
-std::string bounded_table(const StudyTables& tables, const Comparisons& comparisons) {
-  HtmlTable table;
-  table.caption_html = caption_start(tables, "Times that ran out as bounds.") +
-                       "Where a participant’s ratio is only known to lie beyond a bound: its "
-                       "maximum-likelihood mean "
-                       "with all of them, which the tables above leave out scene by scene.";
-  table.columns = {"Methods, mark", "n", "of these bounds", "say nothing", "ratio, % [95 %]", "P"};
-  for (const MethodComparison& row : comparisons.methods) {
-    if (row.bounded) {
-      const CensoredMean& found = *row.bounded;
-      const Interval ratio = {std::exp(found.interval.low), std::exp(found.interval.high)};
-      table.rows.push_back(
-          {pair_name(row), std::to_string(found.n), std::to_string(found.censored),
-           std::to_string(found.unknown),
-           fmt::format("{:.1f} {}", 100.0 * std::exp(found.mean), bracketed(ratio, 100.0, 1)),
-           p_value(found.p)});
-    }
-  }
-  return table.rows.empty() ? "" : render(table);
-}
-
 std::vector<std::string> rating_row(const MethodComparison& row) {
   return {fmt::format("{} − {}{}", method_label(row.method), method_label(row.reference),
                       row.primary ? " (planned)" : ""),
@@ -270,9 +248,9 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
       fmt::format("<p>{}</p>\n",
                   escape_html(plan_in_words(comparisons, tables.set.participants.size()))) +
           ratio_table(tables, comparisons, true) + ratio_table(tables, comparisons, false) +
-          rank_table(tables, comparisons) + bounded_table(tables, comparisons) +
-          rating_table(tables, comparisons) + equivalence_table(tables, comparisons) +
-          omnibus_table(tables, comparisons) + order_table(tables, comparisons));
+          rank_table(tables, comparisons) + rating_table(tables, comparisons) +
+          equivalence_table(tables, comparisons) + omnibus_table(tables, comparisons) +
+          order_table(tables, comparisons));
 }
 
 }  // namespace foveola::analysis

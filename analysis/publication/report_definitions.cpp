@@ -62,11 +62,6 @@ std::string definitions_section(const StudyTables& tables) {
          "Bias-corrected and accelerated bootstrap over participants, 9999 resamples (fewer above "
          "2000 participants), a fixed seed. Of 16 participants it covers about 92 %, where the t "
          "interval covers 95 %.");
-  define("Ratio with bounds",
-         "Where a time ran out, the participant’s ratio is only known to lie beyond a bound. This "
-         "ratio is the maximum-likelihood mean of normal log ratios with these bounds (Tobit), its "
-         "interval from the observed information and Student’s t. A scene where both methods ran "
-         "out says nothing and is left out; so is a participant with bounds on both sides.");
   define("The instrument’s figures",
          "From the frame log of the attempts that count, per session: the share of frames that "
          "missed their refresh; of frames whose tracker’s newest gaze was not valid; the mean age "

@@ -4,7 +4,6 @@ suppressMessages({
   library(boot)
   library(coin)
   library(exactRankTests)
-  library(survival)
 })
 
 samples <- data.frame()
@@ -166,28 +165,6 @@ for (name in names(few)) {
 p <- keep("p_values", c(0.01, 0.04, 0.03, 0.005, 0.04, 1e-300, 0.9, 1))
 for (i in seq_along(p)) note("p_values", paste0("holm_", i), p.adjust(p, "holm")[i])
 
-# Times that ran out ------------------------------------------------------------------------------
-bounded <- function(name, low, high) {
-  x <- keep(name, cbind(low, high))
-  fit <- survreg(Surv(x[, 1], x[, 2], type = "interval2") ~ 1, dist = "gaussian",
-                 control = survreg.control(rel.tolerance = 1e-15, maxiter = 500))
-  m <- sum(!(is.na(x[, 1]) & is.na(x[, 2])))
-  error <- sqrt(vcov(fit)[1, 1]) * sqrt(m / (m - 1))
-  note(name, "n", m)
-  note(name, "mean", coef(fit))
-  note(name, "standard_deviation", fit$scale * sqrt(m / (m - 1)))
-  note(name, "standard_error", error)
-  note(name, "low", coef(fit) - qt(0.975, m - 1) * error)
-  note(name, "high", coef(fit) + qt(0.975, m - 1) * error)
-  note(name, "p", 2 * pt(-abs(coef(fit) / error), m - 1))
-}
-d <- signif(rnorm(16, -2.3, 0.6), 6)
-bounded("uncensored", d, d)
-bounded("one_below", ifelse(1:16 == 3, NA, d), d)
-bounded("some_above", d, ifelse(1:16 %in% c(2, 7, 8, 12), NA, d))
-bounded("both_sides", ifelse(1:16 %in% c(1, 5), NA, d), ifelse(1:16 %in% c(2, 9, 14), NA, d))
-bounded("mostly", ifelse(1:16 > 4, log(180), signif(log(120) + d / 10, 6)), ifelse(1:16 > 4, NA, signif(log(120) + d / 10, 6)))
-
 # Order -------------------------------------------------------------------------------------------
 order_data <- data.frame()
 for (i in 1:8) {
@@ -245,6 +222,6 @@ samples$value <- exact(samples$value)
 values$value <- exact(values$value)
 write.csv(samples, "inference_samples.csv", row.names = FALSE, quote = FALSE)
 write.csv(values, "inference_values.csv", row.names = FALSE, quote = FALSE)
-for (package in c("boot", "coin", "exactRankTests", "survival")) {
+for (package in c("boot", "coin", "exactRankTests")) {
   cat(package, as.character(packageVersion(package)), "\n")
 }

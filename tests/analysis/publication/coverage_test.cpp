@@ -57,17 +57,5 @@ TEST(PlantedStudies, HoldTheTruthThatWasPlanted) {
   EXPECT_NEAR(tables.method_times_of(Mark::outline, 1).percent_of_baseline->value, 32.0, 2.0);
 }
 
-TEST(PlantedStudies, TimesBeyondTheTimeoutRunOut) {
-  PlantedTruth truth{.participants = 50};
-  truth.timeout_s = 20.0;
-  std::size_t censored = 0;
-  for (const study::TrialRow& row : plant_study(truth, 3).trials) {
-    censored += row.outline_censored ? 1 : 0;
-    EXPECT_LE(*row.outline_s, 20.0);
-    EXPECT_EQ(row.outline_censored, *row.outline_s == 20.0);
-  }
-  EXPECT_GT(censored, 10U);
-}
-
 }  // namespace
 }  // namespace foveola::analysis
