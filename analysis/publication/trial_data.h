@@ -53,8 +53,8 @@ struct PsychDs {
 };
 PsychDs psych_ds(const StudyTables& tables, const std::vector<study::BackgroundRow>& answers);
 
-/// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4), and
-/// ordinal models of ratings (ordinal). They read the long table beside them.
+/// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4,
+/// emmeans), and ordinal models of ratings (ordinal). They read the long table beside them.
 std::vector<TextFile> r_scripts();
 
 }  // namespace foveola::analysis

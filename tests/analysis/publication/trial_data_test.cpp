@@ -17,6 +17,7 @@ namespace {
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::SizeIs;
 
 TEST(TrialData, TheLongTableHasARowForEveryPlannedTrial) {
@@ -97,6 +98,22 @@ TEST(TrialData, ScriptsReadTheLongTable) {
   for (const TextFile& script : r_scripts()) {
     EXPECT_THAT(script.content, HasSubstr("read.csv(\"trials_long.csv\""));
   }
+}
+
+// Trials of one participant with one method, and of one scene with one method, are alike: a model
+// without these random effects takes each trial for one more participant.
+TEST(TrialData, TheModelOfTimesDoesNotTakeTrialsForParticipants) {
+  const std::vector<TextFile> scripts = r_scripts();
+  const auto times = std::find_if(scripts.begin(), scripts.end(), [](const TextFile& file) {
+    return file.name == "models_times.R";
+  });
+  ASSERT_NE(times, scripts.end());
+  for (const char* effect :
+       {"(1 | participant)", "(1 | participant:method)", "(1 | scene)", "(1 | scene:method)"}) {
+    EXPECT_THAT(times->content, HasSubstr(effect));
+  }
+  EXPECT_THAT(times->content, Not(HasSubstr("method * scene")));
+  EXPECT_THAT(times->content, HasSubstr("emmeans(model, ~ method"));
 }
 
 }  // namespace
