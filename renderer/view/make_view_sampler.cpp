@@ -193,6 +193,16 @@ bool follows_pointer(std::string_view method) {
   return text.name() == pointer_name && !fixed_pointer(text);
 }
 
+bool follows_gaze(std::string_view method) {
+  if (is_hybrid(method)) {
+    const std::vector<HybridPart> parts = hybrid_parts(method);
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const HybridPart& part) { return follows_gaze(part.method); });
+  }
+  const std::string name = MethodText(method).name();
+  return name == "fv" || name == "fv-map" || follows_pointer(method);
+}
+
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {
   if (is_hybrid(method)) {
     std::string result;

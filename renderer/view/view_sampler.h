@@ -77,6 +77,10 @@ std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
 /// text that makes no sense.
 bool follows_pointer(std::string_view method);
 
+/// Whether a method, or a part of it, goes where the gaze of its Aim goes; one that follows a
+/// pointer does, where there is none. Throws Error for a text that makes no sense.
+bool follows_gaze(std::string_view method);
+
 /// `method` with its pointer, or those of its parts, held at a place in the world; unchanged if it
 /// follows no pointer. Throws Error for a text that makes no sense.
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer);

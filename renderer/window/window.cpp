@@ -87,9 +87,15 @@ struct Window::Callbacks {
     WindowResized resized{.framebuffer = {width, height}};
     glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
     of(window).push(resized);
+    of(window).tell_of_pointer();  // that rests now lies elsewhere in the window, or outside of it
   }
   static void hidden(GLFWwindow* window, int iconified) {
     of(window).push(WindowHidden{.is_hidden = iconified == GLFW_TRUE});
+  }
+  static void focused(GLFWwindow* window, int has_focus) {
+    if (has_focus == GLFW_TRUE) {
+      of(window).tell_of_pointer();
+    }
   }
   static void close(GLFWwindow* window) {
     glfwSetWindowShouldClose(window, GLFW_FALSE);
@@ -131,11 +137,13 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   glfwSetMouseButtonCallback(window_, Callbacks::mouse_button);
   glfwSetFramebufferSizeCallback(window_, Callbacks::resized);
   glfwSetWindowIconifyCallback(window_, Callbacks::hidden);
+  glfwSetWindowFocusCallback(window_, Callbacks::focused);
   glfwSetWindowCloseCallback(window_, Callbacks::close);
   glfwGetWindowPos(window_, &restored_position_.x, &restored_position_.y);
   for (GLFWmonitor* const known : glfw_monitors()) {
     known_monitors_[known] = glfwGetMonitorName(known);
   }
+  tell_of_pointer();
 }
 
 Window::~Window() {
@@ -193,6 +201,14 @@ void Window::push(decltype(WindowEvent::what) what) { push(clock_->now(), std::m
 
 void Window::push(Nanoseconds time, decltype(WindowEvent::what) what) {
   events_->push({.time = time, .what = std::move(what)});
+}
+
+void Window::tell_of_pointer() {
+  PointerMoved pointer{.is_inside = glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE};
+  if (pointer.is_inside) {
+    glfwGetCursorPos(window_, &pointer.position.x, &pointer.position.y);
+  }
+  push(pointer);
 }
 
 void Window::poll_gamepad() {

@@ -75,6 +75,8 @@ class Window {
   void push(decltype(WindowEvent::what) what);
   void push(Nanoseconds time, decltype(WindowEvent::what) what);
   void follow_toggles();
+  /// Where the pointer already is: it may rest where it is for long.
+  void tell_of_pointer();
   void poll_gamepad();
   void tell_of_monitors();
   void leave_full_screen();

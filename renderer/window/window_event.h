@@ -22,7 +22,8 @@ struct KeyMoved {
 struct CharacterTyped {
   char32_t character = 0;
 };
-/// The pointer, in window coordinates from the top left corner; empty once it has left.
+/// The pointer, in window coordinates from the top left corner; empty once it has left. The first
+/// one says where it is as the window opens.
 struct PointerMoved {
   bool is_inside = false;
   DVec2 position{0.0};

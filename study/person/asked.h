@@ -22,6 +22,7 @@ struct Asked {
   std::string form_of;  ///< the questionnaire's id; empty: consent, or the ratings
   std::optional<GazeValidationRuns> validation;  ///< driven by the steady clock
   ReactionPresses reaction;                      ///< likewise
+  bool awaits_gaze = false;                      ///< armed, and shown nothing before it
   Nanoseconds acknowledged_until{0};             ///< a mark
   bool wants_to_rate = false;
   Nanoseconds look_around_until{0};  ///< before the rating

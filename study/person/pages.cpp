@@ -78,7 +78,7 @@ std::optional<ScreenPage> page_of_phase(const Asked& asked, const Standing& stan
     case Phase::ready:
       return page_before_trial(standing);
     case Phase::armed:
-      return std::nullopt;
+      return asked.awaits_gaze ? std::optional(no_gaze_screen(protocol.texts)) : std::nullopt;
     case Phase::marking:
       return acknowledges ? std::optional(
                                 mark_taken_screen(seen.mark, protocol.marks.size(), protocol.texts))

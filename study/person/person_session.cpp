@@ -113,7 +113,7 @@ void PersonSession::carry_out(const Effect& effect) {
   if (is<AskForObject>(effect) || is<AskWhetherReady>(effect)) {
     enter_scene();
   } else if (is<StartRendering>(effect)) {
-    start_rendering();
+    prepare_rendering();
   } else if (is<StopRendering>(effect)) {
     stop_rendering();
   } else if (is<EndSession>(effect) && seen_.is_over()) {
@@ -134,6 +134,32 @@ void PersonSession::enter_scene() {
                         *panorama_, *parts_.workers);
   }
   parts_.display->show_film(*panorama_);
+}
+
+bool PersonSession::needs_gaze() const {
+  // Whose eyes are simulated sits before every trial as it was planned, whatever is lost of them.
+  const double spares =
+      settings_of(*parts_.protocol, trial().scene, trial().method).film.spare_done_contrast;
+  return parts_.stand_in == nullptr && (follows_gaze(trial().method) || spares > 0.0);
+}
+
+void PersonSession::prepare_rendering() {
+  if (needs_gaze() && !parts_.eye->has_gaze(parts_.clock->now())) {
+    asked_.awaits_gaze = true;
+    feed(NoteWritten{"the trial waits for a gaze"});
+    const std::string trouble = parts_.eye->trouble();
+    parts_.tell(fmt::format(
+        "The trial does not begin: {}. It begins by itself once there is a valid gaze; no time "
+        "runs until then.",
+        !trouble.empty()            ? trouble
+        : parts_.pointer != nullptr ? "the pointer, which is the eye here, is not in the window"
+                                    : "the eye tracker does not see the eyes"));
+    return;
+  }
+  if (needs_gaze()) {
+    parts_.eye->repeat_newest();
+  }
+  start_rendering();
 }
 
 void PersonSession::start_rendering() {
@@ -158,6 +184,7 @@ void PersonSession::start_rendering() {
 }
 
 void PersonSession::stop_rendering() {
+  asked_.awaits_gaze = false;
   // There is none if it was another program's, which died.
   if (attempt_) {
     attempt_->finish();

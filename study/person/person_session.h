@@ -80,6 +80,8 @@ class PersonSession {
   void carry_out(const DurableEvent& durable);
   void carry_out(const Effect& effect);
   void enter_scene();
+  /// Renders, or waits for a gaze: no trial that follows it is begun without.
+  void prepare_rendering();
   void start_rendering();
   void stop_rendering();
 
@@ -90,6 +92,7 @@ class PersonSession {
   void go_on(Nanoseconds shown);
   void go_on_validating();
   void go_on_reacting(Nanoseconds shown);
+  void go_on_arming(Nanoseconds shown);
   void go_on_timing();
   SessionPicture picture();
 
@@ -110,6 +113,7 @@ class PersonSession {
   void turn_to_next_object();
   std::size_t object_ahead_now();
   bool is_picture_shown() const;
+  bool needs_gaze() const;
 
   Standing standing() const { return {*parts_.protocol, *parts_.plan, log_.procedure(), seen_}; }
   /// The one that the participant is in, and its scene.

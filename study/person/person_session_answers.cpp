@@ -187,8 +187,8 @@ void PersonSession::set_doubt(const std::optional<Doubt>& doubt) {
 
 bool PersonSession::is_picture_shown() const {
   const Phase phase = log_.state().phase;
-  const bool is_in_scene =
-      attempt_ != nullptr || phase == Phase::choosing_object || phase == Phase::ready;
+  const bool is_in_scene = attempt_ != nullptr || phase == Phase::choosing_object ||
+                           phase == Phase::ready || asked_.awaits_gaze;
   return is_in_scene && !is_form_shown(asked_, phase) && asked_.notices.empty();
 }
 

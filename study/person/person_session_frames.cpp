@@ -87,9 +87,7 @@ void PersonSession::go_on(Nanoseconds shown) {
       go_on_reacting(shown);
       break;
     case Phase::armed:
-      if (attempt_) {
-        feed(FirstFramePresented{shown - zero_});
-      }
+      go_on_arming(shown);
       break;
     case Phase::marking:
       go_on_timing();
@@ -121,6 +119,16 @@ void PersonSession::go_on_reacting(Nanoseconds shown) {
   }
   if (const auto pressed = asked_.reaction.end_frame(*parts_.protocol->reaction, shown)) {
     feed(ReactionPressed{.shown = pressed->shown - zero_, .time = pressed->time - zero_});
+  }
+}
+
+void PersonSession::go_on_arming(Nanoseconds shown) {
+  if (attempt_) {
+    feed(FirstFramePresented{shown - zero_});
+  } else if (asked_.awaits_gaze && parts_.eye->has_gaze(parts_.clock->now())) {
+    asked_.awaits_gaze = false;
+    page_watch_.turn_page();
+    prepare_rendering();
   }
 }
 

@@ -23,9 +23,19 @@ class PersonTracker final : public EyeTracker {
   /// From the next sample on; empty: as it comes.
   void correct(const std::optional<GazeCorrection>& correction) { correction_ = correction; }
 
+  /// Until a valid sample is so old, the gaze is there: the longest blinks take less.
+  static constexpr Nanoseconds longest_blink = std::chrono::milliseconds(500);
+
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
+  /// The next poll delivers the newest valid sample of those before it once more, first: for who
+  /// begins to ask and must know where the eye is from the beginning. Without one, nothing.
+  void repeat_newest() { repeats_newest_ = true; }
   std::string trouble() const override { return source_->trouble(); }
 
+  /// Whether the eye was seen within longest_blink before `now`, as far as polls say.
+  bool has_gaze(Nanoseconds now) const {
+    return newest_valid_ && now - newest_valid_->time <= longest_blink;
+  }
   /// Whether samples no longer come, as of the last poll.
   bool is_lost() const { return is_lost_; }
 
@@ -33,6 +43,8 @@ class PersonTracker final : public EyeTracker {
   EyeTracker* source_;
   std::optional<GazeCorrection> correction_;
   std::optional<Nanoseconds> last_arrival_;  ///< or the first poll
+  std::optional<GazeSample> newest_valid_;   ///< corrected
+  bool repeats_newest_ = false;
   bool is_lost_ = false;
 };
 

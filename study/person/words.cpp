@@ -139,6 +139,8 @@ ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const TrialCount& c
   return screen;
 }
 
+ScreenPage no_gaze_screen(const Texts& texts) { return band_of("no_gaze", texts); }
+
 ScreenPage mark_taken_screen(std::size_t taken, std::size_t marks, const Texts& texts) {
   return {.title = filled(text_of(texts, "mark_taken"), {{"mark", fmt::format("{}", taken)},
                                                          {"marks", fmt::format("{}", marks)}}),

@@ -66,6 +66,9 @@ struct TrialCount {
 ScreenPage ready_screen(const std::vector<MarkEntry>& marks, const TrialCount& count, bool is_again,
                         const Texts& texts);
 
+/// A trial that follows the gaze waits for one.
+ScreenPage no_gaze_screen(const Texts& texts);
+
 /// For a moment: the first `taken` of `marks` are kept.
 ScreenPage mark_taken_screen(std::size_t taken, std::size_t marks, const Texts& texts);
 

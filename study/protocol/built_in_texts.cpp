@@ -86,6 +86,12 @@ constexpr std::array built_in{
     BuiltInText{"ready_again", "The same once more, from the beginning."},
     BuiltInText{"ready_mark", "{mark}. {instruction}"},
     BuiltInText{"ready_keys", "[Space] start"},
+    BuiltInText{"no_gaze_title", "Where do you look?"},
+    BuiltInText{
+        "no_gaze",
+        "It is not seen yet where you look; the picture comes as soon as it is. Look at the "
+        "middle of the screen. If the mouse stands for your eyes, move its pointer there."},
+    BuiltInText{"no_gaze_keys", "[Escape] pause"},
     BuiltInText{"mark_taken", "Taken: {mark} of {marks}"},
     BuiltInText{"look_around_title", "Look around"},
     BuiltInText{"look_around", "Now look at the other areas of the picture."},

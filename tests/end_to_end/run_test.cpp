@@ -261,6 +261,43 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   expect_replay_bit_for_bit();
 }
 
+TEST_F(StudyRun, ATrialThatFollowsTheGazeWaitsForOne) {
+  participant_.write_protocol("methods = [\"od\", \"fv\"]\nphases = [\"trials\"]\n", short_look);
+  CoverableTracker tracker;
+  participant_.begin(
+      {"--tracker", participant_.folder().write("camera.toml", open_gaze_profile(tracker.port()))});
+  RunningProgram& program = participant_.program();
+  participant_.answer_page("Return");  // welcome
+  tracker.cover();
+  program.wait_for("note_written: the eye tracker sends no gaze");
+  participant_.answer_page("Return");  // choosing
+  time_trial();                        // od needs no gaze
+  rate("3");
+  participant_.answer_page("space");
+  program.wait_for("note_written: the trial waits for a gaze");
+  EXPECT_EQ(participant_.wait_for_page(), "armed") << "says so";
+  std::this_thread::sleep_for(1s);
+  tracker.uncover();
+  for (int mark = 0; mark < 2; ++mark) {
+    EXPECT_EQ(participant_.wait_for_page(), "marking");
+    participant_.type("space");
+  }
+  participant_.wait_for_page();
+  rate("4");
+  end_by_enter();
+
+  EXPECT_THAT(participant_.ask("SELECT trial, attempt, outcome FROM attempt ORDER BY trial"),
+              ElementsAre("0|1|rated", "1|1|rated"));
+  EXPECT_THAT(participant_.ask("SELECT (SELECT max(time_ns) FROM event WHERE type = "
+                               "'first_frame_presented') - (SELECT max(time_ns) FROM event WHERE "
+                               "type = 'trial_started') > 1000000000"),
+              ElementsAre("1"))
+      << "no time of the trial ran while it waited";
+  const study::Verification verified = study::verify_study(participant_.database());
+  EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
+  EXPECT_EQ(participant_.replay().exit_code, 0);
+}
+
 TEST_F(StudyRun, AParticipantMayStop) {
   participant_.write_protocol(one_trial_keys, short_look);
   participant_.begin();

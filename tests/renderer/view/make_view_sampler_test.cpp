@@ -149,5 +149,16 @@ TEST(WithPointer, HoldsEveryPointerInPlace) {
   }
 }
 
+TEST(FollowsGaze, IsTrueOfWhatTheGazeAims) {
+  for (const char* method : {"fv", "fv:acuity=watson", "fv-map:file=a.png", "pointer",
+                             "hybrid:0.9*od+0.1*fv", "hybrid:6*\"hybrid:3*fv+1*od\"+4*vp"}) {
+    EXPECT_TRUE(follows_gaze(method)) << method;
+  }
+  for (const char* method : {"od", "vp", "vp-rect", "crop", "mask:file=a.png",
+                             "pointer:azimuth=1,elevation=2", "hybrid:0.9*od+0.1*vp"}) {
+    EXPECT_FALSE(follows_gaze(method)) << method;
+  }
+}
+
 }  // namespace
 }  // namespace foveola

@@ -78,6 +78,57 @@ TEST_F(WindowTest, HasTheSizeThatWasAskedFor) {
   EXPECT_EQ(monitors[0].size_px, IVec2(1280, 1024));
 }
 
+/// The newest that `events` hold; empty if there is none.
+std::optional<PointerMoved> newest_pointer(const std::vector<WindowEvent>& events) {
+  std::optional<PointerMoved> newest;
+  for (const WindowEvent& event : events) {
+    if (const auto* pointer = std::get_if<PointerMoved>(&event.what)) {
+      newest = *pointer;
+    }
+  }
+  return newest;
+}
+
+TEST(WindowOpeningTest, SaysWhereThePointerRests) {
+  const test::XServer server;
+  const SteadyClock clock;
+  const WindowSettings settings{.title = title, .size = {400, 300}};
+  WindowEvents events;
+  {
+    const Window window(settings, events, clock);
+    const auto outside = newest_pointer(events.take());
+    ASSERT_TRUE(outside);
+    EXPECT_FALSE(outside->is_inside) << "it rests in the middle of the screen at first";
+    test::XUser user(server.display());
+    user.point_at(title, 123, 45);
+    user.settle();
+  }
+  const Window window(settings, events, clock);
+  const auto inside = newest_pointer(events.take());
+  ASSERT_TRUE(inside);
+  EXPECT_TRUE(inside->is_inside);
+  EXPECT_EQ(inside->position, DVec2(123, 45));
+}
+
+TEST_F(WindowTest, SaysWhereThePointerRestsAfterItsSizeChanged) {
+  const auto size_then_pointer = [is_resized = false](const WindowEvent& event) mutable {
+    is_resized = is_resized || std::holds_alternative<WindowResized>(event.what);
+    return is_resized && std::holds_alternative<PointerMoved>(event.what);
+  };
+  const auto events = events_while(
+      [&](test::XUser& user) {
+        user.point_at(title, 300, 200);
+        user.settle();
+        std::this_thread::sleep_for(milliseconds(200));
+        user.resize(title, 320, 240);
+      },
+      size_then_pointer);
+  const auto pointer = newest_pointer(events);
+  ASSERT_TRUE(pointer);
+  EXPECT_TRUE(pointer->is_inside);
+  EXPECT_EQ(pointer->position, DVec2(300, 200));
+}
+
 TEST_F(WindowTest, KeysComeWithTheTimeAtWhichTheyMoved) {
   Nanoseconds before{0};
   Nanoseconds between{0};

@@ -47,6 +47,13 @@ TEST(PagesTest, TheEndsDiffer) {
   }
 }
 
+TEST(PagesTest, AnArmedTrialShowsThePictureUnlessItWaitsForAGaze) {
+  AskedSession session = session_in(Phase::armed);
+  EXPECT_EQ(title(session), "");
+  session.asked.awaits_gaze = true;
+  EXPECT_EQ(title(session), title_of(no_gaze_screen(session.protocol.texts)));
+}
+
 TEST(PagesTest, TargetsAreSeenAloneAndSaidBeforehand) {
   AskedSession session = session_in(Phase::validation);
   const Texts& texts = session.protocol.texts;

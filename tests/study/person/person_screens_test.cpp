@@ -56,6 +56,7 @@ std::vector<NamedScreen> screens_of_a_session() {
       {"choosing", choosing_screen(texts)},
       {"ready", ready_screen(protocol.marks, {3, 15}, false, texts)},
       {"ready-again", ready_screen(protocol.marks, {15, 15}, true, texts)},
+      {"no-gaze", no_gaze_screen(texts)},
       {"mark-taken", mark_taken_screen(1, protocol.marks.size(), texts)},
       {"look-around", look_around_screen(texts)},
       {"retiming", retiming_screen(texts)}};

@@ -50,6 +50,45 @@ TEST_F(PersonTrackerTest, IsLostAfterASecondOfSilence) {
   EXPECT_FALSE(tracker_.is_lost());
 }
 
+TEST_F(PersonTrackerTest, HasAGazeForAsLongAsABlinkMayTake) {
+  EXPECT_FALSE(tracker_.has_gaze(0s));
+  send(0s, false);
+  poll(1ms);
+  EXPECT_FALSE(tracker_.has_gaze(1ms)) << "what comes is not valid";
+  send(10ms);
+  poll(20ms);
+  EXPECT_TRUE(tracker_.has_gaze(20ms));
+  send(100ms, false);
+  poll(510ms);
+  EXPECT_TRUE(tracker_.has_gaze(510ms));
+  EXPECT_FALSE(tracker_.has_gaze(511ms));
+}
+
+TEST_F(PersonTrackerTest, RepeatsTheNewestValidSampleOnceAndFirst) {
+  send(1ms);
+  send(2ms);
+  send(3ms, false);
+  poll(4ms);
+  send(5ms);
+  tracker_.repeat_newest();
+  const std::vector<GazeSample> arrived = poll(6ms);
+  ASSERT_EQ(arrived.size(), 2U);
+  EXPECT_EQ(arrived[0].time, 2ms);
+  EXPECT_TRUE(arrived[0].valid);
+  EXPECT_EQ(arrived[1].time, 5ms);
+  EXPECT_TRUE(poll(7ms).empty());
+}
+
+TEST_F(PersonTrackerTest, WhatIsRepeatedIsNoNewSample) {
+  send(0s);
+  poll(1ms);
+  poll(900ms);
+  tracker_.repeat_newest();
+  poll(1500ms);
+  EXPECT_TRUE(tracker_.is_lost());
+  EXPECT_FALSE(tracker_.has_gaze(1500ms));
+}
+
 TEST_F(PersonTrackerTest, ABlinkIsNoLoss) {
   for (int i = 0; i < 20; ++i) {
     send(i * 100ms, false);

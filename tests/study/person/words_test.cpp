@@ -30,11 +30,11 @@ const std::vector<MarkEntry> two_marks = {
 /// Every page and band that is made without a form.
 std::vector<ScreenPage> plain_screens(const Texts& texts) {
   std::vector<ScreenPage> screens = {
-      reaction_screen(10, texts),     reaction_wait_screen(texts),
-      reaction_now_screen(texts),     reaction_early_screen(texts),
-      choosing_screen(texts),         ready_screen(two_marks, {3, 15}, true, texts),
-      mark_taken_screen(1, 2, texts), look_around_screen(texts),
-      retiming_screen(texts)};
+      reaction_screen(10, texts), reaction_wait_screen(texts),
+      reaction_now_screen(texts), reaction_early_screen(texts),
+      choosing_screen(texts),     ready_screen(two_marks, {3, 15}, true, texts),
+      no_gaze_screen(texts),      mark_taken_screen(1, 2, texts),
+      look_around_screen(texts),  retiming_screen(texts)};
   for (const Notice notice : notices) {
     screens.push_back(notice_screen(notice, texts));
   }
@@ -144,6 +144,7 @@ TEST(WordsTest, BandsLeaveThePictureVisible) {
   EXPECT_FALSE(choosing_screen({}).covers_picture);
   EXPECT_FALSE(ready_screen(two_marks, {}, false, {}).covers_picture);
   EXPECT_FALSE(mark_taken_screen(1, 2, {}).covers_picture);
+  EXPECT_FALSE(no_gaze_screen({}).covers_picture);
   EXPECT_FALSE(look_around_screen({}).covers_picture);
   EXPECT_FALSE(retiming_screen({}).covers_picture);
   EXPECT_FALSE(rating_form({test::experience()}, {}).screen().covers_picture);
