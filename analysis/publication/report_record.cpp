@@ -10,21 +10,21 @@
 namespace foveola::analysis {
 namespace {
 
-constexpr std::size_t most_listed = 100;
+constexpr std::size_t most_faults_listed = 100;
 
 std::string in_words(const study::RecordFault& fault) {
   return fault.participant.empty() ? fault.what
                                    : fmt::format("{}: {}", fault.participant, fault.what);
 }
 
-std::string listed(const std::vector<study::RecordFault>& faults) {
+std::string fault_list(const std::vector<study::RecordFault>& faults) {
   std::string items = "<ul>\n";
-  for (std::size_t i = 0; i < std::min(most_listed, faults.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_faults_listed, faults.size()); ++i) {
     items += fmt::format("<li>{}</li>\n", escape_html(in_words(faults[i])));
   }
-  if (faults.size() > most_listed) {
+  if (faults.size() > most_faults_listed) {
     items += fmt::format("<li>and {} more, which <code>foveola study verify</code> lists</li>\n",
-                         faults.size() - most_listed);
+                         faults.size() - most_faults_listed);
   }
   return items + "</ul>\n";
 }
@@ -34,13 +34,13 @@ std::string finding(const study::Verification& record) {
                                : "<p>It is not what was written, and was analysed all the same, as "
                                  "was asked for with "
                                  "<code>--unverified</code>:</p>\n" +
-                                     listed(record.faults);
+                                     fault_list(record.faults);
 }
 
 std::string gaps(const study::Verification& record) {
   return record.gaps.empty()
              ? "<p>Nothing is missing in it.</p>\n"
-             : "<p>What is missing in it, which is no damage:</p>\n" + listed(record.gaps);
+             : "<p>What is missing in it, which is no damage:</p>\n" + fault_list(record.gaps);
 }
 
 }  // namespace
