@@ -41,10 +41,10 @@ struct SunAndSky {
 /// What the numbers of a glTF file's punctual lights (KHR_lights_punctual) mean. Emissive materials
 /// have radiances in either case, and are taken as they are.
 enum class LightUnits : std::uint8_t {
-  /// Lux and candela, as the extension says: divided by 683 lm/W, the luminous efficacy that
-  /// Blender's exporter multiplies by for every colour alike (the SI's definition of the candela,
-  /// at
-  /// 540 THz), they become irradiances and radiant intensities.
+  /// Lux and candela, as the extension says. Divided by 683 lm/W they become irradiances and
+  /// radiant
+  /// intensities: Blender's exporter multiplies every colour by this luminous efficacy, which the
+  /// SI's definition of the candela gives to light of 540 THz.
   photometric,
   /// Irradiances and radiant intensities: taken as they are.
   radiometric

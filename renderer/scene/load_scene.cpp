@@ -212,15 +212,7 @@ void resize_lights(Scene& scene, const SceneSource& source) {
   }
 }
 
-}  // namespace
-
-Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".obj" ? load_obj(path) : load_gltf(path, light_units);
-}
-
+/// Where the file is not the one that the source was written for.
 std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source) {
   if (source.described_sha256.empty() || scene.sha256 == source.described_sha256) {
     return std::nullopt;
@@ -229,6 +221,15 @@ std::optional<std::string> warning_of_another_file(const Scene& scene, const Sce
       "{} is not the file that the descriptor of \"{}\" means: its SHA-256 differs, and camera, "
       "lights and objects may not fit; say so wherever it is shown",
       source.file.filename().string(), source.title);
+}
+
+}  // namespace
+
+Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".obj" ? load_obj(path) : load_gltf(path, light_units);
 }
 
 Scene load_scene(const SceneSource& source) {

@@ -30,12 +30,9 @@ Scene load_scene_file(const std::filesystem::path& path,
 
 /// load_scene_file, brought to metres, with the source's environment, sun and rectangle lights
 /// added and its sizes of lights. A scene in other units looks the same, only larger or smaller.
-/// Throws Error as well for what of these makes no sense.
+/// Throws Error as well for what of these makes no sense. Its first warning is that the file is not
+/// the one that the source was written for, if so.
 Scene load_scene(const SceneSource& source);
-
-/// What to say of a scene that comes from another file than the one that its source was written
-/// for, if it does. It is the first of the warnings of what load_scene returns.
-std::optional<std::string> warning_of_another_file(const Scene& scene, const SceneSource& source);
 
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Pixels that are negative or NaN become
 /// black, infinite ones 65504, the most that a half float holds, or as bright as the brightest

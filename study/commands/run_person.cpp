@@ -153,7 +153,7 @@ class PersonRun {
 
  private:
   void check(const SceneStages& stages) const {
-    warn_of_other_files(stages);
+    print_scene_warnings(stages);
     const std::vector<ShownScene> shown = shown_scenes(stages);
     if (!settings_.despite_changes) {
       require_same_scenes(settings_.database, shown);

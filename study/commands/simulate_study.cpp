@@ -211,7 +211,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   }
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);
-  warn_of_other_files(stages);
+  print_scene_warnings(stages);
   SimulatedStudy study{.settings = settings,
                        .protocol = protocol,
                        .stages = stages,

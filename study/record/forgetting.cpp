@@ -81,9 +81,8 @@ void copy_others(SQLite::Database& study, std::int64_t session, const fs::path& 
   require_intact(target, path);
 }
 
-/// The UUID of the session that is no longer in the file; empty if it never was.
+/// The UUID of the session that is no longer in the file, a study; empty if it never was.
 std::optional<std::string> rebuild_without(const fs::path& file, const std::string& code) {
-  schema_of_study(file);
   fold_in_log(file);
   // A log that came back after a loss of power would be played into the new file. SQLite, too,
   // syncs the folder for a journal that it makes before that, but nowhere says so.

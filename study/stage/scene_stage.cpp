@@ -75,10 +75,10 @@ std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
   return shown;
 }
 
-void warn_of_other_files(const SceneStages& stages) {
+void print_scene_warnings(const SceneStages& stages) {
   for (const auto& [name, stage] : stages) {
-    if (const auto warning = warning_of_another_file(stage->scene(), stage->source())) {
-      fmt::print(stderr, "foveola: warning: {}: {}\n", name, *warning);
+    for (const std::string& warning : stage->scene().warnings) {
+      fmt::print(stderr, "foveola: warning: {}: {}\n", name, warning);
     }
   }
 }

@@ -62,7 +62,8 @@ SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>
 /// What the record keeps of them.
 std::vector<ShownScene> shown_scenes(const SceneStages& stages);
 
-/// Tells, on standard error, of every file that is not the one its descriptor was written for.
-void warn_of_other_files(const SceneStages& stages);
+/// On standard error, what loading them warned of, a line each: of another file than the one its
+/// descriptor was written for, or of how its lights are understood, for instance.
+void print_scene_warnings(const SceneStages& stages);
 
 }  // namespace foveola::study

@@ -1,0 +1,32 @@
+#include "study/stage/scene_stage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace foveola::study {
+namespace {
+
+SceneStages stages_of(const SceneSource& source) {
+  Protocol protocol;
+  protocol.scenes = {{.name = "lamps"}};
+  return load_stages(protocol, {source}, Workers(1));
+}
+
+std::string printed_warnings(const SceneStages& stages) {
+  testing::internal::CaptureStderr();
+  print_scene_warnings(stages);
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(SceneWarnings, OfAStudySayHowTheLightsOfAFileByBlenderAreUnderstood) {
+  SceneSource source{.file = TEST_DATA_DIR "/blender/standard.gltf",
+                     .camera_position = Vec3(0.0F, 1.0F, 3.0F),
+                     .objects = {{.name = "lamp", .position = Vec3(0.0F)}}};
+  EXPECT_THAT(printed_warnings(stages_of(source)),
+              testing::StartsWith("foveola: warning: lamps: the lights are divided by 683 lm/W"));
+  source.light_units = LightUnits::photometric;
+  EXPECT_EQ(printed_warnings(stages_of(source)), "");
+}
+
+}  // namespace
+}  // namespace foveola::study
