@@ -70,6 +70,16 @@ void FrameBudget::frame_ended(bool is_late) {
   reserve_s_ = std::clamp(reserve_s_ + change_s, 0.0, largest_s);
 }
 
+FrameBudget FrameBudget::for_another_preview() const {
+  FrameBudget budget;
+  if (is_drawing_too_slow_) {
+    budget.rest_s_ = rest_s_;
+    budget.late_share_ = late_share_;
+    budget.is_drawing_too_slow_ = true;
+  }
+  return budget;
+}
+
 void FrameBudget::judge_drawing(bool is_late) {
   constexpr double gain = 1.0 / 16.0;
   constexpr double most_late = 0.75;        // reached by 22 late frames in a row

@@ -59,6 +59,9 @@ class FrameBudget {
   /// Whether frames are late because of the rest of them. It takes a few dozen late frames in a row
   /// to say so, and a rest that clearly fits between two refreshes to take it back.
   bool is_drawing_too_slow() const { return is_drawing_too_slow_; }
+  /// A budget to begin another preview with in the same window: one that has to learn what samples
+  /// cost, but knows already if drawing is too slow.
+  FrameBudget for_another_preview() const;
   /// What the rest of a frame takes on average; 0 before the first.
   Nanoseconds drawing_time() const { return nanoseconds_from_seconds(rest_s_.mean()); }
 

@@ -14,13 +14,14 @@ constexpr int most_batches = 3;
 }  // namespace
 
 LiveFrames::LiveFrames(Preview& preview, const Clock& clock, const RefreshEstimator& refresh,
-                       WaitUntil wait_until, FrameOutput output)
+                       WaitUntil wait_until, FrameOutput output, const FrameBudget& budget)
     : preview_(&preview),
       clock_(&clock),
       refresh_(refresh),
       wait_until_(std::move(wait_until)),
       output_(std::move(output)),
-      next_refresh_(clock.now()) {}
+      next_refresh_(clock.now()),
+      budget_(budget) {}
 
 LiveFrame LiveFrames::next() {
   wait_until_(next_refresh_);

@@ -46,16 +46,19 @@ class LiveFrames {
   /// Returns at `time`, or at once if that is over.
   using WaitUntil = std::function<void(Nanoseconds time)>;
 
-  /// refresh: of the display; what it has been told before counts. Preview and clock must outlive
-  /// the frames.
+  /// refresh: of the display; what it has been told before counts, as what `budget` knows does.
+  /// Preview and clock must outlive the frames.
   LiveFrames(Preview& preview, const Clock& clock, const RefreshEstimator& refresh,
-             WaitUntil wait_until, FrameOutput output);
+             WaitUntil wait_until, FrameOutput output, const FrameBudget& budget = {});
 
   /// Waits for the next refresh, and renders and presents a frame.
   LiveFrame next();
 
   /// What is known of the display's refreshes.
   const RefreshEstimator& refresh() const { return refresh_; }
+
+  /// What is known of the time that frames take.
+  const FrameBudget& budget() const { return budget_; }
 
   /// What a frame takes beside its tracing, while that is too long for frames ever to be in time.
   std::optional<Nanoseconds> too_slow_drawing() const;

@@ -38,10 +38,12 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
       look_(look_of(preview_settings(setting_))),
       preview_(setting_.stage->tracer(), preview_settings(setting_), *setting_.eye, *setting_.head,
                *setting_.workers),
-      frames_(preview_, *setting_.clock, setting_.display->refresh(),
-              [this](Nanoseconds time) { wait_until(time); },
-              {.resample = [this](const Preview& preview) { draw(preview); },
-               .present = [this] { return setting_.display->wait_until_shown(); }}),
+      frames_(
+          preview_, *setting_.clock, setting_.display->refresh(),
+          [this](Nanoseconds time) { wait_until(time); },
+          {.resample = [this](const Preview& preview) { draw(preview); },
+           .present = [this] { return setting_.display->wait_until_shown(); }},
+          setting_.display->frame_budget()),
       log_(sink_to(*setting_.record, setting_.key)) {
   const ViewGeometry& geometry = setting_.display->geometry();
   preview_.set_view({.horizontal_fov_deg = geometry.horizontal_fov_deg,
@@ -60,6 +62,7 @@ Nanoseconds LiveAttempt::next() {
 }
 
 void LiveAttempt::finish() {
+  setting_.display->set_frame_budget(frames_.budget().for_another_preview());
   log_.finish();
   if (log_.frames() > 0) {
     const AttemptKey& key = setting_.key;

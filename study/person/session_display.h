@@ -12,6 +12,7 @@
 #include "renderer/film/equirect_film.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/image/image.h"
+#include "renderer/preview/frame_budget.h"
 #include "renderer/preview/refresh_estimator.h"
 #include "renderer/window/display_pictures.h"
 #include "renderer/window/film_mirror.h"
@@ -75,6 +76,9 @@ class SessionDisplay {
   const RefreshEstimator& refresh() const { return refresh_; }
   /// What was learnt of the refreshes elsewhere.
   void set_refresh(const RefreshEstimator& refresh) { refresh_ = refresh; }
+  /// What the next attempt's frames know of drawing here.
+  const FrameBudget& frame_budget() const { return frame_budget_; }
+  void set_frame_budget(const FrameBudget& budget) { frame_budget_ = budget; }
   /// The graphics card and its driver; empty before the first frame.
   std::string graphics() const { return presenter_ ? presenter_->graphics() : std::string(); }
 
@@ -87,6 +91,7 @@ class SessionDisplay {
   DisplayProfile profile_;
   WindowArea area_;
   RefreshEstimator refresh_;
+  FrameBudget frame_budget_;
   Nanoseconds next_frame_{0};
   IVec2 film_size_{0};                  ///< that the presenter is made for
   const EquirectFilm* film_ = nullptr;  ///< that the mirror is of

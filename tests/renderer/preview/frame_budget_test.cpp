@@ -222,6 +222,26 @@ TEST(FrameBudget, KnowsWhatDrawingTakes) {
   EXPECT_NEAR(seconds(budget.drawing_time()), 0.04, 0.004);
 }
 
+TEST(FrameBudget, AnotherPreviewKnowsThatDrawingIsTooSlowButNotWhatSamplesCost) {
+  FrameBudget budget;
+  Machine machine;
+  machine.rest_s = 0.04;
+  show_frames(100, budget, machine);
+  FrameBudget next = budget.for_another_preview();
+  EXPECT_GT(next.begin_frame(frame_time, frame_time), frame_time);
+  EXPECT_EQ(next.first_batch(frame_time), FrameBudget::first_of_all);
+}
+
+TEST(FrameBudget, AnotherPreviewBeginsAsTheFirstWhereDrawingIsFast) {
+  FrameBudget budget;
+  Machine machine;
+  show_frames(100, budget, machine);
+  FrameBudget next = budget.for_another_preview();
+  EXPECT_EQ(next.begin_frame(frame_time, frame_time), frame_time);
+  EXPECT_EQ(next.first_batch(frame_time), FrameBudget::first_of_all);
+  EXPECT_EQ(next.drawing_time(), Nanoseconds(0));
+}
+
 TEST(FrameBudget, FramesThatAreSometimesLateAimAtTheirDeadline) {
   FrameBudget budget;
   Machine machine;
