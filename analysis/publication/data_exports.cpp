@@ -107,6 +107,8 @@ for (mark in c("outline", "material")) {
 constexpr const char* ratings_script =
     R"r(# Ordinal models of artifact ratings: steps of the scale need not be equal.
 # Rscript models_ratings.R, in the folder of this file; needs ordinal.
+#
+# The random effects are those of models_times.R, for the same reason.
 library(ordinal)
 
 trials <- read.csv("trials_long.csv", stringsAsFactors = TRUE)
@@ -116,8 +118,16 @@ if (any(trials$participant_kind != "human")) {
 trials$method <- relevel(trials$method, ref = as.character(trials$method[1]))
 trials <- trials[!is.na(trials$artifacts_rating), ]
 trials$rating <- ordered(trials$artifacts_rating, levels = 1:5)
-model <- clmm(rating ~ method + (1 | participant) + (1 | scene), data = trials)
-print(summary(model))
+trials <- droplevels(trials)
+if (nlevels(trials$participant) < 2 || nlevels(trials$method) < 2) {
+  cat("No model: it needs two participants and two methods.\n")
+} else if (nlevels(trials$scene) > 1) {
+  print(summary(clmm(rating ~ method + (1 | participant) + (1 | participant:method) +
+                       (1 | scene) + (1 | scene:method), data = trials)))
+} else {
+  # With one scene there is one rating for each participant and method, and nothing to tell apart.
+  print(summary(clmm(rating ~ method + (1 | participant), data = trials)))
+}
 )r";
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "analysis/publication/trial_data.h"
 
-#include <algorithm>
 #include <set>
 #include <string>
 
@@ -102,18 +101,25 @@ TEST(TrialData, ScriptsReadTheLongTable) {
 
 // Trials of one participant with one method, and of one scene with one method, are alike: a model
 // without these random effects takes each trial for one more participant.
-TEST(TrialData, TheModelOfTimesDoesNotTakeTrialsForParticipants) {
-  const std::vector<TextFile> scripts = r_scripts();
-  const auto times = std::find_if(scripts.begin(), scripts.end(), [](const TextFile& file) {
-    return file.name == "models_times.R";
-  });
-  ASSERT_NE(times, scripts.end());
-  for (const char* effect :
-       {"(1 | participant)", "(1 | participant:method)", "(1 | scene)", "(1 | scene:method)"}) {
-    EXPECT_THAT(times->content, HasSubstr(effect));
+std::string r_script(const std::string& name) {
+  for (const TextFile& file : r_scripts()) {
+    if (file.name == name) {
+      return file.content;
+    }
   }
-  EXPECT_THAT(times->content, Not(HasSubstr("method * scene")));
-  EXPECT_THAT(times->content, HasSubstr("emmeans(model, ~ method"));
+  ADD_FAILURE() << "no " << name;
+  return {};
+}
+
+TEST(TrialData, NoModelTakesTrialsForParticipants) {
+  for (const char* name : {"models_times.R", "models_ratings.R"}) {
+    for (const char* effect :
+         {"(1 | participant)", "(1 | participant:method)", "(1 | scene)", "(1 | scene:method)"}) {
+      EXPECT_THAT(r_script(name), HasSubstr(effect)) << name;
+    }
+  }
+  EXPECT_THAT(r_script("models_times.R"), Not(HasSubstr("method * scene")));
+  EXPECT_THAT(r_script("models_times.R"), HasSubstr("emmeans(model, ~ method"));
 }
 
 }  // namespace
