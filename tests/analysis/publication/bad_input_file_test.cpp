@@ -11,6 +11,7 @@
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "tests/scenes/environment.h"
 #include "tests/study/record/study_file.h"
 #include "tests/unprivileged.h"
 
@@ -193,6 +194,13 @@ TEST_F(BadInputFile, AFolderThatNothingMayBeWrittenInto) {
   test::open_to_all(path_);
   fs::create_directory(results_);
   write_file(results_ / "report.html", "of yesterday");
+  // The source tree may lie where nobody can look.
+  const fs::path resources = folder_ / "resources";
+  fs::create_directories(resources / "protocols");
+  fs::create_directory(resources / "data");
+  fs::copy(resource_folder() / "data" / "koskela2018", resources / "data" / "koskela2018",
+           fs::copy_options::recursive);
+  const scenes::EnvironmentVariable chosen("FOVEOLA_RESOURCES", resources.string());
   const test::Unprivileged nobody;
   const std::string line = study::refusal([&] { (void)analyze_study(path_, results_); });
   EXPECT_THAT(line, HasSubstr("results: cannot be written: Permission denied"));
