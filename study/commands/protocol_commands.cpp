@@ -19,7 +19,7 @@
 namespace foveola::study {
 namespace {
 
-struct Arguments {
+struct ProtocolArguments {
   std::string protocol;
   int participants = 0;
   std::uint64_t seed = 0;
@@ -66,7 +66,7 @@ nlohmann::json json_check(const Protocol& protocol) {
   return json;
 }
 
-void run_check(const Arguments& arguments, const SceneFinder& find_scene) {
+void run_check(const ProtocolArguments& arguments, const SceneFinder& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   require_analysable(protocol);
   warn_of_missing_letters(protocol);
@@ -88,7 +88,7 @@ nlohmann::json json_plans(const Protocol& protocol, const std::vector<Plan>& pla
   return {{"plans", list}, {"balance", json_of(protocol, balance_of(protocol, plans))}};
 }
 
-void run_plan(const Arguments& arguments) {
+void run_plan(const ProtocolArguments& arguments) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   const std::vector<Plan> plans = plans_of(protocol, arguments.participants, arguments.seed);
   if (arguments.json) {
@@ -101,7 +101,7 @@ void run_plan(const Arguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& study, const SceneFinder& find_scene) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ProtocolArguments>();
   CLI::App* command = add_command(
       study, "check",
       "What a protocol means, whether it is sound and can be analysed, how long it takes",
@@ -112,7 +112,7 @@ void add_check(CLI::App& study, const SceneFinder& find_scene) {
 }
 
 void add_plan(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ProtocolArguments>();
   CLI::App* command = add_command(
       study, "plan", "The order in which each participant sees things, and how balanced it is",
       "plan demo --participants 16 --seed 7");

@@ -18,7 +18,7 @@
 namespace foveola::study {
 namespace {
 
-struct Arguments {
+struct RecordArguments {
   std::string database;
   std::vector<std::string> sources;
   std::string participant;
@@ -74,7 +74,7 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
           {"trials_done", status.trials_done}};
 }
 
-void run_status(const Arguments& arguments) {
+void run_status(const RecordArguments& arguments) {
   const StudyRecords records = read_study(arguments.database);
   const StudyStatus status = status_of(records);
   if (arguments.json) {
@@ -84,7 +84,7 @@ void run_status(const Arguments& arguments) {
   }
 }
 
-void run_verify(const Arguments& arguments) {
+void run_verify(const RecordArguments& arguments) {
   const Verification found = verify_study(arguments.database);
   if (arguments.json) {
     fmt::print("{}\n", verification_json(found).dump(2));
@@ -97,18 +97,18 @@ void run_verify(const Arguments& arguments) {
   }
 }
 
-void run_backup(const Arguments& arguments) {
+void run_backup(const RecordArguments& arguments) {
   fmt::print("{}\n", back_up_study(arguments.database).string());
 }
 
-void run_merge(const Arguments& arguments) {
+void run_merge(const RecordArguments& arguments) {
   const Merge merge =
       merge_studies({arguments.sources.begin(), arguments.sources.end()}, arguments.output);
   fmt::print("{}: {} sessions, {} of them in several files\n", arguments.output,
              merge.sessions_added, merge.sessions_known);
 }
 
-void run_forget(const Arguments& arguments) {
+void run_forget(const RecordArguments& arguments) {
   if (!arguments.yes) {
     throw UsageError("--yes",
                      fmt::format("is missing: all that {} and its backups hold of participant {} "
@@ -121,7 +121,7 @@ void run_forget(const Arguments& arguments) {
              arguments.participant, forgotten.files);
 }
 
-void run_gaze(const Arguments& arguments) {
+void run_gaze(const RecordArguments& arguments) {
   const std::vector<GazeSample> samples = replayable(read_gaze(
       arguments.database, arguments.participant, static_cast<std::size_t>(arguments.trial)));
   write_gaze_file(arguments.output, samples);
@@ -131,7 +131,7 @@ void run_gaze(const Arguments& arguments) {
 }  // namespace
 
 void add_status(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command =
       add_command(study, "status", "What a study's file holds", "status study.sqlite --json");
   add_database(command, arguments->database);
@@ -140,7 +140,7 @@ void add_status(CLI::App& study) {
 }
 
 void add_verify(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command =
       add_command(study, "verify", "Whether a study's file is what was written, and complete",
                   "verify study.sqlite");
@@ -150,7 +150,7 @@ void add_verify(CLI::App& study) {
 }
 
 void add_backup(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = add_command(
       study, "backup", "A checked copy in the folder beside a study's file", "backup study.sqlite");
   add_database(command, arguments->database);
@@ -158,7 +158,7 @@ void add_backup(CLI::App& study) {
 }
 
 void add_merge(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = add_command(study, "merge", "One file of several sites' sessions",
                                   "merge helsinki.sqlite tampere.sqlite -o study.sqlite");
   command->add_option("DB", arguments->sources, "Files of one protocol")
@@ -169,7 +169,7 @@ void add_merge(CLI::App& study) {
 }
 
 void add_forget(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command =
       add_command(study, "forget",
                   "Rebuilds a study's file and its backups without one participant, who withdrew",
@@ -181,7 +181,7 @@ void add_forget(CLI::App& study) {
 }
 
 void add_gaze(CLI::App& study) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = add_command(study, "gaze", "Where a participant looked, to be replayed",
                                   "gaze study.sqlite --participant P001 --trial 0 -o gaze.csv");
   add_database(command, arguments->database);

@@ -11,7 +11,7 @@
 namespace foveola::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The volume inside a closed shape, positive if its front faces look out (divergence theorem).
 double volume(const Shape& shape) {

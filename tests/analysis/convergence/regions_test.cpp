@@ -9,8 +9,8 @@
 namespace foveola::analysis {
 namespace {
 
-constexpr IVec2 size{1024, 512};
-constexpr double pi = std::numbers::pi;
+constexpr IVec2 region_size{1024, 512};
+using std::numbers::pi;
 
 double total_weight(const PixelRegion& region) {
   double sum = 0.0;
@@ -22,7 +22,7 @@ double total_weight(const PixelRegion& region) {
 
 /// Of a film: its weights are cosines of latitude.
 double steradians(const PixelRegion& region) {
-  return total_weight(region) * 2.0 * pi * pi / size.x / size.y;
+  return total_weight(region) * 2.0 * pi * pi / region_size.x / region_size.y;
 }
 
 class Regions : public testing::Test {
@@ -44,12 +44,12 @@ TEST_F(Regions, HaveTheirSolidAnglesOnTheFilm) {
   for (const int radius_deg : {5, 10, 20}) {
     const Region& disc = named(std::to_string(radius_deg) + "deg");
     const double cap = 2.0 * pi * (1.0 - std::cos(radians(radius_deg)));
-    EXPECT_NEAR(steradians(region_on_film(disc, size)) / cap, 1.0, 0.02) << disc.name;
+    EXPECT_NEAR(steradians(region_on_film(disc, region_size)) / cap, 1.0, 0.02) << disc.name;
   }
   // A square pyramid of half angle a on both sides: 4 asin(sin^2 a).
   const double pyramid = 4.0 * std::asin(std::pow(std::sin(radians(50.0)), 2.0));
-  EXPECT_NEAR(steradians(region_on_film(named("viewport"), size)) / pyramid, 1.0, 0.005);
-  EXPECT_NEAR(steradians(region_on_film(named("sphere"), size)) / (4.0 * pi), 1.0, 1e-4);
+  EXPECT_NEAR(steradians(region_on_film(named("viewport"), region_size)) / pyramid, 1.0, 0.005);
+  EXPECT_NEAR(steradians(region_on_film(named("sphere"), region_size)) / (4.0 * pi), 1.0, 1e-4);
 }
 
 TEST_F(Regions, HaveTheirSolidAnglesOnTheDisplay) {

@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Angles, FollowTheWorldConvention) {
   const auto near = [](const Vec3& a, const Vec3& b) { return glm::distance(a, b) < 1e-6F; };

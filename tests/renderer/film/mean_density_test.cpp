@@ -17,7 +17,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int width = 1024;
 constexpr int height = 512;
 

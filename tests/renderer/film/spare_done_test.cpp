@@ -16,14 +16,14 @@
 namespace foveola {
 namespace {
 
-constexpr int width = 64;
-constexpr int height = 32;
+constexpr int film_width_px = 64;
+constexpr int film_height_px = 32;
 const Vec3 ahead(0.0F, 0.0F, -1.0F);
 
 /// A picture without noise at the left, and at the right one whose pixels are bright once in ten
 /// times: the mean is 1 everywhere.
 Rgb half_noisy(const SampleJob& job, std::uint32_t seed) {
-  if (job.pixel % width < width / 2) {
+  if (job.pixel % film_width_px < film_width_px / 2) {
     return Rgb(1.0F);
   }
   const float u = unit_float(mix(mix(mix(seed), job.pixel), job.sample_number));
@@ -33,7 +33,7 @@ Rgb half_noisy(const SampleJob& job, std::uint32_t seed) {
 /// Renders OD in frames of `per_frame` samples.
 EquirectFilm rendered(int frames, std::uint64_t per_frame, std::uint32_t seed,
                       const VisibleNoise& noise, const Vec3& gaze, const Workers& workers) {
-  EquirectFilm film(width, height, FilmStatistics::mean_and_variance);
+  EquirectFilm film(film_width_px, film_height_px, FilmStatistics::mean_and_variance);
   const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
   SamplePass pass;
   for (int frame = 0; frame < frames; ++frame) {
@@ -53,7 +53,7 @@ EquirectFilm rendered(int frames, std::uint64_t per_frame, std::uint32_t seed,
 
 std::uint64_t samples_in_columns(const EquirectFilm& film, int begin, int end) {
   std::uint64_t sum = 0;
-  for (int y = 0; y < height; ++y) {
+  for (int y = 0; y < film_height_px; ++y) {
     for (int x = begin; x < end; ++x) {
       sum += film.sample_count(x, y);
     }
@@ -66,8 +66,9 @@ TEST(SpareDonePixels, WhatIsDoneIsLeftAlone) {
   const VisibleNoise noise{.contrast = 0.005};
   const EquirectFilm film = rendered(60, 4096, 1, noise, ahead, workers);
   // Away from the border between both halves and from the seam.
-  const double done = static_cast<double>(samples_in_columns(film, 2, 30)) / (28 * height);
-  const double noisy = static_cast<double>(samples_in_columns(film, 34, 62)) / (28 * height);
+  const double done = static_cast<double>(samples_in_columns(film, 2, 30)) / (28 * film_height_px);
+  const double noisy =
+      static_cast<double>(samples_in_columns(film, 34, 62)) / (28 * film_height_px);
   EXPECT_LT(done, 20.0);
   EXPECT_GT(noisy, 3.0 * done);
   EXPECT_LT(film.total_samples(), 60U * 4096U);
@@ -78,8 +79,8 @@ TEST(SpareDonePixels, WhatIsDoneIsLeftAlone) {
 TEST(SpareDonePixels, TheThresholdFollowsTheAcuity) {
   const Workers workers(2);
   const EquirectFilm film = rendered(60, 4096, 2, {.contrast = 0.008}, ahead, workers);
-  const int row = height / 2;
-  const int at_45_deg = width / 2 + 8;
+  const int row = film_height_px / 2;
+  const int at_45_deg = film_width_px / 2 + 8;
   const double acuity = 7.49 / std::pow(0.3 * 47.9 + 1.0, 2.0);  // of that pixel's middle
   double sum = 0.0;
   for (int y = row - 3; y < row + 3; ++y) {
@@ -96,13 +97,13 @@ const Vec3 to_the_right(1.0F, 0.0F, 0.0F);
 /// there, samples of variance 9 are enough in numbers of 200 to 20: each pixel stops at its own.
 template <typename Visit>
 void for_each_stopping_pixel(const EquirectFilm& film, const Visit& visit) {
-  for (int y = 0; y < height; ++y) {
-    for (int x = width / 2; x < width; ++x) {
-      const Vec2 image((static_cast<float>(x) + 0.5F) / width,
-                       (static_cast<float>(y) + 0.5F) / height);
+  for (int y = 0; y < film_height_px; ++y) {
+    for (int x = film_width_px / 2; x < film_width_px; ++x) {
+      const Vec2 image((static_cast<float>(x) + 0.5F) / film_width_px,
+                       (static_cast<float>(y) + 0.5F) / film_height_px);
       const double e = degrees(angle_between(direction_from_equirect(image), to_the_right));
       if (e > 39.0 && e < 71.0) {
-        visit(static_cast<std::size_t>(y * width + x), film.pixel(x, y));
+        visit(static_cast<std::size_t>(y * film_width_px + x), film.pixel(x, y));
       }
     }
   }
@@ -135,7 +136,7 @@ std::vector<double> errors_of_renders(int seeds, const VisibleNoise& noise) {
     return rendered(40, 4096, seed, noise, to_the_right, workers);
   };
   constexpr std::uint32_t pilots = 4;
-  std::vector<double> usual_count(width * height);
+  std::vector<double> usual_count(film_width_px * film_height_px);
   for (std::uint32_t seed = 0; seed < pilots; ++seed) {
     for_each_stopping_pixel(render(50 + seed), [&](std::size_t i, const FilmPixel& pixel) {
       usual_count[i] += pixel.samples / static_cast<double>(pilots);
@@ -167,14 +168,14 @@ TEST(SpareDonePixels, MeansKeepTheirValue) {
 // over the pixels there.
 TEST(SpareDonePixels, OverAPoleSamplesComeBackOnItsOtherSide) {
   const Workers workers(1);
-  EquirectFilm film(width, height, FilmStatistics::mean_and_variance);
+  EquirectFilm film(film_width_px, film_height_px, FilmStatistics::mean_and_variance);
   const auto at = [](double x, double y) {
-    const Vec2 image(static_cast<float>(x / width), static_cast<float>(y / height));
+    const Vec2 image(static_cast<float>(x / film_width_px), static_cast<float>(y / film_height_px));
     return ViewSample{.direction = direction_from_equirect(image), .image = image};
   };
   std::vector<ViewSample> fill;
-  for (int i = 0; i < 16 * width * (height - 2); ++i) {
-    fill.push_back(at(i / 16 % width + 0.5, i / 16 / width + 2.5));
+  for (int i = 0; i < 16 * film_width_px * (film_height_px - 2); ++i) {
+    fill.push_back(at(i / 16 % film_width_px + 0.5, i / 16 / film_width_px + 2.5));
   }
   NumberedBatch batch;
   film.number(fill, batch, workers);
@@ -188,15 +189,15 @@ TEST(SpareDonePixels, OverAPoleSamplesComeBackOnItsOtherSide) {
   int on_the_other_side = 0;
   std::array<int, 12> in_quarter_rows{};
   for (const ViewSample& sample : samples) {
-    ASSERT_LT(sample.image.y * height, 3.0F);
+    ASSERT_LT(sample.image.y * film_height_px, 3.0F);
     ASSERT_GT(sample.image.y, 0.0F);
     EXPECT_LT(glm::distance(sample.direction, direction_from_equirect(sample.image)), 1e-6F);
-    const double column = sample.image.x * width;
+    const double column = sample.image.x * film_width_px;
     const bool is_near = std::abs(column - 20.5) <= 16.5;
-    const bool is_far = std::abs(std::remainder(column - 52.5, width)) <= 16.5;
+    const bool is_far = std::abs(std::remainder(column - 52.5, film_width_px)) <= 16.5;
     EXPECT_TRUE(is_near || is_far) << column;
     on_the_other_side += is_far ? 1 : 0;
-    ++in_quarter_rows.at(static_cast<std::size_t>(sample.image.y * height * 4.0F));
+    ++in_quarter_rows.at(static_cast<std::size_t>(sample.image.y * film_height_px * 4.0F));
   }
   EXPECT_GT(on_the_other_side, 500);
   // The four quarters of a row get about as many: multinomial, five standard deviations.
@@ -214,7 +215,7 @@ TEST(SpareDonePixels, OverAPoleSamplesComeBackOnItsOtherSide) {
 TEST(SpareDonePixels, WhatIsBlackIsSoAfterTheExposure) {
   const auto total = [](double light, double exposure_stops) {
     const Workers workers(1);
-    EquirectFilm film(width, height, FilmStatistics::mean_and_variance);
+    EquirectFilm film(film_width_px, film_height_px, FilmStatistics::mean_and_variance);
     const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
     SamplePass pass;
     for (std::uint32_t frame = 0; frame < 12; ++frame) {

@@ -13,7 +13,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int film_width = 256;
 constexpr int film_height = 128;
 constexpr int view_width = 45;

@@ -13,11 +13,11 @@
 namespace foveola {
 namespace {
 
-constexpr int film_width = 1024;
-constexpr int film_height = 512;
-constexpr int view_width = 240;
-constexpr int view_height = 200;
-constexpr double pi = std::numbers::pi;
+constexpr int harmonics_width = 1024;
+constexpr int harmonics_height = 512;
+constexpr int viewport_width = 240;
+constexpr int viewport_height = 200;
+using std::numbers::pi;
 
 /// Real spherical harmonics of degrees 1 to 3 of a unit vector, without their constants (Sloan
 /// 2008, "Stupid Spherical Harmonics (SH) Tricks", appendix A2), brought to about [0, 1].
@@ -36,15 +36,15 @@ DVec3 direction_of(double azimuth_rad, double elevation_rad) {
 
 /// What the middle of a film's pixel shows.
 Rgb color_of_pixel(int x, int y) {
-  return harmonics(direction_of(((x + 0.5) / film_width - 0.5) * 2.0 * pi,
-                                (0.5 - (y + 0.5) / film_height) * pi));
+  return harmonics(direction_of(((x + 0.5) / harmonics_width - 0.5) * 2.0 * pi,
+                                (0.5 - (y + 0.5) / harmonics_height) * pi));
 }
 
 const RgbImage& panorama() {
   static const RgbImage image = [] {
-    RgbImage made(film_width, film_height);
-    for (int y = 0; y < film_height; ++y) {
-      for (int x = 0; x < film_width; ++x) {
+    RgbImage made(harmonics_width, harmonics_height);
+    for (int y = 0; y < harmonics_height; ++y) {
+      for (int x = 0; x < harmonics_width; ++x) {
         made.at(x, y) = color_of_pixel(x, y);
       }
     }
@@ -56,13 +56,13 @@ const RgbImage& panorama() {
 /// One sample in the middle of each pixel.
 const EquirectFilm& sampled_film() {
   static const std::unique_ptr<const EquirectFilm> film = [] {
-    auto made = std::make_unique<EquirectFilm>(film_width, film_height);
+    auto made = std::make_unique<EquirectFilm>(harmonics_width, harmonics_height);
     std::vector<ViewSample> samples;
-    for (int y = 0; y < film_height; ++y) {
-      for (int x = 0; x < film_width; ++x) {
+    for (int y = 0; y < harmonics_height; ++y) {
+      for (int x = 0; x < harmonics_width; ++x) {
         samples.push_back({.direction = {0.0F, 0.0F, -1.0F},
-                           .image = {static_cast<float>(x + 0.5) / film_width,
-                                     static_cast<float>(y + 0.5) / film_height}});
+                           .image = {static_cast<float>(x + 0.5) / harmonics_width,
+                                     static_cast<float>(y + 0.5) / harmonics_height}});
       }
     }
     const Workers workers(1);
@@ -70,8 +70,8 @@ const EquirectFilm& sampled_film() {
     made->number(samples, batch, workers);
     std::vector<Rgb> radiance;
     for (const SampleJob& job : batch.jobs) {
-      radiance.push_back(color_of_pixel(static_cast<int>(job.pixel) % film_width,
-                                        static_cast<int>(job.pixel) / film_width));
+      radiance.push_back(color_of_pixel(static_cast<int>(job.pixel) % harmonics_width,
+                                        static_cast<int>(job.pixel) / harmonics_width));
     }
     made->add(batch, radiance, workers);
     return made;
@@ -121,9 +121,9 @@ struct Display {
 
 /// What the middle of a pixel of the view shows.
 Rgb expected_color(const Axes& axes, const Display& display, int x, int y) {
-  const double right = 2.0 * ((x + 0.5) / view_width - display.lens.axis.x) *
+  const double right = 2.0 * ((x + 0.5) / viewport_width - display.lens.axis.x) *
                        std::tan(display.horizontal_fov_deg * pi / 360.0);
-  const double down = 2.0 * ((y + 0.5) / view_height - display.lens.axis.y) *
+  const double down = 2.0 * ((y + 0.5) / viewport_height - display.lens.axis.y) *
                       std::tan(display.vertical_fov_deg * pi / 360.0);
   const double d2 = right * right + down * down;
   const double larger = 1.0 + display.lens.k1 * d2 + display.lens.k2 * d2 * d2;
@@ -142,8 +142,8 @@ class Harmonics : public testing::TestWithParam<Pose> {
         show(Viewport(orientation_of(axes), display.horizontal_fov_deg * pi / 180.0,
                       display.vertical_fov_deg * pi / 180.0, display.lens));
     double largest = 0.0;
-    for (int y = 0; y < view_height; ++y) {
-      for (int x = 0; x < view_width; ++x) {
+    for (int y = 0; y < viewport_height; ++y) {
+      for (int x = 0; x < viewport_width; ++x) {
         const Rgb error = glm::abs(view.at(x, y) - expected_color(axes, display, x, y));
         largest = std::max<double>(largest, std::max({error.r, error.g, error.b}));
       }
@@ -161,11 +161,11 @@ TEST_P(Harmonics, AreShownAsTheyAre) {
         Display{125.0, 110.0, {}}, Display{70.0, 80.0, left_eye}, Display{70.0, 80.0, right_eye},
         Display{100.0, 100.0, left_eye}, Display{100.0, 100.0, right_eye}}) {
     const auto of_film = [](const Viewport& viewport) {
-      return viewport_image(sampled_film(), viewport, view_width, view_height,
+      return viewport_image(sampled_film(), viewport, viewport_width, viewport_height,
                             UnsampledPixels::black, Workers(1));
     };
     const auto of_panorama = [](const Viewport& viewport) {
-      return viewport_image(panorama(), viewport, view_width, view_height);
+      return viewport_image(panorama(), viewport, viewport_width, viewport_height);
     };
     SCOPED_TRACE(testing::Message() << display.horizontal_fov_deg << " degrees, lens axis "
                                     << display.lens.axis.x << ", k1 " << display.lens.k1);

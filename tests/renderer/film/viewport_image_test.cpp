@@ -27,7 +27,7 @@ RgbImage panorama_of_smooth(int width, int height) {
   return panorama;
 }
 
-constexpr RadialLens headset{.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F};
+constexpr RadialLens headset_lens{.axis = {0.56F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F};
 
 class Heading : public testing::TestWithParam<std::pair<double, double>> {
  protected:
@@ -56,7 +56,7 @@ class Heading : public testing::TestWithParam<std::pair<double, double>> {
 TEST_P(Heading, ASmoothPanoramaIsShownAsItIs) {
   const RgbImage panorama = panorama_of_smooth(512, 256);
   for (const double fov_deg : {40.0, 100.0}) {
-    for (const RadialLens& lens : {RadialLens{}, headset, mirrored(headset)}) {
+    for (const RadialLens& lens : {RadialLens{}, headset_lens, mirrored(headset_lens)}) {
       EXPECT_LT(largest_error(panorama, fov_deg, lens), 1e-3F)
           << fov_deg << " degrees, k1 " << lens.k1;
     }

@@ -13,8 +13,8 @@
 namespace foveola {
 namespace {
 
-constexpr int width = 91;  // rows are not made of whole eights
-constexpr int height = 67;
+constexpr int shown_width = 91;  // rows are not made of whole eights
+constexpr int shown_height = 67;
 
 Viewport view_towards(double azimuth_deg, double elevation_deg, double fov_deg = 90.0,
                       const RadialLens& lens = {}) {
@@ -44,14 +44,14 @@ class Resampler : public testing::TestWithParam<Case> {
 
   void expect_shown(const Viewport& viewport) {
     const RgbImage anew =
-        viewport_image(film_, viewport, width, height, GetParam().unsampled, workers_);
+        viewport_image(film_, viewport, shown_width, shown_height, GetParam().unsampled, workers_);
     EXPECT_EQ(resampler_.show(viewport, workers_).pixels, anew.pixels) << "frame " << frame_;
   }
 
   const Workers workers_{2};
   EquirectFilm film_{GetParam().film_size.x, GetParam().film_size.y};
   ViewportResampler resampler_{
-      film_, {.width = width, .height = height, .unsampled = GetParam().unsampled}};
+      film_, {.width = shown_width, .height = shown_height, .unsampled = GetParam().unsampled}};
   std::uint64_t first_ = 0;
   std::size_t frame_ = 0;
 };
@@ -62,7 +62,8 @@ TEST_P(Resampler, ShowsWhatIsNew) {
     add_frame();
     expect_shown(GetParam().viewport);
   }
-  EXPECT_NE(resampler_.show(GetParam().viewport, workers_).pixels, RgbImage(width, height).pixels);
+  EXPECT_NE(resampler_.show(GetParam().viewport, workers_).pixels,
+            RgbImage(shown_width, shown_height).pixels);
 }
 
 TEST_P(Resampler, ShowsWhatChangedSeveralTimesBetweenFrames) {
@@ -110,7 +111,7 @@ TEST_P(Resampler, FollowsTheFieldOfView) {
   }
 }
 
-constexpr RadialLens headset{.axis = {0.44F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F};
+constexpr RadialLens resampled_lens{.axis = {0.44F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F};
 
 INSTANTIATE_TEST_SUITE_P(
     Everywhere, Resampler,
@@ -119,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Zenith", {512, 256}, view_towards(50.0, 88.0)},
                     Case{"Nadir", {512, 256}, view_towards(-50.0, -70.0)},
                     Case{"Narrow", {512, 256}, view_towards(-100.0, 5.0, 15.0)},
-                    Case{"Lens", {512, 256}, view_towards(170.0, -30.0, 80.0, headset)},
+                    Case{"Lens", {512, 256}, view_towards(170.0, -30.0, 80.0, resampled_lens)},
                     Case{"LargeFilm", {4096, 2048}, view_towards(20.0, 0.0)},
                     Case{"HugeFilm", {16384, 8192}, view_towards(20.0, 0.0)},
                     Case{"TilesThatReachBeyond", {301, 141}, view_towards(180.0, -60.0)},
@@ -132,12 +133,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ViewportResampler, EncodesForADisplay) {
   const Workers workers(2);
   EquirectFilm film(256, 128);
-  ViewportResampler resampler(film, {.width = width, .height = height, .exposure_stops = 1.5});
+  ViewportResampler resampler(
+      film, {.width = shown_width, .height = shown_height, .exposure_stops = 1.5});
   const Viewport ahead = view_towards(0.0, 0.0);
   for (std::uint64_t frame = 0; frame < 3; ++frame) {
     add_samples(sobol_samples(1000 * frame, 1000), film, workers);
     const RgbImage linear =
-        viewport_image(film, ahead, width, height, UnsampledPixels::black, workers);
+        viewport_image(film, ahead, shown_width, shown_height, UnsampledPixels::black, workers);
     EXPECT_EQ(resampler.show(ahead, workers).pixels, display_image(linear, 1.5).pixels);
   }
 }
@@ -146,8 +148,8 @@ TEST(ViewportResampler, ShowsTheSameOnAnyNumberOfThreads) {
   const Workers one(1);
   const Workers four(4);
   EquirectFilm film(512, 256);
-  ViewportResampler of_one(film, {.width = width, .height = height});
-  ViewportResampler of_four(film, {.width = width, .height = height});
+  ViewportResampler of_one(film, {.width = shown_width, .height = shown_height});
+  ViewportResampler of_four(film, {.width = shown_width, .height = shown_height});
   for (std::uint64_t frame = 0; frame < 6; ++frame) {
     add_samples(sobol_samples(500 * frame, 500), film, one);
     const Viewport viewport = view_towards(frame < 3 ? 0.0 : 60.0, 0.0);

@@ -222,8 +222,8 @@ TEST(EyeMovements, FindsEverySaccadeOfAQuietEyeWhereItIs) {
     const double missed_deg = 0.3 + 2.0 * 30.0 / rate_hz;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       ASSERT_TRUE(overlap(found[i], truth[i])) << i;
-      ASSERT_NEAR(seconds(found[i].start - truth[i].start), 0.0, tolerance_s) << i;
-      ASSERT_NEAR(seconds(found[i].end - truth[i].end), 0.0, tolerance_s) << i;
+      ASSERT_NEAR(foveola::seconds(found[i].start - truth[i].start), 0.0, tolerance_s) << i;
+      ASSERT_NEAR(foveola::seconds(found[i].end - truth[i].end), 0.0, tolerance_s) << i;
       ASSERT_GT(amplitude_deg(found[i]), truth[i].amplitude_deg - missed_deg) << i;
       ASSERT_LT(amplitude_deg(found[i]), truth[i].amplitude_deg + 1e-4) << i;
     }

@@ -39,7 +39,7 @@ TEST(SimulatedEyeTracker, DeliversNothingBeforeItsLatency) {
 TEST(SimulatedEyeTracker, SamplesTheEyeAtItsRateAndDeliversLate) {
   // The eye turns a degree each millisecond.
   const auto eye = [](Nanoseconds time) {
-    return direction_from({.azimuth_rad = radians(seconds(time) * 1000.0)});
+    return direction_from({.azimuth_rad = radians(foveola::seconds(time) * 1000.0)});
   };
   SimulatedEyeTracker tracker({.rate_hz = 100.0, .latency_s = 0.014, .precision_deg = 0.0}, eye);
   NewestGaze newest(tracker);

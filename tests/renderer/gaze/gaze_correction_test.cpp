@@ -15,7 +15,7 @@ Vec3 at_deg(double azimuth_deg, double elevation_deg) {
       {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)});
 }
 
-double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
+double between_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
 TargetQuality target(const Vec3& direction, const Vec3& mean_gaze) {
   return {.direction = direction, .data_loss = 0.0, .seen = SeenTarget{.mean_gaze = mean_gaze}};
@@ -31,15 +31,15 @@ Vec3 distorted(const Vec3& direction) {
 }
 
 TEST(GazeCorrection, OfNothingChangesNothing) {
-  EXPECT_LT(angle_deg(corrected(at_deg(20.0, -10.0), {}), at_deg(20.0, -10.0)), 1e-4);
+  EXPECT_LT(between_deg(corrected(at_deg(20.0, -10.0), {}), at_deg(20.0, -10.0)), 1e-4);
 }
 
 TEST(GazeCorrection, CombinedIsOneAfterTheOther) {
   const GazeCorrection first{.azimuth = {1.0, 0.9, -0.1}, .elevation = {-2.0, 0.2, 1.1}};
   const GazeCorrection second{.azimuth = {-3.0, 1.2, 0.3}, .elevation = {0.5, -0.1, 0.8}};
   for (const Vec3& direction : {at_deg(0.0, 0.0), at_deg(12.0, -7.0), at_deg(-20.0, 15.0)}) {
-    EXPECT_LT(angle_deg(corrected(direction, combined(first, second)),
-                        corrected(corrected(direction, first), second)),
+    EXPECT_LT(between_deg(corrected(direction, combined(first, second)),
+                          corrected(corrected(direction, first), second)),
               1e-4);
   }
 }
@@ -53,7 +53,7 @@ TEST(GazeCorrection, UndoesAnAffineDistortion) {
     const auto correction = fit_correction(targets);
     ASSERT_TRUE(correction);
     for (const Vec3& elsewhere : {at_deg(7.0, -3.0), at_deg(-25.0, 12.0), at_deg(0.0, 15.0)}) {
-      EXPECT_LT(angle_deg(corrected(distorted(elsewhere), *correction), elsewhere), 1e-3);
+      EXPECT_LT(between_deg(corrected(distorted(elsewhere), *correction), elsewhere), 1e-3);
     }
   }
 }
@@ -110,7 +110,7 @@ TEST(CorrectedEyeTracker, CorrectsValidSamplesAndNothingElse) {
   tracker.poll(Nanoseconds(2), arrived);
   ASSERT_EQ(arrived.size(), 3U);
   EXPECT_EQ(arrived[0].direction, at_deg(40.0, 0.0)) << "is of before";
-  EXPECT_LT(angle_deg(arrived[1].direction, at_deg(6.0, 7.0)), 1e-4);
+  EXPECT_LT(between_deg(arrived[1].direction, at_deg(6.0, 7.0)), 1e-4);
   EXPECT_EQ(arrived[1].time, Nanoseconds(1));
   EXPECT_FALSE(arrived[2].valid);
   EXPECT_EQ(arrived[2].direction, samples[1].direction);
@@ -131,8 +131,8 @@ TEST(CorrectedEyeTracker, CorrectsWhatItHasCorrectedOnceMore) {
   tracker.poll(Nanoseconds(3), arrived);
   ASSERT_EQ(arrived.size(), 3U);
   EXPECT_EQ(arrived[0].direction, samples[0].direction) << "to the bit";
-  EXPECT_LT(angle_deg(arrived[1].direction, at_deg(6.0, 5.0)), 1e-4);
-  EXPECT_LT(angle_deg(arrived[2].direction, at_deg(3.0, 5.0)), 1e-4);
+  EXPECT_LT(between_deg(arrived[1].direction, at_deg(6.0, 5.0)), 1e-4);
+  EXPECT_LT(between_deg(arrived[2].direction, at_deg(3.0, 5.0)), 1e-4);
 }
 
 }  // namespace

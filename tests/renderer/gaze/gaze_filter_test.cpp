@@ -26,17 +26,17 @@ double azimuth_deg(const Vec3& direction) {
   return degrees(azimuth_elevation(direction).azimuth_rad);
 }
 
-GazeSample seen(int time_ms, double azimuth_deg) {
+GazeSample seen_at(int time_ms, double azimuth_deg) {
   return {.time = milliseconds(time_ms), .direction = at_deg(azimuth_deg), .valid = true};
 }
-GazeSample blink(int time_ms) { return {.time = milliseconds(time_ms)}; }
+GazeSample blink_at(int time_ms) { return {.time = milliseconds(time_ms)}; }
 
 std::unique_ptr<EyeTracker> recorded(std::vector<GazeSample> samples) {
   return std::make_unique<RecordedEyeTracker>(std::move(samples), Nanoseconds(0), Nanoseconds(0));
 }
 
 TEST(HoldFilter, PassesValidSamplesOn) {
-  HoldFilter held(recorded({seen(10, 1.0), seen(20, 2.0)}));
+  HoldFilter held(recorded({seen_at(10, 1.0), seen_at(20, 2.0)}));
   NewestGaze newest(held);
   EXPECT_FALSE(newest(milliseconds(9)));
   EXPECT_EQ(newest(milliseconds(15))->time, milliseconds(10));
@@ -44,7 +44,7 @@ TEST(HoldFilter, PassesValidSamplesOn) {
 }
 
 TEST(HoldFilter, HoldsTheLastValidOneWithItsOwnTime) {
-  HoldFilter held(recorded({seen(10, 1.0), blink(20), blink(30), seen(200, 5.0)}));
+  HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20), blink_at(30), seen_at(200, 5.0)}));
   NewestGaze newest(held);
   newest(milliseconds(10));
   const auto sample = newest(milliseconds(100));
@@ -56,7 +56,7 @@ TEST(HoldFilter, HoldsTheLastValidOneWithItsOwnTime) {
 }
 
 TEST(HoldFilter, LetsGoAfterSixHundredMilliseconds) {
-  HoldFilter held(recorded({seen(10, 1.0), blink(20)}));
+  HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20)}));
   NewestGaze newest(held);
   newest(milliseconds(10));
   EXPECT_TRUE(newest(milliseconds(610))->valid);
@@ -64,14 +64,14 @@ TEST(HoldFilter, LetsGoAfterSixHundredMilliseconds) {
 }
 
 TEST(HoldFilter, LetsGoOfATrackerThatHasStopped) {
-  HoldFilter held(recorded({seen(10, 1.0)}), milliseconds(100));
+  HoldFilter held(recorded({seen_at(10, 1.0)}), milliseconds(100));
   NewestGaze newest(held);
   EXPECT_TRUE(newest(milliseconds(110))->valid);
   EXPECT_FALSE(newest(milliseconds(111))->valid);
 }
 
 TEST(HoldFilter, KeepsInvalidSamplesBackWhileItHoldsAndTellsOfTheEnd) {
-  HoldFilter held(recorded({seen(10, 1.0), blink(20), blink(30), blink(640)}));
+  HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20), blink_at(30), blink_at(640)}));
   const auto polled = [&](int now_ms) {
     std::vector<GazeSample> arrived;
     held.poll(milliseconds(now_ms), arrived);
@@ -91,7 +91,7 @@ TEST(HoldFilter, KeepsInvalidSamplesBackWhileItHoldsAndTellsOfTheEnd) {
 }
 
 TEST(HoldFilter, WithoutAnyValidSampleThereIsNone) {
-  HoldFilter held(recorded({blink(10)}));
+  HoldFilter held(recorded({blink_at(10)}));
   NewestGaze newest(held);
   EXPECT_FALSE(newest(milliseconds(10))->valid);
 }
@@ -188,15 +188,16 @@ TEST(OneEuro, QuietensAnEyeAtRestAndFollowsASaccade) {
   const double duration_s = saccade_duration_s(10.0);
   const Nanoseconds start = time;
   double left_deg = 10.0;
-  for (; seconds(time - start) < duration_s; time += microseconds(8333)) {
-    const double gone_deg = saccade_progress_deg(10.0, seconds(time - start) - 0.5 * duration_s);
+  for (; foveola::seconds(time - start) < duration_s; time += microseconds(8333)) {
+    const double gone_deg =
+        saccade_progress_deg(10.0, foveola::seconds(time - start) - 0.5 * duration_s);
     left_deg = 10.0 - azimuth_deg(filter.smoothed(time, at_deg(gone_deg)));
   }
   EXPECT_NEAR(left_deg, 0.4, 0.1);
 }
 
 TEST(OneEuroFilter, SmoothsAllThatArriveTogether) {
-  OneEuroFilter smooth(recorded({seen(0, 0.0), seen(8, 1.0), seen(16, 2.0)}), {});
+  OneEuroFilter smooth(recorded({seen_at(0, 0.0), seen_at(8, 1.0), seen_at(16, 2.0)}), {});
   OneEuro filter({});
   std::vector<GazeSample> arrived;
   smooth.poll(milliseconds(16), arrived);
@@ -207,7 +208,8 @@ TEST(OneEuroFilter, SmoothsAllThatArriveTogether) {
 }
 
 TEST(OneEuroFilter, SmoothsWhatPassesAndLeavesBlinksAlone) {
-  OneEuroFilter smooth(recorded({seen(0, 0.0), seen(8, 1.0), blink(16), seen(24, 1.0)}), {});
+  OneEuroFilter smooth(recorded({seen_at(0, 0.0), seen_at(8, 1.0), blink_at(16), seen_at(24, 1.0)}),
+                       {});
   NewestGaze newest(smooth);
   OneEuro filter({});
   EXPECT_FALSE(newest(-milliseconds(1)));
@@ -221,13 +223,13 @@ TEST(OneEuroFilter, SmoothsWhatPassesAndLeavesBlinksAlone) {
 }
 
 TEST(Filtered, ByDefaultIsTheTrackerItself) {
-  auto tracker = recorded({seen(0, 0.0)});
+  auto tracker = recorded({seen_at(0, 0.0)});
   const EyeTracker* const before = tracker.get();
   EXPECT_EQ(filtered(std::move(tracker), {}).get(), before);
 }
 
 TEST(Filtered, HoldsWhatIsSmoothed) {
-  const auto tracker = filtered(recorded({seen(0, 0.0), seen(8, 1.0), blink(16)}),
+  const auto tracker = filtered(recorded({seen_at(0, 0.0), seen_at(8, 1.0), blink_at(16)}),
                                 {.hold = milliseconds(300), .one_euro = OneEuroSettings{}});
   NewestGaze newest(*tracker);
   newest(milliseconds(0));

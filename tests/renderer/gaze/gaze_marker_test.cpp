@@ -13,7 +13,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-GazeSample seen(int time_ms, double azimuth_deg) {
+GazeSample marked_gaze(int time_ms, double azimuth_deg) {
   return {.time = milliseconds(time_ms),
           .direction = direction_from({.azimuth_rad = radians(azimuth_deg)}),
           .valid = true};
@@ -43,12 +43,12 @@ std::string marks_of(const std::vector<GazeSample>& samples) {
 TEST(GazeMarker, ASaccadeIsWhatMovesFast) {
   std::vector<GazeSample> samples;
   for (int i = 0; i < 10; ++i) {
-    samples.push_back(seen(10 * i, 0.0));
+    samples.push_back(marked_gaze(10 * i, 0.0));
   }
-  samples.push_back(seen(100, 5.0));
-  samples.push_back(seen(110, 10.0));
+  samples.push_back(marked_gaze(100, 5.0));
+  samples.push_back(marked_gaze(110, 10.0));
   for (int i = 12; i < 22; ++i) {
-    samples.push_back(seen(10 * i, 10.0));
+    samples.push_back(marked_gaze(10 * i, 10.0));
   }
   EXPECT_EQ(marks_of(samples), "ffffffffffssffffffffff");
 }
@@ -57,13 +57,13 @@ TEST(GazeMarker, ABlinkLastsUpToSixHundredMilliseconds) {
   const auto with_pause = [](int pause_ms) {
     std::vector<GazeSample> samples;
     for (int i = 0; i < 8; ++i) {
-      samples.push_back(seen(10 * i, 0.0));
+      samples.push_back(marked_gaze(10 * i, 0.0));
     }
     for (int time_ms = 80; time_ms < 70 + pause_ms; time_ms += 100) {
       samples.push_back(lost(time_ms));
     }
     for (int i = 0; i < 8; ++i) {
-      samples.push_back(seen(70 + pause_ms + 10 * i, 0.0));
+      samples.push_back(marked_gaze(70 + pause_ms + 10 * i, 0.0));
     }
     return samples;
   };
@@ -74,8 +74,10 @@ TEST(GazeMarker, ABlinkLastsUpToSixHundredMilliseconds) {
 }
 
 TEST(GazeMarker, ATrackerThatSendsNothingLeavesNothingToMark) {
-  EXPECT_EQ(marks_of({seen(0, 0.0), seen(10, 0.0), seen(300, 1.0), seen(310, 1.0)}), "ffff");
-  EXPECT_EQ(marks_of({seen(0, 0.0)}), "-");
+  EXPECT_EQ(marks_of({marked_gaze(0, 0.0), marked_gaze(10, 0.0), marked_gaze(300, 1.0),
+                      marked_gaze(310, 1.0)}),
+            "ffff");
+  EXPECT_EQ(marks_of({marked_gaze(0, 0.0)}), "-");
   EXPECT_EQ(marks_of({}), "");
 }
 

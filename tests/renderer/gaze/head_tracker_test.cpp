@@ -48,7 +48,7 @@ TEST(ScriptedHeadTracker, NeedsPosesInTheOrderOfTime) {
 
 TEST(SimulatedHeadTracker, FollowsTheHead) {
   SimulatedHeadTracker tracker(
-      [](Nanoseconds time) { return AzimuthElevation{.azimuth_rad = seconds(time)}; });
+      [](Nanoseconds time) { return AzimuthElevation{.azimuth_rad = foveola::seconds(time)}; });
   EXPECT_DOUBLE_EQ(tracker.pose(milliseconds(250)).heading.azimuth_rad, 0.25);
 }
 

@@ -18,18 +18,18 @@ using test::operator+;
 using test::tracking_report;
 
 // Seen from 0.3 m, as in the test of screens.
-constexpr Screen half_metre{.width_m = 0.6,
-                            .height_m = 0.3,
-                            .horizontal_fov_deg = 90.0,
-                            .vertical_fov_deg = 53.13010235415598};
+constexpr Screen stream_screen{.width_m = 0.6,
+                               .height_m = 0.3,
+                               .horizontal_fov_deg = 90.0,
+                               .vertical_fov_deg = 53.13010235415598};
 
-HidEyeReports reports_of(const Bytes& descriptor) {
+HidEyeReports parsed_reports(const Bytes& descriptor) {
   return find_eye_reports(parse_report_descriptor(descriptor));
 }
 
 HidGazeStream stream_of(HidGazeSettings settings = {}) {
-  settings.screen = half_metre;
-  return {reports_of(test::reference_descriptor()), settings};
+  settings.screen = stream_screen;
+  return {parsed_reports(test::reference_descriptor()), settings};
 }
 
 void expect_along(const Vec3& direction, const Vec3& expected) {
@@ -74,7 +74,7 @@ TEST(GazeStream, SamplesAreAsOldAsTheSensorSaysAndTheLatency) {
   EXPECT_EQ(newest(stream.receive(report_at_100_hz(0), milliseconds(100)))->time, milliseconds(86));
   // Read 20 ms late.
   const Nanoseconds late = newest(stream.receive(report_at_100_hz(1), milliseconds(130)))->time;
-  EXPECT_NEAR(seconds(late), 0.096, 1e-6);
+  EXPECT_NEAR(foveola::seconds(late), 0.096, 1e-6);
 }
 
 TEST(GazeStream, OrAsTheirArrivalIfTheSensorsClockIsNotUsed) {
@@ -86,9 +86,10 @@ TEST(GazeStream, OrAsTheirArrivalIfTheSensorsClockIsNotUsed) {
 
 TEST(GazeStream, OrAsTheirArrivalIfThereIsNone) {
   HidGazeStream stream(
-      reports_of(from_hex("05 12 09 01 a1 01 09 10 a1 02 16 18 fc 26 e8 03 65 11 55 0e 75 10 95 02 "
-                          "09 24 a1 00 09 21 09 22 81 02 c0 c0 c0")),
-      {.screen = half_metre, .latency_s = 0.010});
+      parsed_reports(
+          from_hex("05 12 09 01 a1 01 09 10 a1 02 16 18 fc 26 e8 03 65 11 55 0e 75 10 95 02 "
+                   "09 24 a1 00 09 21 09 22 81 02 c0 c0 c0")),
+      {.screen = stream_screen, .latency_s = 0.010});
   EXPECT_EQ(newest(stream.receive(from_hex("00 00 00 00"), milliseconds(100)))->time,
             milliseconds(90));
 }
@@ -109,7 +110,7 @@ TEST(GazeStream, TheCalibratedScreenTakesTheSettingsPlace) {
 }
 
 TEST(GazeStream, NoSampleIsValidBeforeTheSizeOfTheScreenIsKnown) {
-  HidGazeStream stream(reports_of(test::reference_descriptor()),
+  HidGazeStream stream(parsed_reports(test::reference_descriptor()),
                        {.screen = {.horizontal_fov_deg = 90.0, .vertical_fov_deg = 50.0}});
   const auto unknown =
       newest(stream.receive(tracking_report(0, 300'000, 150'000), milliseconds(1)));
@@ -228,7 +229,7 @@ TEST(GazeStream, GoesOnAfterItIsConnectedAgain) {
   stream.receive(report_at_100_hz(500), milliseconds(100));
   stream.receive(report_at_100_hz(400), milliseconds(110));  // its clock jumped back
   EXPECT_EQ(stream.counters().clock_restarts, 1U);
-  stream.reconnect(reports_of(test::reference_descriptor()));
+  stream.reconnect(parsed_reports(test::reference_descriptor()));
   EXPECT_FALSE(stream.status().sampling_frequency_hz);
   stream.learn(HidStatus{.sampling_frequency_hz = 100.0});
   // Neither the pause nor the clock that begins anew is a fault.

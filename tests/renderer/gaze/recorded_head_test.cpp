@@ -19,16 +19,16 @@ using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string header = "time_ns,azimuth_rad,elevation_rad\n";
+const std::string head_header = "time_ns,azimuth_rad,elevation_rad\n";
 
-std::vector<HeadPose> read(const std::string& content) {
+std::vector<HeadPose> read_head(const std::string& content) {
   const TemporaryFolder folder;
   return read_head_file(folder.write("head.csv", content));
 }
 
-std::string error_of(const std::string& content) {
+std::string head_error_of(const std::string& content) {
   try {
-    read(content);
+    read_head(content);
   } catch (const Error& error) {
     return error.what();
   }
@@ -36,7 +36,8 @@ std::string error_of(const std::string& content) {
 }
 
 TEST(HeadFile, IsReadAsItIsDescribed) {
-  const auto poses = read(header + "0,1.5,0\n14285714,-7e0,-0.25\r\n28571428,0,1.5707963267948966");
+  const auto poses =
+      read_head(head_header + "0,1.5,0\n14285714,-7e0,-0.25\r\n28571428,0,1.5707963267948966");
   ASSERT_EQ(poses.size(), 3U);
   EXPECT_EQ(poses[0].time, Nanoseconds(0));
   EXPECT_EQ(poses[0].heading.azimuth_rad, 1.5);
@@ -52,7 +53,7 @@ TEST(HeadFile, IsWrittenAsItIsDescribed) {
       {.time = Nanoseconds(5), .heading = {.azimuth_rad = 1.5, .elevation_rad = -0.25}},
       {.time = Nanoseconds(7), .heading = {}}};
   write_head_file(folder / "head.csv", poses);
-  EXPECT_EQ(read_file(folder / "head.csv"), header + "5,1.5,-0.25\n7,0,0\n");
+  EXPECT_EQ(read_file(folder / "head.csv"), head_header + "5,1.5,-0.25\n7,0,0\n");
 }
 
 TEST(HeadFile, BringsPosesBackBitForBit) {
@@ -80,9 +81,10 @@ TEST(HeadFile, BringsPosesBackBitForBit) {
 }
 
 TEST(HeadFile, ErrorsSayWhere) {
-  EXPECT_THAT(error_of(""), HasSubstr("head.csv:1: is not the first line of a head recording"));
-  EXPECT_THAT(error_of("time_ns,x,y,z,valid\n"), HasSubstr("head.csv:1: "));
-  EXPECT_THAT(error_of(header), HasSubstr("head.csv: has no samples"));
+  EXPECT_THAT(head_error_of(""),
+              HasSubstr("head.csv:1: is not the first line of a head recording"));
+  EXPECT_THAT(head_error_of("time_ns,x,y,z,valid\n"), HasSubstr("head.csv:1: "));
+  EXPECT_THAT(head_error_of(head_header), HasSubstr("head.csv: has no samples"));
   struct Case {
     const char* line;
     const char* what;
@@ -97,7 +99,7 @@ TEST(HeadFile, ErrorsSayWhere) {
                         {"1,0,1.571", "\"1.571\" is no number from -1.57"},
                         {"1,0,0 ", "\"0 \" is no number"},
                         {"0,0,0", "is not later than the line before"}}) {
-    EXPECT_THAT(error_of(header + "0,0,0\n" + c.line + "\n"),
+    EXPECT_THAT(head_error_of(head_header + "0,0,0\n" + c.line + "\n"),
                 AllOf(HasSubstr("head.csv:3: "), HasSubstr(c.what)))
         << c.line;
   }

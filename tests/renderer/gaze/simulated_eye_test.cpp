@@ -76,7 +76,7 @@ TEST(SimulatedEye, FixatesBetweenSaccades) {
   const std::vector<SimulatedSaccade> saccades = eye.saccades(hours(1));
   double sum_s = 0.0;
   for (std::size_t i = 1; i < saccades.size(); ++i) {
-    const double fixation_s = seconds(saccades[i].start - saccades[i - 1].end);
+    const double fixation_s = foveola::seconds(saccades[i].start - saccades[i - 1].end);
     ASSERT_GE(fixation_s, 0.2 - 1e-8);
     ASSERT_LE(fixation_s, 0.35 + 1e-8);
     sum_s += fixation_s;
@@ -97,7 +97,8 @@ TEST(SimulatedEye, SaccadesAreWithinTheirLimits) {
     ASSERT_GE(saccade.amplitude_deg, 1.0);
     ASSERT_LT(saccade.amplitude_deg, 30.0);
     ASSERT_LE(angle_deg(Vec3(saccade.to), ahead), 30.0 + 1e-4);
-    ASSERT_NEAR(seconds(saccade.end - saccade.start), 0.021 + 0.0022 * saccade.amplitude_deg, 2e-9);
+    ASSERT_NEAR(foveola::seconds(saccade.end - saccade.start),
+                0.021 + 0.0022 * saccade.amplitude_deg, 2e-9);
     ASSERT_FALSE(saccade.is_micro);
     const double right_deg = degrees(azimuth_elevation(Vec3(saccade.to)).azimuth_rad);
     square_sum += right_deg * right_deg;
@@ -131,7 +132,7 @@ TEST(SimulatedEye, MovesAsFastAsItsSaccades) {
     const Nanoseconds middle = saccade.start + (saccade.end - saccade.start) / 2;
     const double measured =
         degrees(angle_between(*eye.gaze(middle - step), *eye.gaze(middle + step))) /
-        seconds(2 * step);
+        foveola::seconds(2 * step);
     const double stated = 600.0 * (1.0 - std::exp(-saccade.amplitude_deg / 6.0));
     // The mean over a millisecond around the middle is a little less.
     EXPECT_LT(measured, stated * 1.001);
@@ -182,7 +183,7 @@ TEST(SimulatedEye, MicrosaccadesAreGammaDistributed) {
   std::vector<double> amplitudes_arcmin;
   for (std::size_t i = 1; i < saccades.size(); ++i) {
     ASSERT_TRUE(saccades[i].is_micro);
-    intervals_s.push_back(seconds(saccades[i].start - saccades[i - 1].start));
+    intervals_s.push_back(foveola::seconds(saccades[i].start - saccades[i - 1].start));
     amplitudes_arcmin.push_back(60.0 * saccades[i].amplitude_deg);
   }
   ASSERT_GT(intervals_s.size(), 30000U);
@@ -219,7 +220,7 @@ TEST(SimulatedEye, BlinksAsOftenAndAsLongAsItShould) {
   const std::vector<SimulatedBlink> blinks = eye.blinks(hours(10));
   std::vector<double> lengths_s;
   for (std::size_t i = 0; i < blinks.size(); ++i) {
-    lengths_s.push_back(seconds(blinks[i].end - blinks[i].start));
+    lengths_s.push_back(foveola::seconds(blinks[i].end - blinks[i].start));
     ASSERT_GE(lengths_s.back(), 0.1 - 1e-8);
     ASSERT_LE(lengths_s.back(), 0.4 + 1e-8);
     if (i > 0) {
@@ -256,13 +257,13 @@ TEST(SimulatedEye, IsTheSameInWhateverOrderItIsAsked) {
 // By the generator as its author describes it, written down in another language.
 TEST(SimulatedEye, IsTheSameEverywhere) {
   const auto first_saccade_s = [](std::uint64_t seed) {
-    return seconds(SimulatedEye(plain(seed)).saccades(minutes(1)).front().start);
+    return foveola::seconds(SimulatedEye(plain(seed)).saccades(minutes(1)).front().start);
   };
   EXPECT_NEAR(first_saccade_s(1), 0.3325527690397595, 1.5e-9);
   EXPECT_NEAR(first_saccade_s(7), 0.34192777853342815, 1.5e-9);
   const SimulatedBlink blink = SimulatedEye({.seed = 7}).blinks(minutes(1)).front();
-  EXPECT_NEAR(seconds(blink.start), 2.9046802686733812, 2.5e-9);
-  EXPECT_NEAR(seconds(blink.end), 3.1851013124106466, 3.5e-9);
+  EXPECT_NEAR(foveola::seconds(blink.start), 2.9046802686733812, 2.5e-9);
+  EXPECT_NEAR(foveola::seconds(blink.end), 3.1851013124106466, 3.5e-9);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::Field;
 using testing::IsEmpty;
 
-constexpr Nanoseconds frame_time = std::chrono::milliseconds(20);
+constexpr Nanoseconds gaze_frame_time = std::chrono::milliseconds(20);
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
@@ -58,32 +58,33 @@ TEST_F(PreviewGaze, IsStraightAheadBeforeTheFirstValidOne) {
     EXPECT_FALSE(report.gaze_valid);
     EXPECT_EQ(report.gaze_age, Nanoseconds(0));
   };
-  expect_ahead(preview_.render_frame(frame_time, 1));
-  told_.say({.time = frame_time, .direction = Vec3(1.0F, 0.0F, 0.0F)});
-  expect_ahead(preview_.render_frame(2 * frame_time, 1));
+  expect_ahead(preview_.render_frame(gaze_frame_time, 1));
+  told_.say({.time = gaze_frame_time, .direction = Vec3(1.0F, 0.0F, 0.0F)});
+  expect_ahead(preview_.render_frame(2 * gaze_frame_time, 1));
 }
 
 TEST_F(PreviewGaze, StaysTheLastValidOneThroughABlink) {
   const Vec3 looked_at = direction_from({.azimuth_rad = 0.3});
   const Vec3 in_world = head_orientation(heading_) * looked_at;
-  told_.say({.time = frame_time, .direction = looked_at, .valid = true});
-  const FrameReport open = preview_.render_frame(2 * frame_time, 1);
+  told_.say({.time = gaze_frame_time, .direction = looked_at, .valid = true});
+  const FrameReport open = preview_.render_frame(2 * gaze_frame_time, 1);
   EXPECT_TRUE(open.gaze_valid);
-  EXPECT_EQ(open.gaze_age, frame_time);
-  told_.say({.time = 3 * frame_time, .direction = -looked_at});
-  const FrameReport blink = preview_.render_frame(4 * frame_time, 1);
+  EXPECT_EQ(open.gaze_age, gaze_frame_time);
+  told_.say({.time = 3 * gaze_frame_time, .direction = -looked_at});
+  const FrameReport blink = preview_.render_frame(4 * gaze_frame_time, 1);
   EXPECT_FALSE(blink.gaze_valid);
   EXPECT_LT(angle_deg(blink.gaze, in_world), 1e-3);
-  EXPECT_EQ(blink.gaze_age, 3 * frame_time);
+  EXPECT_EQ(blink.gaze_age, 3 * gaze_frame_time);
 }
 
 TEST_F(PreviewGaze, StaysWhileNothingArrives) {
-  told_.say({.time = frame_time, .direction = direction_from({.azimuth_rad = 0.3}), .valid = true});
-  const FrameReport first = preview_.render_frame(frame_time, 1);
-  const FrameReport second = preview_.render_frame(2 * frame_time, 1);
+  told_.say(
+      {.time = gaze_frame_time, .direction = direction_from({.azimuth_rad = 0.3}), .valid = true});
+  const FrameReport first = preview_.render_frame(gaze_frame_time, 1);
+  const FrameReport second = preview_.render_frame(2 * gaze_frame_time, 1);
   EXPECT_TRUE(second.gaze_valid);
   EXPECT_EQ(second.gaze, first.gaze);
-  EXPECT_EQ(second.gaze_age, frame_time);
+  EXPECT_EQ(second.gaze_age, gaze_frame_time);
 }
 
 // The valid sample came and went between two frames.

@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 namespace foveola {
 namespace {
 
-constexpr Nanoseconds frame_time = std::chrono::milliseconds(20);
+constexpr Nanoseconds preview_frame_time = std::chrono::milliseconds(20);
 
-double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
+double turned_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
 PreviewSettings small_settings() {
   PreviewSettings settings;
@@ -63,7 +63,7 @@ TEST_F(PreviewTest, CountsFramesAndSamples) {
   Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
   preview.restart("od", 1);
   for (std::uint64_t i = 0; i < 3; ++i) {
-    const Nanoseconds now = frame_time * i;
+    const Nanoseconds now = preview_frame_time * i;
     const FrameReport report = preview.render_frame(now, 1000 + i);
     EXPECT_EQ(report.frame, i);
     EXPECT_EQ(report.time, now);
@@ -77,7 +77,7 @@ TEST_F(PreviewTest, CountsFramesAndSamples) {
 TEST_F(PreviewTest, AFrameWithoutSamplesStillPollsAndReports) {
   Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
   preview.restart("fv", 1);
-  const FrameReport report = preview.render_frame(frame_time, 0);
+  const FrameReport report = preview.render_frame(preview_frame_time, 0);
   EXPECT_TRUE(report.gaze_valid);
   EXPECT_EQ(report.samples, 0U);
   EXPECT_EQ(report.rays, 0U);
@@ -87,25 +87,25 @@ TEST_F(PreviewTest, AFrameWithoutSamplesStillPollsAndReports) {
 TEST_F(PreviewTest, ARestartClearsTheFilmAndCountsAnew) {
   Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
   preview.restart("od", 1);
-  preview.render_frame(frame_time, 4096);
-  preview.render_frame(frame_time, 4096);
+  preview.render_frame(preview_frame_time, 4096);
+  preview.render_frame(preview_frame_time, 4096);
   const FilmImage first = preview.film().resolve();
   preview.restart("fv", 2);
   EXPECT_EQ(preview.film().total_samples(), 0U);
-  EXPECT_EQ(preview.render_frame(frame_time, 100).frame, 0U);
+  EXPECT_EQ(preview.render_frame(preview_frame_time, 100).frame, 0U);
   preview.restart("od", 1);
-  preview.render_frame(frame_time, 4096);
-  preview.render_frame(frame_time, 4096);
+  preview.render_frame(preview_frame_time, 4096);
+  preview.render_frame(preview_frame_time, 4096);
   EXPECT_EQ(preview.film().resolve().color.pixels, first.color.pixels);
 }
 
 TEST_F(PreviewTest, ASamplerMayBeMadeBefore) {
   Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
   preview.restart("fv", 7);
-  preview.render_frame(frame_time, 4096);
+  preview.render_frame(preview_frame_time, 4096);
   const FilmImage by_name = preview.film().resolve();
   preview.restart(make_view_sampler("fv"), 7);
-  preview.render_frame(frame_time, 4096);
+  preview.render_frame(preview_frame_time, 4096);
   EXPECT_EQ(preview.film().resolve().color.pixels, by_name.color.pixels);
 }
 
@@ -119,8 +119,8 @@ TEST_F(PreviewTest, AnUnknownMethodIsRefused) {
 TEST_F(PreviewTest, FramesContinueOneSequence) {
   Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
   preview.restart("od", 3);
-  preview.render_frame(frame_time, 256 * 128 / 2);
-  preview.render_frame(frame_time, 256 * 128 / 2);
+  preview.render_frame(preview_frame_time, 256 * 128 / 2);
+  preview.render_frame(preview_frame_time, 256 * 128 / 2);
   EXPECT_THAT(preview.film().resolve().samples, testing::Each(1U));
 }
 
@@ -135,7 +135,7 @@ TEST(PreviewThreads, TheFilmDependsOnTheSeedAndNotOnThreadsOrFrames) {
     Preview preview(tracer, small_settings(), eye, head, workers);
     preview.restart("fv", seed);
     for (const std::uint64_t samples : frames) {
-      preview.render_frame(frame_time, samples);
+      preview.render_frame(preview_frame_time, samples);
     }
     return preview.film().resolve();
   };
@@ -157,11 +157,11 @@ TEST_F(PreviewTest, FvSamplesGatherAroundTheGaze) {
   FixedEyeTracker eye(direction_from(gaze));
   Preview preview(tracer_, settings, eye, still_, workers_);
   preview.restart("fv", 1);
-  preview.render_frame(frame_time, 1 << 17);
+  preview.render_frame(preview_frame_time, 1 << 17);
   const ReddyDistribution distribution(80.0);
   for (const double radius_deg : {5.0, 15.0, 40.0}) {
     const double share = share_of_samples(preview.film(), [&](const Vec3& direction) {
-      return angle_deg(direction, direction_from(gaze)) < radius_deg;
+      return turned_deg(direction, direction_from(gaze)) < radius_deg;
     });
     EXPECT_NEAR(share, distribution.cumulative(radius_deg), 0.01) << radius_deg;
   }
@@ -172,27 +172,28 @@ TEST_F(PreviewTest, VpSamplesStayInTheViewOfTheHead) {
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = heading}});
   Preview preview(tracer_, small_settings(), ahead_, head, workers_);
   preview.restart("vp", 1);
-  preview.render_frame(frame_time, 50'000);
+  preview.render_frame(preview_frame_time, 50'000);
   const double pixel_rad = 2.0 * std::numbers::pi / 256.0;
   const Viewport wider(head_orientation(heading), radians(100.0) + 4.0 * pixel_rad,
                        radians(100.0) + 4.0 * pixel_rad);
   EXPECT_EQ(share_of_samples(preview.film(),
                              [&](const Vec3& direction) { return wider.project(direction); }),
             1.0);
-  EXPECT_LT(angle_deg(preview.viewport().direction(Vec2(0.5F)), direction_from(heading)), 1e-3);
+  EXPECT_LT(turned_deg(preview.viewport().direction(Vec2(0.5F)), direction_from(heading)), 1e-3);
 }
 
 // 90 degrees of the head and 20 of the eye make 110 in the world.
 TEST_F(PreviewTest, TheGazeTurnsWithTheHead) {
-  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = {}},
-                            {.time = frame_time, .heading = {.azimuth_rad = radians(90.0)}}});
+  ScriptedHeadTracker head(
+      {{.time = Nanoseconds(0), .heading = {}},
+       {.time = preview_frame_time, .heading = {.azimuth_rad = radians(90.0)}}});
   FixedEyeTracker eye(direction_from({.azimuth_rad = radians(20.0)}));
   Preview preview(tracer_, small_settings(), eye, head, workers_);
   preview.restart("fv", 1);
   const FrameReport first = preview.render_frame(Nanoseconds(0), 1);
-  EXPECT_LT(angle_deg(first.gaze, direction_from({.azimuth_rad = radians(20.0)})), 1e-3);
-  const FrameReport second = preview.render_frame(frame_time, 1);
-  EXPECT_LT(angle_deg(second.gaze, direction_from({.azimuth_rad = radians(110.0)})), 1e-3);
+  EXPECT_LT(turned_deg(first.gaze, direction_from({.azimuth_rad = radians(20.0)})), 1e-3);
+  const FrameReport second = preview.render_frame(preview_frame_time, 1);
+  EXPECT_LT(turned_deg(second.gaze, direction_from({.azimuth_rad = radians(110.0)})), 1e-3);
   EXPECT_NEAR(second.head.azimuth_rad, radians(90.0), 1e-9);
 }
 
@@ -206,7 +207,7 @@ TEST_F(PreviewTest, ASampleIsFoundAgainWhereDonePixelsAreSpared) {
   rendered.restart("fv", 1);
   std::uint64_t traced = 0;
   for (int frame = 0; frame < frames; ++frame) {
-    traced += rendered.render_frame(frame * frame_time, samples).samples;
+    traced += rendered.render_frame(frame * preview_frame_time, samples).samples;
   }
   EXPECT_LT(traced, frames * samples);
   const auto width = static_cast<std::uint32_t>(rendered.film().width());
@@ -220,7 +221,8 @@ TEST_F(PreviewTest, ASampleIsFoundAgainWhereDonePixelsAreSpared) {
     searched.restart("fv", 1);
     bool found = false;
     for (int frame = 0; frame < frames; ++frame) {
-      found = found || searched.find_job(frame * frame_time, samples, middle, sample_number);
+      found =
+          found || searched.find_job(frame * preview_frame_time, samples, middle, sample_number);
     }
     return found;
   };
@@ -229,20 +231,20 @@ TEST_F(PreviewTest, ASampleIsFoundAgainWhereDonePixelsAreSpared) {
 }
 
 TEST_F(PreviewTest, AHeldGazeStaysWhereItIsInTheWorld) {
-  ScriptedHeadTracker head({{.time = frame_time, .heading = {}},
-                            {.time = 2 * frame_time, .heading = {.azimuth_rad = 1.0}}});
+  ScriptedHeadTracker head({{.time = preview_frame_time, .heading = {}},
+                            {.time = 2 * preview_frame_time, .heading = {.azimuth_rad = 1.0}}});
   Preview preview(tracer_, small_settings(), ahead_, head, workers_);
   preview.restart("fv", 1);
-  const FrameReport before = preview.render_frame(frame_time, 100);
+  const FrameReport before = preview.render_frame(preview_frame_time, 100);
   preview.hold_gaze(true);
-  const FrameReport held = preview.render_frame(3 * frame_time, 100);
+  const FrameReport held = preview.render_frame(3 * preview_frame_time, 100);
   EXPECT_TRUE(held.gaze_held);
   EXPECT_EQ(held.gaze, before.gaze);
   EXPECT_NEAR(held.head.azimuth_rad, 1.0, 1e-9);
   preview.hold_gaze(false);
-  const FrameReport after = preview.render_frame(4 * frame_time, 100);
+  const FrameReport after = preview.render_frame(4 * preview_frame_time, 100);
   EXPECT_FALSE(after.gaze_held);
-  EXPECT_NEAR(angle_deg(after.gaze, before.gaze), degrees(1.0), 1e-3);
+  EXPECT_NEAR(turned_deg(after.gaze, before.gaze), degrees(1.0), 1e-3);
 }
 
 TEST_F(PreviewTest, SamplesGoWhereTheUserPoints) {
@@ -250,9 +252,9 @@ TEST_F(PreviewTest, SamplesGoWhereTheUserPoints) {
   const Vec3 behind(0.0F, 0.0F, 1.0F);
   const auto share_behind = [&] {
     preview.restart("pointer:radius=5", 1);
-    preview.render_frame(frame_time, 5000);
+    preview.render_frame(preview_frame_time, 5000);
     return share_of_samples(preview.film(),
-                            [&](const Vec3& d) { return angle_deg(d, behind) < 30.0; });
+                            [&](const Vec3& d) { return turned_deg(d, behind) < 30.0; });
   };
   EXPECT_EQ(share_behind(), 0.0);
   preview.point_at(behind);
@@ -276,7 +278,7 @@ TEST_F(PreviewTest, WhatIsSparedDependsOnWhatTheDisplayShows) {
     preview.restart("fv", 1);
     std::uint64_t samples = 0;
     for (int frame = 0; frame < 6; ++frame) {
-      samples += preview.render_frame(frame * frame_time, 4000).samples;
+      samples += preview.render_frame(frame * preview_frame_time, 4000).samples;
     }
     return samples;
   };
@@ -291,7 +293,7 @@ TEST_F(PreviewTest, PresentsTheViewOfTheLastFrame) {
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = heading}});
   Preview preview(tracer_, settings, ahead_, head, workers_);
   preview.restart("fv", 1);
-  preview.render_frame(frame_time, 2000);
+  preview.render_frame(preview_frame_time, 2000);
   const Viewport view(head_orientation(heading), radians(100.0), radians(100.0));
   const RgbImage expected = display_image(
       viewport_image(preview.film(), view, 64, 48, UnsampledPixels::black, workers_), 1.0);
@@ -309,7 +311,7 @@ TEST_F(PreviewTest, ReportsSamplesThatAreNotFinite) {
   const PathTracer tracer(scene, workers_);
   Preview preview(tracer, small_settings(), ahead_, still_, workers_);
   preview.restart("od", 1);
-  preview.render_frame(frame_time, 10'000);
+  preview.render_frame(preview_frame_time, 10'000);
   EXPECT_EQ(preview.film().total_samples() + preview.dropped().size(), 10'000U);
   EXPECT_GT(preview.dropped().size(), 1000U);  // the missing wall is a sixth of the sphere
   preview.restart("od", 1);
@@ -324,7 +326,7 @@ TEST_F(PreviewTest, SharesNoNoiseWithTheReferenceOfItsSeed) {
   settings.film_height = 32;
   Preview preview(tracer_, settings, ahead_, still_, workers_);
   preview.restart("od", 5);
-  preview.render_frame(frame_time, 64 * 32);
+  preview.render_frame(preview_frame_time, 64 * 32);
   const fs::path cache = fs::path(testing::TempDir()) / "preview_and_reference";
   fs::remove_all(cache);
   const auto reference = [&](int samples_per_pixel, std::uint32_t seed) {

@@ -28,7 +28,7 @@ GlbBuilder lit(const Json& light, Json transform = Json::object()) {
   return glb;
 }
 
-void expect_near(const Vec3& actual, const Vec3& expected) {
+void expect_light_near(const Vec3& actual, const Vec3& expected) {
   EXPECT_NEAR(actual.x, expected.x, 1e-6F);
   EXPECT_NEAR(actual.y, expected.y, 1e-6F);
   EXPECT_NEAR(actual.z, expected.z, 1e-6F);
@@ -63,7 +63,7 @@ TEST_F(GltfLights, AbsentPropertiesAreTheExtensions) {
   EXPECT_EQ(scene.lights[0].intensity, Rgb(1.0F));
   EXPECT_EQ(scene.lights[0].inner_cone_rad, 0.0F);
   EXPECT_FLOAT_EQ(scene.lights[0].outer_cone_rad, std::numbers::pi_v<float> / 4.0F);
-  expect_near(scene.lights[0].direction, {0, 0, -1});
+  expect_light_near(scene.lights[0].direction, {0, 0, -1});
   EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
@@ -75,7 +75,7 @@ TEST_F(GltfLights, APointHasAPositionAndAnIntensity) {
   EXPECT_EQ(light.kind, PunctualLight::Kind::point);
   EXPECT_EQ(light.name, "bulb");
   EXPECT_EQ(light.intensity, Rgb(8, 4, 2)) << "scale does not change it";
-  expect_near(light.position, {1, 2, 3});
+  expect_light_near(light.position, {1, 2, 3});
   EXPECT_EQ(light.radius_m, 0.0F);
 }
 
@@ -87,7 +87,7 @@ TEST_F(GltfLights, ADirectionalLightShinesAlongItsNodesMinusZ) {
                {{"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}, {"scale", {1, 1, 5}}}));
   const PunctualLight& light = scene.lights.at(0);
   EXPECT_EQ(light.kind, PunctualLight::Kind::directional);
-  expect_near(light.direction, {0, -1, 0});
+  expect_light_near(light.direction, {0, -1, 0});
   EXPECT_EQ(light.intensity, Rgb(3.0F));
 }
 
@@ -99,7 +99,7 @@ TEST_F(GltfLights, ASpotHasACone) {
   EXPECT_EQ(light.kind, PunctualLight::Kind::spot);
   EXPECT_EQ(light.inner_cone_rad, 0.25F);
   EXPECT_EQ(light.outer_cone_rad, 0.5F);
-  expect_near(light.position, {0, 4, 0});
+  expect_light_near(light.position, {0, 4, 0});
 }
 
 /// tests/data/blender/README.md: a sun of 2 W/m^2, lights of 4 pi W, and an emission of 3.
@@ -202,7 +202,7 @@ TEST_F(GltfLights, EveryNodeHasALightOfItsOwn) {
   const Scene scene = load(glb);
   ASSERT_EQ(scene.lights.size(), 2U);
   EXPECT_EQ(scene.lights[1].name, "second");
-  expect_near(scene.lights[1].position, {5, 0, 0});
+  expect_light_near(scene.lights[1].position, {5, 0, 0});
 }
 
 }  // namespace

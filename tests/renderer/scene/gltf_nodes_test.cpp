@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-void expect_near(const Vec3& actual, const Vec3& expected) {
+void expect_placed_near(const Vec3& actual, const Vec3& expected) {
   EXPECT_NEAR(actual.x, expected.x, 1e-6F);
   EXPECT_NEAR(actual.y, expected.y, 1e-6F);
   EXPECT_NEAR(actual.z, expected.z, 1e-6F);
@@ -49,32 +49,32 @@ using Nodes = LoadGltf;
 TEST_F(Nodes, ScaleThenRotationThenTranslation) {
   const Scene scene = load(nested(
       {{{"translation", {10, 20, 30}}, {"rotation", quarter_turn()}, {"scale", {2, 3, 4}}}}));
-  expect_near(world_position(scene, 0, 0), {10, 20, 30});
-  expect_near(world_position(scene, 0, 1), {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
-  expect_near(world_position(scene, 0, 2), {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
+  expect_placed_near(world_position(scene, 0, 0), {10, 20, 30});
+  expect_placed_near(world_position(scene, 0, 1), {10, 22, 30});  // (2, 0, 0) turned to (0, 2, 0)
+  expect_placed_near(world_position(scene, 0, 2), {7, 20, 30});   // (0, 3, 0) turned to (-3, 0, 0)
 }
 
 TEST_F(Nodes, ParentsApplyAfterTheirChildren) {
   const Scene scene = load(nested(
       {{{"translation", {1, 0, 0}}}, {{"rotation", quarter_turn()}}, {{"scale", {2, 2, 2}}}}));
-  expect_near(world_position(scene, 0, 0), {0, 2, 0});
-  expect_near(world_position(scene, 0, 1), {0, 4, 0});
-  expect_near(world_position(scene, 0, 2), {-2, 2, 0});
+  expect_placed_near(world_position(scene, 0, 0), {0, 2, 0});
+  expect_placed_near(world_position(scene, 0, 1), {0, 4, 0});
+  expect_placed_near(world_position(scene, 0, 2), {-2, 2, 0});
 }
 
 TEST_F(Nodes, MatrixIsColumnMajor) {
   const Scene scene =
       load(nested({{{"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}}));
-  expect_near(world_position(scene, 0, 0), {5, 6, 7});
-  expect_near(world_position(scene, 0, 1), {5, 7, 7});
-  expect_near(world_position(scene, 0, 2), {4, 6, 7});
+  expect_placed_near(world_position(scene, 0, 0), {5, 6, 7});
+  expect_placed_near(world_position(scene, 0, 1), {5, 7, 7});
+  expect_placed_near(world_position(scene, 0, 2), {4, 6, 7});
 }
 
 /// In float, 1e8 + 0.5 is 1e8.
 TEST_F(Nodes, ComposesInDoublePrecision) {
   const Scene scene =
       load(nested({{{"translation", {1e8 + 0.5, 0, 0}}}, {{"translation", {-1e8, 0, 0}}}}));
-  expect_near(world_position(scene, 0, 0), {0.5F, 0, 0});
+  expect_placed_near(world_position(scene, 0, 0), {0.5F, 0, 0});
 }
 
 TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
@@ -85,8 +85,8 @@ TEST_F(Nodes, EveryInstanceIsACopyWithItsOwnName) {
   ASSERT_EQ(scene.meshes.size(), 2U);
   EXPECT_EQ(scene.meshes[0].name, "chair");
   EXPECT_EQ(scene.meshes[1].name, "left chair");
-  expect_near(world_position(scene, 0, 1), {1, 0, 0});
-  expect_near(world_position(scene, 1, 1), {-4, 0, 0});
+  expect_placed_near(world_position(scene, 0, 1), {1, 0, 0});
+  expect_placed_near(world_position(scene, 1, 1), {-4, 0, 0});
 }
 
 TEST_F(Nodes, OnlyTheDefaultSceneIsShown) {
@@ -121,7 +121,7 @@ TEST_F(Nodes, PerspectiveCamerasLookAlongMinusZ) {
   const Scene scene = load(glb);
   ASSERT_EQ(scene.cameras.size(), 2U);
   EXPECT_EQ(scene.cameras[0].name, "eye");
-  expect_near(scene.cameras[0].position, {1, 2, 3});
+  expect_placed_near(scene.cameras[0].position, {1, 2, 3});
   EXPECT_NEAR(scene.cameras[0].heading.azimuth_rad, 0.0, 1e-6);
   EXPECT_NEAR(scene.cameras[0].heading.elevation_rad, 0.0, 1e-6);
   EXPECT_NEAR(scene.cameras[1].heading.azimuth_rad, -std::numbers::pi / 4.0, 1e-6);

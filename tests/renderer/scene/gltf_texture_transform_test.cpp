@@ -5,13 +5,13 @@
 namespace foveola::test {
 namespace {
 
-const Json plain = Json::object();
+const Json untransformed = Json::object();
 
 /// Where the corners of the unit square of coordinates go under KHR_texture_transform.
 class TextureTransform : public LoadGltf {
  protected:
   Vec2 transformed(const Json& transform, const Vec2& uv) const {
-    GlbBuilder glb = with_material(plain);
+    GlbBuilder glb = with_material(untransformed);
     Json material = textured(glb.add_texture(one_pixel(1, 2, 3)));
     material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
         {"KHR_texture_transform", transform}};
@@ -22,7 +22,7 @@ class TextureTransform : public LoadGltf {
 };
 
 TEST_F(TextureTransform, WithoutOneCoordinatesStay) {
-  EXPECT_EQ(transformed(plain, {0.25F, 0.75F}), Vec2(0.25F, 0.75F));
+  EXPECT_EQ(transformed(untransformed, {0.25F, 0.75F}), Vec2(0.25F, 0.75F));
 }
 
 TEST_F(TextureTransform, ScalesThenMoves) {
@@ -47,7 +47,7 @@ TEST_F(TextureTransform, RotatesAsInTheExtensionsExample) {
 }
 
 TEST_F(TextureTransform, OverridesTheSetOfCoordinates) {
-  GlbBuilder glb = with_material(plain);
+  GlbBuilder glb = with_material(untransformed);
   Json material = textured(glb.add_texture(one_pixel(1, 2, 3)), 0);
   material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
       {"KHR_texture_transform", {{"texCoord", 1}}}};

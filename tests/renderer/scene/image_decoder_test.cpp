@@ -18,7 +18,7 @@ std::span<const unsigned char> bytes_of(const std::string& encoded) {
 
 DecodedImage decode(const std::string& encoded) { return decode_image(bytes_of(encoded)); }
 
-std::string fault_in(const std::string& encoded) {
+std::string image_fault(const std::string& encoded) {
   try {
     decode(encoded);
   } catch (const std::runtime_error& error) {
@@ -72,35 +72,36 @@ TEST(ImageDecoder, KnowsTheSizeBeforehand) {
 }
 
 TEST(ImageDecoder, RefusesOtherFormats) {
-  EXPECT_EQ(fault_in("GIF89a......"), "is neither a PNG nor a JPEG image");
-  EXPECT_EQ(fault_in(""), "is neither a PNG nor a JPEG image");
-  EXPECT_EQ(fault_in("\x89PN"), "is neither a PNG nor a JPEG image");
+  EXPECT_EQ(image_fault("GIF89a......"), "is neither a PNG nor a JPEG image");
+  EXPECT_EQ(image_fault(""), "is neither a PNG nor a JPEG image");
+  EXPECT_EQ(image_fault("\x89PN"), "is neither a PNG nor a JPEG image");
 }
 
 TEST(ImageDecoder, RefusesDamagedImages) {
   std::string spoilt = png(8, 8, 3, std::vector<std::uint8_t>(8 * 8 * 3, 5));
   spoilt[60] = static_cast<char>(spoilt[60] ^ 0x55);
-  EXPECT_THAT(fault_in(spoilt), HasSubstr("is damaged"));
-  EXPECT_THAT(fault_in("\xFF\xD8\xFF\xD9"), HasSubstr("is damaged"));
+  EXPECT_THAT(image_fault(spoilt), HasSubstr("is damaged"));
+  EXPECT_THAT(image_fault("\xFF\xD8\xFF\xD9"), HasSubstr("is damaged"));
 }
 
 TEST(ImageDecoder, RefusesACutPng) {
   const std::string whole = png(8, 8, 3, std::vector<std::uint8_t>(8 * 8 * 3, 5));
   for (std::size_t size = 4; size < whole.size(); ++size) {
-    EXPECT_EQ(fault_in(whole.substr(0, size)), "is damaged: the PNG image is cut off") << size;
+    EXPECT_EQ(image_fault(whole.substr(0, size)), "is damaged: the PNG image is cut off") << size;
   }
   EXPECT_NO_THROW(decode(whole + std::string(3, '\0'))) << "padding is no damage";
 }
 
 TEST(ImageDecoder, RefusesACutJpeg) {
   const std::string whole = jpeg(64, 64, 77);
-  EXPECT_EQ(fault_in(whole.substr(0, whole.size() - 2)), "is damaged: the JPEG image is cut off");
+  EXPECT_EQ(image_fault(whole.substr(0, whole.size() - 2)),
+            "is damaged: the JPEG image is cut off");
   EXPECT_NO_THROW(decode(whole + std::string(3, '\0'))) << "padding is no damage";
 }
 
 /// Of 16384 x 16384 pixels; with as many bytes as they would take at least, the data is what lacks.
 TEST(ImageDecoder, RefusesMorePixelsThanItsBytesCanHold) {
-  EXPECT_THAT(fault_in(huge_png(0)), HasSubstr("bytes cannot hold 16384 x 16384 pixels"));
+  EXPECT_THAT(image_fault(huge_png(0)), HasSubstr("bytes cannot hold 16384 x 16384 pixels"));
   EXPECT_THROW(size_of_image(bytes_of(huge_png(0))), std::runtime_error);
   EXPECT_EQ(size_of_image(bytes_of(huge_png(40000))).pixels(), 16384U * 16384U);
 }
@@ -117,7 +118,7 @@ TEST(ImageDecoder, RefusesSidesBeyond16384) {
   std::string wide = png(1, 1, 3, std::vector<std::uint8_t>{1, 2, 3});
   wide.replace(16, 4, std::string("\0\0\x40\x01", 4));
   wide.replace(29, 4, "\x46\x3F\x4A\x31");
-  EXPECT_THAT(fault_in(wide), HasSubstr("has 16385 x 1 pixels; up to 16384"));
+  EXPECT_THAT(image_fault(wide), HasSubstr("has 16385 x 1 pixels; up to 16384"));
 }
 
 }  // namespace

@@ -317,7 +317,7 @@ TEST_F(LoadObj, RefusesSmallImagesThatAskForMuchMemory) {
 }
 
 /// Either a scene whose every index is in range, or an Error.
-void expect_scene_or_error(const std::filesystem::path& path, const std::string& text) {
+void expect_obj_or_error(const std::filesystem::path& path, const std::string& text) {
   try {
     const Scene scene = load_obj(path);
     for (const Mesh& mesh : scene.meshes) {
@@ -354,7 +354,7 @@ TEST_F(LoadObj, SurvivesOtherBytes) {
           alphabet[random.below(static_cast<std::uint32_t>(alphabet.size()))];
     }
     write("m.mtl", spoilt_mtl);
-    expect_scene_or_error(write("spoilt.obj", spoilt_obj), spoilt_obj + spoilt_mtl);
+    expect_obj_or_error(write("spoilt.obj", spoilt_obj), spoilt_obj + spoilt_mtl);
   }
 }
 

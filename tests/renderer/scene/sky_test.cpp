@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 SunAndSky daylight(double elevation_deg, double turbidity = 3.0, double azimuth_deg = 0.0) {
   return {.sun = {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)},

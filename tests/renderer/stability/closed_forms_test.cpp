@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The irradiance at `point`, by the midpoint rule over the parallelogram.
 double quadrature(const DVec3& corner, const DVec3& a, const DVec3& b, const DVec3& point,

@@ -88,12 +88,6 @@ inline Vec3 uniform_hemisphere(Pcg32& random) {
   return {r * std::cos(azimuth), r * std::sin(azimuth), z};
 }
 
-inline Vec2 unit_square(Pcg32& random) {
-  const float x = unit_float(random.next());
-  const float y = unit_float(random.next());
-  return {x, y};
-}
-
 struct NamedMaterial {
   std::string name;
   ReferenceMaterial material;

@@ -9,9 +9,12 @@
 
 #include "bsdf_cases.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 
 namespace foveola {
 namespace {
+
+using test::unit_square;
 
 constexpr int rings = 40;
 constexpr int sectors = 36;

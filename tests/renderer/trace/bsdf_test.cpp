@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "bsdf_cases.h"
+#include "tests/renderer/trace/random_points.h"
 
 namespace foveola {
 namespace {
+
+using test::unit_square;
 
 Bsdf bsdf_of(const ReferenceMaterial& material, const Vec3& outgoing) {
   return Bsdf(reflectance_of(material), outgoing, scattering_tables());

@@ -15,7 +15,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const std::vector<ReferenceMaterial>& floors() {
   static const std::vector<ReferenceMaterial> materials{{0.8, 0.0, 1.0}, {0.9, 1.0, 0.4}};
   return materials;

@@ -12,7 +12,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(DirectionConeTest, SolidAngleIsThatOfTheCap) {
   for (const double angle : {1e-4, 4.65e-3, 0.3, 1.5}) {

@@ -9,11 +9,13 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+using test::unit_square;
 
 Environment map_of(int width, int height, const Rgb& background) {
   Environment environment;
@@ -40,12 +42,6 @@ Environment uneven_map() {
 Vec3 centre_of_texel(const Environment& environment, int x, int y) {
   return direction_from({.azimuth_rad = ((x + 0.5) / environment.map_width - 0.5) * 2.0 * pi,
                          .elevation_rad = (0.5 - (y + 0.5) / environment.map_height) * pi});
-}
-
-Vec2 unit_square(Pcg32& random) {
-  const float x = unit_float(random.next());
-  const float y = unit_float(random.next());
-  return {x, y};
 }
 
 TEST(EnvironmentLightTest, TexelCentresHaveTheirTexelsRadiance) {
@@ -92,17 +88,17 @@ TEST(EnvironmentLightTest, PolesAreFinite) {
   }
 }
 
-struct Histograms {
+struct DirectionHistograms {
   std::vector<double> observed;
   std::vector<double> expected;
   double integral = 0.0;  ///< of the density over all directions
 };
 
-Histograms histograms_of(const EnvironmentLight& light, int draws) {
+DirectionHistograms histograms_of(const EnvironmentLight& light, int draws) {
   constexpr int rings = 20;
   constexpr int sectors = 36;
   constexpr int points = 16;
-  Histograms h{std::vector<double>(rings * sectors), std::vector<double>(rings * sectors)};
+  DirectionHistograms h{std::vector<double>(rings * sectors), std::vector<double>(rings * sectors)};
   Pcg32 random(5);
   for (int i = 0; i < draws; ++i) {
     const Vec3 w = light.sample(unit_square(random)).direction;
@@ -129,14 +125,14 @@ Histograms histograms_of(const EnvironmentLight& light, int draws) {
 
 TEST(EnvironmentLightTest, MapIsSampledByItsDensity) {
   const Environment environment = uneven_map();
-  const Histograms h = histograms_of(EnvironmentLight(environment), 100000);
+  const DirectionHistograms h = histograms_of(EnvironmentLight(environment), 100000);
   EXPECT_NEAR(h.integral, 1.0, 2e-3);
   EXPECT_GT(chi_squared_p_value(h.observed, h.expected), 1e-3);
 }
 
 TEST(EnvironmentLightTest, ConstantIsSampledUniformly) {
   Environment environment;
-  const Histograms h = histograms_of(EnvironmentLight(environment), 100000);
+  const DirectionHistograms h = histograms_of(EnvironmentLight(environment), 100000);
   EXPECT_NEAR(h.integral, 1.0, 1e-5);
   EXPECT_GT(chi_squared_p_value(h.observed, h.expected), 1e-3);
 }
@@ -205,7 +201,7 @@ TEST(EnvironmentLightTest, RotatedMapIsSampledByItsDensity) {
     Environment environment = uneven_map();
     environment.rotation_rad = rotation;
     const EnvironmentLight light(environment);
-    const Histograms h = histograms_of(light, 100000);
+    const DirectionHistograms h = histograms_of(light, 100000);
     EXPECT_NEAR(h.integral, 1.0, 3e-3);
     EXPECT_GT(chi_squared_p_value(h.observed, h.expected), sidak_level(rotations));
     Pcg32 random(7);

@@ -18,7 +18,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A closed sphere that shines 0.5 and reflects all light: each vertex adds 0.5.
 TEST(KnownAnswerTest, WhiteFurnaceIsTheGeometricSeries) {

@@ -9,18 +9,13 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/random.h"
 #include "renderer/trace/direction_cone.h"
+#include "tests/renderer/trace/random_points.h"
 
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-Vec3 in_cube(Pcg32& random) {
-  const double x = random.uniform();
-  const double y = random.uniform();
-  const double z = random.uniform();
-  return 2.0F * Vec3(x, y, z) - 1.0F;
-}
+using std::numbers::pi;
+using test::in_cube;
 
 LightBounds random_bounds(Pcg32& random) {
   const Vec3 lower = in_cube(random);

@@ -8,18 +8,14 @@
 
 #include "renderer/base/random.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 
 namespace foveola {
 namespace {
 
-constexpr double right_angle = 0.5 * std::numbers::pi;
+using test::in_cube;
 
-Vec3 in_cube(Pcg32& random, float half = 1.0F) {
-  const double x = random.uniform();
-  const double y = random.uniform();
-  const double z = random.uniform();
-  return half * (2.0F * Vec3(x, y, z) - 1.0F);
-}
+constexpr double right_angle = 0.5 * std::numbers::pi;
 
 /// A flat light of the given half size at `centre`, with two of its points.
 struct FlatLight {

@@ -8,9 +8,12 @@
 
 #include "bsdf_cases.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 
 namespace foveola {
 namespace {
+
+using test::unit_square;
 
 /// Opaque, without covers, each of another kind.
 std::array<ReferenceMaterial, lane_count> plain_materials(double roughness) {

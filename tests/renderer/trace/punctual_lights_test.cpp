@@ -9,12 +9,14 @@
 
 #include "renderer/base/random.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 #include "tests/renderer/view/chi_squared.h"
 
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+using test::unit_square;
 
 PunctualLights lights_of(const PunctualLight& light) {
   Scene scene;
@@ -33,12 +35,6 @@ PunctualLight spot(float inner_rad, float outer_rad, float radius_m = 0.0F) {
   light.inner_cone_rad = inner_rad;
   light.outer_cone_rad = outer_rad;
   return light;
-}
-
-Vec2 unit_square(Pcg32& random) {
-  const float x = unit_float(random.next());
-  const float y = unit_float(random.next());
-  return {x, y};
 }
 
 /// On a surface at `place` with the given normal.

@@ -12,31 +12,21 @@
 #include "renderer/base/random.h"
 #include "scenes.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 #include "tests/renderer/view/chi_squared.h"
 
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+using test::in_cube;
+using test::unit_square;
 
 Triangle triangle_of(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   Mesh mesh;
   mesh.positions = {p0, p1, p2};
   mesh.triangles = {{0, 1, 2}};
   return {mesh, 0};
-}
-
-Vec2 unit_square(Pcg32& random) {
-  const float x = unit_float(random.next());
-  const float y = unit_float(random.next());
-  return {x, y};
-}
-
-Vec3 in_cube(Pcg32& random, float half) {
-  const double x = random.uniform();
-  const double y = random.uniform();
-  const double z = random.uniform();
-  return half * (2.0F * Vec3(x, y, z) - 1.0F);
 }
 
 /// The triangle's sides as angles seen from the origin.

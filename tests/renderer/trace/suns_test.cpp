@@ -8,12 +8,14 @@
 
 #include "renderer/base/random.h"
 #include "statistics.h"
+#include "tests/renderer/trace/random_points.h"
 #include "tests/renderer/view/chi_squared.h"
 
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+using test::unit_square;
 
 PunctualLight sun(float irradiance, const Vec3& towards, float angular_radius_rad) {
   return {.kind = PunctualLight::Kind::directional,
@@ -26,12 +28,6 @@ Suns suns_of(const std::vector<PunctualLight>& lights) {
   Scene scene;
   scene.lights = lights;
   return Suns(scene);
-}
-
-Vec2 unit_square(Pcg32& random) {
-  const float x = unit_float(random.next());
-  const float y = unit_float(random.next());
-  return {x, y};
 }
 
 TEST(SunsTest, WithoutASizeItIsOneDirection) {

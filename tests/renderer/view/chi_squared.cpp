@@ -13,7 +13,7 @@
 namespace foveola::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int rings = 60;
 constexpr int sectors = 16;
 constexpr int steps_per_ring = 48;

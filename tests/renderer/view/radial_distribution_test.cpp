@@ -16,7 +16,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The integral of 2 pi e m(e) de over [0, e] by Simpson's rule on both sides of the knee, with the
 /// acuity written out anew from the paper's eq. 1.

@@ -14,7 +14,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Aim looking(double azimuth_deg, double elevation_deg) {
   const AzimuthElevation heading{.azimuth_rad = radians(azimuth_deg),

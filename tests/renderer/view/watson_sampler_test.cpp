@@ -8,7 +8,7 @@
 namespace foveola {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Watson's eq. 8 anew, in cells per square degree along the meridian k of his table 1.
 double cells(int k, double r) {

@@ -102,12 +102,12 @@ TEST(Decision, IsOverAfterThePress) {
   EXPECT_FALSE(press(decision, Task::look_around, always(outline(10.0))));
 }
 
-struct Moments {
+struct DelayMoments {
   double mean = 0.0;
   double deviation = 0.0;
 };
 
-Moments moments(int count, const std::function<double(std::uint32_t)>& draw) {
+DelayMoments moments(int count, const std::function<double(std::uint32_t)>& draw) {
   double sum = 0.0;
   double squares = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -122,7 +122,7 @@ Moments moments(int count, const std::function<double(std::uint32_t)>& draw) {
 constexpr int draws = 20'000;
 
 /// Within four standard errors of a mean.
-double tolerance(double deviation) { return 4.0 * deviation / std::sqrt(draws); }
+double mean_tolerance(double deviation) { return 4.0 * deviation / std::sqrt(draws); }
 
 // The mean of the ex-Gaussian distribution is mu + tau, its variance sigma^2 + tau^2 (Luce 1986).
 TEST(Decision, ReactionsAreExGaussian) {
@@ -131,16 +131,16 @@ TEST(Decision, ReactionsAreExGaussian) {
   habits.reaction_deviation_s = 0.03;
   habits.reaction_tail_s = 0.07;
   const double deviation = std::hypot(0.03, 0.07);
-  const Moments of_delays = moments(draws, [&](std::uint32_t conduct) {
+  const DelayMoments of_delays = moments(draws, [&](std::uint32_t conduct) {
     return press(habits, Task::mark_outline, always(outline(10.0)), {.conduct = conduct})->delay_s;
   });
-  EXPECT_NEAR(of_delays.mean, 0.32, tolerance(deviation));
+  EXPECT_NEAR(of_delays.mean, 0.32, mean_tolerance(deviation));
   EXPECT_NEAR(of_delays.deviation, deviation, 0.004);
-  const Moments of_slow_ones = moments(draws, [&](std::uint32_t conduct) {
+  const DelayMoments of_slow_ones = moments(draws, [&](std::uint32_t conduct) {
     Pcg32 random(conduct, 5);
     return seconds(draw_reaction(habits, {.reaction = 2.0}, random));
   });
-  EXPECT_NEAR(of_slow_ones.mean, 0.64, tolerance(2.0 * deviation));
+  EXPECT_NEAR(of_slow_ones.mean, 0.64, mean_tolerance(2.0 * deviation));
 }
 
 // A lapse in a quarter of the marks, of 2 s in the mean, adds half a second to the mean.
@@ -149,7 +149,7 @@ TEST(Decision, LapsesComeAsOftenAndAreAsLongAsTheyShould) {
   habits.lapse_part = 0.25;
   habits.lapse_s = 2.0;
   int lapses = 0;
-  const Moments of_delays = moments(draws, [&](std::uint32_t conduct) {
+  const DelayMoments of_delays = moments(draws, [&](std::uint32_t conduct) {
     const auto pressed =
         press(habits, Task::mark_outline, always(outline(10.0)), {.conduct = conduct});
     lapses += pressed->delay_s > 0.0 ? 1 : 0;
@@ -157,7 +157,7 @@ TEST(Decision, LapsesComeAsOftenAndAreAsLongAsTheyShould) {
   });
   EXPECT_NEAR(lapses, 0.25 * draws, 4.0 * std::sqrt(draws * 0.25 * 0.75));
   // The variance of a mixture: 2 x 2^2 / 4 - 0.5^2.
-  EXPECT_NEAR(of_delays.mean, 0.5, tolerance(std::sqrt(2.0 - 0.25)));
+  EXPECT_NEAR(of_delays.mean, 0.5, mean_tolerance(std::sqrt(2.0 - 0.25)));
 }
 
 TEST(Decision, EarlyPressesAreMadeOnLessEvidenceAndSomeAreRegretted) {
@@ -188,7 +188,7 @@ TEST(Decision, NoiseMakesTheMomentVaryAroundTheCriterion) {
   habits.glance_noise = 0.1;
   // Evidence that rises by 1 % a glance, and meets the criterion at the 70th.
   const auto rising = [](int glance) { return outline(5.0 * std::pow(1.01, glance - 70)); };
-  const Moments of_glances = moments(500, [&](std::uint32_t conduct) {
+  const DelayMoments of_glances = moments(500, [&](std::uint32_t conduct) {
     return press(habits, Task::mark_outline, rising, {.conduct = conduct})->glance;
   });
   EXPECT_LT(of_glances.mean, 70.0) << "the first of many chances is taken";
@@ -226,8 +226,8 @@ TEST(Traits, SpreadBetweenPeopleAsAskedFor) {
       return in_log ? std::log(value) : value;
     });
   };
-  const auto expect = [](const Moments& drawn, double deviation) {
-    EXPECT_NEAR(drawn.mean, 0.0, tolerance(deviation));
+  const auto expect = [](const DelayMoments& drawn, double deviation) {
+    EXPECT_NEAR(drawn.mean, 0.0, mean_tolerance(deviation));
     EXPECT_NEAR(drawn.deviation, deviation, 0.03 * deviation);
   };
   expect(of(&Traits::outline_criterion, true), 0.25);

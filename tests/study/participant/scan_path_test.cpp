@@ -13,8 +13,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const GazeHabits habits = read_people("adults").population.gaze;
-const Vec3 object = direction_from({.azimuth_rad = 0.7, .elevation_rad = -0.2});
+const GazeHabits gaze_habits = read_people("adults").population.gaze;
+const Vec3 looked_for = direction_from({.azimuth_rad = 0.7, .elevation_rad = -0.2});
 constexpr double object_radius_deg = 6.0;
 
 double head_offset_deg(const AzimuthElevation& head, const Vec3& direction) {
@@ -22,17 +22,17 @@ double head_offset_deg(const AzimuthElevation& head, const Vec3& direction) {
 }
 
 TEST(ScanPath, KeepsTheEyeOnTheExaminedObjectAndTheHeadFacingIt) {
-  ScanPath path(habits, 3);
-  path.examine(object, object_radius_deg, seconds(2));
+  ScanPath path(gaze_habits, 3);
+  path.examine(looked_for, object_radius_deg, seconds(2));
   for (Nanoseconds time = seconds(3); time < seconds(20); time += milliseconds(5)) {
-    EXPECT_LT(degrees(angle_between(path.gaze(time), object)), object_radius_deg);
-    EXPECT_LT(head_offset_deg(path.head(time), object), 0.01);
+    EXPECT_LT(degrees(angle_between(path.gaze(time), looked_for)), object_radius_deg);
+    EXPECT_LT(head_offset_deg(path.head(time), looked_for), 0.01);
   }
 }
 
 TEST(ScanPath, GoesToATargetAndStaysWhileTheHeadDoesNotMove) {
-  ScanPath path(habits, 6);
-  path.examine(object, object_radius_deg, Nanoseconds(0));
+  ScanPath path(gaze_habits, 6);
+  path.examine(looked_for, object_radius_deg, Nanoseconds(0));
   const Nanoseconds start = seconds(5);
   const AzimuthElevation head = path.head(start);
   const Vec3 before = path.gaze(start);
@@ -40,9 +40,9 @@ TEST(ScanPath, GoesToATargetAndStaysWhileTheHeadDoesNotMove) {
   path.fixate(target, start);
   for (Nanoseconds time = start; time < seconds(15); time += milliseconds(5)) {
     const double since_s = std::chrono::duration<double>(time - start).count();
-    if (since_s < habits.saccade_latency_s) {
+    if (since_s < gaze_habits.saccade_latency_s) {
       EXPECT_LT(degrees(angle_between(path.gaze(time), before)), 1e-3);
-    } else if (since_s > habits.saccade_latency_s + 0.1) {
+    } else if (since_s > gaze_habits.saccade_latency_s + 0.1) {
       EXPECT_LT(degrees(angle_between(path.gaze(time), target)), 1e-3);
     }
     EXPECT_LT(head_offset_deg(path.head(time), direction_from(head)), 1e-3);
@@ -50,8 +50,8 @@ TEST(ScanPath, GoesToATargetAndStaysWhileTheHeadDoesNotMove) {
 }
 
 TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
-  ScanPath path(habits, 4);
-  path.examine(object, object_radius_deg, Nanoseconds(0));
+  ScanPath path(gaze_habits, 4);
+  path.examine(looked_for, object_radius_deg, Nanoseconds(0));
   // The lengths of the stretches during which the eye stands still, at 1 ms.
   std::vector<int> fixations_ms;
   int still_ms = 0;
@@ -63,16 +63,16 @@ TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
       still_ms = 0;
     }
   }
-  ASSERT_GT(fixations_ms.size(), 29 / (habits.longest_fixation_s + 0.05));
+  ASSERT_GT(fixations_ms.size(), 29 / (gaze_habits.longest_fixation_s + 0.05));
   // The first one may have begun before we looked.
   const auto [shortest, longest] =
       std::minmax_element(fixations_ms.begin() + 1, fixations_ms.end());
-  EXPECT_GE(*shortest, 1e3 * habits.shortest_fixation_s - 2.0);
-  EXPECT_LE(*longest, 1e3 * habits.longest_fixation_s + 2.0);
+  EXPECT_GE(*shortest, 1e3 * gaze_habits.shortest_fixation_s - 2.0);
+  EXPECT_LE(*longest, 1e3 * gaze_habits.longest_fixation_s + 2.0);
 }
 
 TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
-  ScanPath path(habits, 5);
+  ScanPath path(gaze_habits, 5);
   path.explore({.azimuth_rad = 3.0, .elevation_rad = 0.1}, Nanoseconds(0));
   double leftmost_deg = 0.0;
   double rightmost_deg = 0.0;
@@ -86,15 +86,15 @@ TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
   }
   EXPECT_LT(leftmost_deg, -20.0);
   EXPECT_GT(rightmost_deg, 20.0);
-  EXPECT_GE(leftmost_deg, -habits.head_azimuth_deg - 0.01);
-  EXPECT_LE(rightmost_deg, habits.head_azimuth_deg + 0.01);
+  EXPECT_GE(leftmost_deg, -gaze_habits.head_azimuth_deg - 0.01);
+  EXPECT_LE(rightmost_deg, gaze_habits.head_azimuth_deg + 0.01);
 }
 
 TEST(ScanPath, NeverJumps) {
-  ScanPath path(habits, 6);
-  path.examine(object, object_radius_deg, Nanoseconds(0));
+  ScanPath path(gaze_habits, 6);
+  path.examine(looked_for, object_radius_deg, Nanoseconds(0));
   path.gaze(seconds(3));
-  path.explore(azimuth_elevation(object), seconds(3));
+  path.explore(azimuth_elevation(looked_for), seconds(3));
   const Nanoseconds end = seconds(10);
   constexpr auto step = milliseconds(1);
   for (Nanoseconds time = seconds(3); time < end; time += step) {
@@ -106,9 +106,9 @@ TEST(ScanPath, NeverJumps) {
 }
 
 TEST(ScanPath, IsTheSameHoweverOftenItIsAsked) {
-  ScanPath often(habits, 7);
-  ScanPath seldom(habits, 7);
-  ScanPath other(habits, 8);
+  ScanPath often(gaze_habits, 7);
+  ScanPath seldom(gaze_habits, 7);
+  ScanPath other(gaze_habits, 8);
   for (ScanPath* path : {&often, &seldom, &other}) {
     path->explore({}, Nanoseconds(0));
   }
@@ -121,10 +121,10 @@ TEST(ScanPath, IsTheSameHoweverOftenItIsAsked) {
 }
 
 TEST(ScanPath, FixationsFollowOneAnotherWithoutAGapAndAreWhatTheGazeDoes) {
-  ScanPath path(habits, 9);
-  ScanPath watched(habits, 9);
+  ScanPath path(gaze_habits, 9);
+  ScanPath watched(gaze_habits, 9);
   for (ScanPath* each : {&path, &watched}) {
-    each->examine(object, object_radius_deg, seconds(1));
+    each->examine(looked_for, object_radius_deg, seconds(1));
   }
   path.gaze(seconds(30));  // the first half is looked up, the second made up as it is asked for
   ScanPath::Fixation fixation = path.fixation(seconds(1));
@@ -141,11 +141,11 @@ TEST(ScanPath, FixationsFollowOneAnotherWithoutAGapAndAreWhatTheGazeDoes) {
 }
 
 TEST(ScanPath, WhatIsFixatedIsFixatedForEver) {
-  ScanPath path(habits, 9);
-  path.fixate(object, seconds(1));
+  ScanPath path(gaze_habits, 9);
+  path.fixate(looked_for, seconds(1));
   const ScanPath::Fixation waiting = path.fixation(seconds(1));
   const ScanPath::Fixation fixation = path.fixation(waiting.end);
-  EXPECT_EQ(fixation.direction, object);
+  EXPECT_EQ(fixation.direction, looked_for);
   EXPECT_EQ(fixation.end, Nanoseconds::max());
 }
 

@@ -62,7 +62,7 @@ TEST_F(SimulatedParticipantTest, ReactsLikePeople) {
   double sum_s = 0.0;
   double squares = 0.0;
   for (std::uint32_t press = 0; press < presses; ++press) {
-    const double reaction_s = seconds(person.react(press));
+    const double reaction_s = foveola::seconds(person.react(press));
     EXPECT_GT(reaction_s, 0.1);
     sum_s += reaction_s;
     squares += reaction_s * reaction_s;

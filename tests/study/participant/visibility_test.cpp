@@ -10,10 +10,10 @@
 namespace foveola::study {
 namespace {
 
-constexpr Vision vision{.decay_deg = 0.106,
-                        .half_resolution_deg = 2.3,
-                        .chromatic_decay_factor = 3.0,
-                        .red_green_decades_per_deg = 0.04};
+constexpr Vision weber_vision{.decay_deg = 0.106,
+                              .half_resolution_deg = 2.3,
+                              .chromatic_decay_factor = 3.0,
+                              .red_green_decades_per_deg = 0.04};
 
 double linear(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -72,33 +72,34 @@ TEST(OpponentChannels, GreysHaveNoColourAndTheirLightnessKeepsWithin17PercentOfC
 // red-green. Cells of 2 degrees: f = 1/4, at 20 degrees exp(0.0265 (1 + 20 / 2.3)) = exp(0.256935)
 // = 1.29296.
 TEST(RelativeThreshold, IsTheFormulasValue) {
-  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 0.5, 10.0), 1.76274, 1e-5);
-  EXPECT_NEAR(relative_threshold(vision, Channel::blue_yellow, 0.5, 10.0), 2.17901, 1e-5);
-  EXPECT_NEAR(relative_threshold(vision, Channel::red_green, 0.5, 10.0), 2.17901 * 2.51189, 1e-4);
-  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 2.0, 20.0), 1.29296, 1e-5);
+  EXPECT_NEAR(relative_threshold(weber_vision, Channel::achromatic, 0.5, 10.0), 1.76274, 1e-5);
+  EXPECT_NEAR(relative_threshold(weber_vision, Channel::blue_yellow, 0.5, 10.0), 2.17901, 1e-5);
+  EXPECT_NEAR(relative_threshold(weber_vision, Channel::red_green, 0.5, 10.0), 2.17901 * 2.51189,
+              1e-4);
+  EXPECT_NEAR(relative_threshold(weber_vision, Channel::achromatic, 2.0, 20.0), 1.29296, 1e-5);
 }
 
 TEST(RelativeThreshold, IsOneForLargeAreasAtTheGazeAndDoublesWhereTheExponentIsLn2) {
   for (const Channel channel : {Channel::achromatic, Channel::red_green, Channel::blue_yellow}) {
-    EXPECT_NEAR(relative_threshold(vision, channel, 1e6, 0.0), 1.0, 1e-6);
+    EXPECT_NEAR(relative_threshold(weber_vision, channel, 1e6, 0.0), 1.0, 1e-6);
   }
   const double doubling_deg = (std::numbers::ln2 / 0.106 - 1.0) * 2.3;
-  EXPECT_NEAR(relative_threshold(vision, Channel::achromatic, 0.5, doubling_deg), 2.0, 1e-12);
+  EXPECT_NEAR(relative_threshold(weber_vision, Channel::achromatic, 0.5, doubling_deg), 2.0, 1e-12);
 }
 
 // Mullen (1985): what luminance resolves at 34 cycles per degree, colour resolves at a third.
 TEST(RelativeThreshold, ColourIsResolvedAtAThirdOfTheFrequency) {
-  EXPECT_NEAR(relative_threshold(vision, Channel::red_green, 0.5 / 12.0, 0.0),
-              relative_threshold(vision, Channel::achromatic, 0.5 / 36.0, 0.0), 1e-9);
+  EXPECT_NEAR(relative_threshold(weber_vision, Channel::red_green, 0.5 / 12.0, 0.0),
+              relative_threshold(weber_vision, Channel::achromatic, 0.5 / 36.0, 0.0), 1e-9);
 }
 
 TEST(VisibilityTable, IsTheInverseSquareOfTheThreshold) {
-  const Visibility table(vision, 0.5);
+  const Visibility table(weber_vision, 0.5);
   for (double eccentricity_deg = 0.5; eccentricity_deg < 89.0; eccentricity_deg += 0.7) {
     const auto& visible = table.at(static_cast<float>(std::cos(radians(eccentricity_deg))));
     for (std::size_t channel = 0; channel < channel_count; ++channel) {
       const double threshold =
-          relative_threshold(vision, static_cast<Channel>(channel), 0.5, eccentricity_deg);
+          relative_threshold(weber_vision, static_cast<Channel>(channel), 0.5, eccentricity_deg);
       EXPECT_NEAR(visible.at(channel) * threshold * threshold, 1.0, 0.01)
           << eccentricity_deg << " degrees, channel " << channel;
     }

@@ -10,14 +10,14 @@
 namespace foveola::study {
 namespace {
 
-constexpr Vec3 ahead(0.0F, 0.0F, -1.0F);
+constexpr Vec3 sight_ahead(0.0F, 0.0F, -1.0F);
 
 Vec3 right_of_ahead(double angle_deg) {
   return direction_from({.azimuth_rad = radians(angle_deg), .elevation_rad = 0.0});
 }
 
 Aim aimed(const Vec3& gaze) {
-  Aim aim = aim_at(ahead, DisplaySettings{});
+  Aim aim = aim_at(sight_ahead, DisplaySettings{});
   aim.gaze = gaze;
   return aim;
 }
@@ -37,9 +37,7 @@ NoiseTable patches(int count, double apart_deg) {
   return table;
 }
 
-Vision some_vision() {
-  return {.jnd_lab = 2.3, .half_resolution_deg = 2.3, .pooling_exponent = 4.0};
-}
+Vision sighted() { return {.jnd_lab = 2.3, .half_resolution_deg = 2.3, .pooling_exponent = 4.0}; }
 
 class PredictedSightTest : public testing::Test {
  protected:
@@ -53,7 +51,7 @@ class PredictedSightTest : public testing::Test {
             .follows_gaze = follows_gaze};
   }
 
-  Vision vision_ = some_vision();
+  Vision vision_ = sighted();
   std::vector<ObjectNoise> pictures_{{.outline = patches(3, 2.0), .material = {patches(2, 2.0)}}};
   std::vector<NoiseTable> around_{patches(20, 9.0)};
   std::vector<Visibility> visibilities_{Visibility(vision_, 1.0)};
@@ -63,7 +61,7 @@ TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
   const NoiseTable table = patches(3, 5.0);
   const auto sampler = make_view_sampler("fv");
   const auto other = make_view_sampler("fv");
-  sampler->aim(aimed(ahead));
+  sampler->aim(aimed(sight_ahead));
   PatchSamples samples(table, *sampler);
   samples.add(100.0);
   samples.add(50.0);
@@ -72,7 +70,7 @@ TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
   samples.add(30.0);
   const std::span<const double> sums = samples.per_sr();
   for (std::size_t i = 0; i < table.size(); ++i) {
-    other->aim(aimed(ahead));
+    other->aim(aimed(sight_ahead));
     const double first = 150.0 * other->density_per_sr(table[i].direction);
     other->aim(aimed(right_of_ahead(10.0)));
     EXPECT_NEAR(sums[i], first + 30.0 * other->density_per_sr(table[i].direction), 1e-9 * first);
@@ -84,11 +82,12 @@ TEST_F(PredictedSightTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
   pictures_[0].material[0].resize(1);
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(ahead), 0);
-  sight.add(5000.0, aimed(ahead));
-  const double density = 5000.0 * sampler->density_per_sr(ahead);
-  EXPECT_NEAR(sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd,
-              std::sqrt(1000.0 / density), 1e-3);
+  PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+  sight.add(5000.0, aimed(sight_ahead));
+  const double density = 5000.0 * sampler->density_per_sr(sight_ahead);
+  EXPECT_NEAR(
+      sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd,
+      std::sqrt(1000.0 / density), 1e-3);
 }
 
 // By hand: the second scale has 16 times the noise, so 4 times the difference: (1 + 4^4)^(1/4) =
@@ -98,9 +97,9 @@ TEST_F(PredictedSightTest, AMaterialIsLookedAtOnAllScalesAtOnce) {
   const auto jnd = [&] {
     const PredictedTrial trial = this->trial(false);
     const auto sampler = make_view_sampler("od");
-    PredictedSight sight(trial, *sampler, aimed(ahead), 0);
-    sight.add(5000.0, aimed(ahead));
-    return sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd;
+    PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+    sight.add(5000.0, aimed(sight_ahead));
+    return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
   };
   const double on_one = jnd();
   NoiseTable fine = pictures_[0].material[0];
@@ -121,9 +120,10 @@ TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
   std::map<long, int> seen;  // millionths of a just noticeable difference
   constexpr std::uint32_t trials = 200;
   for (std::uint32_t picture = 0; picture < trials; ++picture) {
-    PredictedSight sight(trial, *sampler, aimed(ahead), picture);
-    sight.add(5000.0, aimed(ahead));
-    const Sighting sighting = sight.look(Task::mark_material, ahead, aimed(ahead).viewport);
+    PredictedSight sight(trial, *sampler, aimed(sight_ahead), picture);
+    sight.add(5000.0, aimed(sight_ahead));
+    const Sighting sighting =
+        sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport);
     ++seen[std::lround(1e6 * sighting.material_jnd)];
   }
   ASSERT_EQ(seen.size(), 2U);
@@ -136,12 +136,12 @@ TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
 TEST_F(PredictedSightTest, OutlinesStandOutTheMoreSamplesThereAre) {
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(ahead), 0);
+  PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
   double before = 0.0;
   for (int i = 0; i < 5; ++i) {
-    sight.add(10'000.0, aimed(ahead));
-    const double now =
-        sight.look(Task::mark_outline, ahead, aimed(ahead).viewport).outline_signal_to_noise;
+    sight.add(10'000.0, aimed(sight_ahead));
+    const double now = sight.look(Task::mark_outline, sight_ahead, aimed(sight_ahead).viewport)
+                           .outline_signal_to_noise;
     EXPECT_GT(now, before);
     before = now;
   }
@@ -151,20 +151,20 @@ TEST_F(PredictedSightTest, SamplesFollowTheGazeThatIsTracked) {
   const PredictedTrial trial = this->trial(true);
   const auto sampler = make_view_sampler("fv");
   const auto jnd = [&](const Vec3& tracked) {
-    PredictedSight sight(trial, *sampler, aimed(ahead), 0);
+    PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
     sight.add(10'000.0, aimed(tracked));
-    return sight.look(Task::mark_material, ahead, aimed(ahead).viewport).material_jnd;
+    return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
   };
-  EXPECT_LT(1.5 * jnd(ahead), jnd(right_of_ahead(30.0)));
+  EXPECT_LT(1.5 * jnd(sight_ahead), jnd(right_of_ahead(30.0)));
 }
 
 TEST_F(PredictedSightTest, LookingAroundShowsWhatWasRenderedBefore) {
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
   const auto jnd = [&](double samples_before) {
-    PredictedSight sight(trial, *sampler, aimed(ahead), 0);
-    sight.add(samples_before, aimed(ahead));
-    return sight.look(Task::look_around, ahead, aimed(ahead).viewport).artifacts_jnd;
+    PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+    sight.add(samples_before, aimed(sight_ahead));
+    return sight.look(Task::look_around, sight_ahead, aimed(sight_ahead).viewport).artifacts_jnd;
   };
   EXPECT_NEAR(jnd(40'000.0), 0.5 * jnd(10'000.0), 1e-6 * jnd(10'000.0));
 }
@@ -173,9 +173,10 @@ TEST_F(PredictedSightTest, OnlyWhatIsInViewIsLookedAt) {
   around_[0][19].noise_times_density.assign(3, {1e9, 0.0, 0.0});  // 171 degrees to the right
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(ahead), 0);
-  sight.add(10'000.0, aimed(ahead));
-  const double before = sight.look(Task::look_around, ahead, aimed(ahead).viewport).artifacts_jnd;
+  PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+  sight.add(10'000.0, aimed(sight_ahead));
+  const double before =
+      sight.look(Task::look_around, sight_ahead, aimed(sight_ahead).viewport).artifacts_jnd;
   const Aim behind = aim_at(right_of_ahead(171.0), DisplaySettings{});
   const double there = sight.look(Task::look_around, behind.gaze, behind.viewport).artifacts_jnd;
   EXPECT_GT(there, 10.0 * before);

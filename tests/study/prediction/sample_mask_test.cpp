@@ -9,7 +9,7 @@
 namespace foveola::study {
 namespace {
 
-constexpr Vec3 ahead(0.0F, 0.0F, -1.0F);
+constexpr Vec3 mask_ahead(0.0F, 0.0F, -1.0F);
 constexpr Vec3 behind(0.0F, 0.0F, 1.0F);
 
 ViewSample sample_at(float u, float v) {
@@ -33,17 +33,17 @@ class SampleMaskTest : public testing::Test {
 TEST_F(SampleMaskTest, HoldsNothingAtFirst) { EXPECT_EQ(kept(sample_at(0.5F, 0.5F)), 0U); }
 
 TEST_F(SampleMaskTest, KeepsWhatIsWanted) {
-  mask_.add(ahead, radius_rad, 0, workers_);
+  mask_.add(mask_ahead, radius_rad, 0, workers_);
   EXPECT_EQ(kept(sample_at(0.501F, 0.499F)), 3U);
   EXPECT_EQ(kept(sample_at(0.55F, 0.5F)), 0U) << "18 degrees beside";
   EXPECT_EQ(kept(sample_at(0.0F, 0.5F)), 0U);
 }
 
 TEST_F(SampleMaskTest, TheMarginGoesBeyondOnAllSides) {
-  mask_.add(ahead, radius_rad, 0, workers_);
+  mask_.add(mask_ahead, radius_rad, 0, workers_);
   const std::size_t without = mask_.count();
   SampleMask wide(64, 32);
-  wide.add(ahead, radius_rad, 1, workers_);
+  wide.add(mask_ahead, radius_rad, 1, workers_);
   // The cone's pixels are a block of 4 x 4, with a margin 6 x 6.
   EXPECT_EQ(without, 16U);
   EXPECT_EQ(wide.count(), 36U);
@@ -56,7 +56,7 @@ TEST_F(SampleMaskTest, TheSeamIsNoEdge) {
 }
 
 TEST_F(SampleMaskTest, AreasAddUp) {
-  mask_.add(ahead, radius_rad, 0, workers_);
+  mask_.add(mask_ahead, radius_rad, 0, workers_);
   mask_.add(behind, radius_rad, 0, workers_);
   EXPECT_EQ(kept(sample_at(0.501F, 0.5F)), 3U);
   EXPECT_EQ(kept(sample_at(0.001F, 0.5F)), 3U);

@@ -1,0 +1,24 @@
+// Random points for tests of lights and materials.
+#pragma once
+
+#include "renderer/base/random.h"
+#include "renderer/base/vec.h"
+
+namespace foveola::test {
+
+/// Uniform in [0, 1)².
+inline Vec2 unit_square(Pcg32& random) {
+  const float x = unit_float(random.next());
+  const float y = unit_float(random.next());
+  return {x, y};
+}
+
+/// Uniform in [−half, half)³.
+inline Vec3 in_cube(Pcg32& random, float half = 1.0F) {
+  const double x = random.uniform();
+  const double y = random.uniform();
+  const double z = random.uniform();
+  return half * (2.0F * Vec3(x, y, z) - 1.0F);
+}
+
+}  // namespace foveola::test
