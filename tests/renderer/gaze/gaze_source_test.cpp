@@ -70,8 +70,9 @@ TEST(GazeSource, WithoutAWindowThereIsNoPointer) {
 }
 
 TEST(GazeSource, SaysThatNobodySpeaksOpenGaze) {
+  const test::TrackerServer nobody(test::TrackerServer::Begin::later);
   TrackerProfile profile = read_tracker_profile("open-gaze");
-  profile.open_gaze.port = test::TrackerServer().port();  // of a server that is gone
+  profile.open_gaze.port = nobody.port();
   const SteadyClock clock;
   const auto tracker = open_eye_tracker(profile, screen, clock);
   NewestGaze newest(*tracker);

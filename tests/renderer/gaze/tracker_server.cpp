@@ -21,20 +21,20 @@ void wait_for_input(int socket, const char* what) {
 
 }  // namespace
 
-TrackerServer::TrackerServer(std::uint16_t port) : listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
-  const int yes = 1;
-  ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+TrackerServer::TrackerServer(Begin begin)
+    : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
   socklen_t size = sizeof address;
   if (::bind(listener_, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-      ::listen(listener_, 8) != 0 ||
       ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
     throw std::runtime_error("no local server");
   }
   port_ = ntohs(address.sin_port);
+  if (begin == Begin::now) {
+    listen();
+  }
 }
 
 TrackerServer::~TrackerServer() {
@@ -42,10 +42,16 @@ TrackerServer::~TrackerServer() {
   ::close(listener_);
 }
 
+void TrackerServer::listen() const {
+  if (::listen(listener_, 8) != 0) {
+    throw std::runtime_error("no local server");
+  }
+}
+
 void TrackerServer::accept() {
   hang_up();
   wait_for_input(listener_, "no client has come");
-  client_ = ::accept(listener_, nullptr, nullptr);
+  client_ = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
   const int yes = 1;
   ::setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
 }

@@ -10,13 +10,15 @@ namespace foveola::test {
 /// Each wait gives up after five minutes with std::runtime_error.
 class TrackerServer {
  public:
-  /// port: 0 for any that is free.
-  explicit TrackerServer(std::uint16_t port = 0);
+  enum class Begin { now, later };
+  /// At a port that is free. later: it keeps the port, and refuses whoever comes until it listens.
+  explicit TrackerServer(Begin begin = Begin::now);
   ~TrackerServer();
   TrackerServer(const TrackerServer&) = delete;
   TrackerServer& operator=(const TrackerServer&) = delete;
 
   std::uint16_t port() const { return port_; }
+  void listen() const;
   /// Waits for a client, in place of the one before.
   void accept();
   /// What the client has sent, up to and with `end`.

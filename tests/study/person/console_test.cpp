@@ -1,11 +1,12 @@
 #include "study/person/console.h"
 
 #include <array>
-#include <chrono>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
+
+#include "tests/waiting.h"
 
 namespace foveola::study {
 namespace {
@@ -52,15 +53,15 @@ TEST(Console, HelpNamesEveryCommand) {
   }
 }
 
-/// All lines until there are `count`, or for ten seconds.
+/// All lines until there are `count`; throws std::runtime_error if there never are.
 std::vector<std::string> wait_for_lines(ConsoleLines& console, std::size_t count) {
   std::vector<std::string> lines;
-  for (int i = 0; i < 1000 && lines.size() < count; ++i) {
+  foveola::test::wait_until("lines", [&] {
     for (std::string& line : console.take()) {
       lines.push_back(std::move(line));
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+    return lines.size() >= count;
+  });
   return lines;
 }
 
