@@ -26,8 +26,10 @@ XServer::XServer()
     : XServer({"Xvfb", "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"}) {}
 
 XServer::XServer(std::vector<std::string> command) {
+  const TemporaryFolder folder;
+  const std::filesystem::path said = folder.write("said", "");
   std::array<int, 2> number_pipe{};
-  if (::pipe(number_pipe.data()) != 0) {
+  if (::pipe2(number_pipe.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("no pipe");
   }
   const std::string program = command.front();
@@ -41,10 +43,10 @@ XServer::XServer(std::vector<std::string> command) {
   process_ = ::fork();
   if (process_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // if a test dies, so does its server
-    ::close(number_pipe[0]);
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
+    ::fcntl(number_pipe[1], F_SETFD, 0);
+    const int to_file = ::open(said.c_str(), O_WRONLY);
+    ::dup2(to_file, STDOUT_FILENO);
+    ::dup2(to_file, STDERR_FILENO);
     ::execvp(arguments.front(), arguments.data());
     ::_exit(127);
   }
@@ -56,8 +58,11 @@ XServer::XServer(std::vector<std::string> command) {
   }
   ::close(number_pipe[0]);
   if (digit != '\n') {
-    ::waitpid(process_, nullptr, 0);
-    throw std::runtime_error(program + " does not start");
+    int status = 0;
+    ::waitpid(process_, &status, 0);
+    throw std::runtime_error(program + (WIFEXITED(status) && WEXITSTATUS(status) == 127
+                                            ? " is not installed"
+                                            : " does not start: " + folder.content()["said"]));
   }
   ::setenv("DISPLAY", display_.c_str(), 1);
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
@@ -340,6 +345,18 @@ XUser::Place XUser::place_of(const std::string& title) {
   XWindowAttributes attributes{};
   XGetWindowAttributes(connection_->display, connection_->wait_for(title), &attributes);
   return {attributes.x, attributes.y, attributes.width, attributes.height};
+}
+
+double XUser::brightness_at(const std::string& title, int x, int y) {
+  XImage* const image =
+      XGetImage(connection_->display, connection_->wait_for(title), x, y, 1, 1, AllPlanes, ZPixmap);
+  if (image == nullptr) {
+    throw std::runtime_error("the window has no such pixel");
+  }
+  const unsigned long pixel = XGetPixel(image, 0, 0);  // of a screen of 24 bits: 0xRRGGBB
+  XDestroyImage(image);
+  return static_cast<double>((pixel >> 16U & 255U) + (pixel >> 8U & 255U) + (pixel & 255U)) /
+         (3.0 * 255.0);
 }
 
 void XUser::ask_to_close(const std::string& title) {

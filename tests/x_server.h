@@ -16,9 +16,10 @@ namespace foveola::test {
 /// and Mesa draws with the processor.
 class XServer {
  public:
-  /// Throws std::runtime_error if there is no Xvfb.
+  /// Throws std::runtime_error, with what the server said, if there is no Xvfb.
   XServer();
-  /// Another server, by its program and arguments. Throws std::runtime_error if it does not start.
+  /// Another server, by its program and arguments. Throws std::runtime_error, with what it said, if
+  /// it does not start.
   explicit XServer(std::vector<std::string> command);
   ~XServer();
   XServer(const XServer&) = delete;
@@ -78,6 +79,9 @@ class XUser {
     int height = 0;
   };
   Place place_of(const std::string& title);
+  /// How bright the window's pixel is that the user sees there, from its top left corner: the mean
+  /// of its components, from 0 to 1.
+  double brightness_at(const std::string& title, int x, int y);
   /// As a window manager asks when its cross is clicked.
   void ask_to_close(const std::string& title);
   /// As a window manager says of a minimised window.
