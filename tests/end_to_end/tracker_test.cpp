@@ -5,6 +5,7 @@
 
 #include "tests/end_to_end/program.h"
 #include "tests/end_to_end/tracker_profile.h"
+#include "tests/renderer/gaze/tracker_server.h"
 
 namespace foveola::test {
 namespace {
@@ -38,12 +39,13 @@ TEST(Tracker, WatchTellsRateAndValidity) {
 
 TEST(Tracker, WatchSaysWhyNothingComes) {
   const TemporaryFolder folder;
-  constexpr int port_of_nobody = 9;
-  const auto profile = folder.write("nobody.toml", open_gaze_profile(port_of_nobody));
+  const TrackerServer nobody(TrackerServer::Begin::later);
+  const auto profile = folder.write("nobody.toml", open_gaze_profile(nobody.port()));
   const ProgramResult result =
-      run_foveola({"tracker", "watch", profile.string(), "--seconds", "0.6"});
+      run_foveola({"tracker", "watch", profile.string(), "--seconds", "3"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(result.output, HasSubstr("nothing speaks the Open Gaze API at 127.0.0.1:9"));
+  EXPECT_THAT(result.output, HasSubstr("nothing speaks the Open Gaze API at 127.0.0.1:" +
+                                       std::to_string(nobody.port())));
 }
 
 TEST(Tracker, WatchRefusesWhatIsNoProfile) {

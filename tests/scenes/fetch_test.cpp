@@ -10,6 +10,7 @@
 #include "renderer/base/files.h"
 #include "scenes/download.h"
 #include "scenes/file_search.h"
+#include "tests/renderer/gaze/tracker_server.h"
 #include "tests/scenes/environment.h"
 #include "tests/scenes/http_server.h"
 #include "tests/temporary_folder.h"
@@ -203,12 +204,9 @@ TEST_F(FetchTest, StoppingKeepsWhatCame) {
 }
 
 TEST_F(FetchTest, AServerThatIsNotThereIsSaid) {
-  std::string address;
-  {
-    const HttpServer server([](const std::string&) { return std::string(); });
-    address = server.address("/hall.glb");
-  }
-  EXPECT_THAT(fetch(hall_at(address)), HasSubstr("check the network"));
+  const test::TrackerServer nobody(test::TrackerServer::Begin::later);
+  EXPECT_THAT(fetch(hall_at("http://127.0.0.1:" + std::to_string(nobody.port()) + "/hall.glb")),
+              HasSubstr("check the network"));
 }
 
 TEST_F(FetchTest, WithoutAnAddressSaysWhereToGetIt) {
