@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,7 +18,8 @@ RunningProgram::RunningProgram(std::vector<std::string> arguments, const Environ
   arguments.insert(arguments.begin(), FOVEOLA_PROGRAM);
   std::array<int, 2> to_it{};
   std::array<int, 2> from_it{};
-  if (::pipe(to_it.data()) != 0 || ::pipe(from_it.data()) != 0) {
+  // Closed in every other child, which would keep this one's output from ending.
+  if (::pipe2(to_it.data(), O_CLOEXEC) != 0 || ::pipe2(from_it.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("no pipe");
   }
   process_ = ::fork();
@@ -28,9 +30,6 @@ RunningProgram::RunningProgram(std::vector<std::string> arguments, const Environ
     ::dup2(to_it[0], STDIN_FILENO);
     ::dup2(from_it[1], STDOUT_FILENO);
     ::dup2(from_it[1], STDERR_FILENO);
-    for (const int end : {to_it[0], to_it[1], from_it[0], from_it[1]}) {
-      ::close(end);
-    }
     std::vector<char*> words;
     for (std::string& argument : arguments) {
       words.push_back(argument.data());
@@ -52,7 +51,9 @@ RunningProgram::~RunningProgram() {
     wait_for_end();
   }
   ::close(input_);
-  reader_.join();
+  if (reader_.joinable()) {  // it has ended, but nobody has waited for that
+    reader_.join();
+  }
   ::close(output_);
 }
 
@@ -109,6 +110,9 @@ int RunningProgram::wait_for_end() {
     int status = 0;
     ::waitpid(process_, &status, 0);
     status_ = status;
+  }
+  if (reader_.joinable()) {
+    reader_.join();  // what it said at last may still be in the pipe
   }
   return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 128 + WTERMSIG(*status_);
 }

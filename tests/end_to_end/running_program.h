@@ -33,7 +33,8 @@ class RunningProgram {
   void kill(int signal) const;
   pid_t process() const { return process_; }
   bool has_ended();
-  /// Waits for its end. Returns its exit code, or 128 + the signal's number.
+  /// Waits for its end, and until all that it said is read. Returns its exit code, or 128 + the
+  /// signal's number.
   int wait_for_end();
 
  private:

@@ -5,9 +5,18 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "tests/waiting.h"
+
 namespace fs = std::filesystem;
 
 namespace foveola::test {
+namespace {
+
+/// Who closes a study's file, or goes on with it after a kill, keeps readers out meanwhile.
+constexpr int patience_ms =
+    static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(patience).count());
+
+}  // namespace
 
 std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
   sqlite3* connection = nullptr;
@@ -15,6 +24,7 @@ std::optional<Rows> rows_of(const fs::path& database, const std::string& sql) {
   std::optional<Rows> rows;
   if (fs::exists(database) &&
       sqlite3_open_v2(database.c_str(), &connection, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+      sqlite3_busy_timeout(connection, patience_ms) == SQLITE_OK &&
       sqlite3_prepare_v2(connection, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK) {
     rows.emplace();
     int result = sqlite3_step(statement);
