@@ -10,17 +10,20 @@
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
 #include "tests/end_to_end/program.h"
+#include "tests/waiting.h"
 #include "tests/x_server.h"
 
 namespace foveola::test {
 namespace {
 
-using std::chrono::milliseconds;
-using std::chrono::seconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
+
+/// Of the targets around the middle of a window of 200 x 160: four fifths of the way to its sides.
+constexpr int reach_px = 80;
+constexpr int rise_px = 64;
 
 class PreviewCommand : public ::testing::Test {
  protected:
@@ -42,6 +45,16 @@ class PreviewCommand : public ::testing::Test {
     const ProgramResult result = preview(std::move(options));
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return nlohmann::json::parse(result.output);
+  }
+
+  /// Waits until the check of the gaze shows its target there, black with a white middle, or until
+  /// it does not any more.
+  void wait_for_target(XUser& user, int x, int y, bool is_there = true) const {
+    constexpr int to_the_black_px = 7;
+    wait_until(is_there ? "the target" : "the target to go", [&] {
+      return (user.brightness_at(title_, x, y) > 0.9 &&
+              user.brightness_at(title_, x + to_the_black_px, y) < 0.1) == is_there;
+    });
   }
 
   XServer server_;
@@ -107,11 +120,9 @@ TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
 
 TEST_F(PreviewCommand, KeysChangeWhatIsRendered) {
   const auto json = preview_while([](XUser& user) {
-    user.type("m");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    user.type("r");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    user.type("q");
+    for (const char* const key : {"m", "r", "q"}) {
+      user.type(key);
+    }
   });
   EXPECT_THAT(json.at("methods"), ElementsAre("fv", "od", "od"));
 }
@@ -120,9 +131,10 @@ TEST_F(PreviewCommand, ChecksTheTracker) {
   // The pointer rests in the middle of a window of 55 x 44 mm, 0.6 m away, and so on the first
   // target; the other four lie at four fifths of the way to its corners, 2.1 and 1.7 degrees across
   // and up.
-  const auto json = preview_while([](XUser& user) {
+  const auto json = preview_while([this](XUser& user) {
     user.type("c");
-    std::this_thread::sleep_for(std::chrono::seconds(11));
+    wait_for_target(user, 100 + reach_px, 80 + rise_px);
+    wait_for_target(user, 100 + reach_px, 80 + rise_px, false);
     user.type("q");
   });
   ASSERT_EQ(json.at("gaze_checks").size(), 1U);
@@ -134,16 +146,14 @@ TEST_F(PreviewCommand, ChecksTheTracker) {
 }
 
 TEST_F(PreviewCommand, CorrectsTheGazeIfAsked) {
-  constexpr int reach_px = 80;  // four fifths of the way to the sides of the window
-  constexpr int rise_px = 64;
   const auto json = preview_while(
       [this](XUser& user) {
         user.type("c");
         for (const auto& [x, y] : {std::pair(0, 0), {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
+          wait_for_target(user, 100 + x * reach_px, 80 + y * rise_px);
           user.point_at(title_, 100 + x * reach_px, 80 + y * rise_px);
-          std::this_thread::sleep_for(milliseconds(1900));
         }
-        std::this_thread::sleep_for(seconds(2));
+        wait_for_target(user, 100 + reach_px, 80 + rise_px, false);
         user.type("q");
       },
       {"--correct-gaze"});
@@ -157,21 +167,16 @@ TEST_F(PreviewCommand, CorrectsTheGazeIfAsked) {
 TEST_F(PreviewCommand, FollowsItsWindowsSize) {
   const auto json = preview_while([this](XUser& user) {
     user.resize(title_, 320, 100);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     user.ask_to_close(title_);
   });
   EXPECT_THAT(json.at("final_window"), ElementsAre(320, 100));
 }
 
+// It stays minimised to its end: if it did not go on, the frames would never be done.
 TEST_F(PreviewCommand, GoesOnWhileMinimised) {
-  const auto json = preview_while([this](XUser& user) {
-    user.say_minimised(title_, true);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    user.say_minimised(title_, false);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    user.type("q");
-  });
-  EXPECT_GT(json.at("frame_count").get<int>(), 5);
+  const auto json =
+      preview_while([this](XUser& user) { user.say_minimised(title_, true); }, {"--frames", "300"});
+  EXPECT_EQ(json.at("frame_count"), 300);
 }
 
 TEST_F(PreviewCommand, ShowsEveryOverlay) {
@@ -195,9 +200,11 @@ TEST_F(PreviewCommand, GoesOnWithoutItsMonitor) {
   const std::jthread user_thread([&] {
     XUser user(monitors->display());
     user.point_at(title_, 100, 80);
-    std::this_thread::sleep_for(seconds(1));
+    wait_until("the window that fills DUMMY1", [&] {
+      const XUser::Place place = user.place_of(title_);
+      return place.x == 1024 && place.width == 800 && place.height == 600;
+    });
     monitors->take_away("DUMMY1");
-    std::this_thread::sleep_for(seconds(1));
     user.ask_to_close(title_);
   });
   const ProgramResult result = preview({"--full-screen", "--monitor", "1"});

@@ -172,7 +172,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.answer_page("Return");  // before the reaction test
   for (int press = 0; press < 2; ++press) {
     participant_.wait_for_page();
-    std::this_thread::sleep_for(900ms);
+    participant_.wait_for_signal();
     participant_.type("space");
     participant_.program().wait_for("reaction_pressed");
   }

@@ -104,6 +104,12 @@ std::string SeatedParticipant::wait_for_page() {
   return picture.substr(4, picture.size() - 8);
 }
 
+void SeatedParticipant::wait_for_signal() {
+  constexpr std::chrono::milliseconds reaction{300};
+  wait_until("the signal", [&] { return user_.brightness_at("Foveola", 2, 2) > 0.5; });
+  std::this_thread::sleep_for(reaction);
+}
+
 KeyPress SeatedParticipant::type(const std::string& key) {
   KeyPress press{.asked_s = monotonic_s() - zero_s_};
   press.stamped_s = 1e-3 * user_.hold_and_ask_time(key) - zero_s_;

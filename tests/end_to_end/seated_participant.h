@@ -37,6 +37,10 @@ class SeatedParticipant {
   /// phase. Throws std::runtime_error if it never does.
   std::string wait_for_page();
 
+  /// Waits until the signal of the reaction test, which lights the whole page, has been seen for as
+  /// long as anybody needs to react.
+  void wait_for_signal();
+
   /// Presses a key and lets it go.
   KeyPress type(const std::string& key);
   void type_all(const std::vector<std::string>& keys);
