@@ -143,11 +143,14 @@ class Kill : public testing::Test {
   template <typename Enough>
   void end_early_by(int signal, const Enough& enough) {
     constexpr int most_tries = 100;
-    for (int tries = 1; run_and_send(signal, enough) != 128 + signal; ++tries) {
+    int exit_code = run_and_send(signal, enough);
+    for (int tries = 1; exit_code == 0; ++tries) {
       ASSERT_LT(tries, most_tries) << "it always ends before: " << said_;
       acknowledged_.clear();
       remove_study();
+      exit_code = run_and_send(signal, enough);
     }
+    ASSERT_EQ(exit_code, 128 + signal) << said_;
   }
 
   /// Finishes the study and holds it against what was acknowledged, and against the one that was

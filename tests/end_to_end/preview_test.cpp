@@ -174,8 +174,13 @@ TEST_F(PreviewCommand, FollowsItsWindowsSize) {
 
 // It stays minimised to its end: if it did not go on, the frames would never be done.
 TEST_F(PreviewCommand, GoesOnWhileMinimised) {
-  const auto json =
-      preview_while([this](XUser& user) { user.say_minimised(title_, true); }, {"--frames", "300"});
+  const auto json = preview_while(
+      [this](XUser& user) {
+        user.say_minimised(title_, true);
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));  // frames go by
+        user.say_minimised(title_, false);
+      },
+      {"--frames", "300"});
   EXPECT_EQ(json.at("frame_count"), 300);
 }
 
