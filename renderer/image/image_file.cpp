@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/image/image_codec.h"
 #include "renderer/image/tone_mapping.h"
 
 namespace fs = std::filesystem;
@@ -31,17 +32,14 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-/// Writes `pixels` (spec.nchannels values each) in one step.
-void write_pixels(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                  const void* pixels) {
+/// Writes it in one step.
+void write_pixels(const fs::path& path, const EncodableImage& image) {
+  const ImageCodec& codec = image_codec();
   replace_file(path, [&](const fs::path& temporary) {
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(temporary.string());
-    if (!output) {
-      throw Error(path.string(), "cannot be written: " + OIIO::geterror());
-    }
-    if (!output->open(temporary.string(), spec) || !output->write_image(type, pixels) ||
-        !output->close()) {
-      throw Error(path.string(), "cannot be written: " + output->geterror(),
+    try {
+      codec.write_file(temporary.string(), image);
+    } catch (const std::runtime_error& fault) {
+      throw Error(path.string(), std::string("cannot be written: ") + fault.what(),
                   "check the free space and permissions");
     }
   });
@@ -58,12 +56,6 @@ void write_exr(const fs::path& path, const RgbImage& image,
   if (!variances.empty()) {
     names.emplace_back("variance");
   }
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(names.size()),
-                       OIIO::TypeDesc::FLOAT);
-  spec.channelnames = names;
-  for (const auto& [name, value] : facts) {
-    spec.attribute(name, value);
-  }
   std::vector<float> values;
   values.reserve(image.pixels.size() * names.size());
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -75,13 +67,16 @@ void write_exr(const fs::path& path, const RgbImage& image,
       values.push_back(variances[i]);
     }
   }
-  write_pixels(path, spec, OIIO::TypeDesc::FLOAT, values.data());
+  write_pixels(path, {.width = image.width,
+                      .height = image.height,
+                      .channel_names = names,
+                      .attributes = {facts.begin(), facts.end()},
+                      .bytes = {},
+                      .floats = values});
 }
 
 void write_png(const fs::path& path, const RgbImage& linear, double exposure_stops) {
   const RgbImage display = display_image(linear, exposure_stops);
-  OIIO::ImageSpec spec(display.width, display.height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
   std::vector<std::uint8_t> values;
   values.reserve(display.pixels.size() * 3);
   for (const Rgb& pixel : display.pixels) {
@@ -89,42 +84,49 @@ void write_png(const fs::path& path, const RgbImage& linear, double exposure_sto
       values.push_back(static_cast<std::uint8_t>(std::lround(pixel[channel] * 255.0F)));
     }
   }
-  write_pixels(path, spec, OIIO::TypeDesc::UINT8, values.data());
+  write_pixels(path, {.width = display.width,
+                      .height = display.height,
+                      .channel_names = {"R", "G", "B"},
+                      .attributes = {},
+                      .bytes = values,
+                      .floats = {}});
 }
 
 /// Reads one channel after the other, so that a file with many of them costs no more memory.
 class ChannelReader {
  public:
-  ChannelReader(const fs::path& path, OIIO::ImageInput& input) : path_(path), input_(input) {}
+  ChannelReader(const fs::path& path, ImageReader& image) : path_(path), image_(image) {}
 
   /// Where the channel `name` is, or `fallback`.
   int index(const std::string& name, int fallback) const {
-    const int found = input_.spec().channelindex(name);
-    return found >= 0 ? found : fallback;
+    const std::vector<std::string>& names = image_.header().channel_names;
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found != names.end() ? static_cast<int>(found - names.begin()) : fallback;
   }
 
   /// Writes the values of a channel to every `stride`-th float from `first` on.
   void read(int channel, float* first, std::size_t stride) const {
-    if (!input_.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, first,
-                           static_cast<OIIO::stride_t>(stride * sizeof(float)))) {
-      throw Error(path_.string(), "cannot be read as an image: " + input_.geterror());
+    try {
+      image_.read_floats(channel, 1, first, stride);
+    } catch (const std::runtime_error& fault) {
+      throw Error(path_.string(), std::string("cannot be read as an image: ") + fault.what());
     }
   }
 
  private:
   const fs::path& path_;
-  OIIO::ImageInput& input_;
+  ImageReader& image_;
 };
 
-RgbImage read_color(const ChannelReader& reader, const OIIO::ImageSpec& spec) {
-  RgbImage color(spec.width, spec.height);
-  const bool is_grey = spec.nchannels < 3;
+RgbImage read_color(const ChannelReader& reader, const ImageHeader& header) {
+  RgbImage color(header.width, header.height);
+  const bool is_grey = header.channels < 3;
   const std::array<const char*, 3> names = {"R", "G", "B"};
   for (int channel = 0; channel < 3; ++channel) {
     const int index = is_grey ? 0 : reader.index(names[static_cast<std::size_t>(channel)], channel);
     reader.read(index, &color.pixels[0][channel], sizeof(Rgb) / sizeof(float));
   }
-  if (spec.format.basetype == OIIO::TypeDesc::UINT8) {
+  if (header.has_bytes) {
     for (Rgb& pixel : color.pixels) {
       pixel = {linear_from_srgb(pixel.r), linear_from_srgb(pixel.g), linear_from_srgb(pixel.b)};
     }
@@ -150,34 +152,37 @@ std::vector<std::uint32_t> read_samples(const ChannelReader& reader, std::size_t
   return samples;
 }
 
-void require_sensible(const fs::path& path, const OIIO::ImageSpec& spec) {
-  if (spec.width < 1 || spec.height < 1 || spec.width > largest_side ||
-      spec.height > largest_side || spec.nchannels < 1 || spec.depth > 1 || spec.deep) {
-    throw Error(
-        path.string(),
-        fmt::format("has {} x {} pixels of {} channels", spec.width, spec.height, spec.nchannels),
-        fmt::format("use a flat image of at most {} pixels a side", largest_side));
+void require_sensible(const fs::path& path, const ImageHeader& header) {
+  if (header.width < 1 || header.height < 1 || header.width > largest_side ||
+      header.height > largest_side || header.channels < 1 || !header.is_flat) {
+    throw Error(path.string(),
+                fmt::format("has {} x {} pixels of {} channels", header.width, header.height,
+                            header.channels),
+                fmt::format("use a flat image of at most {} pixels a side", largest_side));
   }
   const std::uintmax_t plausible =
       always_allowed_pixels + most_pixels_per_byte * fs::file_size(path);
-  if (spec.image_pixels() > plausible) {
+  if (static_cast<std::uintmax_t>(header.width) * header.height > plausible) {
     throw Error(path.string(),
-                fmt::format("is too short for the {} x {} pixels that it promises", spec.width,
-                            spec.height),
+                fmt::format("is too short for the {} x {} pixels that it promises", header.width,
+                            header.height),
                 "check whether it is complete");
   }
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+std::unique_ptr<ImageReader> open_image(const fs::path& path) {
   if (!fs::is_regular_file(path)) {
     throw Error(path.string(), fs::exists(path) ? "is no file" : "no such file", "check the path");
   }
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) {
-    throw Error(path.string(), "cannot be read as an image: " + OIIO::geterror());
+  const ImageCodec& codec = image_codec();
+  std::unique_ptr<ImageReader> image;
+  try {
+    image = codec.open_file(path.string());
+  } catch (const std::runtime_error& fault) {
+    throw Error(path.string(), std::string("cannot be read as an image: ") + fault.what());
   }
-  require_sensible(path, input->spec());
-  return input;
+  require_sensible(path, image->header());
+  return image;
 }
 
 }  // namespace
@@ -206,15 +211,14 @@ void write_image(const fs::path& path, const RgbImage& image, double exposure_st
 }
 
 IVec2 image_size(const fs::path& path) {
-  const OIIO::ImageSpec spec = open_image(path)->spec();
-  return {spec.width, spec.height};
+  const ImageHeader header = open_image(path)->header();
+  return {header.width, header.height};
 }
 
 FilmImage read_film_image(const fs::path& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = open_image(path);
-  const OIIO::ImageSpec& spec = input->spec();
-  const ChannelReader reader(path, *input);
-  FilmImage image{.color = read_color(reader, spec), .samples = {}, .variances = {}};
+  const std::unique_ptr<ImageReader> file = open_image(path);
+  const ChannelReader reader(path, *file);
+  FilmImage image{.color = read_color(reader, file->header()), .samples = {}, .variances = {}};
   image.samples = read_samples(reader, image.color.pixels.size());
   const int variance = reader.index("variance", -1);
   if (variance >= 0) {

@@ -86,46 +86,41 @@ void require_whole(std::span<const unsigned char> encoded, std::string_view form
   }
 }
 
-void require_plausible_size(const OIIO::ImageSpec& spec, const Format& format,
+void require_plausible_size(const ImageHeader& header, const Format& format,
                             std::size_t encoded_size) {
-  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  const std::size_t pixels = static_cast<std::size_t>(header.width) * header.height;
   if (pixels > format.most_pixels_per_byte * encoded_size) {
     throw std::runtime_error(fmt::format("is damaged: {} bytes cannot hold {} x {} pixels",
-                                         encoded_size, spec.width, spec.height));
+                                         encoded_size, header.width, header.height));
   }
 }
 
-void require_sensible(const OIIO::ImageSpec& spec) {
-  if (spec.width < 1 || spec.height < 1 || spec.width > longest_side ||
-      spec.height > longest_side) {
+void require_sensible(const ImageHeader& header) {
+  if (header.width < 1 || header.height < 1 || header.width > longest_side ||
+      header.height > longest_side) {
     throw std::runtime_error(fmt::format("has {} x {} pixels; up to {} on a side are read",
-                                         spec.width, spec.height, longest_side));
+                                         header.width, header.height, longest_side));
   }
-  if (spec.nchannels < 1 || spec.depth > 1 || spec.deep) {
+  if (header.channels < 1 || !header.is_flat) {
     throw std::runtime_error("is not a flat image");
   }
 }
 
 }  // namespace
 
-OpenImage open_image(std::span<const unsigned char> encoded, ImageFormats allowed) {
+std::unique_ptr<ImageReader> open_image(std::span<const unsigned char> encoded,
+                                        ImageFormats allowed) {
   const Format& format = format_of(encoded, allowed);
   require_whole(encoded, format.name);
-  OpenImage image;
-  image.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(encoded.data(), encoded.size());
-  image.input = OIIO::ImageInput::create(format.name);
-  if (!image.input) {
-    throw std::runtime_error(std::string("cannot be read: OpenImageIO has no reader for ") +
-                             format.name);
+  const ImageCodec& codec = image_codec();
+  std::unique_ptr<ImageReader> image;
+  try {
+    image = codec.open_bytes(encoded, format.name);
+  } catch (const std::runtime_error& fault) {
+    throw std::runtime_error(std::string("is damaged: ") + fault.what());
   }
-  OIIO::ImageSpec wishes;
-  wishes["oiio:UnassociatedAlpha"] = 1;
-  image.input->set_ioproxy(image.memory.get());
-  if (!image.input->open(std::string("image.") + format.name, image.spec, wishes)) {
-    throw std::runtime_error("is damaged: " + image.input->geterror());
-  }
-  require_sensible(image.spec);
-  require_plausible_size(image.spec, format, encoded.size());
+  require_sensible(image->header());
+  require_plausible_size(image->header(), format, encoded.size());
   return image;
 }
 

@@ -30,24 +30,25 @@ void require_regular_file(const std::filesystem::path& path) {
 
 /// The first three channels, or the first alone as a grey.
 Environment decode(std::span<const unsigned char> encoded) {
-  const OpenImage image = open_image(encoded, ImageFormats::environment);
-  const OIIO::ImageSpec& spec = image.spec;
-  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  const std::unique_ptr<ImageReader> image = open_image(encoded, ImageFormats::environment);
+  const ImageHeader& header = image->header();
+  const std::size_t pixels = static_cast<std::size_t>(header.width) * header.height;
   // A tile, which OpenImageIO holds as a whole, may be announced far larger than the image.
-  require_modest_memory(std::max<std::size_t>(pixels * sizeof(Rgb), spec.tile_bytes(true)),
+  require_modest_memory(std::max<std::size_t>(pixels * sizeof(Rgb), header.tile_bytes),
                         encoded.size());
   Environment environment;
-  environment.map_width = spec.width;
-  environment.map_height = spec.height;
+  environment.map_width = header.width;
+  environment.map_height = header.height;
   environment.map.resize(pixels);
-  const bool is_grey = spec.nchannels < 3;
-  if (!image.input->read_image(0, 0, 0, is_grey ? 1 : 3, OIIO::TypeDesc::FLOAT,
-                               environment.map.data(), sizeof(Rgb))) {
-    throw std::runtime_error("is damaged: " + image.input->geterror());
+  const bool is_grey = header.channels < 3;
+  try {
+    image->read_floats(0, is_grey ? 1 : 3, &environment.map.front().r, sizeof(Rgb) / sizeof(float));
+  } catch (const std::runtime_error& fault) {
+    throw std::runtime_error(std::string("is damaged: ") + fault.what());
   }
   for (Rgb& texel : environment.map) {
     texel = is_grey ? Rgb(texel.r) : texel;
-    if (!spec.format.is_floating_point()) {
+    if (!header.has_floats) {
       texel = Rgb(linear_from_srgb(texel.r), linear_from_srgb(texel.g), linear_from_srgb(texel.b));
     }
   }
