@@ -28,7 +28,7 @@
 #include "renderer/commands/scene_pick.h"
 #include "renderer/commands/scene_sheet.h"
 #include "renderer/commands/tracker_commands.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 #include "scenes/commands.h"
 #include "scenes/find_scene.h"
 #include "study/commands/bench_prediction.h"

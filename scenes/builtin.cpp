@@ -2,21 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <string_view>
-#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
-#include "scenes/modelling/glb_writer.h"
-
-namespace fs = std::filesystem;
 
 namespace foveola::scenes {
 namespace {
@@ -34,37 +26,15 @@ constexpr std::array<Builtin, 5> builtins = {{
     {"studio-car", make_studio_car},
 }};
 
-fs::path cached_scenes() { return cache_folder() / "scenes"; }
-
-/// Makes the folder if need be. Throws Error if `file` could not be written.
-void prepare_folder_of(const fs::path& file) {
-  const fs::path folder = file.parent_path();
-  const bool is_cache = folder == cached_scenes();
-  const char* const elsewhere =
-      is_cache ? "set XDG_CACHE_HOME to another folder" : "choose another folder";
-  std::error_code failure;
-  if (!folder.empty()) {
-    fs::create_directories(folder, failure);
-  }
-  if (failure) {
-    throw Error(folder.string(), "cannot be made: " + failure.message(), elsewhere);
-  }
-  std::error_code unreachable;
-  if (is_cache && fs::is_directory(file, unreachable)) {
-    throw Error(file.string(), "is a folder, where the cache keeps a scene", "remove it");
-  }
-  require_writable(file);
-}
-
-}  // namespace
-
-std::vector<std::string> builtin_names() {
-  std::vector<std::string> names;
+std::vector<std::string_view> known_names() {
+  std::vector<std::string_view> names;
   for (const Builtin& builtin : builtins) {
-    names.emplace_back(builtin.name);
+    names.push_back(builtin.name);
   }
   return names;
 }
+
+}  // namespace
 
 Model make_builtin(const std::string& name, std::uint32_t seed) {
   const auto* const found =
@@ -72,56 +42,9 @@ Model make_builtin(const std::string& name, std::uint32_t seed) {
                    [&](const Builtin& builtin) { return builtin.name == name; });
   if (found == builtins.end()) {
     throw Error(name, "is not a built-in scene",
-                fmt::format("those are {}", fmt::join(builtin_names(), ", ")));
+                fmt::format("those are {}", fmt::join(known_names(), ", ")));
   }
   return found->make(seed);
-}
-
-fs::path cached_builtin(const std::string& name, std::uint32_t seed) {
-  const std::string variant = seed == default_seed ? "" : fmt::format("-seed-{}", seed);
-  return cached_scenes() / fmt::format("{}{}-{}.glb", name, variant, FOVEOLA_GENERATORS_DIGEST);
-}
-
-std::optional<std::uint32_t> variant_seed(const std::string& name, const fs::path& file) {
-  const std::string called = file.filename().string();
-  const std::string before_seed = name + "-seed-";
-  if (!called.starts_with(before_seed)) {
-    return std::nullopt;
-  }
-  std::uint32_t seed = default_seed;
-  std::from_chars(called.data() + before_seed.size(), called.data() + called.size(), seed);
-  const bool is_its_name = seed != default_seed && called == cached_builtin(name, seed).filename();
-  return is_its_name ? std::optional(seed) : std::nullopt;
-}
-
-std::size_t write_builtin(const std::string& name, const fs::path& file, std::uint32_t seed) {
-  prepare_folder_of(file);
-  const Model model = make_builtin(name, seed);
-  write_file(file, glb_from(model));
-  return model.triangle_count();
-}
-
-bool is_whole_glb(const fs::path& file) {
-  constexpr std::size_t length_offset = 8;
-  std::array<char, 12> header{};
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code missing;
-  const std::uintmax_t size_bytes = fs::file_size(file, missing);
-  if (missing || !stream.read(header.data(), header.size()) ||
-      !std::string_view(header.data(), header.size()).starts_with("glTF")) {
-    return false;
-  }
-  std::uint32_t announced_bytes = 0;
-  std::memcpy(&announced_bytes, header.data() + length_offset, sizeof announced_bytes);
-  return announced_bytes == size_bytes;
-}
-
-fs::path require_builtin(const std::string& name) {
-  const fs::path file = cached_builtin(name);
-  if (!is_whole_glb(file)) {
-    write_builtin(name, file);
-  }
-  return file;
 }
 
 }  // namespace foveola::scenes

@@ -19,7 +19,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 #include "scenes/descriptor.h"
 #include "scenes/fetch.h"
 #include "scenes/file_search.h"

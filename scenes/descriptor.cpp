@@ -11,7 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/toml_reader.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 
 namespace fs = std::filesystem;
 

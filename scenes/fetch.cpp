@@ -7,7 +7,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 #include "scenes/download.h"
 #include "scenes/file_search.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 #include "scenes/descriptor.h"
 #include "scenes/file_search.h"
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/programs.h"
 
 namespace fs = std::filesystem;
 
@@ -61,8 +62,8 @@ fs::path resource_folder() {
     }
     return chosen;
   }
+  const fs::path program = own_program();
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path installed = program.parent_path().parent_path() / "share" / "foveola";
   for (const fs::path& candidate : {installed, fs::path(FOVEOLA_SOURCE_FOLDER)}) {
     if (fs::is_directory(candidate / "protocols", ignored)) {

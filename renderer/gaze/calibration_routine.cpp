@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "renderer/base/angles.h"
-#include "renderer/gaze/eye_movements.h"
 
 namespace foveola {
 namespace {
@@ -73,7 +72,7 @@ bool CalibrationRoutine::collect(const GazeSample& sample) {
   watching_.samples.push_back(sample);
   if (sample.valid) {
     const Nanoseconds interval = sample.time - last_valid_.value_or(sample.time);
-    if (interval <= EyeMovementSettings{}.longest_interval) {
+    if (interval <= timing_.longest_interval) {
       collected_ += std::max(interval, Nanoseconds::zero());
     }
     last_valid_ = sample.time;

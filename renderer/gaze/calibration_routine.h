@@ -7,6 +7,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
+#include "renderer/gaze/eye_movements.h"
 #include "renderer/gaze/gaze_quality.h"
 
 namespace foveola {
@@ -21,9 +22,9 @@ std::vector<Vec3> calibration_targets(int points, double horizontal_fov_deg,
 /// All assumed; a saccade to a target begins after 0.2 s and is over within 0.1 s.
 struct CalibrationTiming {
   Nanoseconds settle = std::chrono::milliseconds(700);  ///< until a target's samples count
-  /// How long the gaze must be known for then. An interval between valid samples that is longer
-  /// than EyeMovementSettings::longest_interval does not count.
-  Nanoseconds collect = std::chrono::seconds(1);
+  Nanoseconds collect = std::chrono::seconds(1);  ///< how long the gaze must be known for then
+  /// A longer interval between valid samples does not count.
+  Nanoseconds longest_interval = EyeMovementSettings{}.longest_interval;
   Nanoseconds give_up = std::chrono::seconds(4);  ///< after a target's appearance; > settle
 };
 

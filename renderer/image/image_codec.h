@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace foveola {
@@ -55,7 +56,7 @@ struct ImageCodec {
   /// Any image that OpenImageIO knows.
   std::unique_ptr<ImageReader> (*open_file)(const std::string& path);
   /// format: OpenImageIO's name of it. `encoded` must outlive the reader, which does not
-  /// premultiply alpha.
+  /// premultiply alpha, and whose faults begin with "is damaged: ".
   std::unique_ptr<ImageReader> (*open_bytes)(std::span<const unsigned char> encoded,
                                              const std::string& format);
   /// In the format of the path's extension.

@@ -31,17 +31,16 @@ class OpenImageIoReader : public ImageReader {
 
   OpenImageIoReader(std::span<const unsigned char> encoded, const std::string& format)
       : memory_(std::make_unique<OIIO::Filesystem::IOMemReader>(encoded.data(), encoded.size())),
-        input_(OIIO::ImageInput::create(format)) {
+        input_(OIIO::ImageInput::create(format)),
+        fault_("is damaged: ") {
     if (!input_) {
-      throw std::runtime_error("OpenImageIO has no reader for " + format);
+      throw std::runtime_error("cannot be read: OpenImageIO has no reader for " + format);
     }
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     input_->set_ioproxy(memory_.get());
     OIIO::ImageSpec spec;
-    if (!input_->open("image." + format, spec, wishes)) {
-      throw std::runtime_error(input_->geterror());
-    }
+    require(input_->open("image." + format, spec, wishes));
     header_ = header_of(spec);
   }
 
@@ -59,14 +58,15 @@ class OpenImageIoReader : public ImageReader {
   }
 
  private:
-  void require(bool has_read) const {
-    if (!has_read) {
-      throw std::runtime_error(input_->geterror());
+  void require(bool is_done) const {
+    if (!is_done) {
+      throw std::runtime_error(fault_ + input_->geterror());
     }
   }
 
   std::unique_ptr<OIIO::Filesystem::IOProxy> memory_;  ///< read by `input_`, so it dies after it
   std::unique_ptr<OIIO::ImageInput> input_;
+  std::string fault_;  ///< what a fault's text begins with
   ImageHeader header_;
 };
 

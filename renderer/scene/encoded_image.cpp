@@ -112,13 +112,7 @@ std::unique_ptr<ImageReader> open_image(std::span<const unsigned char> encoded,
                                         ImageFormats allowed) {
   const Format& format = format_of(encoded, allowed);
   require_whole(encoded, format.name);
-  const ImageCodec& codec = image_codec();
-  std::unique_ptr<ImageReader> image;
-  try {
-    image = codec.open_bytes(encoded, format.name);
-  } catch (const std::runtime_error& fault) {
-    throw std::runtime_error(std::string("is damaged: ") + fault.what());
-  }
+  std::unique_ptr<ImageReader> image = image_codec().open_bytes(encoded, format.name);
   require_sensible(image->header());
   require_plausible_size(image->header(), format, encoded.size());
   return image;

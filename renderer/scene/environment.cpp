@@ -41,11 +41,7 @@ Environment decode(std::span<const unsigned char> encoded) {
   environment.map_height = header.height;
   environment.map.resize(pixels);
   const bool is_grey = header.channels < 3;
-  try {
-    image->read_floats(0, is_grey ? 1 : 3, &environment.map.front().r, sizeof(Rgb) / sizeof(float));
-  } catch (const std::runtime_error& fault) {
-    throw std::runtime_error(std::string("is damaged: ") + fault.what());
-  }
+  image->read_floats(0, is_grey ? 1 : 3, &environment.map.front().r, sizeof(Rgb) / sizeof(float));
   for (Rgb& texel : environment.map) {
     texel = is_grey ? Rgb(texel.r) : texel;
     if (!header.has_floats) {

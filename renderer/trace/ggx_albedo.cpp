@@ -42,9 +42,21 @@ SchlickAlbedo mean_of(const GgxAlbedo::Row& row) {
 
 }  // namespace
 
-GgxAlbedo::GgxAlbedo(const Workers& workers)
+bool GgxAlbedo::is_needed(std::size_t number, std::span<const RoughnessInterval> needed) {
+  const auto first = static_cast<int>(number) - 1;
+  return first == 0 || first >= roughness_steps - 1 ||
+         std::any_of(needed.begin(), needed.end(), [&](const RoughnessInterval& some) {
+           return NodePosition(some.least, roughness_steps).below <= first &&
+                  first <= NodePosition(some.most, roughness_steps).below + 1;
+         });
+}
+
+GgxAlbedo::GgxAlbedo(std::span<const RoughnessInterval> needed, const Workers& workers)
     : nodes_(row_count * nodes_in_row, Vec2(1.0F, 0.0F)), means_(row_count) {
   workers.for_each_block(row_count - 1, 1, [&](std::size_t i, std::size_t) {
+    if (!is_needed(i + 1, needed)) {
+      return;
+    }
     const float roughness = static_cast<float>(i) / roughness_steps;
     const Ggx ggx{.alpha = std::max(roughness * roughness, vanishing_alpha)};
     Vec2* nodes = &nodes_[(i + 1) * nodes_in_row];
@@ -56,7 +68,9 @@ GgxAlbedo::GgxAlbedo(const Workers& workers)
   means_[0] = mean_of(mirror_row());
   for (std::size_t i = 1; i < row_count; ++i) {
     const float roughness = static_cast<float>(i - 1) / roughness_steps;
-    means_[i] = i == 1 ? means_[0] : mean_of(row(roughness));
+    if (is_needed(i, needed)) {
+      means_[i] = i == 1 ? means_[0] : mean_of(row(roughness));
+    }
   }
 }
 

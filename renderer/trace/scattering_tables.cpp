@@ -4,9 +4,26 @@
 #include <cassert>
 
 namespace foveola {
+namespace {
+
+/// A texture makes a surface smoother, from place to place.
+RoughnessInterval roughnesses(float roughness, const TextureUse& texture) {
+  return {.least = texture.exists() ? 0.0F : roughness, .most = roughness};
+}
+
+std::vector<RoughnessInterval> ggx_roughnesses(std::span<const Material> materials) {
+  std::vector<RoughnessInterval> all;
+  for (const Material& material : materials) {
+    all.push_back(roughnesses(material.roughness, material.metallic_roughness_texture));
+    all.push_back(roughnesses(material.clearcoat_roughness, material.clearcoat_roughness_texture));
+  }
+  return all;
+}
+
+}  // namespace
 
 ScatteringTables::ScatteringTables(std::span<const Material> materials, const Workers& workers)
-    : ggx_(workers) {
+    : ggx_(ggx_roughnesses(materials), workers) {
   for (const Material& material : materials) {
     if (!sheen_ && max_component(material.sheen_color) > 0.0F) {
       sheen_.emplace(workers);

@@ -114,7 +114,7 @@ void LivePreview::act(PreviewAction action) {
     case PreviewAction::check_gaze:
       gaze_check_.emplace(calibration_targets(gaze_check_targets, geometry_.horizontal_fov_deg,
                                               geometry_.vertical_fov_deg),
-                          CalibrationTiming{}, parts_.clock->now());
+                          settings_.gaze_check, parts_.clock->now());
       break;
     case PreviewAction::take_picture:
       wants_picture_ = true;

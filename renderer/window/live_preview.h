@@ -36,6 +36,7 @@ struct LivePreviewSettings {
   std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
   bool keeps_last_picture = false;      ///< of those frames
   bool corrects_gaze = false;           ///< by what each check of the tracker finds
+  CalibrationTiming gaze_check;         ///< of such a check
   /// Gets what the user should know as soon as it is known, a line each; if there is any.
   std::function<void(const std::string& line)> tell;
 };

@@ -172,7 +172,7 @@ TEST_F(PreviewCommand, FollowsItsWindowsSize) {
   EXPECT_THAT(json.at("final_window"), ElementsAre(320, 100));
 }
 
-// It stays minimised to its end: if it did not go on, the frames would never be done.
+// If it did not go on, the frames would never be done.
 TEST_F(PreviewCommand, GoesOnWhileMinimised) {
   const auto json = preview_while(
       [this](XUser& user) {

@@ -7,7 +7,7 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 #include "scenes/descriptor.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"

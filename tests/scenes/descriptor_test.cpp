@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
-#include "scenes/builtin.h"
+#include "scenes/builtin_files.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
 

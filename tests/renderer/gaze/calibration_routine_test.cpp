@@ -79,10 +79,11 @@ struct Outcome {
 };
 
 /// At 100 frames a second.
-Outcome run(const std::vector<Vec3>& targets, ObedientEye& eye, EyeTracker& tracker) {
+Outcome run(const std::vector<Vec3>& targets, ObedientEye& eye, EyeTracker& tracker,
+            const CalibrationTiming& timing = {}) {
   VirtualClock clock;
   clock.advance(seconds(100));
-  CalibrationRoutine routine(targets, {}, clock.now());
+  CalibrationRoutine routine(targets, timing, clock.now());
   const Nanoseconds start = clock.now();
   std::optional<Vec3> shown;
   std::vector<GazeSample> arrived;
@@ -100,9 +101,9 @@ Outcome run(const std::vector<Vec3>& targets, ObedientEye& eye, EyeTracker& trac
 }
 
 Outcome run(const std::vector<Vec3>& targets, ObedientEye& eye,
-            const SimulatedTrackerSettings& settings) {
+            const SimulatedTrackerSettings& settings, const CalibrationTiming& timing = {}) {
   SimulatedEyeTracker tracker(settings, [&](Nanoseconds time) { return eye.gaze(time); });
-  return run(targets, eye, tracker);
+  return run(targets, eye, tracker, timing);
 }
 
 TEST(CalibrationRoutine, WatchesEachTargetOnceTheEyeHasSettled) {
@@ -131,6 +132,15 @@ TEST(CalibrationRoutine, ABlinkTakesLonger) {
   const Outcome outcome = run({Vec3(0.0F, 0.0F, -1.0F)}, eye, {.rate_hz = 200.0, .latency_s = 0.0});
   EXPECT_EQ(outcome.duration, milliseconds(1700 + 200 + 10)) << "with the frame it ends in";
   EXPECT_NEAR(gaze_quality(outcome.watched).data_loss, 0.2 / 1.2, 0.01);
+}
+
+TEST(CalibrationRoutine, SamplesThatComeRarelyCountOnlyIfTheTimingSaysSo) {
+  const std::vector<Vec3> targets = calibration_targets(5, 60.0, 60.0);
+  const SimulatedTrackerSettings ten_a_second{.rate_hz = 10.0, .latency_s = 0.0};
+  ObedientEye eye;
+  EXPECT_EQ(run(targets, eye, ten_a_second).duration, 5 * seconds(4)) << "given up";
+  const CalibrationTiming patient{.longest_interval = milliseconds(100)};
+  EXPECT_EQ(run(targets, eye, ten_a_second, patient).duration, 5 * milliseconds(700 + 1000));
 }
 
 /// Has nothing to say.

@@ -1,12 +1,12 @@
 #include <limits>
 #include <memory>
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/encoded_image.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
@@ -23,15 +23,14 @@ class LoadEnvironment : public InTemporaryFolder {
  protected:
   std::filesystem::path write_floats(const std::string& name, int width, int height, int channels,
                                      const std::vector<float>& values, int tile_side = 0) const {
-    const std::filesystem::path path = folder() / name;
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path.string());
-    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
-    spec.tile_width = tile_side;
-    spec.tile_height = tile_side;
-    EXPECT_TRUE(output->open(path.string(), spec)) << output->geterror();
-    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data())) << output->geterror();
-    EXPECT_TRUE(output->close());
-    return path;
+    const std::string format =
+        std::filesystem::path(name).extension() == ".hdr" ? "hdr" : "openexr";
+    return write(name, encoded_image({.format = format,
+                                      .width = width,
+                                      .height = height,
+                                      .channels = channels,
+                                      .samples = values,
+                                      .tile_side = tile_side}));
   }
 
   /// Loads it without a warning.

@@ -1,31 +1,12 @@
 #include "tests/renderer/scene/glb_builder.h"
 
 #include <algorithm>
-#include <memory>
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include "renderer/base/error.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/encoded_image.h"
 
 namespace foveola::test {
-namespace {
-
-std::string encode(const std::string& format, OIIO::ImageSpec spec, const void* samples) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
-  output->set_ioproxy(&memory);
-  spec["oiio:UnassociatedAlpha"] = 1;
-  EXPECT_TRUE(output->open("image." + format, spec)) << output->geterror();
-  EXPECT_TRUE(output->write_image(spec.format, samples)) << output->geterror();
-  EXPECT_TRUE(output->close());
-  return {bytes.begin(), bytes.end()};
-}
-
-}  // namespace
-
 Scene LoadGltf::load_bytes(const std::string& bytes, const std::string& name) const {
   return load_gltf(write(name, bytes));
 }
@@ -41,11 +22,11 @@ std::string LoadGltf::error_of_bytes(const std::string& bytes, const std::string
 }
 
 std::string png(int width, int height, int channels, const std::vector<std::uint8_t>& samples) {
-  return encode("png", {width, height, channels, OIIO::TypeDesc::UINT8}, samples.data());
+  return encoded_image({"png", width, height, channels, samples});
 }
 
 std::string png(int width, int height, int channels, const std::vector<std::uint16_t>& samples) {
-  return encode("png", {width, height, channels, OIIO::TypeDesc::UINT16}, samples.data());
+  return encoded_image({"png", width, height, channels, samples});
 }
 
 std::string huge_png(std::size_t size) {
@@ -57,12 +38,12 @@ std::string huge_png(std::size_t size) {
 }
 
 std::string exr(int width, int height, const std::vector<float>& values) {
-  return encode("openexr", {width, height, 3, OIIO::TypeDesc::FLOAT}, values.data());
+  return encoded_image({"openexr", width, height, 3, values});
 }
 
 std::string jpeg(int width, int height, std::uint8_t grey) {
   const std::vector<std::uint8_t> samples(static_cast<std::size_t>(3) * width * height, grey);
-  return encode("jpeg", {width, height, 3, OIIO::TypeDesc::UINT8}, samples.data());
+  return encoded_image({"jpeg", width, height, 3, samples});
 }
 
 GlbBuilder with_material(const Json& material) {

@@ -62,7 +62,7 @@ inline ReferenceChannels coloured(const ReferenceMaterial& material) {
   return channels;
 }
 
-/// With sheen, and rough solid glass of indices 1.001, 1.3 and 1.5.
+/// For any roughness, with sheen, and rough solid glass of indices 1.001, 1.3 and 1.5.
 inline const ScatteringTables& scattering_tables() {
   static const ScatteringTables made_once = [] {
     std::vector<Material> materials;
@@ -72,6 +72,7 @@ inline const ScatteringTables& scattering_tables() {
       material.transmission = 1.0F;
       material.is_solid = true;
       material.sheen_color = Rgb(1.0F);
+      material.metallic_roughness_texture.texture = 0;
       materials.push_back(material);
     }
     return ScatteringTables(materials, Workers(2));

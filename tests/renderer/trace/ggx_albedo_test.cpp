@@ -10,7 +10,7 @@ namespace {
 class GgxAlbedoTest : public testing::Test {
  protected:
   static const GgxAlbedo& table() {
-    static const GgxAlbedo made_once(Workers(2));
+    static const GgxAlbedo made_once(std::vector<RoughnessInterval>(1), Workers(2));
     return made_once;
   }
 };
@@ -56,6 +56,22 @@ TEST_F(GgxAlbedoTest, MeanIsThatOfTheValuesGiven) {
     }
     EXPECT_NEAR(row.mean().white, white, 1e-4) << roughness;
     EXPECT_NEAR(row.mean().grazing, grazing, 3e-5) << roughness;
+  }
+}
+
+// Also where an interval is a node of the table, and at its end.
+TEST_F(GgxAlbedoTest, OfSomeRoughnessesItIsTheSameToTheBit) {
+  const std::vector<RoughnessInterval> some{{0.3F, 0.3F}, {0.5F, 0.55F}, {0.875F, 1.0F}};
+  const GgxAlbedo partial(some, Workers(2));
+  for (const float roughness : {0.0F, 0.3F, 0.5F, 0.52F, 0.55F, 0.875F, 0.9F, 1.0F}) {
+    const GgxAlbedo::Row expected = table().row(roughness);
+    const GgxAlbedo::Row row = partial.row(roughness);
+    for (const float cosine : {0.01F, 0.5F, 1.0F}) {
+      EXPECT_EQ(row.at(cosine).white, expected.at(cosine).white) << roughness << ' ' << cosine;
+      EXPECT_EQ(row.at(cosine).grazing, expected.at(cosine).grazing) << roughness << ' ' << cosine;
+    }
+    EXPECT_EQ(row.mean().white, expected.mean().white) << roughness;
+    EXPECT_EQ(row.mean().grazing, expected.mean().grazing) << roughness;
   }
 }
 

@@ -1,0 +1,40 @@
+// This program's own file, and running other programs to their end.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foveola {
+
+/// Where the running program's file lies; empty if the system does not tell.
+std::filesystem::path own_program();
+
+/// What becomes of a program that we run when the user presses Ctrl-C, which reaches both.
+enum class OnInterrupt : std::uint8_t {
+  as_here,  ///< what becomes of this one: where a thread waits for the signal, both go on
+  ends      ///< it ends, unless it says otherwise itself
+};
+
+struct Command {
+  std::vector<std::string>
+      words;            ///< the program, sought on PATH unless it is a path; its arguments
+  std::string input{};  ///< on its standard input
+  OnInterrupt on_interrupt = OnInterrupt::as_here;
+};
+
+struct ProgramEnd {
+  int status = 0;  ///< as wait() gives it; 0: it succeeded
+  std::string output;
+  std::string errors;
+};
+
+/// Runs the program to its end, with what it prints kept in memory. Throws std::system_error if it
+/// cannot be started.
+ProgramEnd run_to_end(const Command& command);
+
+/// Of a status other than 0: "exit status 2", or "signal 9 (Killed)".
+std::string failure_named(int status);
+
+}  // namespace foveola

@@ -1,1 +1,0 @@
-// Empty: its target exists for the precompiled headers that all tests share.
