@@ -53,14 +53,22 @@ class SignalStop {
     ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
     waiter_ = std::jthread([this](const std::stop_token& done) { wait(done); });
   }
+  ~SignalStop() {
+    waiter_.request_stop();
+    ::pthread_kill(waiter_.native_handle(), SIGTERM);  // wakes it
+  }
+  SignalStop(const SignalStop&) = delete;
+  SignalStop& operator=(const SignalStop&) = delete;
 
   std::stop_token token() const { return stop_.get_token(); }
 
  private:
   void wait(const std::stop_token& done) {
-    constexpr timespec poll_interval{.tv_sec = 0, .tv_nsec = 50'000'000};
-    while (!done.stop_requested()) {
-      const int signal = ::sigtimedwait(&signals_, nullptr, &poll_interval);
+    for (;;) {
+      const int signal = ::sigwaitinfo(&signals_, nullptr);
+      if (done.stop_requested()) {
+        return;
+      }
       if (signal > 0 && !stop_.request_stop()) {
         std::_Exit(interrupted_exit_code);
       }
