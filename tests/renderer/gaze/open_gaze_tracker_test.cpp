@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <netdb.h>
 
 #include "renderer/base/error.h"
 #include "tests/renderer/gaze/tracker_server.h"
@@ -198,6 +199,9 @@ TEST(OpenGazeTracker, SaysWhenItIsNotConnected) {
 
 // A name can stand for several addresses: where localhost is ::1 first, it is at the second.
 TEST(OpenGazeTracker, FindsTheServerByTheHostsName) {
+  if (::gethostbyname("localhost") == nullptr) {
+    GTEST_SKIP() << "this computer has no name for itself (/etc/hosts names no localhost)";
+  }
   TrackerServer server;
   OpenGazeSettings settings = settings_for(server.port());
   settings.address.host = "localhost";
