@@ -78,7 +78,7 @@ class Streams {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Which signals wait at the new program's door.
+/// Which signals are blocked in the new program.
 class Attributes {
  public:
   explicit Attributes(OnInterrupt on_interrupt) {
