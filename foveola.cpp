@@ -162,7 +162,8 @@ int run(int argc, char** argv) {
   constexpr int usage_error = 2;
   const SignalStop signals;
   CLI::App app("A laboratory for foveated previews: renderer, user study, statistics.", "foveola");
-  app.set_version_flag("--version", "foveola " + build_info().version);
+  app.set_version_flag("--version", "foveola " + build_info().version + " (computing with " +
+                                        build_info().instruction_set + ")");
   app.require_subcommand(1);
   add_demo(app, signals.token());
   add_renderer_commands(app, scenes::find_scene, signals.token());

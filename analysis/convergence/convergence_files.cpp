@@ -268,6 +268,7 @@ std::string convergence_json(const ConvergencePlan& plan,
   const MachineInfo machine = machine_info();
   const json result = {{"version", build_info().version},
                        {"compiler", build_info().compiler},
+                       {"instruction_set", build_info().instruction_set},
                        {"processor", machine.processor},
                        {"cores", machine.cores},
                        {"baseline", plan.contenders.front().name},

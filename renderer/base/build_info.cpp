@@ -19,11 +19,28 @@ std::string processor_name() {
   return "unknown processor";
 }
 
+/// The highest level of the x86-64 psABI (1.0, 3.1.1) that this source is compiled for.
+constexpr const char* instruction_set() {
+#if defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+  return "x86-64-v4";
+#elif defined(__AVX2__) && defined(__BMI2__) && defined(__FMA__)
+  return "x86-64-v3";
+#elif defined(__SSE4_2__) && defined(__POPCNT__)
+  return "x86-64-v2";
+#elif defined(__x86_64__)
+  return "x86-64";
+#else
+  return "not x86-64";
+#endif
+}
+
 }  // namespace
 
 BuildInfo build_info() {
-  return {
-      .version = FOVEOLA_VERSION, .compiler = FOVEOLA_COMPILER, .build_type = FOVEOLA_BUILD_TYPE};
+  return {.version = FOVEOLA_VERSION,
+          .compiler = FOVEOLA_COMPILER,
+          .build_type = FOVEOLA_BUILD_TYPE,
+          .instruction_set = instruction_set()};
 }
 
 MachineInfo machine_info() {

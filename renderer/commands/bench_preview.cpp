@@ -108,6 +108,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
 Json json_of(const PreviewRun& run, const PreviewArguments& arguments) {
   Json json = {{"version", build_info().version},
                {"compiler", build_info().compiler},
+               {"instruction_set", build_info().instruction_set},
                {"processor", machine_info().processor},
                {"scene", arguments.scene},
                {"method", arguments.method},

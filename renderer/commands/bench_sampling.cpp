@@ -168,6 +168,7 @@ void run(const std::vector<std::string>& methods, bool as_json) {
   }
   const nlohmann::ordered_json json = {{"version", build_info().version},
                                        {"compiler", build_info().compiler},
+                                       {"instruction_set", build_info().instruction_set},
                                        {"processor", machine_info().processor},
                                        {"figures", list}};
   fmt::print("{}\n", json.dump(2));

@@ -251,6 +251,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
   }
   const nlohmann::ordered_json json = {{"version", build_info().version},
                                        {"compiler", build_info().compiler},
+                                       {"instruction_set", build_info().instruction_set},
                                        {"processor", machine_info().processor},
                                        {"scene", arguments.scene},
                                        {"method", settings.method},

@@ -132,6 +132,7 @@ void print_path(const ReplayedPath& path) {
 ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
                     const std::string& scene) {
   ImageFacts facts{{"foveola:version", build_info().version},
+                   {"foveola:instruction_set", build_info().instruction_set},
                    {"foveola:scene", scene},
                    {"foveola:method", settings.method},
                    {"foveola:seed", std::to_string(settings.seed)},
