@@ -1,4 +1,4 @@
-// The program: each room adds its commands, and only here do they meet.
+// The program: each module adds its commands, and only here do they meet.
 #include <csignal>
 #include <cstdlib>
 #include <exception>

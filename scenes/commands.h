@@ -10,7 +10,7 @@ class App;
 namespace foveola::scenes {
 
 /// Adds `scene list`, `scene make` and `scene fetch` to `app`; see add_renderer_commands. Returns
-/// the command `scene`, for rooms that have more to say of one.
+/// the command `scene`, for modules that have more to say of one.
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop);
 
 }  // namespace foveola::scenes

@@ -1,4 +1,4 @@
-// From a scene's name to the file and the viewpoint: the door through which other rooms find
+// From a scene's name to the file and the viewpoint: the door through which other modules find
 // scenes.
 #pragma once
 

@@ -119,9 +119,9 @@ json amended(const StudyTables& tables) {
   return rows;
 }
 
-json instrument(const InstrumentReport& report, const std::string& kind) {
+json data_quality(const DataQualityReport& report, const std::string& kind) {
   json checks = json::array();
-  for (const InstrumentCheck& check : report.checks) {
+  for (const DataQualityCheck& check : report.checks) {
     checks.push_back({{"check", check.name},
                       {"verdict", name_of(check.verdict)},
                       {"found", check.found},
@@ -182,7 +182,7 @@ std::string analysis_json(const AnalysisOutput& output) {
       {"omnibus", omnibus_json(output.comparisons, tables.set.kind)},
       {"order_effects", order_json(output.comparisons, tables.set.kind)},
       {"record", output.record ? study::verification_json(*output.record) : json(nullptr)},
-      {"instrument", instrument(output.checks, tables.set.kind)},
+      {"data_quality", data_quality(output.checks, tables.set.kind)},
       {"amended_sessions", amended(tables)},
       {"excluded", tables.set.exclusions.size()}};
   return result.dump(2, ' ', false, json::error_handler_t::replace);

@@ -21,6 +21,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/former_option.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/stage.h"
 #include "renderer/image/image_file.h"
@@ -38,7 +39,7 @@ struct ConvergenceArguments {
   fs::path folder;
   std::optional<std::string> size;
   std::optional<int> samples_per_pixel;
-  std::optional<int> rounds;
+  std::optional<int> repetitions;
   int gazes = 1;
   int threads = 0;
   bool quick = false;
@@ -52,8 +53,8 @@ ConvergencePlan quick_plan() {
   ConvergencePlan plan;
   plan.size = {192, 96};
   plan.samples_per_pixel = 16;
-  plan.least_rounds = 3;
-  plan.most_rounds = 8;
+  plan.least_repetitions = 3;
+  plan.most_repetitions = 8;
   plan.view_size = 160;
   plan.reference_samples_per_pixel = 32;
   plan.reference_foveated_per_pixel = 2;
@@ -64,15 +65,16 @@ ConvergencePlan quick_plan() {
 ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
   ConvergencePlan plan = arguments.quick ? quick_plan() : ConvergencePlan{};
   const bool has_options = arguments.options != std::vector<std::string>{"none"};
-  plan.contenders = make_contenders(split_methods(arguments.methods),
-                                    has_options ? arguments.options : std::vector<std::string>{});
+  plan.configurations =
+      make_configurations(split_methods(arguments.methods),
+                          has_options ? arguments.options : std::vector<std::string>{});
   if (arguments.size) {
     plan.size = parse_size("--size", *arguments.size);
   }
   plan.samples_per_pixel = arguments.samples_per_pixel.value_or(plan.samples_per_pixel);
-  if (arguments.rounds) {
-    plan.least_rounds = *arguments.rounds;
-    plan.most_rounds = *arguments.rounds;
+  if (arguments.repetitions) {
+    plan.least_repetitions = *arguments.repetitions;
+    plan.most_repetitions = *arguments.repetitions;
   }
   return plan;
 }
@@ -135,9 +137,10 @@ class ConvergenceBench {
     const Stage stage(source, settings);
     print_warnings(stage.warnings);
     std::optional<PathTracer> by_power_alone;
-    if (std::any_of(plan_.contenders.begin(), plan_.contenders.end(), [](const Contender& c) {
-          return c.light_selection == LightSelection::by_power_alone;
-        })) {
+    if (std::any_of(plan_.configurations.begin(), plan_.configurations.end(),
+                    [](const Configuration& c) {
+                      return c.light_selection == LightSelection::by_power_alone;
+                    })) {
       by_power_alone.emplace(stage.scene, stage.workers, LightSelection::by_power_alone);
     }
     const Subject subject{.scene = source.name,
@@ -164,7 +167,7 @@ class ConvergenceBench {
       const GazeBench bench(subject, plan_, gaze, workers, cache_folder() / "references", progress,
                             stop_);
       GazeMeasurement measurement = bench.measure(limit_s(), progress);
-      if (!measurement.rounds.empty()) {
+      if (!measurement.repetitions.empty()) {
         results_.measurements.push_back(std::move(measurement));
         results_.crops.push_back(bench.crops());
         results_.exposure_stops.push_back(subject.exposure_stops);
@@ -178,7 +181,7 @@ class ConvergenceBench {
     --gazes_left_;
   }
 
-  /// For the rounds of the next gaze; 0: no limit.
+  /// For the repetitions of the next gaze; 0: no limit.
   double limit_s() const {
     constexpr double least_s = 1.0;
     if (!arguments_.quick) {
@@ -222,7 +225,7 @@ void run(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
   ConvergenceBench bench(arguments, find_scene, stop);
   const Results results = bench.run();
   if (results.measurements.empty()) {
-    throw Error(arguments.folder.string(), "is not written: no round was finished",
+    throw Error(arguments.folder.string(), "is not written: no repetition was finished",
                 "let it run longer, or try --quick");
   }
   const ConvergenceTables tables = tabulate(results.measurements);
@@ -259,7 +262,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       ->add_option("--options", arguments->options,
                    "What to change of the first method, each for a row of its own: independent "
                    "(random numbers instead of low-discrepancy sequences), clamp (samples are cut "
-                   "at a radiance of 10), spare-done (as render's, at 0.01); or none")
+                   "at a radiance of 10), adaptive (as render's, at 0.01); or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
@@ -273,10 +276,12 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       ->add_option("--spp", arguments->samples_per_pixel,
                    "Samples of each render per pixel of the film (default: 32; quick: 16)")
       ->check(CLI::Range(16, 1 << 16));
-  command
-      ->add_option("--rounds", arguments->rounds,
-                   "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
-      ->check(CLI::Range(2, 1000));
+  CLI::Option* const repetitions =
+      command
+          ->add_option("--repetitions", arguments->repetitions,
+                       "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
+          ->check(CLI::Range(2, 1000));
+  accept_former_name(*command, *repetitions, "--rounds");
   command->add_option("--threads", arguments->threads, "0: every core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

@@ -17,8 +17,8 @@ using BenchJson = nlohmann::ordered_json;
 
 /// What tells the elements of an array apart.
 constexpr std::array<std::string_view, 12> identities = {
-    "name",   "kind",  "scene", "gaze",   "contender", "region",
-    "metric", "level", "unit",  "method", "option",    "threads"};
+    "name",   "kind",  "scene", "gaze",   "configuration", "region",
+    "metric", "level", "unit",  "method", "option",        "threads"};
 
 bool is_identity(std::string_view key) {
   return std::find(identities.begin(), identities.end(), key) != identities.end();

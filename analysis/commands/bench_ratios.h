@@ -25,7 +25,7 @@ struct BenchComparison {
 };
 
 /// Compares what any of the bench commands prints with --json. The elements of arrays belong
-/// together if they are of the same name, scene, gaze, contender, region, metric, level, kind,
+/// together if they are of the same name, scene, gaze, configuration, region, metric, level, kind,
 /// threads and so on, wherever they stand; figures are the numbers in top-level arrays, and
 /// everything else is a setting. The interval is that of a ratio of independent estimates, on the
 /// logarithm (Zou and Donner 2008, "Construction of confidence limits about effect measures", eq. 9

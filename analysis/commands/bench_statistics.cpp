@@ -57,7 +57,7 @@ void run_bench_statistics(const CoverageSettings& settings, bool json,
                           const std::stop_token& stop) {
   std::vector<CoverageFigure> figures;
   {
-    Progress progress("Planted studies");
+    Progress progress("Studies with injected effects");
     figures = measure_coverage(
         settings, [&](double done) { progress.update(done); }, stop);
   }
@@ -78,7 +78,7 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
   const auto settings = std::make_shared<CoverageSettings>();
   const auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "statistics", "How often intervals and tests are right, over studies with a planted truth");
+      "statistics", "How often intervals and tests are right, over studies with injected effects");
   command->add_option("--studies", settings->studies, "How many for each figure")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();

@@ -69,7 +69,7 @@ void add_planning(CLI::App& command, AnalyzeArguments& arguments) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): every room adds its commands alike.
+// NOLINTNEXTLINE(performance-unnecessary-value-param): every module adds its commands alike.
 void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   const auto arguments = std::make_shared<AnalyzeArguments>();
   CLI::App* command =

@@ -48,15 +48,15 @@ std::vector<Line> lines_of(const GazeMeasurement& measurement, const FigureKind&
   if (region == measurement.regions.end()) {
     return {};
   }
-  std::vector<std::size_t> rounds(measurement.rounds.size());
-  std::iota(rounds.begin(), rounds.end(), std::size_t{0});
+  std::vector<std::size_t> repetitions(measurement.repetitions.size());
+  std::iota(repetitions.begin(), repetitions.end(), std::size_t{0});
   std::vector<Line> lines;
-  for (std::size_t i = 0; i < measurement.contenders.size(); ++i) {
+  for (std::size_t i = 0; i < measurement.configurations.size(); ++i) {
     const CurveSource source{
-        .contender = i,
+        .configuration = i,
         .region = static_cast<std::size_t>(region - measurement.regions.begin()),
         .metric = kind.metric};
-    lines.push_back({measurement.contenders[i], mean_curve(measurement, source, rounds)});
+    lines.push_back({measurement.configurations[i], mean_curve(measurement, source, repetitions)});
   }
   return lines;
 }

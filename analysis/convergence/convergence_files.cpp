@@ -30,15 +30,15 @@ void append(const std::optional<Estimate>& estimate, CsvRow& row) {
 }
 
 void add_points(const GazeMeasurement& measurement, std::vector<CsvRow>& rows) {
-  for (std::size_t round = 0; round < measurement.rounds.size(); ++round) {
-    for (std::size_t i = 0; i < measurement.contenders.size(); ++i) {
-      const RenderLog& log = measurement.rounds[round][i];
+  for (std::size_t repetition = 0; repetition < measurement.repetitions.size(); ++repetition) {
+    for (std::size_t i = 0; i < measurement.configurations.size(); ++i) {
+      const RenderLog& log = measurement.repetitions[repetition][i];
       for (const Checkpoint& checkpoint : log.checkpoints) {
         for (std::size_t region = 0; region < measurement.regions.size(); ++region) {
           const Score& score = checkpoint.scores[region];
           const RegionError& error = score.error;
-          rows.push_back({measurement.scene, measurement.gaze, measurement.contenders[i],
-                          std::to_string(round), measurement.regions[region],
+          rows.push_back({measurement.scene, measurement.gaze, measurement.configurations[i],
+                          std::to_string(repetition), measurement.regions[region],
                           std::to_string(checkpoint.samples), csv_number(checkpoint.seconds),
                           finite(error.samples_per_pixel), finite(error.mse),
                           finite(std::sqrt(error.mse)), finite(error.relative_mse),
@@ -52,10 +52,10 @@ void add_points(const GazeMeasurement& measurement, std::vector<CsvRow>& rows) {
 }
 
 std::string points_csv(const std::vector<GazeMeasurement>& measurements) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "contender", "round", "region", "samples",
-                               "seconds", "samples_per_pixel", "mse", "rmse", "relative_mse",
-                               "flip", "pixels", "empty_pixels", "empty_share", "non_finite_pixels",
-                               "non_finite_samples_of_render"}};
+  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "repetition", "region",
+                               "samples", "seconds", "samples_per_pixel", "mse", "rmse",
+                               "relative_mse", "flip", "pixels", "empty_pixels", "empty_share",
+                               "non_finite_pixels", "non_finite_samples_of_render"}};
   for (const GazeMeasurement& measurement : measurements) {
     add_points(measurement, rows);
   }
@@ -63,13 +63,13 @@ std::string points_csv(const std::vector<GazeMeasurement>& measurements) {
 }
 
 std::string speed_ups_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "contender", "region", "metric", "level",
+  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "region", "metric", "level",
                                "samples", "samples_low", "samples_high", "time", "time_low",
                                "time_high", "predicted"}};
   for (const SpeedUp& speed_up : tables.speed_ups) {
     CsvRow row = {speed_up.scene,
                   speed_up.gaze,
-                  speed_up.contender,
+                  speed_up.configuration,
                   speed_up.region,
                   std::string(name_of(speed_up.metric)),
                   std::string(name_of(speed_up.level))};
@@ -82,10 +82,11 @@ std::string speed_ups_csv(const ConvergenceTables& tables) {
 }
 
 std::string overall_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"contender", "region", "metric", "level", "samples", "samples_low",
-                               "samples_high", "time", "time_low", "time_high", "predicted"}};
+  std::vector<CsvRow> rows = {{"configuration", "region", "metric", "level", "samples",
+                               "samples_low", "samples_high", "time", "time_low", "time_high",
+                               "predicted"}};
   for (const OverallSpeedUp& overall : tables.overall) {
-    CsvRow row = {overall.contender, overall.region, std::string(name_of(overall.metric)),
+    CsvRow row = {overall.configuration, overall.region, std::string(name_of(overall.metric)),
                   std::string(name_of(overall.level))};
     append(overall.samples, row);
     append(overall.time, row);
@@ -96,10 +97,11 @@ std::string overall_csv(const ConvergenceTables& tables) {
 }
 
 std::string costs_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "contender", "ns_per_path", "ns_per_path_low",
-                               "ns_per_path_high", "ratio", "ratio_low", "ratio_high"}};
+  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "ns_per_path",
+                               "ns_per_path_low", "ns_per_path_high", "ratio", "ratio_low",
+                               "ratio_high"}};
   for (const PathCost& cost : tables.costs) {
-    CsvRow row = {cost.scene, cost.gaze, cost.contender};
+    CsvRow row = {cost.scene, cost.gaze, cost.configuration};
     append(cost.ns_per_path, row);
     append(cost.ratio, row);
     rows.push_back(std::move(row));
@@ -108,13 +110,14 @@ std::string costs_csv(const ConvergenceTables& tables) {
 }
 
 std::string convergence_rows_csv(const ConvergenceTables& tables) {
-  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "contender", "region", "slope_in_samples",
+  std::vector<CsvRow> rows = {{"scene", "gaze_deg", "configuration", "region", "slope_in_samples",
                                "slope_in_samples_low", "slope_in_samples_high", "slope_in_time",
                                "slope_in_time_low", "slope_in_time_high", "efficiency",
                                "efficiency_low", "efficiency_high", "efficiency_ratio",
                                "efficiency_ratio_low", "efficiency_ratio_high"}};
   for (const Convergence& convergence : tables.convergence) {
-    CsvRow row = {convergence.scene, convergence.gaze, convergence.contender, convergence.region};
+    CsvRow row = {convergence.scene, convergence.gaze, convergence.configuration,
+                  convergence.region};
     append(convergence.slope_in_samples, row);
     append(convergence.slope_in_time, row);
     append(convergence.efficiency, row);
@@ -142,8 +145,8 @@ json estimate(const std::optional<Estimate>& value) {
 
 json crops_json(const ConvergencePlan& plan) {
   json order = json::array();
-  for (const Contender& contender : plan.contenders) {
-    order.push_back(contender.name);
+  for (const Configuration& configuration : plan.configurations) {
+    order.push_back(configuration.name);
   }
   order.push_back("reference");
   return {{"seconds", plan.crop_seconds}, {"fov_deg", plan.crop_fov_deg}, {"left_to_right", order}};
@@ -165,14 +168,14 @@ json measured_json(const std::vector<GazeMeasurement>& measurements) {
   json list = json::array();
   for (const GazeMeasurement& measurement : measurements) {
     std::uint64_t dropped = 0;
-    for (const Round& round : measurement.rounds) {
-      for (const RenderLog& log : round) {
+    for (const Repetition& repetition : measurement.repetitions) {
+      for (const RenderLog& log : repetition) {
         dropped += log.dropped;
       }
     }
     list.push_back({{"scene", measurement.scene},
                     {"gaze", measurement.gaze},
-                    {"rounds", measurement.rounds.size()},
+                    {"repetitions", measurement.repetitions.size()},
                     {"non_finite_samples", dropped}});
   }
   return list;
@@ -192,7 +195,7 @@ json speed_ups_json(const ConvergenceTables& tables) {
   return list_of(tables.speed_ups, [](const SpeedUp& row) -> json {
     return {{"scene", row.scene},
             {"gaze", row.gaze},
-            {"contender", row.contender},
+            {"configuration", row.configuration},
             {"region", row.region},
             {"metric", name_of(row.metric)},
             {"level", name_of(row.level)},
@@ -204,9 +207,9 @@ json speed_ups_json(const ConvergenceTables& tables) {
 
 json overall_json(const ConvergenceTables& tables) {
   return list_of(tables.overall, [](const OverallSpeedUp& row) -> json {
-    return {{"contender", row.contender},        {"region", row.region},
-            {"metric", name_of(row.metric)},     {"level", name_of(row.level)},
-            {"samples", estimate(row.samples)},  {"time", estimate(row.time)},
+    return {{"configuration", row.configuration}, {"region", row.region},
+            {"metric", name_of(row.metric)},      {"level", name_of(row.level)},
+            {"samples", estimate(row.samples)},   {"time", estimate(row.time)},
             {"predicted", number(row.predicted)}};
   });
 }
@@ -215,7 +218,7 @@ json costs_json(const ConvergenceTables& tables) {
   return list_of(tables.costs, [](const PathCost& row) -> json {
     return {{"scene", row.scene},
             {"gaze", row.gaze},
-            {"contender", row.contender},
+            {"configuration", row.configuration},
             {"ns_per_path", estimate(row.ns_per_path)},
             {"ratio", estimate(row.ratio)}};
   });
@@ -225,7 +228,7 @@ json convergence_rows_json(const ConvergenceTables& tables) {
   return list_of(tables.convergence, [](const Convergence& row) -> json {
     return {{"scene", row.scene},
             {"gaze", row.gaze},
-            {"contender", row.contender},
+            {"configuration", row.configuration},
             {"region", row.region},
             {"slope_in_samples", estimate(row.slope_in_samples)},
             {"slope_in_time", estimate(row.slope_in_time)},
@@ -271,7 +274,7 @@ std::string convergence_json(const ConvergencePlan& plan,
                        {"instruction_set", build_info().instruction_set},
                        {"processor", machine.processor},
                        {"cores", machine.cores},
-                       {"baseline", plan.contenders.front().name},
+                       {"baseline", plan.configurations.front().name},
                        {"plan", plan_json(plan)},
                        {"crops", crops_json(plan)},
                        {"measured", measured_json(measurements)},
@@ -290,17 +293,17 @@ std::string convergence_summary(const ConvergenceTables& tables) {
     if (row.metric == Metric::mse && row.level == Level::all) {
       const auto quarter =
           std::find_if(tables.overall.begin(), tables.overall.end(), [&](const auto& other) {
-            return other.contender == row.contender && other.region == row.region &&
+            return other.configuration == row.configuration && other.region == row.region &&
                    other.metric == row.metric && other.level == Level::quarter;
           });
-      text += fmt::format(columns, row.contender, row.region, in_words(row.predicted),
+      text += fmt::format(columns, row.configuration, row.region, in_words(row.predicted),
                           in_words(row.samples), in_words(quarter->samples), in_words(row.time));
     }
   }
   text += "A path's cost, and its ratio to the baseline's:\n";
   for (const PathCost& cost : tables.costs) {
     text += fmt::format("{:<12} {:>10}  {:<28} {:>8.0f} ns  {}\n", cost.scene, cost.gaze,
-                        cost.contender, cost.ns_per_path ? cost.ns_per_path->value : 0.0,
+                        cost.configuration, cost.ns_per_path ? cost.ns_per_path->value : 0.0,
                         in_words(cost.ratio));
   }
   return text;

@@ -9,10 +9,10 @@
 namespace foveola::analysis {
 namespace {
 
-/// The position of the contender that the others are compared with.
-constexpr std::size_t baseline_contender = 0;
+/// The position of the configuration that the others are compared with.
+constexpr std::size_t baseline_configuration = 0;
 
-using Rounds = std::span<const std::size_t>;
+using Repetitions = std::span<const std::size_t>;
 
 /// The point of a curve where all of a render's samples are taken, or a quarter; empty if no error
 /// can be compared there.
@@ -20,7 +20,7 @@ std::optional<CurvePoint> point_of(Level level, const ErrorCurve& curve,
                                    const GazeMeasurement& measurement) {
   constexpr double quarter = 0.25;
   const auto all_samples = static_cast<double>(
-      measurement.rounds.front()[baseline_contender].checkpoints.back().samples);
+      measurement.repetitions.front()[baseline_configuration].checkpoints.back().samples);
   const double wanted = all_samples * (level == Level::all ? 1.0 : quarter);
   // Checkpoints are whole samples.
   const auto found = std::find_if(curve.begin(), curve.end(), [wanted](const CurvePoint& point) {
@@ -48,65 +48,68 @@ std::optional<double> speed_up(const ErrorCurve& method, const ErrorCurve& base,
 std::optional<Estimate> speed_up(const GazeMeasurement& measurement, const CurveSource& source,
                                  Level level, Axis axis) {
   CurveSource base = source;
-  base.contender = baseline_contender;
-  return jackknife_ratio(measurement.rounds.size(), [&](Rounds kept) {
+  base.configuration = baseline_configuration;
+  return jackknife_ratio(measurement.repetitions.size(), [&](Repetitions kept) {
     return speed_up(mean_curve(measurement, source, kept), mean_curve(measurement, base, kept),
                     measurement, level, axis);
   });
 }
 
-void add_speed_ups(const GazeMeasurement& measurement, std::size_t contender,
+void add_speed_ups(const GazeMeasurement& measurement, std::size_t configuration,
                    std::vector<SpeedUp>& rows) {
   for (std::size_t region = 0; region < measurement.regions.size(); ++region) {
     for (const Metric metric : metrics) {
       for (const Level level : levels) {
-        const CurveSource source{.contender = contender, .region = region, .metric = metric};
+        const CurveSource source{
+            .configuration = configuration, .region = region, .metric = metric};
         rows.push_back({.scene = measurement.scene,
                         .gaze = measurement.gaze,
-                        .contender = measurement.contenders[contender],
+                        .configuration = measurement.configurations[configuration],
                         .region = measurement.regions[region],
                         .metric = metric,
                         .level = level,
                         .samples = speed_up(measurement, source, level, Axis::samples),
                         .time = speed_up(measurement, source, level, Axis::seconds),
                         .predicted = metric == Metric::mse
-                                         ? measurement.predicted[contender][region]
+                                         ? measurement.predicted[configuration][region]
                                          : std::nullopt});
       }
     }
   }
 }
 
-double seconds_per_path(const GazeMeasurement& measurement, std::size_t contender, Rounds kept) {
+double seconds_per_path(const GazeMeasurement& measurement, std::size_t configuration,
+                        Repetitions kept) {
   double time_s = 0.0;
   double samples = 0.0;
-  for (const std::size_t round : kept) {
-    const Checkpoint& end = measurement.rounds[round][contender].checkpoints.back();
+  for (const std::size_t repetition : kept) {
+    const Checkpoint& end = measurement.repetitions[repetition][configuration].checkpoints.back();
     time_s += end.seconds;
     samples += static_cast<double>(end.samples);
   }
   return time_s / samples;
 }
 
-PathCost cost_of(const GazeMeasurement& measurement, std::size_t contender) {
+PathCost cost_of(const GazeMeasurement& measurement, std::size_t configuration) {
   constexpr double ns_per_s = 1e9;
-  const std::size_t rounds = measurement.rounds.size();
-  return {
-      .scene = measurement.scene,
-      .gaze = measurement.gaze,
-      .contender = measurement.contenders[contender],
-      .ns_per_path = jackknife_ratio(
-          rounds,
-          [&](Rounds kept) { return ns_per_s * seconds_per_path(measurement, contender, kept); }),
-      .ratio = jackknife_ratio(rounds, [&](Rounds kept) {
-        return seconds_per_path(measurement, contender, kept) /
-               seconds_per_path(measurement, baseline_contender, kept);
-      })};
+  const std::size_t repetitions = measurement.repetitions.size();
+  return {.scene = measurement.scene,
+          .gaze = measurement.gaze,
+          .configuration = measurement.configurations[configuration],
+          .ns_per_path = jackknife_ratio(repetitions,
+                                         [&](Repetitions kept) {
+                                           return ns_per_s * seconds_per_path(measurement,
+                                                                              configuration, kept);
+                                         }),
+          .ratio = jackknife_ratio(repetitions, [&](Repetitions kept) {
+            return seconds_per_path(measurement, configuration, kept) /
+                   seconds_per_path(measurement, baseline_configuration, kept);
+          })};
 }
 
 std::optional<Estimate> slope(const GazeMeasurement& measurement, const CurveSource& source,
                               Axis axis) {
-  return jackknife(measurement.rounds.size(), [&](Rounds kept) -> std::optional<double> {
+  return jackknife(measurement.repetitions.size(), [&](Repetitions kept) -> std::optional<double> {
     const std::optional<double> exponent =
         log_log_slope(mean_curve(measurement, source, kept), axis);
     return exponent ? std::optional(0.5 * *exponent) : std::nullopt;  // the root's
@@ -114,35 +117,38 @@ std::optional<Estimate> slope(const GazeMeasurement& measurement, const CurveSou
 }
 
 /// Empty where the last error cannot be compared.
-std::optional<double> efficiency(const GazeMeasurement& measurement, std::size_t contender,
-                                 std::size_t region, Rounds kept) {
+std::optional<double> efficiency(const GazeMeasurement& measurement, std::size_t configuration,
+                                 std::size_t region, Repetitions kept) {
   const ErrorCurve curve = mean_curve(
-      measurement, {.contender = contender, .region = region, .metric = Metric::mse}, kept);
-  const std::uint64_t last = measurement.rounds.front()[contender].checkpoints.back().samples;
+      measurement, {.configuration = configuration, .region = region, .metric = Metric::mse}, kept);
+  const std::uint64_t last =
+      measurement.repetitions.front()[configuration].checkpoints.back().samples;
   if (curve.empty() || std::abs(curve.back().samples - static_cast<double>(last)) > 1.0) {
     return std::nullopt;
   }
   return 1.0 / (curve.back().error * curve.back().seconds);
 }
 
-Convergence convergence_of(const GazeMeasurement& measurement, std::size_t contender,
+Convergence convergence_of(const GazeMeasurement& measurement, std::size_t configuration,
                            std::size_t region) {
-  const CurveSource source{.contender = contender, .region = region, .metric = Metric::mse};
-  const std::size_t rounds = measurement.rounds.size();
+  const CurveSource source{.configuration = configuration, .region = region, .metric = Metric::mse};
+  const std::size_t repetitions = measurement.repetitions.size();
   return {
       .scene = measurement.scene,
       .gaze = measurement.gaze,
-      .contender = measurement.contenders[contender],
+      .configuration = measurement.configurations[configuration],
       .region = measurement.regions[region],
       .slope_in_samples = slope(measurement, source, Axis::samples),
       .slope_in_time = slope(measurement, source, Axis::seconds),
       .efficiency = jackknife_ratio(
-          rounds, [&](Rounds kept) { return efficiency(measurement, contender, region, kept); }),
-      .efficiency_ratio = jackknife_ratio(rounds, [&](Rounds kept) -> std::optional<double> {
-        const auto own = efficiency(measurement, contender, region, kept);
-        const auto base = efficiency(measurement, baseline_contender, region, kept);
-        return own && base ? std::optional(*own / *base) : std::nullopt;
-      })};
+          repetitions,
+          [&](Repetitions kept) { return efficiency(measurement, configuration, region, kept); }),
+      .efficiency_ratio =
+          jackknife_ratio(repetitions, [&](Repetitions kept) -> std::optional<double> {
+            const auto own = efficiency(measurement, configuration, region, kept);
+            const auto base = efficiency(measurement, baseline_configuration, region, kept);
+            return own && base ? std::optional(*own / *base) : std::nullopt;
+          })};
 }
 
 using Kind = std::vector<const SpeedUp*>;
@@ -175,7 +181,7 @@ std::optional<double> predicted_over_all(const Kind& rows) {
 }
 
 bool is_same_kind(const SpeedUp& a, const SpeedUp& b) {
-  return a.contender == b.contender && a.region == b.region && a.metric == b.metric &&
+  return a.configuration == b.configuration && a.region == b.region && a.metric == b.metric &&
          a.level == b.level;
 }
 
@@ -191,7 +197,7 @@ std::vector<OverallSpeedUp> overall_speed_ups(const std::vector<SpeedUp>& rows) 
         kind.push_back(&row);
       }
     }
-    overall.push_back({.contender = first->contender,
+    overall.push_back({.configuration = first->configuration,
                        .region = first->region,
                        .metric = first->metric,
                        .level = first->level,
@@ -209,13 +215,14 @@ std::string_view name_of(Level level) { return level == Level::all ? "all" : "qu
 ConvergenceTables tabulate(const std::vector<GazeMeasurement>& measurements) {
   ConvergenceTables tables;
   for (const GazeMeasurement& measurement : measurements) {
-    for (std::size_t contender = 0; contender < measurement.contenders.size(); ++contender) {
-      if (contender != baseline_contender) {
-        add_speed_ups(measurement, contender, tables.speed_ups);
+    for (std::size_t configuration = 0; configuration < measurement.configurations.size();
+         ++configuration) {
+      if (configuration != baseline_configuration) {
+        add_speed_ups(measurement, configuration, tables.speed_ups);
       }
-      tables.costs.push_back(cost_of(measurement, contender));
+      tables.costs.push_back(cost_of(measurement, configuration));
       for (std::size_t region = 0; region < measurement.regions.size(); ++region) {
-        tables.convergence.push_back(convergence_of(measurement, contender, region));
+        tables.convergence.push_back(convergence_of(measurement, configuration, region));
       }
     }
   }

@@ -17,11 +17,11 @@ enum class Level { all, quarter };
 inline constexpr std::array levels = {Level::all, Level::quarter};
 std::string_view name_of(Level level);
 
-/// Intervals are over rounds, by the jackknife; empty is what was not reached.
+/// Intervals are over repetitions, by the jackknife; empty is what was not reached.
 struct SpeedUp {
   std::string scene;
   std::string gaze;
-  std::string contender;
+  std::string configuration;
   std::string region;
   Metric metric = Metric::mse;
   Level level = Level::all;
@@ -34,7 +34,7 @@ struct SpeedUp {
 struct PathCost {
   std::string scene;
   std::string gaze;
-  std::string contender;
+  std::string configuration;
   std::optional<Estimate> ns_per_path;  ///< on all threads together
   std::optional<Estimate> ratio;        ///< to the baseline's
 };
@@ -43,7 +43,7 @@ struct PathCost {
 struct Convergence {
   std::string scene;
   std::string gaze;
-  std::string contender;
+  std::string configuration;
   std::string region;
   std::optional<Estimate>
       slope_in_samples;  ///< of the logarithm of RMSE; -0.5 for independent noise
@@ -54,7 +54,7 @@ struct Convergence {
 
 /// Geometric means over all scenes and gazes, their intervals from these (Student's t).
 struct OverallSpeedUp {
-  std::string contender;
+  std::string configuration;
   std::string region;
   Metric metric = Metric::mse;
   Level level = Level::all;
@@ -64,13 +64,13 @@ struct OverallSpeedUp {
 };
 
 struct ConvergenceTables {
-  std::vector<SpeedUp> speed_ups;  ///< of all contenders but the baseline
+  std::vector<SpeedUp> speed_ups;  ///< of all configurations but the baseline
   std::vector<PathCost> costs;
   std::vector<Convergence> convergence;
   std::vector<OverallSpeedUp> overall;
 };
 
-/// Every measurement has at least one round, and all have the same contenders and regions.
+/// Every measurement has at least one repetition, and all have the same configurations and regions.
 ConvergenceTables tabulate(const std::vector<GazeMeasurement>& measurements);
 
 }  // namespace foveola::analysis

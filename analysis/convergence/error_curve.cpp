@@ -43,12 +43,14 @@ std::string_view name_of(Metric metric) {
 ErrorCurve mean_curve(const GazeMeasurement& measurement, const CurveSource& source,
                       std::span<const std::size_t> kept) {
   ErrorCurve curve;
-  const std::size_t count = measurement.rounds.front()[source.contender].checkpoints.size();
+  const std::size_t count =
+      measurement.repetitions.front()[source.configuration].checkpoints.size();
   const double share = 1.0 / static_cast<double>(kept.size());
   for (std::size_t i = 0; i < count; ++i) {
     CurvePoint point;
-    for (const std::size_t round : kept) {
-      const Checkpoint& checkpoint = measurement.rounds[round][source.contender].checkpoints[i];
+    for (const std::size_t repetition : kept) {
+      const Checkpoint& checkpoint =
+          measurement.repetitions[repetition][source.configuration].checkpoints[i];
       const Score& score = checkpoint.scores[source.region];
       point.samples += share * static_cast<double>(checkpoint.samples);
       point.seconds += share * checkpoint.seconds;

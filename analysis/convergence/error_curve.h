@@ -33,14 +33,14 @@ using ErrorCurve = std::vector<CurvePoint>;
 
 /// Where a curve is taken from: its positions in a GazeMeasurement.
 struct CurveSource {
-  std::size_t contender = 0;
+  std::size_t configuration = 0;
   std::size_t region = 0;
   Metric metric = Metric::mse;
 };
 
-/// Means over the rounds `kept`. Only points where an error can be compared: with no fewer than 2
-/// samples per pixel and no more than 2 % of the region empty, for a pixel without samples has no
-/// error; and with an error above zero.
+/// Means over the repetitions `kept`. Only points where an error can be compared: with no fewer
+/// than 2 samples per pixel and no more than 2 % of the region empty, for a pixel without samples
+/// has no error; and with an error above zero.
 ErrorCurve mean_curve(const GazeMeasurement& measurement, const CurveSource& source,
                       std::span<const std::size_t> kept);
 

@@ -11,7 +11,7 @@ namespace {
 
 /// Half of the interval's width.
 std::optional<double> half_width(const std::vector<std::size_t>& all,
-                                 const RoundStatistic& statistic) {
+                                 const RepetitionStatistic& statistic) {
   const auto n = static_cast<double>(all.size());
   if (all.size() < 2) {
     return std::nullopt;
@@ -36,23 +36,23 @@ std::optional<double> half_width(const std::vector<std::size_t>& all,
 
 }  // namespace
 
-std::optional<Estimate> jackknife(std::size_t rounds, const RoundStatistic& statistic) {
-  std::vector<std::size_t> all(rounds);
+std::optional<Estimate> jackknife(std::size_t repetitions, const RepetitionStatistic& statistic) {
+  std::vector<std::size_t> all(repetitions);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::optional<double> value = rounds > 0 ? statistic(all) : std::nullopt;
+  const std::optional<double> value = repetitions > 0 ? statistic(all) : std::nullopt;
   if (!value) {
     return std::nullopt;
   }
-  Estimate estimate{.n = rounds, .value = *value, .interval = {}};
+  Estimate estimate{.n = repetitions, .value = *value, .interval = {}};
   if (const std::optional<double> half = half_width(all, statistic)) {
     estimate.interval = Interval{*value - *half, *value + *half};
   }
   return estimate;
 }
 
-std::optional<Estimate> jackknife_ratio(std::size_t rounds, const RoundStatistic& ratio) {
+std::optional<Estimate> jackknife_ratio(std::size_t repetitions, const RepetitionStatistic& ratio) {
   std::optional<Estimate> estimate =
-      jackknife(rounds, [&](std::span<const std::size_t> kept) -> std::optional<double> {
+      jackknife(repetitions, [&](std::span<const std::size_t> kept) -> std::optional<double> {
         const std::optional<double> value = ratio(kept);
         return value ? std::optional(std::log(*value)) : std::nullopt;
       });

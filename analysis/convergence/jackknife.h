@@ -1,4 +1,4 @@
-// The uncertainty of what is computed from several rounds together.
+// The uncertainty of what is computed from several repetitions together.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace foveola::analysis {
 
-/// A statistic of the rounds `kept`; empty where it is not defined.
-using RoundStatistic = std::function<std::optional<double>(std::span<const std::size_t> kept)>;
+/// A statistic of the repetitions `kept`; empty where it is not defined.
+using RepetitionStatistic = std::function<std::optional<double>(std::span<const std::size_t> kept)>;
 
-/// The statistic of all `rounds` and its 95 % interval from the jackknife: with v_i the value
-/// without round i, the standard error is sqrt((n - 1) / n sum (v_i - mean v)^2), and Student's t
-/// has n - 1 degrees of freedom (Efron and Tibshirani 1993, "An Introduction to the Bootstrap",
-/// eq. 11.5 and section 12.5). No interval with fewer than two rounds or where some v_i is not
-/// defined; empty if the statistic is not.
-std::optional<Estimate> jackknife(std::size_t rounds, const RoundStatistic& statistic);
+/// The statistic of all `repetitions` and its 95 % interval from the jackknife: with v_i the value
+/// without repetition i, the standard error is sqrt((n - 1) / n sum (v_i - mean v)^2), and
+/// Student's t has n - 1 degrees of freedom (Efron and Tibshirani 1993, "An Introduction to the
+/// Bootstrap", eq. 11.5 and section 12.5). No interval with fewer than two repetitions or where
+/// some v_i is not defined; empty if the statistic is not.
+std::optional<Estimate> jackknife(std::size_t repetitions, const RepetitionStatistic& statistic);
 
 /// The same for a ratio (> 0), on its logarithm.
-std::optional<Estimate> jackknife_ratio(std::size_t rounds, const RoundStatistic& ratio);
+std::optional<Estimate> jackknife_ratio(std::size_t repetitions, const RepetitionStatistic& ratio);
 
 }  // namespace foveola::analysis

@@ -13,7 +13,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Samples after which it is the next contender's turn: a batch of a progressive render.
+/// Samples after which it is the next configuration's turn: a batch of a progressive render.
 constexpr std::uint64_t turn_samples = 1 << 17;
 /// The same where renders end after a time.
 constexpr std::uint64_t short_turn_samples = 1 << 14;
@@ -24,18 +24,19 @@ Aim aim_at(const ConvergencePlan& plan, const AzimuthElevation& gaze) {
           .gaze = direction_from(gaze)};
 }
 
-/// Whether another round as long as those so far would end within the limit.
-bool has_time_for_another(double limit_s, std::size_t rounds, double elapsed_s) {
-  return limit_s <= 0.0 ||
-         elapsed_s * static_cast<double>(rounds + 1) <= limit_s * static_cast<double>(rounds);
+/// Whether another repetition as long as those so far would end within the limit.
+bool has_time_for_another(double limit_s, std::size_t repetitions, double elapsed_s) {
+  return limit_s <= 0.0 || elapsed_s * static_cast<double>(repetitions + 1) <=
+                               limit_s * static_cast<double>(repetitions);
 }
 
-/// Of a measurement that ends with its most rounds, or by the limit but for its least.
-double fraction_done(const ConvergencePlan& plan, double rounds, double limit_s, double elapsed_s) {
-  const double of_most = rounds / plan.most_rounds;
-  return limit_s <= 0.0
-             ? of_most
-             : std::min(std::max(of_most, elapsed_s / limit_s), rounds / plan.least_rounds);
+/// Of a measurement that ends with its most repetitions, or by the limit but for its least.
+double fraction_done(const ConvergencePlan& plan, double repetitions, double limit_s,
+                     double elapsed_s) {
+  const double of_most = repetitions / plan.most_repetitions;
+  return limit_s <= 0.0 ? of_most
+                        : std::min(std::max(of_most, elapsed_s / limit_s),
+                                   repetitions / plan.least_repetitions);
 }
 
 /// From left to right, with a gap between them. There is at least one image, and all are of one
@@ -78,44 +79,46 @@ GazeBench::GazeBench(const Subject& subject, const ConvergencePlan& plan,
 GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progress) const {
   GazeMeasurement measurement{.scene = subject_->scene,
                               .gaze = gaze_,
-                              .contenders = {},
+                              .configurations = {},
                               .regions = {},
                               .predicted = predictions(),
-                              .rounds = {}};
-  for (const Contender& contender : plan_->contenders) {
-    measurement.contenders.push_back(contender.name);
+                              .repetitions = {}};
+  for (const Configuration& configuration : plan_->configurations) {
+    measurement.configurations.push_back(configuration.name);
   }
   for (const Region& region : regions_) {
     measurement.regions.push_back(region.name);
   }
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
-  for (int round = 0; round < plan_->most_rounds; ++round) {
-    if (round >= plan_->least_rounds &&
-        !has_time_for_another(limit_s, measurement.rounds.size(), seconds(clock.now() - start))) {
+  for (int repetition = 0; repetition < plan_->most_repetitions; ++repetition) {
+    if (repetition >= plan_->least_repetitions &&
+        !has_time_for_another(limit_s, measurement.repetitions.size(),
+                              seconds(clock.now() - start))) {
       break;
     }
-    const auto in_round = [&](double fraction) {
-      progress("rounds in " + subject_->scene,
-               fraction_done(*plan_, round + fraction, limit_s, seconds(clock.now() - start)));
+    const auto in_repetition = [&](double fraction) {
+      progress("repetitions in " + subject_->scene,
+               fraction_done(*plan_, repetition + fraction, limit_s, seconds(clock.now() - start)));
     };
-    std::optional<Round> logs = run_round(static_cast<std::uint32_t>(round), in_round);
+    std::optional<Repetition> logs =
+        run_round(static_cast<std::uint32_t>(repetition), in_repetition);
     if (!logs) {
       break;
     }
-    measurement.rounds.push_back(std::move(*logs));
+    measurement.repetitions.push_back(std::move(*logs));
   }
   return measurement;
 }
 
-std::optional<Round> GazeBench::run_round(std::uint32_t seed,
-                                          const std::function<void(double)>& progress) const {
+std::optional<Repetition> GazeBench::run_round(std::uint32_t seed,
+                                               const std::function<void(double)>& progress) const {
   std::vector<ProgressiveRun> runs;
-  runs.reserve(plan_->contenders.size());
-  for (const Contender& contender : plan_->contenders) {
-    runs.emplace_back(*subject_, *plan_, contender, aim_, seed, *workers_);
+  runs.reserve(plan_->configurations.size());
+  for (const Configuration& configuration : plan_->configurations) {
+    runs.emplace_back(*subject_, *plan_, configuration, aim_, seed, *workers_);
   }
-  Round logs(runs.size());
+  Repetition logs(runs.size());
   const std::vector<std::uint64_t> counts = checkpoints(*plan_);
   for (const std::uint64_t count : counts) {
     while (runs.back().samples() < count) {
@@ -140,15 +143,15 @@ std::optional<Round> GazeBench::run_round(std::uint32_t seed,
 }
 
 std::vector<std::vector<std::optional<double>>> GazeBench::predictions() const {
-  const auto aimed = [this](const Contender& contender) {
-    std::unique_ptr<ViewSampler> sampler = make_view_sampler(contender.method);
+  const auto aimed = [this](const Configuration& configuration) {
+    std::unique_ptr<ViewSampler> sampler = make_view_sampler(configuration.method);
     sampler->aim(aim_);
     return sampler;
   };
-  const std::unique_ptr<ViewSampler> baseline = aimed(plan_->contenders.front());
+  const std::unique_ptr<ViewSampler> baseline = aimed(plan_->configurations.front());
   std::vector<std::vector<std::optional<double>>> predicted;
-  for (const Contender& contender : plan_->contenders) {
-    const std::unique_ptr<ViewSampler> method = aimed(contender);
+  for (const Configuration& configuration : plan_->configurations) {
+    const std::unique_ptr<ViewSampler> method = aimed(configuration);
     predicted.emplace_back();
     for (const PixelRegion& region : scorer_.film_regions()) {
       predicted.back().push_back(predicted_speed_up(*method, *baseline, region, plan_->size));
@@ -163,8 +166,8 @@ RgbImage GazeBench::crops() const {
   const Viewport view(aim_.viewport.head(), fov_rad, fov_rad);
   const int size = plan_->crop_size;
   std::vector<RgbImage> images;
-  for (const Contender& contender : plan_->contenders) {
-    ProgressiveRun run(*subject_, *plan_, contender, aim_, seed, *workers_);
+  for (const Configuration& configuration : plan_->configurations) {
+    ProgressiveRun run(*subject_, *plan_, configuration, aim_, seed, *workers_);
     while (run.seconds() < plan_->crop_seconds && !stop_.stop_requested()) {
       run.advance(short_turn_samples);
     }

@@ -1,4 +1,4 @@
-// Measuring: rounds of progressive renders, in turns, and their errors on the way.
+// Measuring: repetitions of progressive renders, in turns, and their errors on the way.
 #pragma once
 
 #include <cstdint>
@@ -27,18 +27,18 @@ struct RenderLog {
   std::vector<Checkpoint> checkpoints;
 };
 
-/// One render of each contender, all with the same seed.
-using Round = std::vector<RenderLog>;
+/// One render of each configuration, all with the same seed.
+using Repetition = std::vector<RenderLog>;
 
 /// Everything that was measured at one gaze in one scene.
 struct GazeMeasurement {
   std::string scene;
-  std::string gaze;                     ///< as gaze_name
-  std::vector<std::string> contenders;  ///< the first is the baseline
+  std::string gaze;                         ///< as gaze_name
+  std::vector<std::string> configurations;  ///< the first is the baseline
   std::vector<std::string> regions;
-  /// By contender and region: what density alone predicts of the speed-up, if it does.
+  /// By configuration and region: what density alone predicts of the speed-up, if it does.
   std::vector<std::vector<std::optional<double>>> predicted;
-  std::vector<Round> rounds;
+  std::vector<Repetition> repetitions;
 };
 
 /// Called with what is being done and the fraction of it that is done.
@@ -53,19 +53,19 @@ class GazeBench {
             const Workers& workers, const std::filesystem::path& cache,
             const ReportProgress& progress, std::stop_token stop);
 
-  /// The plan's least number of rounds and as many of the others as will probably end within
-  /// limit_s (0: no limit); those that were finished when stopped. The contenders
+  /// The plan's least number of repetitions and as many of the others as will probably end within
+  /// limit_s (0: no limit); those that were finished when stopped. The configurations
   /// take turns after every few samples, so that a busy machine slows all of them; neither
   /// measuring errors nor the reference counts as their time.
   GazeMeasurement measure(double limit_s, const ReportProgress& progress) const;
 
   /// What the display shows around the gaze after the plan's crop_seconds: a linear image of each
-  /// contender, from left to right, and of the reference.
+  /// configuration, from left to right, and of the reference.
   RgbImage crops() const;
 
  private:
-  std::optional<Round> run_round(std::uint32_t seed,
-                                 const std::function<void(double)>& progress) const;
+  std::optional<Repetition> run_round(std::uint32_t seed,
+                                      const std::function<void(double)>& progress) const;
   std::vector<std::vector<std::optional<double>>> predictions() const;
 
   const Subject* subject_;

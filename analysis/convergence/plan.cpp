@@ -58,47 +58,51 @@ const std::vector<OptionRow>& option_rows() {
   static const std::vector<OptionRow> rows = {
       {.name = "independent",
        .suffix = ", independent numbers",
-       .apply = [](Contender& contender) { contender.numbers = RandomNumbers::independent; }},
+       .apply =
+           [](Configuration& configuration) {
+             configuration.numbers = RandomNumbers::independent;
+           }},
       {.name = "clamp",
        .suffix = ", samples cut at 10",
-       .apply = [](Contender& contender) { contender.largest_radiance = 10.0F; }},
-      {.name = "spare-done",
-       .suffix = ", done pixels spared",
-       .apply = [](Contender& contender) { contender.spare_done_contrast = 0.01; }},
-      {.name = "no-skip",
+       .apply = [](Configuration& configuration) { configuration.largest_radiance = 10.0F; }},
+      {.name = "adaptive",
+       .suffix = ", adaptive",
+       .apply = [](Configuration& configuration) { configuration.adaptive_contrast = 0.01; }},
+      {.name = "no-fast-path",
        .suffix = ", nothing skipped",
-       .apply = [](Contender& contender) { contender.is_general = true; }},
+       .apply = [](Configuration& configuration) { configuration.uses_general_path = true; }},
       {.name = "no-hierarchy",
        .suffix = ", lights by power alone",
-       .apply = [](Contender& contender) {
-         contender.light_selection = LightSelection::by_power_alone;
+       .apply = [](Configuration& configuration) {
+         configuration.light_selection = LightSelection::by_power_alone;
        }}};
   return rows;
 }
 
-std::vector<Contender> make_contenders(const std::vector<std::string>& methods,
-                                       const std::vector<std::string>& options) {
-  std::vector<Contender> contenders;
+std::vector<Configuration> make_configurations(const std::vector<std::string>& methods,
+                                               const std::vector<std::string>& options) {
+  std::vector<Configuration> configurations;
   for (const std::string& method : methods) {
     (void)make_view_sampler(method);
-    contenders.push_back({.name = method, .method = method});
+    configurations.push_back({.name = method, .method = method});
   }
-  if (contenders.empty()) {
+  if (configurations.empty()) {
     throw UsageError("--methods", "is empty", "name at least the baseline, for instance od");
   }
   for (const std::string& option : options) {
     const OptionRow& row = find_option(option);
-    Contender changed = contenders.front();
+    Configuration changed = configurations.front();
     row.apply(changed);
     changed.name += row.suffix;
-    contenders.push_back(changed);
+    configurations.push_back(changed);
   }
-  for (auto one = contenders.begin(); one != contenders.end(); ++one) {
-    if (std::any_of(contenders.begin(), one, [&](const auto& o) { return o.name == one->name; })) {
+  for (auto one = configurations.begin(); one != configurations.end(); ++one) {
+    if (std::any_of(configurations.begin(), one,
+                    [&](const auto& o) { return o.name == one->name; })) {
       throw UsageError("--methods", fmt::format("'{}' comes twice", one->name), "name each once");
     }
   }
-  return contenders;
+  return configurations;
 }
 
 std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan) {

@@ -20,7 +20,7 @@ enum class RandomNumbers {
 };
 
 /// Something that is compared: a method as shipped, or with one option changed.
-struct Contender {
+struct Configuration {
   std::string name;    ///< for tables: "fv", or "od, independent numbers"
   std::string method;  ///< as make_view_sampler reads it
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
@@ -28,16 +28,16 @@ struct Contender {
   float largest_radiance = std::numeric_limits<float>::infinity();
   /// As VisibleNoise::contrast, with low-discrepancy numbers only: samples of pixels that are done
   /// go to others nearby, or are left out though they count as taken.
-  std::optional<double> spare_done_contrast;
-  bool is_general = false;  ///< see TraceSettings
+  std::optional<double> adaptive_contrast;
+  bool uses_general_path = false;  ///< see TraceSettings
   LightSelection light_selection = LightSelection::usual;
 };
 
-/// A row of the quality-speed options: what it is called and what it changes of a contender.
+/// A row of the quality-speed options: what it is called and what it changes of a configuration.
 struct OptionRow {
   std::string name;    ///< on the command line
   std::string suffix;  ///< behind the method's name in tables
-  void (*apply)(Contender& contender);
+  void (*apply)(Configuration& configuration);
 };
 
 /// All options that can be measured.
@@ -50,16 +50,17 @@ std::vector<std::string> split_methods(std::string_view text);
 /// The methods as shipped, the first of which is the baseline, and then the baseline with each of
 /// the options. Throws Error for an option that does not exist, a method that makes no sense or
 /// that comes twice.
-std::vector<Contender> make_contenders(const std::vector<std::string>& methods,
-                                       const std::vector<std::string>& options);
+std::vector<Configuration> make_configurations(const std::vector<std::string>& methods,
+                                               const std::vector<std::string>& options);
 
 struct ConvergencePlan {
-  std::vector<Contender> contenders;
+  std::vector<Configuration> configurations;
   IVec2 size{1024, 512};       ///< of the film, pixels
   int samples_per_pixel = 32;  ///< of every render, on average over the film; at least 16
-  int least_rounds = 4;        ///< renders of each contender, each with another seed
-  int most_rounds = 4;
-  double seconds = 0.0;    ///< no round is begun that would probably not end by then; 0: no limit
+  int least_repetitions = 4;   ///< renders of each configuration, each with another seed
+  int most_repetitions = 4;
+  double seconds =
+      0.0;  ///< no repetition is begun that would probably not end by then; 0: no limit
   double fov_deg = 100.0;  ///< of the viewport, both ways; the head points at the gaze
   int view_size = 640;     ///< pixels of the display along each side
   int max_depth = 8;
@@ -77,7 +78,7 @@ std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
 struct Subject {
   std::string scene;
   const PathTracer* tracer = nullptr;
-  const PathTracer* tracer_by_power_alone = nullptr;  ///< where a contender asks for it
+  const PathTracer* tracer_by_power_alone = nullptr;  ///< where a configuration asks for it
   std::string key;  ///< of all that the radiance depends on, as reference_image
   Vec3 viewpoint{0.0F};
   double exposure_stops = 0.0;

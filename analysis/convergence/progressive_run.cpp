@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t view_stream = 0x76696577U;
 
 /// After so many samples it is looked at again what is done, as in a render.
-constexpr std::uint64_t spare_batch = 1 << 16;
+constexpr std::uint64_t adaptive_batch = 1 << 16;
 
 /// Points that one task draws.
 constexpr std::size_t point_block = 4096;
@@ -26,24 +26,25 @@ TraceSettings trace_settings(const ConvergencePlan& plan, std::uint32_t seed) {
 }
 
 ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,
-                               const Contender& contender, const Aim& aim, std::uint32_t seed,
-                               const Workers& workers)
+                               const Configuration& configuration, const Aim& aim,
+                               std::uint32_t seed, const Workers& workers)
     : subject_(&subject),
-      tracer_(contender.light_selection == LightSelection::usual ? subject.tracer
-                                                                 : subject.tracer_by_power_alone),
+      tracer_(configuration.light_selection == LightSelection::usual
+                  ? subject.tracer
+                  : subject.tracer_by_power_alone),
       workers_(&workers),
       gaze_(aim.gaze),
-      numbers_(contender.numbers),
+      numbers_(configuration.numbers),
       trace_(trace_settings(plan, seed)),
-      sampler_(make_view_sampler(contender.method)),
+      sampler_(make_view_sampler(configuration.method)),
       film_(plan.size.x, plan.size.y,
-            contender.spare_done_contrast ? FilmStatistics::mean_and_variance
-                                          : FilmStatistics::mean) {
-  trace_.largest_radiance = contender.largest_radiance;
-  trace_.is_general = contender.is_general;
-  if (contender.spare_done_contrast) {
-    spare_done_ = VisibleNoise{.contrast = *contender.spare_done_contrast,
-                               .exposure_stops = subject.exposure_stops};
+            configuration.adaptive_contrast ? FilmStatistics::mean_and_variance
+                                            : FilmStatistics::mean) {
+  trace_.largest_radiance = configuration.largest_radiance;
+  trace_.uses_general_path = configuration.uses_general_path;
+  if (configuration.adaptive_contrast) {
+    adaptive_ = VisibleNoise{.contrast = *configuration.adaptive_contrast,
+                             .exposure_stops = subject.exposure_stops};
   }
   sampler_->aim(aim);
 }
@@ -52,7 +53,7 @@ void ProgressiveRun::advance(std::uint64_t samples) {
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
   for (std::uint64_t left = samples; left > 0;) {
-    const std::uint64_t batch = spare_done_ ? std::min(left, spare_batch) : left;
+    const std::uint64_t batch = adaptive_ ? std::min(left, adaptive_batch) : left;
     numbers_ == RandomNumbers::independent ? advance_independent(batch) : advance_sequence(batch);
     samples_ += batch;
     left -= batch;
@@ -70,12 +71,12 @@ void ProgressiveRun::advance_sequence(std::uint64_t samples) {
 }
 
 SamplePass::Adjust ProgressiveRun::adjust() {
-  if (!spare_done_) {
+  if (!adaptive_) {
     return {};
   }
   const std::uint32_t seed = mix(mix(trace_.seed, view_stream), ++batches_);
   return [this, seed](std::vector<ViewSample>& samples) {
-    spare_done_pixels(film_, gaze_, *spare_done_, seed, samples, *workers_);
+    redirect_samples(film_, gaze_, *adaptive_, seed, samples, *workers_);
   };
 }
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "analysis/convergence/plan.h"
+#include "renderer/film/adaptive_sampling.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
-#include "renderer/film/spare_done.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola::analysis {
@@ -21,8 +21,9 @@ TraceSettings trace_settings(const ConvergencePlan& plan, std::uint32_t seed);
 /// must outlive it.
 class ProgressiveRun {
  public:
-  ProgressiveRun(const Subject& subject, const ConvergencePlan& plan, const Contender& contender,
-                 const Aim& aim, std::uint32_t seed, const Workers& workers);
+  ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,
+                 const Configuration& configuration, const Aim& aim, std::uint32_t seed,
+                 const Workers& workers);
 
   /// Takes so many samples more.
   void advance(std::uint64_t samples);
@@ -45,7 +46,7 @@ class ProgressiveRun {
   const Workers* workers_;
   Vec3 gaze_;
   RandomNumbers numbers_;
-  std::optional<VisibleNoise> spare_done_;
+  std::optional<VisibleNoise> adaptive_;
   TraceSettings trace_;
   std::unique_ptr<ViewSampler> sampler_;
   EquirectFilm film_;

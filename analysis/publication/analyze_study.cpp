@@ -72,10 +72,10 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
         "Artifacts were rated on another scale than from 1 to 5: the ratings are in the record "
         "only.");
   }
-  for (const InstrumentCheck& check : output.checks.checks) {
+  for (const DataQualityCheck& check : output.checks.checks) {
     if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
       warnings.push_back(
-          fmt::format("The instrument missed a limit: {}: {}.", check.name, check.found));
+          fmt::format("A data-quality limit was missed: {}: {}.", check.name, check.found));
     }
   }
   if (const std::size_t count = tables.amended.size(); count > 0) {
@@ -97,7 +97,7 @@ void append(std::vector<TextFile>& files, std::vector<TextFile> more) {
 
 /// The report comes last, so that it never stands beside tables older than itself.
 std::vector<TextFile> files_of(const AnalysisOutput& output,
-                               const study::InstrumentRecords& instrument,
+                               const study::DataQualityRecords& quality,
                                const std::string& methods) {
   const StudyTables& tables = output.tables;
   const Comparisons& comparisons = output.comparisons;
@@ -109,7 +109,7 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   files.push_back({"omnibus.csv", omnibus_csv(comparisons, tables.set.kind)});
   files.push_back({"order_effects.csv", order_csv(comparisons, tables.set.kind)});
   append(files, latex_tables(tables, comparisons));
-  files.push_back({"instrument.csv", instrument_csv(output.checks, tables.set.kind)});
+  files.push_back({"data_quality.csv", data_quality_csv(output.checks, tables.set.kind)});
   files.push_back({"figure7_latency.csv", latency_csv(output.checks, tables.set.kind)});
   files.push_back({"reaction_times.csv", reactions_csv(output.checks, tables.set.kind)});
   files.push_back({"codebook.csv", codebook_csv(tables.set.rating_scale)});
@@ -119,8 +119,8 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
     files.push_back({figure.name + ".pdf", pdf_of(figure)});
     files.push_back({figure.name + ".png", png_of(figure)});
   }
-  files.push_back({"report.html", report_html({tables, comparisons, instrument, output.checks,
-                                               figures, published, methods, output.record})});
+  files.push_back({"report.html", report_html({tables, comparisons, quality, output.checks, figures,
+                                               published, methods, output.record})});
   return files;
 }
 
@@ -173,7 +173,7 @@ void write_bids(const std::vector<study::BackgroundRow>& answers,
 }  // namespace
 
 AnalysisOutput analyze_records(study::StudyRecords records,
-                               const study::InstrumentRecords& instrument, const fs::path& folder,
+                               const study::DataQualityRecords& quality, const fs::path& folder,
                                const AnalysisOptions& options, const GazeReader& read_gaze,
                                std::optional<study::Verification> record) {
   AnalysisOutput output;
@@ -182,16 +182,15 @@ AnalysisOutput analyze_records(study::StudyRecords records,
   // The tables hold what the trials say, and there may be millions.
   records.trials = std::vector<study::TrialRow>();
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
-  output.checks = check_instrument(output.tables, instrument);
+  output.checks = check_data_quality(output.tables, quality);
   output.summary = terminal_summary(output.tables);
   output.warnings = warnings_about(output);
-  const std::vector<TextFile> files =
-      files_of(output, instrument,
-               methods_paragraph(output.tables, output.comparisons, records.protocol_text));
+  const std::vector<TextFile> files = files_of(
+      output, quality, methods_paragraph(output.tables, output.comparisons, records.protocol_text));
   StagedFolder staged(folder);
   write_data(records.background, staged.path(), output);
   if (options.bids) {
-    write_bids(records.background, instrument.gaze_runs, read_gaze, staged.path(), output);
+    write_bids(records.background, quality.gaze_runs, read_gaze, staged.path(), output);
   }
   for (const TextFile& file : files) {
     write_output(staged.path(), file.name, file.content, output);
@@ -205,7 +204,7 @@ AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder,
                              const AnalysisOptions& options) {
   study::Verification record = verified(database, options.unverified);
   return analyze_records(
-      study::read_study(database), study::read_instrument(database), folder, options,
+      study::read_study(database), study::read_data_quality(database), folder, options,
       [&](const auto& visit) { study::visit_gaze(database, visit); }, std::move(record));
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/publication/comparisons.h"
-#include "analysis/publication/instrument_checks.h"
+#include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/study_tables.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
@@ -30,7 +30,7 @@ struct AnalysisOutput {
   std::vector<std::string> warnings;
   StudyTables tables;
   Comparisons comparisons;
-  InstrumentReport checks;
+  DataQualityReport checks;
   std::optional<study::Verification> record;  ///< of the study's file, if one was read
 };
 
@@ -45,7 +45,7 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
 
 /// The same for records at hand; `record` is what verifying their file found, if they are of one.
 AnalysisOutput analyze_records(study::StudyRecords records,
-                               const study::InstrumentRecords& instrument,
+                               const study::DataQualityRecords& quality,
                                const std::filesystem::path& folder,
                                const AnalysisOptions& options = {},
                                const GazeReader& read_gaze = {},

@@ -9,7 +9,7 @@
 
 #include "analysis/publication/analysis_set.h"
 #include "analysis/publication/table_files.h"
-#include "study/record/instrument_records.h"
+#include "study/record/data_quality_records.h"
 #include "study/record/recorded_gaze.h"
 
 namespace foveola::analysis {

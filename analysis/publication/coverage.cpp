@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "analysis/publication/injected_studies.h"
 #include "analysis/publication/participant_values.h"
-#include "analysis/publication/planted_studies.h"
 #include "analysis/publication/study_tables.h"
 #include "analysis/statistics/bootstrap.h"
 #include "analysis/statistics/equivalence.h"
@@ -50,37 +50,37 @@ struct Question {
   std::string_view name;
   std::string_view claim;
   std::optional<Interval> asked;
-  PlantedTruth truth;
+  InjectedEffects truth;
   std::function<Outcome(const AnalysisSet&, const StudyTables&)> ask;
 };
 
-std::vector<Question> planted_questions(const CoverageSettings& settings) {
-  const PlantedTruth truth{.participants = settings.participants};
-  PlantedTruth learning = truth;
+std::vector<Question> injected_questions(const CoverageSettings& settings) {
+  const InjectedEffects truth{.participants = settings.participants};
+  InjectedEffects learning = truth;
   learning.change_per_trial = -0.02;
   std::vector<Question> questions;
   for (const Mark mark : marks) {
     for (const std::size_t method : {std::size_t{1}, std::size_t{2}}) {
       const double ratio = truth.ratios[method];
-      // Only the outline's truth is planted; the material mark is some time after it, alike.
+      // Only the outline's truth is injected; the material mark is some time after it, alike.
       const std::string_view name =
           mark == Mark::outline
               ? (method == 1 ? "t interval, VP 32 %, outline" : "t interval, FV 10 %, outline")
               : (method == 1 ? "t interval, VP 32 %, material" : "t interval, FV 10 %, material");
-      questions.push_back({name, "covers the planted ratio", nominal_coverage, truth,
+      questions.push_back({name, "covers the injected ratio", nominal_coverage, truth,
                            [=](const AnalysisSet&, const StudyTables& tables) {
                              return covers_percent(tables, mark, method, ratio);
                            }});
     }
   }
-  questions.push_back({"BCa interval, FV 10 %, outline", "covers the planted ratio", std::nullopt,
+  questions.push_back({"BCa interval, FV 10 %, outline", "covers the injected ratio", std::nullopt,
                        truth, [=](const AnalysisSet&, const StudyTables& tables) {
                          const MethodTimes& times = tables.method_times_of(Mark::outline, 2);
                          return covers(bca_geometric_mean(times.participant_percent,
                                                           {.resamples = settings.resamples}),
                                        100.0 * truth.ratios[2]);
                        }});
-  questions.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the planted ratio",
+  questions.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the injected ratio",
                        std::nullopt, truth, [=](const AnalysisSet& set, const StudyTables&) {
                          const auto found = pseudo_median(log_ratios(set));
                          return found && found->interval
@@ -88,7 +88,7 @@ std::vector<Question> planted_questions(const CoverageSettings& settings) {
                                     : std::nullopt;
                        }});
   questions.push_back(
-      {"t interval, learning 2 % per trial", "covers the planted change", nominal_coverage,
+      {"t interval, learning 2 % per trial", "covers the injected change", nominal_coverage,
        learning, [=](const AnalysisSet& set, const StudyTables&) {
          const auto found = order_effect(ordered_log_times(set, Mark::outline, OrderOf::trials));
          return found ? covers(found->interval, learning.change_per_trial) : std::nullopt;
@@ -104,9 +104,9 @@ std::optional<double> p_of(const std::optional<Test>& test) {
 }
 
 std::vector<Question> null_questions(const CoverageSettings& settings) {
-  PlantedTruth null{.participants = settings.participants};
+  InjectedEffects null{.participants = settings.participants};
   null.ratios = {1.0, 1.0, 1.0};
-  PlantedTruth at_margin = null;
+  InjectedEffects at_margin = null;
   at_margin.ratios.back() = 1.25;
   const auto measures = [](const AnalysisSet& set) {
     return complete_participants(mean_log_times(set, Mark::outline));
@@ -146,7 +146,7 @@ CoverageFigure answer(const Question& question, const CoverageSettings& settings
   workers.for_each_block(outcomes.size(), 50, [&](std::size_t begin, std::size_t end) {
     for (std::size_t study = begin; study < end; ++study) {
       const std::uint64_t seed = (settings.seed << 40U) + (stream << 32U) + study;
-      const StudyTables tables = tabulate_study(plant_study(question.truth, seed));
+      const StudyTables tables = tabulate_study(study_with_injected_effects(question.truth, seed));
       outcomes[study] = question.ask(tables.set, tables);
     }
   });
@@ -169,7 +169,7 @@ CoverageFigure answer(const Question& question, const CoverageSettings& settings
 std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,
                                              const std::stop_token& stop) {
-  std::vector<Question> questions = planted_questions(settings);
+  std::vector<Question> questions = injected_questions(settings);
   const std::vector<Question> nulls = null_questions(settings);
   questions.insert(questions.end(), nulls.begin(), nulls.end());
   const Workers workers(settings.threads);

@@ -1,4 +1,5 @@
-// How often the analysis is right: intervals and tests over thousands of planted studies.
+// How often the analysis is right: intervals and tests over thousands of studies with injected
+// effects.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,7 @@ struct CoverageSettings {
   int threads = 0;       ///< 0: every core; the figures do not depend on it
 };
 
-/// Planted effects in t intervals on logs and order; null studies in every test.
+/// Injected effects in t intervals on logs and order; null studies in every test.
 /// `on_progress` is told the share that is done. Empty when `stop` was requested.
 std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,

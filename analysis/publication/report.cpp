@@ -54,12 +54,12 @@ std::string report_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
   return report_page(
       tables, "Foveola study report",
-      record_flags(content.record) + instrument_flags(tables, content.checks) +
+      record_flags(content.record) + data_quality_flags(tables, content.checks) +
           findings_html(tables) + scenes_section(tables) +
           methods_section(tables, content.figures, content.published) +
           ratings_section(tables, content.figures) +
           comparisons_section(tables, content.comparisons) + background_section(tables) +
-          instrument_section(tables, content.checks, content.instrument) +
+          data_quality_section(tables, content.checks, content.quality) +
           record_section(content.record) + exclusions_section(tables) + amended_section(tables) +
           methods_text_section(content.methods) + definitions_section(tables) + citation_section());
 }

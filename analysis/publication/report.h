@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "analysis/publication/comparisons.h"
+#include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/figures.h"
-#include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
 #include "study/record/maintenance.h"
@@ -18,8 +18,8 @@ namespace foveola::analysis {
 struct ReportContent {
   const StudyTables& tables;
   const Comparisons& comparisons;
-  const study::InstrumentRecords& instrument;
-  const InstrumentReport& checks;
+  const study::DataQualityRecords& quality;
+  const DataQualityReport& checks;
   const std::vector<Figure>& figures;
   const std::vector<PublishedMean>& published;
   const std::string& methods;                        ///< methods_paragraph

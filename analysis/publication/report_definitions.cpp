@@ -62,7 +62,7 @@ std::string definitions_section(const StudyTables& tables) {
          "Bias-corrected and accelerated bootstrap over participants, 9999 resamples (fewer above "
          "2000 participants), a fixed seed. Of 16 participants it covers about 92 %, where the t "
          "interval covers 95 %.");
-  define("The instrument’s figures",
+  define("The figures of data quality",
          "From the frame log of the attempts that count, per session: the share of frames that "
          "missed their refresh; of frames whose tracker’s newest gaze was not valid; the mean age "
          "of the gaze used plus the mean time from polling to the display; and how long after the "

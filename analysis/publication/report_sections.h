@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "analysis/publication/comparisons.h"
+#include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/figures.h"
-#include "analysis/publication/instrument_checks.h"
 #include "analysis/publication/published_means.h"
 #include "analysis/publication/study_tables.h"
 #include "study/record/maintenance.h"
@@ -38,12 +38,12 @@ std::string record_flags(const std::optional<study::Verification>& record);
 /// How the study's file was verified, and what was found; no file: that there was none.
 std::string record_section(const std::optional<study::Verification>& record);
 
-/// What the instrument missed, for the top of the report; empty if nothing.
-std::string instrument_flags(const StudyTables& tables, const InstrumentReport& report);
+/// Which data-quality limits were missed, for the top of the report; empty if nothing.
+std::string data_quality_flags(const StudyTables& tables, const DataQualityReport& report);
 
 /// Checks, latency (Fig. 7), attempts, and the floor of reaction times.
-std::string instrument_section(const StudyTables& tables, const InstrumentReport& report,
-                               const study::InstrumentRecords& instrument);
+std::string data_quality_section(const StudyTables& tables, const DataQualityReport& report,
+                                 const study::DataQualityRecords& quality);
 
 /// The sessions that went by an amended protocol, and which of its keys had changed.
 std::string amended_section(const StudyTables& tables);

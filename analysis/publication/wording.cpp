@@ -105,11 +105,12 @@ namespace {
 
 std::string simulation_in_words(const study::SimulationFacts& simulation) {
   std::string text;
-  if (simulation.predicted && simulation.plant.empty()) {
+  if (simulation.predicted && simulation.injected.empty()) {
     text += " What they looked at was not rendered but predicted from pilot renders.";
   }
-  if (!simulation.plant.empty()) {
-    text += fmt::format(" Their times were drawn, with planted effects ({}).", simulation.plant);
+  if (!simulation.injected.empty()) {
+    text +=
+        fmt::format(" Their times were drawn, with injected effects ({}).", simulation.injected);
   }
   if (simulation.scale != 1.0) {
     text += fmt::format(" Film and machine were scaled down by {:g}.", simulation.scale);

@@ -16,7 +16,7 @@ using Statistic = std::function<double(std::span<const double>)>;
 
 struct BootstrapSettings {
   int resamples = 9999;
-  std::uint64_t seed = 1;  ///< of the room's own generator: same seed, same interval, everywhere
+  std::uint64_t seed = 1;  ///< of this module's own generator: same seed, same interval, everywhere
   double confidence = default_confidence;
 };
 

@@ -1,4 +1,4 @@
-// The mean in extended precision, on which the other sums of this room stand.
+// The mean in extended precision, on which the other sums of this module rest.
 #pragma once
 
 #include <numeric>

@@ -115,7 +115,19 @@ std::vector<std::string> toml_names_in(const fs::path& folder) {
 }
 
 TomlReader::TomlReader(std::string file, const toml::table& table, std::string name)
-    : file_(std::move(file)), table_(&table), name_(std::move(name)) {}
+    : file_(std::move(file)),
+      table_(&table),
+      name_(std::move(name)),
+      notes_(std::make_shared<std::vector<std::string>>()) {}
+
+std::string_view TomlReader::present_name(std::string_view key, std::string_view former) {
+  if (has(key) || !has(former)) {
+    return key;
+  }
+  notes_->push_back(fmt::format("{}: '{}' is now called '{}'", place_of(file_, source(former)),
+                                full_name(former), full_name(key)));
+  return former;
+}
 
 void TomlReader::read(std::string_view key, std::string& value) {
   if (const toml::node* node = find(key)) {
@@ -263,7 +275,7 @@ TomlReader TomlReader::table(std::string_view key) {
     fail(node->source(), full_name(key) + " must be a table",
          fmt::format("write [{}] on a line of its own", full_name(key)));
   }
-  return {file_, node != nullptr ? *node->as_table() : absent, full_name(key)};
+  return inner(node != nullptr ? *node->as_table() : absent, key);
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key) {
@@ -278,7 +290,7 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
   require_moderate_length(key, *node->as_array());
   std::vector<TomlReader> readers;
   for (const toml::node& element : *node->as_array()) {
-    readers.emplace_back(file_, *element.as_table(), full_name(key));
+    readers.push_back(inner(*element.as_table(), key));
   }
   return readers;
 }
@@ -295,6 +307,12 @@ void TomlReader::reject_unknown_keys() const {
 void TomlReader::fail(const toml::source_region& source, const std::string& what,
                       const std::string& remedy) const {
   throw Error(place_of(file_, source), what, remedy);
+}
+
+TomlReader TomlReader::inner(const toml::table& table, std::string_view key) const {
+  TomlReader reader(file_, table, full_name(key));
+  reader.notes_ = notes_;
+  return reader;
 }
 
 const toml::node* TomlReader::find(std::string_view key) {

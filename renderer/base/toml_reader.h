@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -61,6 +62,14 @@ class TomlReader {
     }
   }
 
+  /// `key`, or the name that it had in earlier versions if the table has only that. The latter
+  /// leaves a note.
+  std::string_view present_name(std::string_view key, std::string_view former);
+
+  /// A line for each key that stands under its former name, of this table and all others of the
+  /// file that were read.
+  const std::vector<std::string>& notes() const { return *notes_; }
+
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_array(std::string_view key) const { return has(key) && table_->get(key)->is_array(); }
   /// Throws Error if the key is absent.
@@ -95,6 +104,7 @@ class TomlReader {
   const toml::source_region& source() const { return table_->source(); }
 
  private:
+  TomlReader inner(const toml::table& table, std::string_view key) const;
   const toml::node* find(std::string_view key);
   void require_moderate_length(std::string_view key, const toml::array& array) const;
   std::string full_name(std::string_view key) const;
@@ -107,6 +117,7 @@ class TomlReader {
   const toml::table* table_;
   std::string name_;
   std::set<std::string, std::less<>> asked_;
+  std::shared_ptr<std::vector<std::string>> notes_;  ///< of all tables of the file
 };
 
 }  // namespace foveola

@@ -15,7 +15,7 @@ namespace foveola {
 
 /// Adds `bench` with its commands to `app`, which run over `scenes`. They print a table, or JSON,
 /// to standard output, and throw Error where a figure is not met. `stop` ends them with the figures
-/// there are. Returns `bench`, for the commands of other rooms.
+/// there are. Returns `bench`, for the commands of other modules.
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
                              const SceneFinder& find_scene, const std::stop_token& stop);
 

@@ -15,6 +15,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
+#include "renderer/commands/former_option.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/medians.h"
 #include "renderer/commands/stage.h"
@@ -36,15 +37,15 @@ struct TracingArguments {
   std::vector<int> threads;
   std::uint64_t paths = 1 << 18;
   int max_depth = 8;
-  int rounds = 7;
+  int repetitions = 7;
   bool diffuse = false;
-  bool no_skip = false;
+  bool no_fast_path = false;
   bool json = false;
 };
 
 /// Embree's times for the rays of one kind.
-struct EmbreeRounds {
-  std::vector<std::vector<double>> seconds;  ///< by entry point, then by round
+struct EmbreeRepetitions {
+  std::vector<std::vector<double>> seconds;  ///< by entry point, then by repetition
   std::vector<std::string> entry_points;
 
   void add(const std::vector<EmbreeTime>& times) {
@@ -58,33 +59,33 @@ struct EmbreeRounds {
 };
 
 /// The entry point of the least median.
-std::size_t fastest_of(const EmbreeRounds& rounds) {
+std::size_t fastest_of(const EmbreeRepetitions& repetitions) {
   std::size_t fastest = 0;
-  for (std::size_t i = 1; i < rounds.seconds.size(); ++i) {
-    if (median_of(rounds.seconds[i]).value < median_of(rounds.seconds[fastest]).value) {
+  for (std::size_t i = 1; i < repetitions.seconds.size(); ++i) {
+    if (median_of(repetitions.seconds[i]).value < median_of(repetitions.seconds[fastest]).value) {
       fastest = i;
     }
   }
   return fastest;
 }
 
-EmbreeFigure figure_of(const char* kind, const EmbreeRounds& rounds) {
+EmbreeFigure figure_of(const char* kind, const EmbreeRepetitions& repetitions) {
   EmbreeFigure figure{.kind = kind, .entry_point = "", .all = {}};
-  for (std::size_t i = 0; i < rounds.entry_points.size(); ++i) {
-    figure.all.push_back({rounds.entry_points[i], median_of(rounds.seconds[i]).value});
+  for (std::size_t i = 0; i < repetitions.entry_points.size(); ++i) {
+    figure.all.push_back({repetitions.entry_points[i], median_of(repetitions.seconds[i]).value});
   }
-  const EmbreeTime& fastest = figure.all[fastest_of(rounds)];
+  const EmbreeTime& fastest = figure.all[fastest_of(repetitions)];
   figure.entry_point = fastest.entry_point;
   figure.seconds = fastest.seconds;
   return figure;
 }
 
-/// Of each round, all kinds of rays together, each by its fastest entry point.
+/// Of each repetition, all kinds of rays together, each by its fastest entry point.
 template <std::size_t kinds>
-std::vector<double> embree_seconds(const std::array<EmbreeRounds, kinds>& embree) {
+std::vector<double> embree_seconds(const std::array<EmbreeRepetitions, kinds>& embree) {
   std::vector<double> sums;
-  for (const EmbreeRounds& rounds : embree) {
-    const std::vector<double>& fastest = rounds.seconds[fastest_of(rounds)];
+  for (const EmbreeRepetitions& repetitions : embree) {
+    const std::vector<double>& fastest = repetitions.seconds[fastest_of(repetitions)];
     sums.resize(fastest.size());
     std::transform(sums.begin(), sums.end(), fastest.begin(), sums.begin(), std::plus<>());
   }
@@ -201,12 +202,12 @@ void compare_pictures(const Course& usual, const Course& general, const IVec2& s
 }
 
 /// Full renders and Embree alone take turns, so that a busy machine slows both.
-TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int rounds,
+TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int repetitions,
                        bool with_general) {
   const Stage stage(source, settings);
   const Course course(stage, settings);
   RenderSettings general_settings = settings;
-  general_settings.is_general = true;
+  general_settings.uses_general_path = true;
   const Course general(stage, general_settings);
   const RayLog log = course.log_rays();
   TracingFigures figures{
@@ -214,8 +215,8 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   std::vector<double> render_s;
   std::vector<double> sampling_s;
   std::vector<double> general_s;
-  std::array<EmbreeRounds, ray_kinds.size()> embree;
-  for (int round = 0; round < rounds; ++round) {
+  std::array<EmbreeRepetitions, ray_kinds.size()> embree;
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
     render_s.push_back(course.render(figures.rays));
     if (with_general) {
       RayCounts rays;
@@ -259,7 +260,7 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
                                        {"height", settings.size.y},
                                        {"max_depth", settings.max_depth},
                                        {"paths", settings.budget.samples},
-                                       {"rounds", arguments.rounds},
+                                       {"repetitions", arguments.repetitions},
                                        {"runs", list}};
   fmt::print("{}\n", json.dump(2));
 }
@@ -290,7 +291,7 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
   std::vector<TracingFigures> runs;
   for (const int threads : arguments.threads.empty() ? usual_threads() : arguments.threads) {
     settings.threads = threads;
-    runs.push_back(measure(source, settings, arguments.rounds, arguments.no_skip));
+    runs.push_back(measure(source, settings, arguments.repetitions, arguments.no_fast_path));
   }
   print_warnings(runs.front().warnings);
   arguments.json ? print_json(runs, arguments, settings)
@@ -312,18 +313,22 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
   command->add_option("--threads", arguments->threads, "One measurement each (default: 1 and all)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
-  command->add_option("--paths", arguments->paths, "Paths a round")
+  command->add_option("--paths", arguments->paths, "Paths a repetition")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22))
       ->capture_default_str();
-  command->add_option("--rounds", arguments->rounds, "Of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  CLI::Option* const repetitions =
+      command->add_option("--repetitions", arguments->repetitions, "Of which the median counts")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str();
+  accept_former_name(*command, *repetitions, "--rounds");
   command->add_option("--max-depth", arguments->max_depth, "Surface vertices of a path")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   command->add_flag("--diffuse", arguments->diffuse, "Every material Lambertian, as render's");
-  command->add_flag("--no-skip", arguments->no_skip,
-                    "Run the general path too, which skips nothing, and say what skipping gains");
+  CLI::Option* const no_fast_path =
+      command->add_flag("--no-fast-path", arguments->no_fast_path,
+                        "Measure the general path too, and say what the fast path gains");
+  accept_former_name(*command, *no_fast_path, "--no-skip");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
   command->callback(

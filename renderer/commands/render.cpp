@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t smallest_batch = 1 << 14;
 constexpr std::uint64_t largest_batch = 1 << 20;
 /// Where each batch decides on the next, so that neither a machine's speed nor a replay matters.
-constexpr std::uint64_t spare_batch = 1 << 16;
+constexpr std::uint64_t adaptive_batch = 1 << 16;
 constexpr double batch_target_s = 0.1;
 
 /// A preview of a stage, seen by a head and an eye that hold still.
@@ -51,8 +51,8 @@ double fraction_done(const RenderBudget& budget, std::uint64_t samples, double e
 std::uint64_t next_batch(const RenderSettings& settings, std::uint64_t samples, double elapsed_s) {
   const RenderBudget& budget = settings.budget;
   std::uint64_t batch = smallest_batch;
-  if (settings.spare_done_contrast > 0.0) {
-    batch = spare_batch;
+  if (settings.adaptive_contrast > 0.0) {
+    batch = adaptive_batch;
   } else if (elapsed_s > 0.0) {
     const double rate = static_cast<double>(samples) / elapsed_s;
     double aim_s = batch_target_s;
@@ -83,7 +83,7 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
   Progress progress("rendering");
   const Nanoseconds start = clock.now();
   double fraction = 0.0;
-  std::uint64_t sent = 0;  // more than are traced, where some are spared
+  std::uint64_t sent = 0;  // more than are traced, with adaptive sampling
   while (fraction < 1.0 && !stop.stop_requested()) {
     const std::uint64_t batch = next_batch(settings, sent, report.seconds);
     const FrameReport frame = still.preview.render_frame(clock.now(), batch);
@@ -121,7 +121,7 @@ ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
     if (stop.stop_requested()) {
       throw Error("--replay", "stopped before the sample was found");
     }
-    const std::uint64_t most = settings.spare_done_contrast > 0.0 ? spare_batch : largest_batch;
+    const std::uint64_t most = settings.adaptive_contrast > 0.0 ? adaptive_batch : largest_batch;
     const std::uint64_t batch = std::min(most, settings.budget.samples - sought);
     job = still.preview.find_job(clock.now(), batch, address.pixel, address.sample_number);
     sought += batch;

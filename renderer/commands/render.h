@@ -40,10 +40,10 @@ struct RenderSettings {
   int threads = 0;       ///< 0: every core
   bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
   float largest_radiance = std::numeric_limits<float>::infinity();  ///< see TraceSettings
-  bool is_general = false;                                          ///< see TraceSettings
+  bool uses_general_path = false;                                   ///< see TraceSettings
   /// Relative standard error below which a pixel at the gaze gets no more samples (see
   /// VisibleNoise); 0: every sample stays where the method put it.
-  double spare_done_contrast = 0.0;
+  double adaptive_contrast = 0.0;
 };
 
 struct RenderReport {

@@ -11,6 +11,7 @@
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/environment_option.h"
+#include "renderer/commands/former_option.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/render.h"
 #include "renderer/commands/render_report.h"
@@ -49,7 +50,7 @@ struct RenderArguments {
   double sun_radius_deg = 0.0;
   bool diffuse = false;
   double largest_radiance = std::numeric_limits<double>::infinity();
-  double spare_done_contrast = 0.0;
+  double adaptive_contrast = 0.0;
   std::string replay;
   bool json = false;
 };
@@ -143,9 +144,9 @@ RenderSettings settings_from(const CLI::App& command, const RenderArguments& arg
           "must lie between 0 (every core) and 1024");
   settings.threads = arguments.threads;
   require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
-  require(arguments.spare_done_contrast >= 0.0 && arguments.spare_done_contrast < 1.0,
-          "--spare-done", "must lie between 0 (off) and 1");
-  settings.spare_done_contrast = arguments.spare_done_contrast;
+  require(arguments.adaptive_contrast >= 0.0 && arguments.adaptive_contrast < 1.0, "--adaptive",
+          "must lie between 0 (off) and 1");
+  settings.adaptive_contrast = arguments.adaptive_contrast;
   settings.diffuse = arguments.diffuse;
   settings.largest_radiance = static_cast<float>(arguments.largest_radiance);
   return settings;
@@ -299,9 +300,11 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                     "Show every material as Lambertian in its base colour, to compare renderers");
   command->add_option("--clamp", arguments->largest_radiance,
                       "Cut each sample's radiance to this: less noise, too dark a picture");
-  command->add_option("--spare-done", arguments->spare_done_contrast,
-                      "Send samples away from pixels whose noise is below this contrast at the "
-                      "gaze, for instance 0.01, and below more elsewhere, as acuity falls");
+  CLI::Option* const adaptive = command->add_option(
+      "--adaptive", arguments->adaptive_contrast,
+      "Adaptive sampling: no more samples for pixels whose noise is below this contrast at the "
+      "gaze, for instance 0.01, and below more elsewhere, as acuity falls");
+  accept_former_name(*command, *adaptive, "--spare-done");
   command->add_option("--replay", arguments->replay,
                       "x,y,sample: trace that path of this render again and print its vertices");
   command->add_flag("--json", arguments->json, "Print the result as JSON");

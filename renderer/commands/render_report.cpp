@@ -46,7 +46,7 @@ nlohmann::json json_report(const RenderReport& report, const RenderSettings& set
   return {{"scene", names.scene},
           {"output", names.output},
           {"clamp", clamp},
-          {"spare_done_contrast", settings.spare_done_contrast},
+          {"adaptive_contrast", settings.adaptive_contrast},
           {"method", settings.method},
           {"width", settings.size.x},
           {"height", settings.size.y},
@@ -148,8 +148,8 @@ ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
   if (settings.diffuse) {
     facts["foveola:materials"] = "diffuse";
   }
-  if (settings.spare_done_contrast > 0.0) {
-    facts["foveola:spare_done_contrast"] = fmt::format("{:.9g}", settings.spare_done_contrast);
+  if (settings.adaptive_contrast > 0.0) {
+    facts["foveola:adaptive_contrast"] = fmt::format("{:.9g}", settings.adaptive_contrast);
   }
   return facts;
 }

@@ -105,7 +105,7 @@ TraceSettings trace_settings(const RenderSettings& settings) {
           .seed = settings.seed,
           .pixel_angle_rad = pixel_angle_rad(settings.size.x),
           .largest_radiance = settings.largest_radiance,
-          .is_general = settings.is_general};
+          .uses_general_path = settings.uses_general_path};
 }
 
 PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& viewpoint,
@@ -118,8 +118,8 @@ PreviewSettings preview_settings(const RenderSettings& settings, const Vec3& vie
   preview.lens = settings.lens;
   preview.keep_variances = settings.variance;
   preview.viewpoint = viewpoint;
-  if (settings.spare_done_contrast > 0.0) {
-    preview.spare_done = VisibleNoise{.contrast = settings.spare_done_contrast};
+  if (settings.adaptive_contrast > 0.0) {
+    preview.adaptive = VisibleNoise{.contrast = settings.adaptive_contrast};
   }
   if (settings.view) {
     preview.view_width = settings.view->x;

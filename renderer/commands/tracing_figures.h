@@ -26,7 +26,7 @@ inline constexpr std::array<RayKind, 4> ray_kinds{
     {{"primary", &RayCounts::primary, &RayLog::primary, RayQuery::closest_hit},
      {"bounce", &RayCounts::bounce, &RayLog::bounce, RayQuery::closest_hit},
      {"shadow", &RayCounts::shadow, &RayLog::shadow, RayQuery::is_blocked},
-     {"window", &RayCounts::window, &RayLog::window, RayQuery::closest_hit}}};
+     {"transmittance", &RayCounts::transmittance, &RayLog::transmittance, RayQuery::closest_hit}}};
 
 /// What Embree alone takes for the rays of a kind.
 struct EmbreeFigure {
@@ -39,12 +39,12 @@ struct EmbreeFigure {
 /// The general path beside what a scene lets us skip.
 struct GeneralFigures {
   Median seconds;
-  Median gain;                   ///< its seconds over the usual path's, round by round
+  Median gain;                   ///< its seconds over the usual path's, repetition by repetition
   double share_of_pixels = 0.0;  ///< that differ by more than a thousandth
   double relative_mean = 1.0;    ///< of the picture, to the usual one's
 };
 
-/// Times are medians over the rounds.
+/// Times are medians over the repetitions.
 struct TracingFigures {
   int threads = 0;
   std::vector<std::string> warnings;  ///< of the scene
@@ -53,14 +53,14 @@ struct TracingFigures {
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
   Median embree_seconds;   ///< for the same rays, each kind by its fastest entry point
-  Median ratio_to_embree;  ///< of what was measured in the same round
+  Median ratio_to_embree;  ///< of what was measured in the same repetition
   std::optional<GeneralFigures> general;
 
   /// Of the time of all threads, the part that draws directions.
   double sampling_share() const { return sampling_seconds / (threads * seconds.value); }
 };
 
-/// paths: of each round.
+/// paths: of each repetition.
 nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t paths);
 void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths);
 

@@ -17,8 +17,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/hid_device.h"
+#include "renderer/gaze/inter_sample_intervals.h"
 #include "renderer/gaze/profiles.h"
-#include "renderer/gaze/sample_rhythm.h"
 
 namespace foveola {
 namespace {
@@ -98,9 +98,9 @@ struct WatchArguments {
 };
 
 /// "azimuth  12.30 elevation  -3.10", or what is wrong.
-std::string describe(const std::optional<GazeSample>& sample, const std::string& trouble) {
-  if (!trouble.empty()) {
-    return trouble;
+std::string describe(const std::optional<GazeSample>& sample, const std::string& status) {
+  if (!status.empty()) {
+    return status;
   }
   if (!sample) {
     return "no sample yet";
@@ -113,10 +113,10 @@ std::string describe(const std::optional<GazeSample>& sample, const std::string&
                      degrees(gaze.elevation_rad));
 }
 
-std::string describe(const SampleRhythm& rhythm) {
+std::string describe(const InterSampleIntervals& intervals) {
   return fmt::format("{:6.1f} Hz  jitter {:5.2f} ms  {} gaps  {} of {} valid",
-                     rhythm.rate_hz().value_or(0.0), rhythm.jitter_ms().value_or(0.0),
-                     rhythm.gaps(), rhythm.valid_samples(), rhythm.samples());
+                     intervals.rate_hz().value_or(0.0), intervals.jitter_ms().value_or(0.0),
+                     intervals.gaps(), intervals.valid_samples(), intervals.samples());
 }
 
 /// One line over the other on a terminal, and under the other elsewhere.
@@ -136,17 +136,18 @@ class LiveLine {
   bool is_terminal_ = ::isatty(STDOUT_FILENO) == 1;
 };
 
-Json json_of(const SampleRhythm& rhythm, const std::string& tracker, const std::string& trouble) {
+Json json_of(const InterSampleIntervals& intervals, const std::string& tracker,
+             const std::string& status) {
   Json json = {{"tracker", tracker},
-               {"samples", rhythm.samples()},
-               {"valid_samples", rhythm.valid_samples()},
-               {"gaps", rhythm.gaps()},
+               {"samples", intervals.samples()},
+               {"valid_samples", intervals.valid_samples()},
+               {"gaps", intervals.gaps()},
                {"rate_hz", nullptr},
                {"jitter_ms", nullptr},
-               {"trouble", trouble}};
-  if (rhythm.rate_hz()) {
-    json["rate_hz"] = *rhythm.rate_hz();
-    json["jitter_ms"] = *rhythm.jitter_ms();
+               {"status", status}};
+  if (intervals.rate_hz()) {
+    json["rate_hz"] = *intervals.rate_hz();
+    json["jitter_ms"] = *intervals.jitter_ms();
   }
   return json;
 }
@@ -159,7 +160,7 @@ void watch(const WatchArguments& arguments, const std::stop_token& stop) {
                                         screen_of(read_display_profile(arguments.display)), clock);
   const std::optional<LiveLine> line =
       arguments.json ? std::nullopt : std::optional<LiveLine>(std::in_place);
-  SampleRhythm rhythm;
+  InterSampleIntervals intervals;
   std::vector<GazeSample> arrived;
   std::optional<GazeSample> newest;
   const Nanoseconds start = clock.now();
@@ -171,19 +172,19 @@ void watch(const WatchArguments& arguments, const std::stop_token& stop) {
     arrived.clear();
     tracker->poll(now, arrived);
     for (const GazeSample& sample : arrived) {
-      rhythm.add(sample);
+      intervals.add(sample);
       newest = sample;
     }
     if (line && now - shown >= show_interval) {
       shown = now;
       const double age_ms = newest ? 1e3 * seconds(now - newest->time) : 0.0;
-      line->show(fmt::format("{:<36} age {:5.1f} ms  {}", describe(newest, tracker->trouble()),
-                             age_ms, describe(rhythm)));
+      line->show(fmt::format("{:<36} age {:5.1f} ms  {}", describe(newest, tracker->status()),
+                             age_ms, describe(intervals)));
     }
     std::this_thread::sleep_for(poll_interval);
   }
   if (arguments.json) {
-    fmt::print("{}\n", json_of(rhythm, arguments.tracker, tracker->trouble())
+    fmt::print("{}\n", json_of(intervals, arguments.tracker, tracker->status())
                            .dump(2, ' ', false, Json::error_handler_t::replace));
   }
 }

@@ -65,7 +65,7 @@ void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& ba
   sort_by_tile(samples, batch);
   batch.jobs.resize(samples.size());
   batch.places.resize(samples.size());
-  batch.homes.resize(samples.size());
+  batch.slots.resize(samples.size());
   for (const NumberedBatch::TileRange& range : batch.tiles) {
     if (tiles_[range.tile].epoch != epoch_) {
       living_tiles_.push_back(range.tile);
@@ -132,7 +132,7 @@ void EquirectFilm::number_tiles(TileRanges ranges, std::span<const ViewSample> s
   }
   bring_to_life(ranges, batch);
   for (std::size_t i = ranges.front().begin; i < end; ++i) {
-    batch.jobs[i].sample_number = batch.homes[i].pixel(batch.places[i]).numbered++;
+    batch.jobs[i].sample_number = batch.slots[i].pixel(batch.places[i]).numbered++;
   }
 }
 
@@ -149,11 +149,11 @@ void EquirectFilm::bring_to_life(TileRanges ranges, NumberedBatch& batch) {
   for (const NumberedBatch::TileRange& range : ranges) {
     FilmTile& tile = *tiles_[range.tile].tile;
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      tile.touch_block(batch.places[i], memory, batch.homes[i]);
+      tile.touch_block(batch.places[i], memory, batch.slots[i]);
     }
   }
   for (std::size_t i = ranges.front().begin; i < ranges.back().end; ++i) {
-    FilmTile::touch_quad(batch.places[i], memory, batch.homes[i]);
+    FilmTile::touch_quad(batch.places[i], memory, batch.slots[i]);
   }
 }
 
@@ -184,7 +184,7 @@ void EquirectFilm::add_tiles(TileRanges ranges, const NumberedBatch& batch,
   std::size_t asked_tiles = 0;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     for (; asked_jobs < std::min(ranges[i].end + samples_ahead, end); ++asked_jobs) {
-      batch.homes[asked_jobs].prefetch(batch.places[asked_jobs]);
+      batch.slots[asked_jobs].prefetch(batch.places[asked_jobs]);
     }
     for (; asked_tiles < std::min(i + tiles_ahead, ranges.size()); ++asked_tiles) {
       const NumberedBatch::TileRange& range = ranges[asked_tiles];
@@ -201,12 +201,12 @@ void EquirectFilm::add_tile(const NumberedBatch::TileRange& range, const Numbere
   for (std::size_t i = range.begin; i < range.end; ++i) {
     if (is_finite(radiance[i])) {
       const FilmTile::Place at = batch.places[i];
-      FilmTile::Pixel& pixel = batch.homes[i].pixel(at);
+      FilmTile::Pixel& pixel = batch.slots[i].pixel(at);
       pixel.sum += DVec3(radiance[i]);
       ++pixel.count;
       touched.add(at);
       if (with_squares_) {
-        batch.homes[i].squares(at) += squared_luminance(radiance[i]);
+        batch.slots[i].squares(at) += squared_luminance(radiance[i]);
       }
     }
   }
@@ -240,13 +240,13 @@ std::optional<double> EquirectFilm::luminance_variance(int x, int y) const {
   return std::max(0.0, (squares / n - mean * mean) * n / (n - 1.0));
 }
 
-Coverage EquirectFilm::cell(int level, int x, int y) const {
+PremultipliedTexel EquirectFilm::cell(int level, int x, int y) const {
   if (level >= FilmTile::levels) {
     return coarse_.cell(level - FilmTile::levels, x, y);
   }
   const int tile_cells = tile_size >> level;
   const FilmTile* tile = find_tile(tile_of(x << level, y << level));
-  return tile != nullptr ? tile->cell(level, x % tile_cells, y % tile_cells) : Coverage{};
+  return tile != nullptr ? tile->cell(level, x % tile_cells, y % tile_cells) : PremultipliedTexel{};
 }
 
 FilmImage EquirectFilm::resolve() const {

@@ -10,8 +10,8 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
-#include "renderer/film/coverage_levels.h"
 #include "renderer/film/film_tile.h"
+#include "renderer/film/texel_pyramid.h"
 #include "renderer/image/image.h"
 #include "renderer/view/view_sampler.h"
 
@@ -27,7 +27,7 @@ struct NumberedBatch {
   };
   std::vector<SampleJob> jobs;
   std::vector<FilmTile::Place> places;  ///< of each job, in its tile
-  std::vector<FilmTile::Home> homes;    ///< likewise, until the film is cleared
+  std::vector<FilmTile::Slot> slots;    ///< likewise, until the film is cleared
   std::vector<TileRange> tiles;
 };
 
@@ -90,7 +90,7 @@ class EquirectFilm {
   int levels() const { return FilmTile::levels + coarse_.count(); }
   int width(int level) const { return (width_ + (1 << level) - 1) >> level; }
   int height(int level) const { return (height_ + (1 << level) - 1) >> level; }
-  Coverage cell(int level, int x, int y) const;
+  PremultipliedTexel cell(int level, int x, int y) const;
 
   /// What changed, for whoever keeps a copy: it asks tile by tile for what is newer than its copy.
   /// The revision grows with every batch added and every clear; a new film's is 0.
@@ -114,7 +114,7 @@ class EquirectFilm {
     const Slot& slot = tiles_[tile];
     return slot.epoch == epoch_ ? std::max(slot.changed_at, cleared_at_) : cleared_at_;
   }
-  /// Calls visit(level, IVec2(x, y), coverage) for the cells of a tile, of the levels
+  /// Calls visit(level, IVec2(x, y), texel) for the cells of a tile, of the levels
   /// [0, FilmTile::levels), that know something and changed after `since`; all that know something
   /// for 0. Of the level 0 those beside a pixel that changed may come too, up to three. Cells of
   /// higher levels have pixels in many tiles: they must be copied whenever the film changed.
@@ -181,7 +181,7 @@ class EquirectFilm {
   std::vector<Slot> tiles_;
   std::vector<std::uint32_t> living_tiles_;  ///< those of this epoch
   Sorting sorting_;
-  CoverageLevels coarse_;  ///< of a cell a tile, and up
+  TexelPyramid coarse_;  ///< of a cell a tile, and up
   /// Of the samples since the last clear.
   std::uint32_t epoch_ = 1;
   std::uint64_t total_samples_ = 0;
@@ -195,8 +195,8 @@ void EquirectFilm::for_each_changed_cell(std::uint32_t tile, FilmRevision since,
   if (const FilmTile* found = find_tile(tile)) {
     const IVec2 corner = tile_corner(tile);
     found->for_each_changed_cell(
-        since, [&](int level, const IVec2& in_tile, const Coverage& coverage) {
-          visit(level, IVec2(corner.x >> level, corner.y >> level) + in_tile, coverage);
+        since, [&](int level, const IVec2& in_tile, const PremultipliedTexel& texel) {
+          visit(level, IVec2(corner.x >> level, corner.y >> level) + in_tile, texel);
         });
   }
 }

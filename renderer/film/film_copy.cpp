@@ -32,8 +32,8 @@ void FilmCopy::refresh(std::uint32_t tile) {
   }
   const FilmRevision now = film_->revision();
   film_->for_each_changed_cell(tile, since,
-                               [&](int level, const IVec2& cell, const Coverage& coverage) {
-                                 cells_.set(level, cell.x, cell.y, coverage);
+                               [&](int level, const IVec2& cell, const PremultipliedTexel& texel) {
+                                 cells_.set(level, cell.x, cell.y, texel);
                                  if (level > 0) {
                                    changes_.note(level, cell.x, cell.y, now);
                                  }

@@ -25,7 +25,7 @@ class FilmCopy {
   void refresh_above_tiles();
 
   /// As EquirectFilm::cell, where refreshed.
-  const SpherePlanes<Coverage>& cells() const { return cells_; }
+  const SpherePlanes<PremultipliedTexel>& cells() const { return cells_; }
   /// The film's revision when cells were copied; what a clear empties is not noted.
   const SquareChanges& changes() const { return changes_; }
 
@@ -34,7 +34,7 @@ class FilmCopy {
   void empty(std::uint32_t tile);
 
   const EquirectFilm* film_;
-  SpherePlanes<Coverage> cells_;
+  SpherePlanes<PremultipliedTexel> cells_;
   SquareChanges changes_;
   std::vector<FilmRevision> copied_at_;  ///< of each tile, 0 if it never was
 };

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/film/coverage.h"
 #include "renderer/film/item_pool.h"
+#include "renderer/film/premultiplied_texel.h"
 
 namespace foveola {
 
@@ -38,7 +38,9 @@ class FilmTile {
     std::uint32_t numbered;  ///< samples given a number
 
     Rgb mean() const { return count > 0 ? Rgb(sum / static_cast<double>(count)) : Rgb(0.0F); }
-    Coverage coverage() const { return count > 0 ? Coverage{mean(), 1.0F} : Coverage{}; }
+    PremultipliedTexel texel() const {
+      return count > 0 ? PremultipliedTexel{mean(), 1.0F} : PremultipliedTexel{};
+    }
   };
 
   /// A pixel of a tile: its block (of 16), its quad in the block (of 16), itself in the quad; each
@@ -85,32 +87,32 @@ class FilmTile {
     std::array<double, 4> squares;
   };
   /// A square of sixteen smaller ones, and two levels of the pyramid over them.
-  template <typename Part>
-  struct alignas(cache_line) Sixteen {
-    std::array<Part*, 16> parts;     ///< null where nothing was sampled
-    std::array<Coverage, 16> means;  ///< of the parts
-    std::array<Coverage, 4> quarters;
-    std::array<FilmRevision, 16> changed_at;  ///< of the parts; 0 where nothing was added
+  template <typename Child>
+  struct alignas(cache_line) Node {
+    std::array<Child*, 16> children;           ///< null where nothing was sampled
+    std::array<PremultipliedTexel, 16> means;  ///< of the children
+    std::array<PremultipliedTexel, 4> quadrants;
+    std::array<FilmRevision, 16> changed_at;  ///< of the children; 0 where nothing was added
 
-    /// Averages anew what lies above these parts, a bit for each. Returns the mean of all.
-    Coverage refresh(std::uint32_t parts_touched);
+    /// Averages anew what lies above these children, a bit for each. Returns the mean of all.
+    PremultipliedTexel refresh(std::uint32_t children_touched);
     /// A bit for each part.
     std::uint32_t changed_after(FilmRevision since) const;
-    /// Asks for the memory of these parts and their means.
-    void prefetch_changed(std::uint32_t parts_changed) const;
-    /// Visits the means of these parts as cells of `level`, the first of which lies at `corner`,
-    /// and the quarters that have such parts.
+    /// Asks for the memory of these children and their means.
+    void prefetch_changed(std::uint32_t children_changed) const;
+    /// Visits the means of these children as cells of `level`, the first of which lies at `corner`,
+    /// and the quadrants that have such children.
     template <typename Visit>
-    void visit_means(std::uint32_t parts_changed, int level, const IVec2& corner,
+    void visit_means(std::uint32_t children_changed, int level, const IVec2& corner,
                      const Visit& visit) const;
   };
-  using Block = Sixteen<Quad>;
+  using Block = Node<Quad>;
 
  public:
   /// Where a pixel that was touched lies in memory, until that is cleared.
-  class Home {
+  class Slot {
    public:
-    Home() = default;
+    Slot() = default;
     Pixel& pixel(Place place) const { return quad_->pixels[place.pixel()]; }
     /// The sum of the squared luminances, in memory with squares.
     double& squares(Place place) const {
@@ -120,9 +122,9 @@ class FilmTile {
     void prefetch(Place place) const {
       __builtin_prefetch(quad_);
       __builtin_prefetch(&quad_->pixels[2]);
-      __builtin_prefetch(&block_->parts[place.quad()]);
+      __builtin_prefetch(&block_->children[place.quad()]);
       __builtin_prefetch(&block_->means[place.quad()]);
-      __builtin_prefetch(&block_->quarters);
+      __builtin_prefetch(&block_->quadrants);
       __builtin_prefetch(&block_->changed_at);
     }
 
@@ -137,39 +139,39 @@ class FilmTile {
 
   /// Bring a pixel to life, in these two steps. Each asks for the memory that the next one needs,
   /// which should follow a while later.
-  void touch_block(Place place, Taker& memory, Home& home);
-  static void touch_quad(Place place, Taker& memory, Home& home);
+  void touch_block(Place place, Taker& memory, Slot& slot);
+  static void touch_quad(Place place, Taker& memory, Slot& slot);
   /// Null if it was not touched.
   const Pixel* find(Place place) const;
   /// The sum of the squared luminances of a pixel that was touched, in memory with squares.
   double squares(Place place) const {
-    const Quad* quad = blocks_.parts[place.block()]->parts[place.quad()];
+    const Quad* quad = blocks_.children[place.block()]->children[place.quad()];
     return static_cast<const QuadWithSquares*>(quad)->squares[place.pixel()];
   }
 
   /// Averages anew what lies above `touched`, which changed at `revision`. Returns the mean of the
   /// tile.
-  Coverage refresh(const Touched& touched, FilmRevision revision);
+  PremultipliedTexel refresh(const Touched& touched, FilmRevision revision);
   /// level in [0, levels), 0 being the pixels; x and y in [0, size >> level).
-  Coverage cell(int level, int x, int y) const;
-  /// Calls visit(level, IVec2(x, y), coverage) for the cells whose pixels changed after `since`;
+  PremultipliedTexel cell(int level, int x, int y) const;
+  /// Calls visit(level, IVec2(x, y), texel) for the cells whose pixels changed after `since`;
   /// of the level 0, for the pixels with samples in the quads that changed.
   template <typename Visit>
   void for_each_changed_cell(FilmRevision since, const Visit& visit) const;
 
   /// Ask for the memory that touch_block, and averaging over the place's block, will need.
-  void prefetch_block(Place place) const { __builtin_prefetch(&blocks_.parts[place.block()]); }
+  void prefetch_block(Place place) const { __builtin_prefetch(&blocks_.children[place.block()]); }
   void prefetch_means(Place place) const {
-    __builtin_prefetch(&blocks_.parts[place.block()]);
+    __builtin_prefetch(&blocks_.children[place.block()]);
     __builtin_prefetch(&blocks_.means[place.block()]);
-    __builtin_prefetch(&blocks_.quarters);
+    __builtin_prefetch(&blocks_.quadrants);
     __builtin_prefetch(&blocks_.changed_at);
   }
 
  private:
-  /// The first bit of each four of which some are set stands for their quarter.
-  static std::uint32_t quarters_of(std::uint32_t parts) {
-    const std::uint32_t pairs = parts | parts >> 1U;
+  /// The first bit of each four of which some are set stands for their quadrant.
+  static std::uint32_t quadrants_of(std::uint32_t children) {
+    const std::uint32_t pairs = children | children >> 1U;
     return (pairs | pairs >> 2U) & 0x1111U;
   }
   /// Where a part lies among four or sixteen: Place's order.
@@ -180,10 +182,10 @@ class FilmTile {
   template <typename Visit>
   static void visit_pixels(const Quad& quad, const IVec2& corner, const Visit& visit);
 
-  Sixteen<Block> blocks_;
+  Node<Block> blocks_;
 };
 
-/// Where the parts of a film's tiles come from.
+/// Where the children of a film's tiles come from.
 class FilmTile::Memory {
  public:
   /// with_squares: keep the squares of luminances too.
@@ -225,26 +227,26 @@ class FilmTile::Taker {
   ItemPool<QuadWithSquares>::Taker quads_with_squares_;
 };
 
-inline void FilmTile::touch_block(Place place, Taker& memory, Home& home) {
-  Block*& block = blocks_.parts[place.block()];
+inline void FilmTile::touch_block(Place place, Taker& memory, Slot& slot) {
+  Block*& block = blocks_.children[place.block()];
   if (block == nullptr) {
     block = memory.take_block();
   }
-  home.block_ = block;
-  __builtin_prefetch(&block->parts[place.quad()]);
+  slot.block_ = block;
+  __builtin_prefetch(&block->children[place.quad()]);
 }
 
-inline void FilmTile::touch_quad(Place place, Taker& memory, Home& home) {
-  Quad*& quad = home.block_->parts[place.quad()];
+inline void FilmTile::touch_quad(Place place, Taker& memory, Slot& slot) {
+  Quad*& quad = slot.block_->children[place.quad()];
   if (quad == nullptr) {
     quad = memory.take_quad();
   }
-  home.quad_ = quad;
+  slot.quad_ = quad;
   __builtin_prefetch(&quad->pixels[place.pixel()]);
 }
 
-template <typename Part>
-std::uint32_t FilmTile::Sixteen<Part>::changed_after(FilmRevision since) const {
+template <typename Child>
+std::uint32_t FilmTile::Node<Child>::changed_after(FilmRevision since) const {
   std::uint32_t changed = 0;
   for (std::uint32_t i = 0; i < changed_at.size(); ++i) {
     changed |= (changed_at[i] > since ? 1U : 0U) << i;
@@ -252,33 +254,33 @@ std::uint32_t FilmTile::Sixteen<Part>::changed_after(FilmRevision since) const {
   return changed;
 }
 
-template <typename Part>
-void FilmTile::Sixteen<Part>::prefetch_changed(std::uint32_t parts_changed) const {
-  __builtin_prefetch(&quarters);
-  for_each_bit(parts_changed, [&](std::size_t i) {
+template <typename Child>
+void FilmTile::Node<Child>::prefetch_changed(std::uint32_t children_changed) const {
+  __builtin_prefetch(&quadrants);
+  for_each_bit(children_changed, [&](std::size_t i) {
     __builtin_prefetch(&means[i]);
-    const auto* const begin = reinterpret_cast<const std::byte*>(parts[i]);
-    for (std::size_t offset = 0; offset < sizeof(Part); offset += cache_line) {
+    const auto* const begin = reinterpret_cast<const std::byte*>(children[i]);
+    for (std::size_t offset = 0; offset < sizeof(Child); offset += cache_line) {
       __builtin_prefetch(begin + offset);
     }
   });
 }
 
-template <typename Part>
+template <typename Child>
 template <typename Visit>
-void FilmTile::Sixteen<Part>::visit_means(std::uint32_t parts_changed, int level,
-                                          const IVec2& corner, const Visit& visit) const {
-  for_each_bit(quarters_of(parts_changed), [&](std::size_t first) {
-    visit(level + 1, corner / 2 + spot(first / 4), quarters[first / 4]);
+void FilmTile::Node<Child>::visit_means(std::uint32_t children_changed, int level,
+                                        const IVec2& corner, const Visit& visit) const {
+  for_each_bit(quadrants_of(children_changed), [&](std::size_t first) {
+    visit(level + 1, corner / 2 + spot(first / 4), quadrants[first / 4]);
   });
-  for_each_bit(parts_changed, [&](std::size_t i) { visit(level, corner + spot(i), means[i]); });
+  for_each_bit(children_changed, [&](std::size_t i) { visit(level, corner + spot(i), means[i]); });
 }
 
 template <typename Visit>
 void FilmTile::visit_pixels(const Quad& quad, const IVec2& corner, const Visit& visit) {
   for (std::size_t i = 0; i < quad.pixels.size(); ++i) {
     if (quad.pixels[i].count > 0) {
-      visit(0, corner + spot(i), quad.pixels[i].coverage());
+      visit(0, corner + spot(i), quad.pixels[i].texel());
     }
   }
 }
@@ -288,20 +290,20 @@ template <typename Visit>
 void FilmTile::for_each_changed_cell(FilmRevision since, const Visit& visit) const {
   const std::uint32_t blocks_changed = blocks_.changed_after(since);
   for_each_bit(blocks_changed,
-               [&](std::size_t i) { __builtin_prefetch(&blocks_.parts[i]->changed_at); });
+               [&](std::size_t i) { __builtin_prefetch(&blocks_.children[i]->changed_at); });
   blocks_.visit_means(blocks_changed, 3, IVec2(0), visit);
   std::array<std::uint32_t, 16> quads_changed;  // of each block that changed
   for_each_bit(blocks_changed, [&](std::size_t i) {
-    const Block& block = *blocks_.parts[i];
+    const Block& block = *blocks_.children[i];
     quads_changed[i] = block.changed_after(since);
     block.prefetch_changed(quads_changed[i]);
   });
   for_each_bit(blocks_changed, [&](std::size_t i) {
-    const Block& block = *blocks_.parts[i];
+    const Block& block = *blocks_.children[i];
     const IVec2 corner = 4 * spot(i);  // in quads
     block.visit_means(quads_changed[i], 1, corner, visit);
     for_each_bit(quads_changed[i], [&](std::size_t quad) {
-      visit_pixels(*block.parts[quad], 2 * (corner + spot(quad)), visit);
+      visit_pixels(*block.children[quad], 2 * (corner + spot(quad)), visit);
     });
   });
 }

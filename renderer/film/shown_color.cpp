@@ -8,23 +8,23 @@
 namespace foveola {
 namespace {
 
-/// Coverage of eight squares, a lane each.
-struct Coverages {
+/// PremultipliedTexel of eight squares, a lane each.
+struct PremultipliedTexels {
   Vec3s color;
   Floats weight;
 
-  friend Coverages operator+(const Coverages& a, const Coverages& b) {
+  friend PremultipliedTexels operator+(const PremultipliedTexels& a, const PremultipliedTexels& b) {
     return {a.color + b.color, a.weight + b.weight};
   }
-  friend Coverages operator*(const Floats& factor, const Coverages& coverages) {
-    return {factor * coverages.color, factor * coverages.weight};
+  friend PremultipliedTexels operator*(const Floats& factor, const PremultipliedTexels& texels) {
+    return {factor * texels.color, factor * texels.weight};
   }
 };
 
-/// Coverage of one square: red, green, blue, weight.
-using Four = float __attribute__((vector_size(sizeof(Coverage))));
+/// PremultipliedTexel of one square: red, green, blue, weight.
+using Four = float __attribute__((vector_size(sizeof(PremultipliedTexel))));
 
-Four load(const Coverage& cell) {
+Four load(const PremultipliedTexel& cell) {
   Four four;
   __builtin_memcpy(&four, &cell, sizeof(four));
   return four;
@@ -32,14 +32,14 @@ Four load(const Coverage& cell) {
 
 /// Four cells around each of eight points, and what each counts.
 struct Squares {
-  std::array<const Coverage*, lane_count> upper;  ///< the left one; the right one follows
-  std::array<const Coverage*, lane_count> lower;
+  std::array<const PremultipliedTexel*, lane_count> upper;  ///< the left one; the right one follows
+  std::array<const PremultipliedTexel*, lane_count> lower;
   FloatLanes upper_left, upper_right, lower_left, lower_right;
 };
 
 /// Asks for the cells' memory too.
-void find_squares(const SpherePlanes<Coverage>& cells, const Vec2s& image, const Ints& level,
-                  Squares& squares) {
+void find_squares(const SpherePlanes<PremultipliedTexel>& cells, const Vec2s& image,
+                  const Ints& level, Squares& squares) {
   const CellsAround at = cells_around(Vec2(cells.width(0), cells.height(0)), image, level);
   squares.upper_left.store((1.0F - at.right) * (1.0F - at.down));
   squares.upper_right.store(at.right * (1.0F - at.down));
@@ -53,11 +53,11 @@ void find_squares(const SpherePlanes<Coverage>& cells, const Vec2s& image, const
   }
 }
 
-Coverages bilinear(const Squares& squares) {
+PremultipliedTexels bilinear(const Squares& squares) {
   std::array<Four, lane_count> sums;
   for (std::size_t i = 0; i < lane_count; ++i) {
-    const Coverage* const upper = squares.upper[i];
-    const Coverage* const lower = squares.lower[i];
+    const PremultipliedTexel* const upper = squares.upper[i];
+    const PremultipliedTexel* const lower = squares.lower[i];
     sums[i] = squares.upper_left[i] * load(upper[0]) + squares.upper_right[i] * load(upper[1]) +
               squares.lower_left[i] * load(lower[0]) + squares.lower_right[i] * load(lower[1]);
   }
@@ -76,7 +76,7 @@ struct SquaresOfLevels {
   bool is_between;
 };
 
-void find_squares(const SpherePlanes<Coverage>& cells, const ViewPoints& points,
+void find_squares(const SpherePlanes<PremultipliedTexel>& cells, const ViewPoints& points,
                   SquaresOfLevels& squares) {
   const Ints level = truncated(points.level);
   squares.t = points.level - floats_of(level);
@@ -89,8 +89,8 @@ void find_squares(const SpherePlanes<Coverage>& cells, const ViewPoints& points,
   }
 }
 
-Coverages trilinear(const SquaresOfLevels& squares) {
-  const Coverages finer = bilinear(squares.finer);
+PremultipliedTexels trilinear(const SquaresOfLevels& squares) {
+  const PremultipliedTexels finer = bilinear(squares.finer);
   if (!squares.is_between) {
     return finer;
   }
@@ -99,7 +99,8 @@ Coverages trilinear(const SquaresOfLevels& squares) {
 
 /// Lets the levels from `level` on, one after the other, make up for what `known` lacks. One known
 /// pixel stands for its whole cell (as in Grossman and Dally 1998, "Point Sample Rendering").
-void fill(const SpherePlanes<Coverage>& cells, const Vec2s& image, Ints level, Coverages& known) {
+void fill(const SpherePlanes<PremultipliedTexel>& cells, const Vec2s& image, Ints level,
+          PremultipliedTexels& known) {
   constexpr float enough = 0.999F;
   for (;;) {
     const LaneMask lacks = (known.weight < enough) & (level < cells.levels());
@@ -108,7 +109,7 @@ void fill(const SpherePlanes<Coverage>& cells, const Vec2s& image, Ints level, C
     }
     Squares squares;
     find_squares(cells, image, lacks ? level : Ints{}, squares);
-    const Coverages coarser = bilinear(squares);
+    const PremultipliedTexels coarser = bilinear(squares);
     const Floats pixels_in_cell = power_of_two(2 * level);
     const Floats share = (1.0F - known.weight) * smaller(pixels_in_cell, 1.0F / coarser.weight);
     known = known + chosen(lacks & (coarser.weight > 0.0F), share, Floats{}) * coarser;
@@ -118,7 +119,7 @@ void fill(const SpherePlanes<Coverage>& cells, const Vec2s& image, Ints level, C
 
 }  // namespace
 
-void shown_colors(const SpherePlanes<Coverage>& cells, std::span<const ViewPoints> points,
+void shown_colors(const SpherePlanes<PremultipliedTexel>& cells, std::span<const ViewPoints> points,
                   UnsampledPixels unsampled, std::span<Vec3s> colors) {
   assert(points.size() <= most_view_points && colors.size() == points.size());
   std::array<SquaresOfLevels, most_view_points> squares;
@@ -126,7 +127,7 @@ void shown_colors(const SpherePlanes<Coverage>& cells, std::span<const ViewPoint
     find_squares(cells, points[i], squares[i]);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Coverages known = trilinear(squares[i]);
+    PremultipliedTexels known = trilinear(squares[i]);
     if (unsampled == UnsampledPixels::filled) {
       fill(cells, points[i].image, truncated(points[i].level) + 1, known);
     }

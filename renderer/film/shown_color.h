@@ -4,7 +4,7 @@
 #include <span>
 
 #include "renderer/base/lanes.h"
-#include "renderer/film/coverage.h"
+#include "renderer/film/premultiplied_texel.h"
 #include "renderer/film/sphere_planes.h"
 
 namespace foveola {
@@ -28,7 +28,7 @@ inline constexpr std::size_t most_view_points = 8;
 /// For each group of eight pixels, the trilinear mean of the cells around each pixel, over that of
 /// the cells' weights; what is not known is black, or filled. Linear radiance. As many `colors` as
 /// `points`: up to most_view_points, for which memory is asked before the first are worked out.
-void shown_colors(const SpherePlanes<Coverage>& cells, std::span<const ViewPoints> points,
+void shown_colors(const SpherePlanes<PremultipliedTexel>& cells, std::span<const ViewPoints> points,
                   UnsampledPixels unsampled, std::span<Vec3s> colors);
 
 }  // namespace foveola

@@ -11,8 +11,8 @@ namespace foveola {
 namespace {
 
 /// An image whose pixels are all known, as a pyramid.
-SpherePlanes<Coverage> pyramid_over(const RgbImage& panorama, int levels) {
-  SpherePlanes<Coverage> cells(panorama.width, panorama.height, levels);
+SpherePlanes<PremultipliedTexel> pyramid_over(const RgbImage& panorama, int levels) {
+  SpherePlanes<PremultipliedTexel> cells(panorama.width, panorama.height, levels);
   for (int y = 0; y < panorama.height; ++y) {
     for (int x = 0; x < panorama.width; ++x) {
       cells.set(0, x, y, {panorama.at(x, y), 1.0F});
@@ -45,7 +45,7 @@ RgbImage viewport_image(const RgbImage& panorama, const Viewport& viewport, int 
   pixels.place(viewport, 0, height);
   pixels.choose_levels(viewport, panorama.height, single_cell_level, 0, height);
   const int highest = static_cast<int>(std::ceil(pixels.highest_level()));
-  const SpherePlanes<Coverage> cells = pyramid_over(panorama, highest + 1);
+  const SpherePlanes<PremultipliedTexel> cells = pyramid_over(panorama, highest + 1);
   RgbImage view(width, height);
   for (std::size_t first = 0; first < view.pixels.size(); first += lane_count) {
     const ViewPoints points = pixels.points_from(first);

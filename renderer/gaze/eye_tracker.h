@@ -29,7 +29,7 @@ class EyeTracker {
   /// not, in the order of their arrival. Time may not go backwards between calls.
   virtual void poll(Nanoseconds now, std::vector<GazeSample>& arrived) = 0;
   /// Why no samples come, for the user; empty if all is well.
-  virtual std::string trouble() const { return {}; }
+  virtual std::string status() const { return {}; }
 };
 
 /// Always looks along `direction` (head's axes): whenever it is asked, one sample as of now.

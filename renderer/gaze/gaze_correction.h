@@ -46,7 +46,7 @@ class CorrectedEyeTracker final : public EyeTracker {
   /// Corrects what it has corrected so far once more, from the next poll on.
   void add(const GazeCorrection& correction);
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
-  std::string trouble() const override { return source_->trouble(); }
+  std::string status() const override { return source_->status(); }
 
  private:
   std::unique_ptr<EyeTracker> source_;

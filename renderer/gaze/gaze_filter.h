@@ -24,7 +24,7 @@ class HoldFilter final : public EyeTracker {
   /// limit: the age (now less the sample's time) beyond which it is too old; in (0, longest_hold].
   explicit HoldFilter(std::unique_ptr<EyeTracker> source, Nanoseconds limit = longest_hold);
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
-  std::string trouble() const override { return source_->trouble(); }
+  std::string status() const override { return source_->status(); }
 
  private:
   std::unique_ptr<EyeTracker> source_;
@@ -72,7 +72,7 @@ class OneEuroFilter final : public EyeTracker {
  public:
   OneEuroFilter(std::unique_ptr<EyeTracker> source, const OneEuroSettings& settings);
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
-  std::string trouble() const override { return source_->trouble(); }
+  std::string status() const override { return source_->status(); }
 
  private:
   std::unique_ptr<EyeTracker> source_;

@@ -98,7 +98,7 @@ void HidEyeTracker::set_up(const HidConnection& connection, const HidEyeReports&
   state_.configuration = configuration;
   state_.capabilities = capabilities;
   ++state_.connections;
-  state_.trouble = will_measure ? "" : "the eye tracker refuses to be asked for gaze";
+  state_.status_text = will_measure ? "" : "the eye tracker refuses to be asked for gaze";
 }
 
 void HidEyeTracker::read_until_gone(const std::stop_token& stop, HidDevice& device,
@@ -123,10 +123,10 @@ void HidEyeTracker::take(std::span<const std::uint8_t> bytes) {
   state_.counters = stream_->counters();
 }
 
-void HidEyeTracker::note_disconnected(const std::string& trouble) {
+void HidEyeTracker::note_disconnected(const std::string& status_text) {
   const std::lock_guard lock(mutex_);
   state_.is_connected = false;
-  state_.trouble = trouble;
+  state_.status_text = status_text;
 }
 
 void HidEyeTracker::wait_to_retry(const std::stop_token& stop) {

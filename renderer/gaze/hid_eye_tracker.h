@@ -37,7 +37,7 @@ struct HidTrackerState {
   std::optional<HidCapabilities> capabilities;
   HidGazeCounters counters;       ///< of all connections
   std::uint64_t connections = 0;  ///< so far
-  std::string trouble;  ///< why it is not connected, or does not do all; empty if all well
+  std::string status_text;  ///< why it is not connected, or does not do all; empty if all well
 };
 
 class HidEyeTracker final : public EyeTracker {
@@ -61,7 +61,7 @@ class HidEyeTracker final : public EyeTracker {
   /// tell.
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
-  std::string trouble() const override { return state().trouble; }
+  std::string status() const override { return state().status_text; }
 
   HidTrackerState state() const;
 
@@ -74,7 +74,7 @@ class HidEyeTracker final : public EyeTracker {
   void read_until_gone(const std::stop_token& stop, HidDevice& device,
                        std::size_t longest_report_bytes);
   void take(std::span<const std::uint8_t> bytes);
-  void note_disconnected(const std::string& trouble);
+  void note_disconnected(const std::string& status_text);
   void wait_to_retry(const std::stop_token& stop);
 
   Opener open_;

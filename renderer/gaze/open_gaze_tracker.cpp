@@ -93,7 +93,7 @@ void OpenGazeTracker::poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived
   samples_.take(arrived);
 }
 
-std::string OpenGazeTracker::trouble() const {
+std::string OpenGazeTracker::status() const {
   return counters().is_connected ? ""
                                  : fmt::format("nothing speaks the Open Gaze API at {}:{}",
                                                settings_.address.host, settings_.address.port);

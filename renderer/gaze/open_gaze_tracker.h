@@ -76,7 +76,7 @@ class OpenGazeTracker final : public EyeTracker {
 
   /// What has arrived before the call; `now` does not matter.
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
-  std::string trouble() const override;
+  std::string status() const override;
   OpenGazeCounters counters() const;
 
  private:

@@ -27,11 +27,11 @@ Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeT
       head_(&head),
       workers_(&workers),
       film_(settings.film_width, settings.film_height,
-            settings.spare_done || settings.keep_variances ? FilmStatistics::mean_and_variance
-                                                           : FilmStatistics::mean),
+            settings.adaptive || settings.keep_variances ? FilmStatistics::mean_and_variance
+                                                         : FilmStatistics::mean),
       viewport_(viewport_for(settings, {})) {
-  if (settings_.spare_done) {
-    settings_.spare_done->exposure_stops = settings.exposure_stops;
+  if (settings_.adaptive) {
+    settings_.adaptive->exposure_stops = settings.exposure_stops;
   }
 }
 
@@ -69,7 +69,7 @@ std::optional<SampleJob> Preview::find_job(Nanoseconds now, std::uint64_t sample
   std::optional<SampleJob> found;
   begin_frame(now);
   add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    if (settings_.spare_done) {
+    if (settings_.adaptive) {
       tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_);
     } else {
       std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
@@ -88,11 +88,11 @@ void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace)
   const SobolRange points = {
       .first = next_point_, .count = samples, .seed = mix(settings_.trace.seed, view_stream)};
   SamplePass::Adjust adjust;
-  if (settings_.spare_done) {
+  if (settings_.adaptive) {
     adjust = [&](std::vector<ViewSample>& view_samples) {
       const auto frame = static_cast<std::uint32_t>(next_frame_);
-      spare_done_pixels(film_, last_gaze_, *settings_.spare_done, mix(points.seed, frame),
-                        view_samples, *workers_);
+      redirect_samples(film_, last_gaze_, *settings_.adaptive, mix(points.seed, frame),
+                       view_samples, *workers_);
     };
   }
   const std::vector<DroppedSample> dropped =

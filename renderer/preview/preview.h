@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
+#include "renderer/film/adaptive_sampling.h"
 #include "renderer/film/equirect_film.h"
 #include "renderer/film/sample_pass.h"
-#include "renderer/film/spare_done.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
@@ -31,8 +31,8 @@ struct PreviewSettings {
   UnsampledPixels unsampled = UnsampledPixels::black;
   /// Sends samples away from pixels whose noise is no longer seen at the exposure below. Off in the
   /// published study.
-  std::optional<VisibleNoise> spare_done;
-  bool keep_variances = false;  ///< in the film, even if nothing is spared
+  std::optional<VisibleNoise> adaptive;
+  bool keep_variances = false;  ///< in the film, even without adaptive sampling
   double exposure_stops = 0.0;
   TraceSettings trace;
 };

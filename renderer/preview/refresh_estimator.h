@@ -37,7 +37,7 @@ class RefreshEstimator {
   /// Whether enough swaps have been seen, and they follow the display.
   bool is_measured() const { return swaps_ >= enough_swaps && !is_unsynchronised_; }
   /// Whether swaps were found not to wait for refreshes, or for those of a display of another rate.
-  /// It stays so: who paces frames by a clock instead gives their swaps that clock's rhythm.
+  /// It stays so: who paces frames by a clock instead gives their swaps that clock's intervals.
   bool is_unsynchronised() const { return is_unsynchronised_; }
 
   /// As measured, as far as it is; nominal if the swaps do not follow the display.

@@ -53,7 +53,7 @@ Material tinted_glass() {
   return material;
 }
 
-Material window_pane() {
+Material thin_pane() {
   Material material = glass();
   material.is_solid = false;
   material.base_color = Rgb(0.9F, 0.95F, 0.9F);
@@ -117,7 +117,7 @@ Scene room_of_everything() {
   scene.textures = {pattern({220, 60, 20, 255}, {40, 200, 90, 255}),
                     pattern({110, 120, 250, 255}, {150, 140, 200, 255})};
   // A wall gives way to a window.
-  scene.meshes[5] = quad({1, -1, -1}, {0, 0, 2}, {0, 2, 0}, add(window_pane()));
+  scene.meshes[5] = quad({1, -1, -1}, {0, 0, 2}, {0, 2, 0}, add(thin_pane()));
   scene.environment = constant_environment(0.5F);
   scene.meshes.push_back(
       papered_quad({-0.9F, -0.99F, 0.9F}, {1.2F, 0, 0}, {0, 0, -1.2F}, add(papered())));

@@ -84,8 +84,8 @@ LaneMask BlockTracer::advance(const Group& group) {
   LaneMask other{};
   for (std::size_t lane = 0; lane < group.size; ++lane) {
     const Arrival arrival = arrive(group.first + lane);
-    plain[lane] = arrival == Arrival::plain ? -1 : 0;
-    other[lane] = arrival == Arrival::other ? -1 : 0;
+    plain[lane] = arrival == Arrival::fast_path ? -1 : 0;
+    other[lane] = arrival == Arrival::general_path ? -1 : 0;
   }
   if (!any_lane(plain | other)) {
     return LaneMask{};
@@ -97,13 +97,13 @@ LaneMask BlockTracer::advance(const Group& group) {
     goes_on = advance_alone(group, other, numbers);
   }
   if (any_lane(plain)) {
-    goes_on |= advance_plain(group, plain, numbers);
+    goes_on |= advance_on_fast_path(group, plain, numbers);
   }
   return goes_on;
 }
 
 NeededNumbers BlockTracer::needed_numbers() const {
-  const bool all = settings_.is_general;
+  const bool all = settings_.uses_general_path;
   return {.light_kind = all || traced_.lights.has_several_kinds(),
           .roulette = all || vertex_ > vertices_before_roulette,
           .keys = all || traced_.rays.asks_for_keys()};
@@ -122,12 +122,13 @@ BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {
   } else if (is_last(object_of(hit))) {
     return Arrival::ended;
   }
-  const bool is_plain = object_of(hit).is_plain && !is_absorbed && !settings_.is_general;
-  return is_plain ? Arrival::plain : Arrival::other;
+  const bool is_on_fast_path =
+      object_of(hit).is_on_fast_path && !is_absorbed && !settings_.uses_general_path;
+  return is_on_fast_path ? Arrival::fast_path : Arrival::general_path;
 }
 
 bool BlockTracer::is_last(const TracedObject& object) const {
-  return vertex_ > settings_.max_depth && !object.is_window;
+  return vertex_ > settings_.max_depth && !object.is_thin_transmissive;
 }
 
 bool BlockTracer::gather(Path& path, const Hit& hit) {
@@ -158,7 +159,8 @@ void BlockTracer::add_environment(const Path& path) {
 void BlockTracer::add_emission(const Path& path, const Hit& hit) {
   const SurfaceEmission emission = surface_emission(traced_.scene, hit, path.ray.direction);
   if (max_component(emission.radiance) > 0.0F) {
-    const float light_pdf = traced_.lights.triangle_pdf(path.receiver, hit, hit.t, emission.cosine);
+    const float light_pdf =
+        traced_.lights.triangle_pdf(path.shading_point, hit, hit.t, emission.cosine);
     radiance_[path.job] +=
         path.throughput * emission.radiance * power_heuristic(path.pdf, light_pdf);
   }
@@ -198,8 +200,8 @@ void BlockTracer::add_unblocked_light() {
     if (shadow_rays_[i].is_blocked()) {
       continue;
     }
-    if (shadow_rays_[i].met_window()) {
-      pending_[i].radiance *= window_transmittance(shadow_rays_[i]);
+    if (shadow_rays_[i].met_thin_surface()) {
+      pending_[i].radiance *= thin_transmittance(shadow_rays_[i]);
     }
     radiance_[pending_[i].job] += pending_[i].radiance;
   }
@@ -207,19 +209,19 @@ void BlockTracer::add_unblocked_light() {
   shadow_rays_.clear();
 }
 
-Rgb BlockTracer::window_transmittance(Ray ray) {
+Rgb BlockTracer::thin_transmittance(Ray ray) {
   Rgb transmittance(1.0F);
   const Vec3 direction = glm::normalize(ray.direction);
-  for (int windows = 0; windows < most_windows; ++windows) {
+  for (int thin_surfaces = 0; thin_surfaces < most_thin_surfaces; ++thin_surfaces) {
     const Hit hit = traced_.rays.closest_hit(ray);
-    ++counts_.window;
+    ++counts_.transmittance;
     if (notes_.rays != nullptr) {
-      notes_.rays->window.push_back(ray);
+      notes_.rays->transmittance.push_back(ray);
     }
     if (hit.missed()) {
       return transmittance;
     }
-    if (!object_of(hit).is_window) {
+    if (!object_of(hit).is_thin_transmissive) {
       break;  // at an edge that the search for blockers only just missed
     }
     const SurfacePoint point = surface_point(traced_.scene, hit, direction);

@@ -13,9 +13,9 @@
 #include "renderer/base/lanes.h"
 #include "renderer/base/sample_job.h"
 #include "renderer/trace/bsdf.h"
+#include "renderer/trace/fast_path_bsdf.h"
 #include "renderer/trace/path_states.h"
 #include "renderer/trace/path_tracer.h"
-#include "renderer/trace/plain_bsdf.h"
 #include "renderer/trace/surface.h"
 #include "renderer/trace/surface_points.h"
 #include "renderer/trace/traced_scene.h"
@@ -57,7 +57,7 @@ class BlockTracer {
     std::size_t first;
     std::size_t size;
   };
-  enum class Arrival : std::uint8_t { ended, plain, other };
+  enum class Arrival : std::uint8_t { ended, fast_path, general_path };
   enum class Step : std::uint8_t { ended, scattered, passed };
 
   void start(const Vec3& viewpoint, std::span<const SampleJob> jobs);
@@ -96,17 +96,17 @@ class BlockTracer {
   bool survives_roulette(Path& path, float u) const;
 
   /// The same for plain surfaces, all at once.
-  LaneMask advance_plain(const Group& group, LaneMask lanes, const GroupNumbers& numbers);
+  LaneMask advance_on_fast_path(const Group& group, LaneMask lanes, const GroupNumbers& numbers);
   /// others: where the surface turns out not to be plain.
-  PlainLayersLanes layers_of(const Group& group, const SurfacePoints& points, const LaneMask& lanes,
-                             LaneMask& others) const;
+  FastPathLayersLanes layers_of(const Group& group, const SurfacePoints& points,
+                                const LaneMask& lanes, LaneMask& others) const;
   MeshPoint mesh_point(std::size_t index, const SurfacePoints& points, std::size_t lane) const;
   void apply_normal_maps(const Group& group, const Vec3s& direction, const LaneMask& lanes,
                          SurfacePoints& points) const;
   void queue_lights(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
-                    const Frames& frames, const PlainBsdfs& bsdfs, const GroupNumbers& numbers);
+                    const Frames& frames, const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
   LaneMask send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
-                const Frames& frames, const PlainBsdfs& bsdfs, const GroupNumbers& numbers);
+                const Frames& frames, const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
 
   /// Those of the lanes for which finite() is true.
   LaneMask finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
@@ -116,7 +116,7 @@ class BlockTracer {
   void close_gaps();
   void add_unblocked_light();
   /// The tint of the windows on an unblocked shadow ray.
-  Rgb window_transmittance(Ray ray);
+  Rgb thin_transmittance(Ray ray);
   void note(const Path& path, const Hit& hit) const;
 
   const TracedScene& traced_;

@@ -28,7 +28,8 @@ Rgb lit(const SurfacePoint& point, const Vec3& direction) {
 
 /// The share of light that goes straight on.
 float transmission(const Material& material, const Reflectance& reflectance) {
-  return is_window(material) ? reflectance.transmission * (1.0F - reflectance.metallic) : 0.0F;
+  return is_thin_transmissive(material) ? reflectance.transmission * (1.0F - reflectance.metallic)
+                                        : 0.0F;
 }
 
 Layer opaque_layer(const Scene& scene, const Hit& hit, const Vec3& direction,
@@ -62,7 +63,7 @@ Rgb direct_color(const Scene& scene, const RayScene& rays, const Vec3& viewpoint
   Rgb color(0.0F);
   Rgb passed(1.0F);
   Ray ray{.origin = viewpoint, .direction = direction};
-  for (int layers = 0; layers < most_windows && passed != Rgb(0.0F); ++layers) {
+  for (int layers = 0; layers < most_thin_surfaces && passed != Rgb(0.0F); ++layers) {
     const Hit hit = rays.closest_hit_of_any_opacity(ray);
     if (hit.missed()) {
       return color + passed * direct_background;

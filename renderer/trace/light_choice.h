@@ -12,8 +12,8 @@
 
 namespace foveola {
 
-/// Few lights are drawn by their power, from a table; many by what they may give to the receiver,
-/// from a tree.
+/// Few lights are drawn by their power, from a table; many by what they may give to the shading
+/// point, from a tree.
 class LightChoice {
  public:
   /// Up to so many lights are few. Measured in a room lit by lamps of two triangles each: the tree
@@ -25,11 +25,11 @@ class LightChoice {
   LightChoice(std::span<const double> powers, std::span<const LightBounds> bounds,
               std::size_t most_in_table);
 
-  /// u: in the unit square. Empty if no light can reach the receiver.
-  std::optional<ChosenLight> sample(const Receiver& receiver, const Vec2& u) const;
+  /// u: in the unit square. Empty if no light can reach the shading point.
+  std::optional<ChosenLight> sample(const ShadingPoint& shading_point, const Vec2& u) const;
 
   /// With which probability sample() draws this light.
-  float probability(const Receiver& receiver, std::size_t light) const;
+  float probability(const ShadingPoint& shading_point, std::size_t light) const;
 
  private:
   struct Table {

@@ -26,7 +26,8 @@ constexpr float smallest_squared_distance = 1e-20F;
 /// In place of the sine of a sphere's half size, seen from inside it.
 constexpr float inside = 2.0F;
 
-/// Of what a child gives beside its strongest sibling: what reaches the receiver is never nothing.
+/// Of what a child gives beside its strongest sibling: what reaches the shading point is never
+/// nothing.
 constexpr float smallest_importance = 1e-30F;
 
 struct Angle {
@@ -240,9 +241,9 @@ class LightTree::Builder {
 
 LightTree::LightTree(std::span<const LightBounds> lights) { Builder(*this, lights).build(); }
 
-LightTree::Lanes LightTree::importance(const Node& node, const Receiver& receiver) {
-  const Vec3 place = receiver.position;
-  const Vec3 normal = receiver.normal;
+LightTree::Lanes LightTree::importance(const Node& node, const ShadingPoint& shading_point) {
+  const Vec3 place = shading_point.position;
+  const Vec3 normal = shading_point.normal;
   Lanes squared_distance;
   Lanes normal_cosine;
   Lanes axis_cosine;
@@ -262,14 +263,14 @@ LightTree::Lanes LightTree::importance(const Node& node, const Receiver& receive
         -(node.axis[0][i] * x + node.axis[1][i] * y + node.axis[2][i] * z) * inverse;
     axis_cosine[i] = node.is_two_sided[i] != 0 ? std::abs(cosine) : cosine;
   }
-  if (receiver.transmits) {
+  if (shading_point.transmits) {
     for (float& cosine : normal_cosine) {
       cosine = std::abs(cosine);
     }
   }
   // The smallest angles, over all points of the sphere around the lights, between a direction they
-  // shine to and the one to the receiver, and between the receiver's normal and the light. Inside
-  // the sphere the lights may be in any direction.
+  // shine to and the one to the shading point, and between the shading point's normal and the
+  // light. Inside the sphere the lights may be in any direction.
   Lanes cosines;
   for (std::size_t i = 0; i < width; ++i) {
     const float sine = half_size_sine[i];
@@ -292,13 +293,13 @@ LightTree::Lanes LightTree::importance(const Node& node, const Receiver& receive
   return result;
 }
 
-std::optional<ChosenLight> LightTree::sample(const Receiver& receiver, double u) const {
+std::optional<ChosenLight> LightTree::sample(const ShadingPoint& shading_point, double u) const {
   constexpr double below_one = 1.0 - std::numeric_limits<double>::epsilon() / 2.0;
   std::uint32_t child = 0;
   double probability = 1.0;
   do {
     const Node& node = nodes_[child];
-    const Lanes weights = importance(node, receiver);
+    const Lanes weights = importance(node, shading_point);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     if (!(sum > 0.0)) {
       return std::nullopt;
@@ -322,11 +323,11 @@ std::optional<ChosenLight> LightTree::sample(const Receiver& receiver, double u)
   return ChosenLight{child & ~leaf_flag, static_cast<float>(probability)};
 }
 
-float LightTree::probability(const Receiver& receiver, std::size_t light) const {
+float LightTree::probability(const ShadingPoint& shading_point, std::size_t light) const {
   Place place = leaf_of_light_[light];
   double probability = place.node == nowhere ? 0.0 : 1.0;
   while (place.node != nowhere && probability > 0.0) {
-    const Lanes weights = importance(nodes_[place.node], receiver);
+    const Lanes weights = importance(nodes_[place.node], shading_point);
     const double own = weights[place.lane];
     probability =
         own > 0.0 ? probability * own / std::accumulate(weights.begin(), weights.end(), 0.0) : 0.0;

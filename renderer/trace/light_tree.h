@@ -10,7 +10,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/trace/light_bounds.h"
-#include "renderer/trace/receiver.h"
+#include "renderer/trace/shading_point.h"
 
 namespace foveola {
 
@@ -23,7 +23,7 @@ struct ChosenLight {
 /// A tree over lights with up to eight children a node (Conty Estevez and Kulla 2018, "Importance
 /// Sampling of Many Lights with Adaptive Tree Splitting"; Pharr et al., Physically Based Rendering,
 /// 4th ed., section 12.6.3). A draw goes down from the root and at each node prefers the children
-/// whose bounds let them give more. A light that reaches the receiver is never given the
+/// whose bounds let them give more. A light that reaches the shading point is never given the
 /// probability 0.
 class LightTree {
  public:
@@ -31,11 +31,12 @@ class LightTree {
   /// them without intensity.
   explicit LightTree(std::span<const LightBounds> lights);
 
-  /// u in [0, 1). Empty if no light can reach the receiver, or that turned out on the way down.
-  std::optional<ChosenLight> sample(const Receiver& receiver, double u) const;
+  /// u in [0, 1). Empty if no light can reach the shading point, or that turned out on the way
+  /// down.
+  std::optional<ChosenLight> sample(const ShadingPoint& shading_point, double u) const;
 
   /// With which probability sample() draws this light.
-  float probability(const Receiver& receiver, std::size_t light) const;
+  float probability(const ShadingPoint& shading_point, std::size_t light) const;
 
  private:
   static constexpr std::size_t width = 8;
@@ -64,9 +65,9 @@ class LightTree {
   static constexpr std::uint32_t nowhere = ~0U;
   class Builder;
 
-  /// Proportional to bounds on what the lights below each child may give to the receiver; 0 only
-  /// where none of them reaches it.
-  static Lanes importance(const Node& node, const Receiver& receiver);
+  /// Proportional to bounds on what the lights below each child may give to the shading point; 0
+  /// only where none of them reaches it.
+  static Lanes importance(const Node& node, const ShadingPoint& shading_point);
 
   std::vector<Node> nodes_;  ///< the root first
   std::vector<Place> parent_of_node_;

@@ -68,18 +68,18 @@ Lights::Kind Lights::kind_of(float u_kind) const {
   return only_distant ? Kind::nothing : Kind::local;
 }
 
-std::optional<LightSample> Lights::sample(const Receiver& receiver, float u_kind,
+std::optional<LightSample> Lights::sample(const ShadingPoint& shading_point, float u_kind,
                                           const Vec2& u_choice, const Vec2& u) const {
   switch (kind_of(u_kind)) {
     case Kind::environment: {
       const EnvironmentLight::Sample sky = environment_->sample(u);
-      return sample_distant(receiver, sky.direction, sky.light, {});
+      return sample_distant(shading_point, sky.direction, sky.light, {});
     }
     case Kind::suns:
-      return sample_suns(receiver, u_choice, u);
+      return sample_suns(shading_point, u_choice, u);
     case Kind::local:
-      if (const auto sample = local_.sample(receiver, u_choice, u)) {
-        return from_local(receiver, *sample);
+      if (const auto sample = local_.sample(shading_point, u_choice, u)) {
+        return from_local(shading_point, *sample);
       }
       break;
     case Kind::nothing:
@@ -88,7 +88,7 @@ std::optional<LightSample> Lights::sample(const Receiver& receiver, float u_kind
   return std::nullopt;
 }
 
-std::optional<LightSample> Lights::from_local(const Receiver& receiver,
+std::optional<LightSample> Lights::from_local(const ShadingPoint& shading_point,
                                               const LocalLightSample& sample) const {
   const float distance = glm::length(sample.to_light);
   if (!(distance > 0.0F)) {
@@ -99,7 +99,7 @@ std::optional<LightSample> Lights::from_local(const Receiver& receiver,
                     .radiance = sample.radiance,
                     .is_delta = sample.is_delta,
                     .shadow_ray = {}};
-  light.shadow_ray.origin = receiver.position;
+  light.shadow_ray.origin = shading_point.position;
   light.shadow_ray.direction = sample.to_light;
   light.shadow_ray.t_max = 1.0F;
   return light;
@@ -147,7 +147,7 @@ void add_drawn(const TriangleLights::Drawn::Samples& drawn, float probability,
 
 }  // namespace
 
-LightSamples Lights::sample(const Receivers& receivers, const LightNumbers& numbers,
+LightSamples Lights::sample(const ShadingPoints& shading_points, const LightNumbers& numbers,
                             const LaneMask& lanes) const {
   LightSampleLanes one_by_one;
   bool any_one = false;
@@ -160,20 +160,20 @@ LightSamples Lights::sample(const Receivers& receivers, const LightNumbers& numb
   TriangleLights::Drawn drawn;
   LaneMask is_drawn{};
   for_each_lane(lanes, [&](std::size_t lane) {
-    const Receiver receiver = receivers.at(lane);
+    const ShadingPoint shading_point = shading_points.at(lane);
     const Vec2 u_choice = numbers.choice.at(lane);
     const Vec2 u = numbers.point.at(lane);
     if (kind_of(numbers.kind[lane]) != Kind::local) {
-      put(lane, sample(receiver, numbers.kind[lane], u_choice, u));
+      put(lane, sample(shading_point, numbers.kind[lane], u_choice, u));
       return;
     }
     LocalLightSample sampled;
-    switch (local_.choose(receiver, u_choice, u, lane, drawn, sampled)) {
+    switch (local_.choose(shading_point, u_choice, u, lane, drawn, sampled)) {
       case LocalLights::Choice::drawn:
         is_drawn[lane] = -1;
         break;
       case LocalLights::Choice::sampled:
-        put(lane, from_local(receiver, sampled));
+        put(lane, from_local(shading_point, sampled));
         break;
       case LocalLights::Choice::nothing:
         break;
@@ -184,46 +184,47 @@ LightSamples Lights::sample(const Receivers& receivers, const LightNumbers& numb
     samples = one_by_one.load();
   }
   if (any_lane(is_drawn)) {
-    add_drawn(drawn.sample(receivers.position.load(), numbers.point.load()), local_probability_,
-              is_drawn, samples);
+    add_drawn(drawn.sample(shading_points.position.load(), numbers.point.load()),
+              local_probability_, is_drawn, samples);
   }
   return samples;
 }
 
-std::optional<LightSample> Lights::sample_suns(const Receiver& receiver, const Vec2& u_choice,
-                                               const Vec2& u) const {
+std::optional<LightSample> Lights::sample_suns(const ShadingPoint& shading_point,
+                                               const Vec2& u_choice, const Vec2& u) const {
   const Suns::Sample sample = suns_.sample(u_choice, u);
   if (!sample.is_delta) {
     const DistantLight sky = environment_ ? environment_->at(sample.direction) : DistantLight{};
-    return sample_distant(receiver, sample.direction, sky, sample.sun);
+    return sample_distant(shading_point, sample.direction, sky, sample.sun);
   }
   LightSample light{.direction = sample.direction,
                     .pdf = suns_probability_ * sample.probability,
                     .radiance = sample.irradiance,
                     .is_delta = true,
                     .shadow_ray = {}};
-  light.shadow_ray.origin = receiver.position;
+  light.shadow_ray.origin = shading_point.position;
   light.shadow_ray.direction = sample.direction;
   return light;
 }
 
-std::optional<LightSample> Lights::sample_distant(const Receiver& receiver, const Vec3& direction,
-                                                  const DistantLight& sky, Sun known) const {
+std::optional<LightSample> Lights::sample_distant(const ShadingPoint& shading_point,
+                                                  const Vec3& direction, const DistantLight& sky,
+                                                  Sun known) const {
   const DistantLight distant = with_suns(sky, direction, known);
   if (!(distant.pdf > 0.0F)) {
     return std::nullopt;
   }
   LightSample light{
       .direction = direction, .pdf = distant.pdf, .radiance = distant.radiance, .shadow_ray = {}};
-  light.shadow_ray.origin = receiver.position;
+  light.shadow_ray.origin = shading_point.position;
   light.shadow_ray.direction = direction;
   return light;
 }
 
-float Lights::triangle_pdf(const Receiver& receiver, const Hit& hit, float distance,
+float Lights::triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                            float cosine) const {
   return local_probability_ > 0.0F
-             ? local_probability_ * local_.triangle_pdf(receiver, hit, distance, cosine)
+             ? local_probability_ * local_.triangle_pdf(shading_point, hit, distance, cosine)
              : 0.0F;
 }
 

@@ -8,7 +8,7 @@
 #include "renderer/trace/environment_light.h"
 #include "renderer/trace/local_lights.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/receiver.h"
+#include "renderer/trace/shading_point.h"
 #include "renderer/trace/suns.h"
 
 namespace foveola {
@@ -22,7 +22,7 @@ struct LightSample {
   Rgb radiance{0.0F};    ///< without size: the irradiance that it gives head-on
   /// A light without size, or a punctual light's sphere, which no ray sees.
   bool is_delta = false;
-  Ray shadow_ray;  ///< from the receiver to the light
+  Ray shadow_ray;  ///< from the shading point to the light
 };
 
 /// The same, one a lane.
@@ -59,19 +59,20 @@ class Lights {
     return (environment_ ? 1 : 0) + (suns_.empty() ? 0 : 1) + (local_.empty() ? 0 : 1) > 1;
   }
 
-  /// Empty if the light drawn does not reach the receiver, or if what shines is found by rays only
-  /// (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
-  std::optional<LightSample> sample(const Receiver& receiver, float u_kind, const Vec2& u_choice,
-                                    const Vec2& u) const;
+  /// Empty if the light drawn does not reach the shading point, or if what shines is found by rays
+  /// only (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
+  std::optional<LightSample> sample(const ShadingPoint& shading_point, float u_kind,
+                                    const Vec2& u_choice, const Vec2& u) const;
 
-  /// The same for the receivers of some lanes.
-  LightSamples sample(const Receivers& receivers, const LightNumbers& numbers,
+  /// The same for the shading points of some lanes.
+  LightSamples sample(const ShadingPoints& shading_points, const LightNumbers& numbers,
                       const LaneMask& lanes) const;
 
   /// With which density per steradian sample() would have drawn the point that a ray from the
-  /// receiver hit; 0 for surfaces that are not sampled. distance: in metres; cosine: of the angle
-  /// between the ray and the surface's normal.
-  float triangle_pdf(const Receiver& receiver, const Hit& hit, float distance, float cosine) const;
+  /// shading point hit; 0 for surfaces that are not sampled. distance: in metres; cosine: of the
+  /// angle between the ray and the surface's normal.
+  float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
+                     float cosine) const;
 
   /// What arrives from infinity: environment and discs of suns. direction: unit length.
   DistantLight distant_light(const Vec3& direction) const;
@@ -85,14 +86,15 @@ class Lights {
 
   enum class Kind : std::uint8_t { environment, suns, local, nothing };
   Kind kind_of(float u_kind) const;
-  std::optional<LightSample> from_local(const Receiver& receiver,
+  std::optional<LightSample> from_local(const ShadingPoint& shading_point,
                                         const LocalLightSample& sample) const;
-  std::optional<LightSample> sample_suns(const Receiver& receiver, const Vec2& u_choice,
+  std::optional<LightSample> sample_suns(const ShadingPoint& shading_point, const Vec2& u_choice,
                                          const Vec2& u) const;
   /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its
   /// density may be off by any factor.
-  std::optional<LightSample> sample_distant(const Receiver& receiver, const Vec3& direction,
-                                            const DistantLight& sky, Sun known) const;
+  std::optional<LightSample> sample_distant(const ShadingPoint& shading_point,
+                                            const Vec3& direction, const DistantLight& sky,
+                                            Sun known) const;
 
   std::optional<EnvironmentLight> environment_;  ///< empty where it gives no light
   Suns suns_;

@@ -25,29 +25,29 @@ LocalLights::LocalLights(const Scene& scene, std::size_t most_in_table)
   }
 }
 
-std::optional<LocalLightSample> LocalLights::sample(const Receiver& receiver, const Vec2& u_choice,
-                                                    const Vec2& u) const {
-  const auto chosen = choice_->sample(receiver, u_choice);
-  return chosen ? sample_of(*chosen, receiver, u) : std::nullopt;
+std::optional<LocalLightSample> LocalLights::sample(const ShadingPoint& shading_point,
+                                                    const Vec2& u_choice, const Vec2& u) const {
+  const auto chosen = choice_->sample(shading_point, u_choice);
+  return chosen ? sample_of(*chosen, shading_point, u) : std::nullopt;
 }
 
 std::optional<LocalLightSample> LocalLights::sample_of(const ChosenLight& chosen,
-                                                       const Receiver& receiver,
+                                                       const ShadingPoint& shading_point,
                                                        const Vec2& u) const {
   auto sample = chosen.light < triangles_.size()
-                    ? triangles_.sample(chosen.light, receiver.position, u)
-                    : punctual_.sample(chosen.light - triangles_.size(), receiver.position, u);
+                    ? triangles_.sample(chosen.light, shading_point.position, u)
+                    : punctual_.sample(chosen.light - triangles_.size(), shading_point.position, u);
   if (sample) {
     sample->pdf *= chosen.probability;
   }
   return sample;
 }
 
-LocalLights::Choice LocalLights::choose(const Receiver& receiver, const Vec2& u_choice,
+LocalLights::Choice LocalLights::choose(const ShadingPoint& shading_point, const Vec2& u_choice,
                                         const Vec2& u, std::size_t lane,
                                         TriangleLights::Drawn& drawn,
                                         LocalLightSample& sampled) const {
-  const auto chosen = choice_->sample(receiver, u_choice);
+  const auto chosen = choice_->sample(shading_point, u_choice);
   if (!chosen) {
     return Choice::nothing;
   }
@@ -56,7 +56,7 @@ LocalLights::Choice LocalLights::choose(const Receiver& receiver, const Vec2& u_
     drawn.put(lane, triangles_, chosen->light, chosen->probability);
     return Choice::drawn;
   }
-  const auto sample = sample_of(*chosen, receiver, u);
+  const auto sample = sample_of(*chosen, shading_point, u);
   if (!sample) {
     return Choice::nothing;
   }
@@ -64,15 +64,15 @@ LocalLights::Choice LocalLights::choose(const Receiver& receiver, const Vec2& u_
   return Choice::sampled;
 }
 
-float LocalLights::triangle_pdf(const Receiver& receiver, const Hit& hit, float distance,
+float LocalLights::triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                                 float cosine) const {
   const std::uint32_t triangle = triangles_.index_of(hit);
   if (!choice_ || triangle == TriangleLights::nothing) {
     return 0.0F;
   }
-  const float probability = choice_->probability(receiver, triangle);
+  const float probability = choice_->probability(shading_point, triangle);
   return probability > 0.0F
-             ? probability * triangles_.pdf(triangle, receiver.position, distance, cosine)
+             ? probability * triangles_.pdf(triangle, shading_point.position, distance, cosine)
              : 0.0F;
 }
 

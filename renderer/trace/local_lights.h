@@ -8,7 +8,7 @@
 #include "renderer/trace/light_choice.h"
 #include "renderer/trace/local_light_sample.h"
 #include "renderer/trace/punctual_lights.h"
-#include "renderer/trace/receiver.h"
+#include "renderer/trace/shading_point.h"
 #include "renderer/trace/triangle_lights.h"
 
 namespace foveola {
@@ -27,24 +27,25 @@ class LocalLights {
   /// Luminous, in radiance times square metre times steradian.
   double power() const { return power_; }
 
-  /// Empty if the light drawn does not reach the receiver. u_choice, u: in the unit square. Not to
-  /// be called when empty().
-  std::optional<LocalLightSample> sample(const Receiver& receiver, const Vec2& u_choice,
+  /// Empty if the light drawn does not reach the shading point. u_choice, u: in the unit square.
+  /// Not to be called when empty().
+  std::optional<LocalLightSample> sample(const ShadingPoint& shading_point, const Vec2& u_choice,
                                          const Vec2& u) const;
 
-  /// Chooses a light for the receiver in a lane. Puts it into `drawn` if that can draw it; else
-  /// draws from it, as sample() does.
+  /// Chooses a light for the shading point in a lane. Puts it into `drawn` if that can draw it;
+  /// else draws from it, as sample() does.
   enum class Choice { nothing, drawn, sampled };
-  Choice choose(const Receiver& receiver, const Vec2& u_choice, const Vec2& u, std::size_t lane,
-                TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
+  Choice choose(const ShadingPoint& shading_point, const Vec2& u_choice, const Vec2& u,
+                std::size_t lane, TriangleLights::Drawn& drawn, LocalLightSample& sampled) const;
 
   /// With which density per steradian sample() would have drawn the point that a ray from the
-  /// receiver hit; 0 for what is not sampled.
-  float triangle_pdf(const Receiver& receiver, const Hit& hit, float distance, float cosine) const;
+  /// shading point hit; 0 for what is not sampled.
+  float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
+                     float cosine) const;
 
  private:
-  std::optional<LocalLightSample> sample_of(const ChosenLight& chosen, const Receiver& receiver,
-                                            const Vec2& u) const;
+  std::optional<LocalLightSample> sample_of(const ChosenLight& chosen,
+                                            const ShadingPoint& shading_point, const Vec2& u) const;
 
   TriangleLights triangles_;
   PunctualLights punctual_;  ///< numbered after the triangles

@@ -47,7 +47,7 @@ bool is_invisible(const Scene& scene, const Mesh& mesh) {
          (!has_varying_alpha(material, mesh) && opacity_of_alpha(material, material.alpha) <= 0.0F);
 }
 
-bool is_window(const Material& material) {
+bool is_thin_transmissive(const Material& material) {
   return material.transmission > 0.0F && !material.is_solid && material.metallic < 1.0F &&
          material.roughness < smallest_roughness;
 }

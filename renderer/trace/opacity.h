@@ -21,6 +21,6 @@ bool is_invisible(const Scene& scene, const Mesh& mesh);
 
 /// Whether the material is a smooth thin wall that lets light through straight: shadow rays pass
 /// it, and are tinted.
-bool is_window(const Material& material);
+bool is_thin_transmissive(const Material& material);
 
 }  // namespace foveola

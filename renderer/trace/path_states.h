@@ -10,7 +10,7 @@
 #include "renderer/base/random.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/ray_scene.h"
-#include "renderer/trace/receiver.h"
+#include "renderer/trace/shading_point.h"
 
 namespace foveola {
 
@@ -19,7 +19,7 @@ struct Path {
   Ray ray;
   Rgb throughput{1.0F};
   float pdf = 0.0F;             ///< per steradian, with which the last vertex gave the direction
-  Receiver receiver;            ///< the last vertex; of no matter before the first
+  ShadingPoint shading_point;   ///< the last vertex; of no matter before the first
   float radiance_scale = 1.0F;  ///< what refraction has scaled the throughput by
   Rgb absorption_per_m{0.0F};   ///< of the solid that the path is in
   float width_m = 0.0F;         ///< of the ray at its origin
@@ -68,9 +68,10 @@ struct PathStates {
     }
   };
 
-  Vectors origin, direction, throughput, receiver_position, receiver_normal, absorption_per_m;
+  Vectors origin, direction, throughput, shading_point_position, shading_point_normal,
+      absorption_per_m;
   Numbers pdf, radiance_scale, width_m, spread_rad;
-  std::array<bool, capacity> receiver_transmits;
+  std::array<bool, capacity> shading_point_transmits;
   std::array<std::uint32_t, capacity> key, job;
   std::array<SampleStream, capacity> random;
 
@@ -83,9 +84,9 @@ struct PathStates {
     return {.ray = ray(i),
             .throughput = throughput.at(i),
             .pdf = pdf[i],
-            .receiver = {.position = receiver_position.at(i),
-                         .normal = receiver_normal.at(i),
-                         .transmits = receiver_transmits[i]},
+            .shading_point = {.position = shading_point_position.at(i),
+                              .normal = shading_point_normal.at(i),
+                              .transmits = shading_point_transmits[i]},
             .radiance_scale = radiance_scale[i],
             .absorption_per_m = absorption_per_m.at(i),
             .width_m = width_m[i],
@@ -98,9 +99,9 @@ struct PathStates {
     origin.fill(path.ray.origin);
     throughput.fill(path.throughput);
     pdf.fill(path.pdf);
-    receiver_position.fill(path.receiver.position);
-    receiver_normal.fill(path.receiver.normal);
-    receiver_transmits.fill(path.receiver.transmits);
+    shading_point_position.fill(path.shading_point.position);
+    shading_point_normal.fill(path.shading_point.normal);
+    shading_point_transmits.fill(path.shading_point.transmits);
     radiance_scale.fill(path.radiance_scale);
     absorption_per_m.fill(path.absorption_per_m);
     width_m.fill(path.width_m);
@@ -113,9 +114,9 @@ struct PathStates {
     key[i] = path.ray.key;
     throughput.put(i, path.throughput);
     pdf[i] = path.pdf;
-    receiver_position.put(i, path.receiver.position);
-    receiver_normal.put(i, path.receiver.normal);
-    receiver_transmits[i] = path.receiver.transmits;
+    shading_point_position.put(i, path.shading_point.position);
+    shading_point_normal.put(i, path.shading_point.normal);
+    shading_point_transmits[i] = path.shading_point.transmits;
     radiance_scale[i] = path.radiance_scale;
     absorption_per_m.put(i, path.absorption_per_m);
     width_m[i] = path.width_m;

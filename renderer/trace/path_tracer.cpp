@@ -50,7 +50,7 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
   std::atomic<std::uint64_t> primary{0};
   std::atomic<std::uint64_t> bounce{0};
   std::atomic<std::uint64_t> shadow{0};
-  std::atomic<std::uint64_t> window{0};
+  std::atomic<std::uint64_t> transmittance{0};
   const std::size_t block = block_size(jobs.size(), workers.threads());
   workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
     BlockTracer tracer(traced, settings);
@@ -59,9 +59,9 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
     primary += counts.primary;
     bounce += counts.bounce;
     shadow += counts.shadow;
-    window += counts.window;
+    transmittance += counts.transmittance;
   });
-  return {.primary = primary, .bounce = bounce, .shadow = shadow, .window = window};
+  return {.primary = primary, .bounce = bounce, .shadow = shadow, .transmittance = transmittance};
 }
 
 RayLog PathTracer::log_rays(const Vec3& viewpoint, std::span<const SampleJob> jobs,

@@ -24,7 +24,7 @@ struct TraceSettings {
   /// Each channel of a sample is cut to this. Anything but infinity makes pictures too dark.
   float largest_radiance = std::numeric_limits<float>::infinity();
   /// Every vertex goes the way that can do everything: for measuring what the other ways gain.
-  bool is_general = false;
+  bool uses_general_path = false;
 };
 
 /// Rays traced, by kind.
@@ -32,8 +32,8 @@ struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t bounce = 0;
   std::uint64_t shadow = 0;
-  std::uint64_t window = 0;  ///< along shadow rays, for the tints of the windows on them
-  std::uint64_t total() const { return primary + bounce + shadow + window; }
+  std::uint64_t transmittance = 0;  ///< along shadow rays, through thin transmissive surfaces
+  std::uint64_t total() const { return primary + bounce + shadow + transmittance; }
 };
 
 /// The rays themselves, of each kind in the order of their tracing.
@@ -41,7 +41,7 @@ struct RayLog {
   std::vector<Ray> primary;
   std::vector<Ray> bounce;
   std::vector<Ray> shadow;
-  std::vector<Ray> window;
+  std::vector<Ray> transmittance;
 };
 
 /// What a ray from the gaze meets first.
@@ -54,7 +54,7 @@ struct Picked {
 
 /// One step of a path, as it arrived.
 struct PathVertex {
-  int number = 0;                       ///< counted from 1; windows passed on the way repeat it
+  int number = 0;  ///< counted from 1; thin transmissive surfaces passed on the way repeat it
   std::optional<std::uint32_t> object;  ///< empty: the ray left the scene
   Vec3 direction{0.0F};                 ///< of the ray that led here
   float distance_m = 0.0F;
@@ -72,7 +72,7 @@ struct PathRecord {
 
 /// How a light is drawn where there are several.
 enum class LightSelection : std::uint8_t {
-  usual,           ///< many lights by what they may give to the receiver
+  usual,           ///< many lights by what they may give to the shading point
   by_power_alone,  ///< for measuring what that gains
 };
 

@@ -11,8 +11,9 @@ namespace foveola {
 struct RayQueryContext : RTCIntersectContext {
   /// By the rays' ids; null: a ray's id is its key itself.
   const std::uint32_t* keys = nullptr;
-  std::uint32_t* met_window = nullptr;  ///< by the rays' ids, set where a ray met one; or null
-  bool meets_any_opacity = false;       ///< rays meet all that is not fully transparent
+  std::uint32_t* met_thin_surface =
+      nullptr;                     ///< by the rays' ids, set where a ray met one; or null
+  bool meets_any_opacity = false;  ///< rays meet all that is not fully transparent
 
   explicit RayQueryContext(RTCIntersectContextFlags wanted = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT)
       : RTCIntersectContext{} {

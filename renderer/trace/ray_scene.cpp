@@ -95,11 +95,11 @@ void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
 }
 
 /// Of a window with holes too: what it tints is found out later, by closest hits.
-void filter_windows(const RTCFilterFunctionNArguments* arguments) {
-  std::uint32_t* met_window = context_of(arguments).met_window;
-  take_back_hits(arguments, [met_window](const Sieve&, std::uint32_t id, const Hit&) {
-    if (met_window != nullptr) {
-      met_window[id] = 1;
+void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
+  std::uint32_t* met_thin_surface = context_of(arguments).met_thin_surface;
+  take_back_hits(arguments, [met_thin_surface](const Sieve&, std::uint32_t id, const Hit&) {
+    if (met_thin_surface != nullptr) {
+      met_thin_surface[id] = 1;
     }
     return true;
   });
@@ -123,7 +123,7 @@ bool count_bytes(void* total, ssize_t bytes, bool /*is_done*/) {
 struct RayScene::Embree {
   std::atomic<std::ptrdiff_t> memory_bytes = 0;
   std::string error;
-  bool has_windows = false;
+  bool has_thin_surfaces = false;
   bool asks_for_keys = false;
   std::vector<std::unique_ptr<Sieve>> sieves;  ///< Embree keeps their addresses
   Owned<RTCDevice> device;
@@ -157,7 +157,7 @@ struct RayScene::Embree {
 
   void set_filters(RTCGeometry geometry, const Scene& source, const Mesh& mesh) {
     const bool is_sieve = has_opacity(source, mesh);
-    const bool window = is_window(material_of(source, mesh));
+    const bool window = is_thin_transmissive(material_of(source, mesh));
     if (is_sieve || window) {
       sieves.push_back(std::make_unique<Sieve>(Sieve{&source, &mesh}));
       rtcSetGeometryUserData(geometry, sieves.back().get());
@@ -168,8 +168,8 @@ struct RayScene::Embree {
       rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);
     }
     if (window) {
-      rtcSetGeometryOccludedFilterFunction(geometry, filter_windows);
-      has_windows = true;
+      rtcSetGeometryOccludedFilterFunction(geometry, filter_thin_surfaces);
+      has_thin_surfaces = true;
     }
   }
 
@@ -279,7 +279,7 @@ std::size_t RayScene::memory_bytes() const {
 RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
 
 void RayScene::find_blocked(std::span<Ray> rays) const {
-  if (!embree_->has_windows) {
+  if (!embree_->has_thin_surfaces) {
     RayQueryContext context;
     embree_->find_blocked(rays, context);
     return;
@@ -289,17 +289,17 @@ void RayScene::find_blocked(std::span<Ray> rays) const {
   std::array<std::uint32_t, most> keys;
   for (; !rays.empty(); rays = rays.subspan(std::min(most, rays.size()))) {
     const std::span<Ray> some = rays.first(std::min(most, rays.size()));
-    std::array<std::uint32_t, most> met_window{};
+    std::array<std::uint32_t, most> met_thin_surface{};
     for (std::size_t i = 0; i < some.size(); ++i) {
       keys[i] = std::exchange(some[i].key, static_cast<std::uint32_t>(i));
     }
     RayQueryContext context;
     context.keys = keys.data();
-    context.met_window = met_window.data();
+    context.met_thin_surface = met_thin_surface.data();
     embree_->find_blocked(some, context);
     for (std::size_t i = 0; i < some.size(); ++i) {
       some[i].key = keys[i];
-      some[i].flags = met_window[i];
+      some[i].flags = met_thin_surface[i];
     }
   }
 }

@@ -28,7 +28,7 @@ struct alignas(16) Ray {
   std::uint32_t flags = 0;  ///< of find_blocked(): whether it met a window
 
   bool is_blocked() const { return t_max < 0.0F; }
-  bool met_window() const { return flags != 0; }
+  bool met_thin_surface() const { return flags != 0; }
 };
 
 /// Where a ray met a triangle: at (1 - u - v) * p0 + u * p1 + v * p2 with barycentric = (u, v).

@@ -8,7 +8,7 @@
 namespace foveola {
 namespace {
 
-Receiver receiver_at(const SurfacePoint& point) {
+ShadingPoint shading_point_at(const SurfacePoint& point) {
   return {.position = point.position,
           .normal = point.geometric_normal,
           .transmits = point.reflectance.transmission > 0.0F};
@@ -46,7 +46,7 @@ LaneMask BlockTracer::advance_alone(const Group& group, const LaneMask& lanes,
 bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
   Path path = paths_->at(index);
   Hit hit = hits_[index];
-  for (int windows = 0; windows < most_windows; ++windows) {
+  for (int thin_surfaces = 0; thin_surfaces < most_thin_surfaces; ++thin_surfaces) {
     const Step step = scatter(path, hit, object_of(hit), numbers);
     if (step != Step::passed) {
       paths_->put(index, path);
@@ -78,7 +78,7 @@ BlockTracer::Step BlockTracer::scatter(Path& path, const Hit& hit, const TracedO
     return Step::ended;
   }
   path.ray.key = numbers.next_key;
-  if (object.is_window && sample->is_specular && sample->incoming.z < 0.0F) {
+  if (object.is_thin_transmissive && sample->is_specular && sample->incoming.z < 0.0F) {
     path.throughput *= sample->weight;
     return Step::passed;
   }
@@ -100,7 +100,7 @@ bool BlockTracer::send(Path& path, const SurfacePoint& point, const Frame& frame
     direction -= 2.0F * side * point.geometric_normal;
     side = -side;
   }
-  path.receiver = receiver_at(point);
+  path.shading_point = shading_point_at(point);
   path.ray.origin = side > 0.0F ? point.origin : point.origin_beyond();
   path.ray.direction = direction;
   path.ray.t_min = 0.0F;
@@ -122,7 +122,7 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   if (traced_.lights.empty()) {
     return;
   }
-  const auto light = traced_.lights.sample(receiver_at(point), numbers.light_kind,
+  const auto light = traced_.lights.sample(shading_point_at(point), numbers.light_kind,
                                            numbers.light_choice, numbers.light_point);
   if (!light) {
     return;

@@ -20,14 +20,15 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
   const Material& material = material_of(scene, mesh);
   TracedObject traced{.view = {.mesh = &mesh, .instance = scene.instance_of(object)},
                       .is_unlit = material.unlit,
-                      .is_window = is_window(material),
+                      .is_thin_transmissive = is_thin_transmissive(material),
                       .shines = material.unlit || material.is_emissive(),
                       .absorption_per_m = absorption_per_m(material)};
   const Reflectance untextured = untextured_reflectance(material);
-  traced.layers = plain_layers(untextured);
+  traced.layers = fast_path_layers(untextured);
   traced.is_constant =
       mesh.colors.empty() && (mesh.uv_sets.empty() || !has_reflectance_texture(material));
-  traced.is_plain = is_plain(untextured) && (!traced.is_constant || is_plain(traced.layers));
+  traced.is_on_fast_path =
+      is_on_fast_path(untextured) && (!traced.is_constant || is_on_fast_path(traced.layers));
   traced.has_normal_map = material.normal_texture.exists() && !mesh.tangents.empty();
   return traced;
 }

@@ -7,8 +7,8 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/fast_path_bsdf.h"
 #include "renderer/trace/lights.h"
-#include "renderer/trace/plain_bsdf.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/scattering_tables.h"
 #include "renderer/trace/surface_points.h"
@@ -19,12 +19,12 @@ namespace foveola {
 struct TracedObject {
   ObjectView view;
   bool is_unlit = false;
-  bool is_window = false;
+  bool is_thin_transmissive = false;
   bool shines = false;
-  Rgb absorption_per_m{0.0F};  ///< in the solid that it bounds
-  bool is_plain = false;       ///< its vertices are worked on eight at a time
-  bool is_constant = false;    ///< `layers` hold everywhere: no texture, no vertex says otherwise
-  PlainLayers layers{};        ///< without textures
+  Rgb absorption_per_m{0.0F};    ///< in the solid that it bounds
+  bool is_on_fast_path = false;  ///< its vertices are worked on eight at a time
+  bool is_constant = false;      ///< `layers` hold everywhere: no texture, no vertex says otherwise
+  FastPathLayers layers{};       ///< without textures
   bool has_normal_map = false;
 };
 

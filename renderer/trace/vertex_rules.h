@@ -23,7 +23,7 @@ inline float survival(float brightest) { return roulette_margin * brightest; }
 inline Floats survival(const Floats& brightest) { return roulette_margin * brightest; }
 
 /// Windows in line that a ray may pass without a vertex, so that no scene traps a path.
-inline constexpr int most_windows = 256;
+inline constexpr int most_thin_surfaces = 256;
 
 /// The density of a direction that no light sample could have given: a camera's or a mirror's.
 inline constexpr float certain = std::numeric_limits<float>::infinity();

@@ -80,7 +80,7 @@ void FilmMirror::bring_up_to_date(const EquirectFilm& film, std::uint32_t tile, 
     forget_tile(film, tile, update);
   }
   film.for_each_changed_cell(tile, is_void || !has_levels ? 0 : copy.revision,
-                             [&](int level, const IVec2& place, const Coverage& value) {
+                             [&](int level, const IVec2& place, const PremultipliedTexel& value) {
                                if (level < levels) {
                                  update.push_back(cell(level, place, value));
                                }
@@ -118,7 +118,8 @@ void FilmMirror::copy_coarse_levels(const EquirectFilm& film, int levels, FilmUp
   coarse_levels_ = levels;
 }
 
-AtlasRectangle FilmMirror::cell(int level, const IVec2& place, const Coverage& value) const {
+AtlasRectangle FilmMirror::cell(int level, const IVec2& place,
+                                const PremultipliedTexel& value) const {
   const IVec2 at = atlas_.levels()[static_cast<std::size_t>(level)].origin + place;
   return {
       .x = static_cast<std::uint16_t>(at.x), .y = static_cast<std::uint16_t>(at.y), .value = value};

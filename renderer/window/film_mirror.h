@@ -35,7 +35,7 @@ class FilmMirror {
                         FilmUpdate& update);
   void forget_tile(const EquirectFilm& film, std::uint32_t tile, FilmUpdate& update) const;
   void copy_coarse_levels(const EquirectFilm& film, int levels, FilmUpdate& update);
-  AtlasRectangle cell(int level, const IVec2& place, const Coverage& value) const;
+  AtlasRectangle cell(int level, const IVec2& place, const PremultipliedTexel& value) const;
 
   PyramidAtlas atlas_;
   std::vector<Copy> copies_;

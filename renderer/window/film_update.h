@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/film/coverage.h"
+#include "renderer/film/premultiplied_texel.h"
 
 namespace foveola {
 
@@ -14,7 +14,7 @@ struct AtlasRectangle {
   std::uint16_t y = 0;
   std::uint16_t width = 1;  ///< cells
   std::uint16_t height = 1;
-  Coverage value;
+  PremultipliedTexel value;
 };
 
 /// In order: later rectangles lie over earlier ones.

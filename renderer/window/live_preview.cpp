@@ -264,10 +264,10 @@ std::vector<TextPanel> LivePreview::panels() const {
         {.place = PanelPlace::top_right,
          .lines = latency_lines(report_.frames, settings_.tracker, settings_.display)});
   }
-  const std::string trouble = parts_.eye->trouble();
-  if (!message_.empty() || !trouble.empty()) {
+  const std::string status = parts_.eye->status();
+  if (!message_.empty() || !status.empty()) {
     TextPanel notes{.place = PanelPlace::bottom_left};
-    for (const std::string& note : {message_, trouble}) {
+    for (const std::string& note : {message_, status}) {
       if (!note.empty()) {
         notes.lines.push_back(note);
       }

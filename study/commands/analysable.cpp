@@ -24,6 +24,9 @@ void warn_of_recorded_only(const Protocol& protocol) {
   for (const std::string& measure : recorded_only(protocol)) {
     fmt::print(stderr, "foveola: warning: {}\n", measure);
   }
+  for (const std::string& note : protocol.notes) {
+    fmt::print(stderr, "foveola: note: {}\n", note);
+  }
 }
 
 }  // namespace foveola::study

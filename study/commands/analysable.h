@@ -13,7 +13,8 @@ void require_analysable(const Protocol& protocol);
 /// in it cannot do so again, and the rest of its participants are still to come.
 void warn_of_unanalysable(const Protocol& protocol);
 
-/// Says on standard error, a line for each, what comes out in the record only; see recorded_only().
+/// Says on standard error, a line for each, what comes out in the record only (see recorded_only())
+/// and which keys are now called otherwise.
 void warn_of_recorded_only(const Protocol& protocol);
 
 }  // namespace foveola::study

@@ -55,8 +55,8 @@ std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
   return observer_.consider(look(now), now);
 }
 
-Sighting PredictedAttempt::look(Nanoseconds now) {
-  return sight_ ? sight_->look(task_, observer_.gaze(now), viewport(now)) : Sighting{};
+Evidence PredictedAttempt::look(Nanoseconds now) {
+  return sight_ ? sight_->look(task_, observer_.gaze(now), viewport(now)) : Evidence{};
 }
 
 std::uint64_t PredictedAttempt::samples_after(std::uint64_t frames) const {

@@ -28,13 +28,13 @@ class PredictedAttempt final : public TrialAttempt {
 
  private:
   std::uint64_t samples_after(std::uint64_t frames) const;
-  /// By the occasion's clock: the frame of this number, counted from 0, is on the display.
+  /// By the attempt's clock: the frame of this number, counted from 0, is on the display.
   Nanoseconds presented(std::uint64_t frame) const;
   /// The first frame that is presented at `time` or later.
   std::uint64_t frame_at(Nanoseconds time) const;
   /// Sends the frames' samples to where the observer then looks.
   void render_until(std::uint64_t frames);
-  Sighting look(Nanoseconds now);
+  Evidence look(Nanoseconds now);
   /// What the tracker tells at `time`, of what was a while ago.
   Aim aim(Nanoseconds time) const;
   Viewport viewport(Nanoseconds time) const;

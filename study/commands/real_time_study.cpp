@@ -50,11 +50,11 @@ struct Seat {
 
 /// The protocol's tracker, watching whoever sits there.
 SimulatedEyeTracker tracker_of(const SimulatedTrackerSettings& settings, std::uint32_t seed,
-                               StandIn& stand_in) {
+                               SimulatedOperator& simulated_operator) {
   SimulatedTrackerSettings seeded = settings;
   seeded.seed = seed;
-  return SimulatedEyeTracker(seeded, [&stand_in](Nanoseconds time) {
-    return std::optional<Vec3>(stand_in.gaze_in_head(time));
+  return SimulatedEyeTracker(seeded, [&simulated_operator](Nanoseconds time) {
+    return std::optional<Vec3>(simulated_operator.gaze_in_head(time));
   });
 }
 
@@ -62,16 +62,16 @@ SessionOutcome sit(const Seat& seat, const BegunSession& begun, const std::stop_
   const Protocol& protocol = seat.study.protocol;
   const SessionSoFar so_far = so_far_of(begun.store, protocol, session_in(begun.store, begun.id));
   const SessionSeed seed{.seed = so_far.session.seed, .design_row = so_far.session.design_row};
-  StandIn stand_in({.participant = &begun.observer,
-                    .protocol = &protocol,
-                    .plan = &begun.plan,
-                    .seed = seed,
-                    .clock = &seat.clock,
-                    .window = &seat.window});
-  SimulatedEyeTracker tracker =
-      tracker_of(protocol.tracker.simulated, derive_seed(seed, SeedPurpose::tracker, {}), stand_in);
+  SimulatedOperator simulated_operator({.participant = &begun.observer,
+                                        .protocol = &protocol,
+                                        .plan = &begun.plan,
+                                        .seed = seed,
+                                        .clock = &seat.clock,
+                                        .window = &seat.window});
+  SimulatedEyeTracker tracker = tracker_of(
+      protocol.tracker.simulated, derive_seed(seed, SeedPurpose::tracker, {}), simulated_operator);
   PersonTracker eye(tracker);
-  SimulatedHeadTracker head([&](Nanoseconds time) { return stand_in.heading(time); });
+  SimulatedHeadTracker head([&](Nanoseconds time) { return simulated_operator.heading(time); });
   ConsoleLines console(no_input);
   const std::size_t rated_before = trials_rated(begun.store, begun.id);
   SessionOutcome outcome;
@@ -89,12 +89,12 @@ SessionOutcome sit(const Seat& seat, const BegunSession& begun, const std::stop_
                            .stages = &seat.study.stages,
                            .workers = &seat.study.workers,
                            .clock = &seat.clock,
-                           .events = &stand_in.events(),
+                           .events = &simulated_operator.events(),
                            .display = &seat.display,
                            .eye = &eye,
                            .pointer = nullptr,
                            .head = &head,
-                           .stand_in = &stand_in,
+                           .simulated_operator = &simulated_operator,
                            .record = &record,
                            .console = &console,
                            .tell = [](const std::string& /*line*/) {}});

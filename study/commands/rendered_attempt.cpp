@@ -49,11 +49,11 @@ std::optional<Nanoseconds> RenderedAttempt::show(Nanoseconds /*until*/) {
 
 void RenderedAttempt::render_frame() {
   FrameRow row = frame_row(preview_.next_frame());
-  row.time += setting_.occasion_start;
-  row.presented = setting_.occasion_start + setting_.clock.now();
+  row.time += setting_.attempt_start;
+  row.presented = setting_.attempt_start + setting_.clock.now();
   std::vector<GazeSample> arrived = preview_.arrived_gaze();
   for (GazeSample& sample : arrived) {
-    sample.time += setting_.occasion_start;
+    sample.time += setting_.attempt_start;
   }
   log_.add(row, arrived);
 }

@@ -58,12 +58,13 @@ std::string why_approximate(const RecordedSession& session, const Protocol& prot
   if (const std::string processor = machine_info().processor; session.processor != processor) {
     return fmt::format("it was shown on {}, and this is {}", session.processor, processor);
   }
-  const bool spares =
+  const bool is_adaptive =
       std::any_of(session.plan.begin(), session.plan.end(), [&](const PlannedTrial& trial) {
-        return settings_of(protocol, trial.scene, trial.method).film.spare_done_contrast > 0.0;
+        return settings_of(protocol, trial.scene, trial.method).film.adaptive_contrast > 0.0;
       });
-  if (spares && session.known.kind != SessionKind::simulated) {
-    return "pixels were spared by what had come within a frame, which the record does not keep";
+  if (is_adaptive && session.known.kind != SessionKind::simulated) {
+    return "adaptive sampling followed what had come within a frame, which the record does not "
+           "keep";
   }
   return {};
 }

@@ -142,7 +142,7 @@ class PersonRun {
                                                 .eye = &eye,
                                                 .pointer = gaze.pointer,
                                                 .head = nullptr,
-                                                .stand_in = nullptr,
+                                                .simulated_operator = nullptr,
                                                 .record = &record,
                                                 .console = &console,
                                                 .tell = tell})

@@ -39,7 +39,7 @@ void SessionRunner::resume_after(const std::vector<LoggedEvent>& events) {
                   "foveola study verify says what is wrong with it");
     }
     state_ = std::move(next->state);
-    occasion_start_ = std::max(occasion_start_, logged.time);
+    attempt_start_ = std::max(attempt_start_, logged.time);
     if (const auto* validated = std::get_if<GazeValidated>(&logged.event)) {
       correction_ = correction_after(*validated);
     }
@@ -142,7 +142,7 @@ void SessionRunner::start_rendering() {
                                     .participant = participant_,
                                     .correction = correction_,
                                     .clock = clock_,
-                                    .occasion_start = occasion_start_,
+                                    .attempt_start = attempt_start_,
                                     .sink = setting_.sink,
                                     .index = trial_index(),
                                     .number = state_.attempt});
@@ -162,7 +162,7 @@ Event SessionRunner::answer_questionnaire() {
 }
 
 Event SessionRunner::validate() {
-  begin_occasion({.conduct = seed_of_step(SeedPurpose::conduct), .trials_before = 0});
+  begin_attempt({.conduct = seed_of_step(SeedPurpose::conduct), .trials_before = 0});
   const std::optional<GazeValidated> validated = validate_gaze(
       setting_.protocol, participant_, seed_of_step(SeedPurpose::tracker), clock_, setting_.stop);
   if (!validated) {
@@ -196,8 +196,7 @@ Event SessionRunner::start_trial() {
     return Withdrawn{};
   }
   setting_.on_trial(trial_index());
-  begin_occasion(
-      {.conduct = seed_of_trial(SeedPurpose::conduct), .trials_before = trials_before()});
+  begin_attempt({.conduct = seed_of_trial(SeedPurpose::conduct), .trials_before = trials_before()});
   participant_.turn_to(trial().scene, object_named(stage().objects(), state_.object), clock_.now());
   clock_.advance(nanoseconds_from_seconds(settling_s));
   return TrialStarted{};
@@ -222,10 +221,10 @@ Event SessionRunner::wait_for_mark() {
     if (setting_.stop.stop_requested()) {
       return Interrupted{};
     }
-    const Nanoseconds end = deadline - occasion_start_;
+    const Nanoseconds end = deadline - attempt_start_;
     show(pressed_ ? std::min(*pressed_, end) : end);
   }
-  const Nanoseconds mark = occasion_start_ + *pressed_;
+  const Nanoseconds mark = attempt_start_ + *pressed_;
   return mark <= deadline ? Event(Marked{mark}) : Event(TimedOut{deadline});
 }
 
@@ -237,16 +236,16 @@ Event SessionRunner::rate() {
     if (setting_.stop.stop_requested()) {
       return Interrupted{};
     }
-    show(end - occasion_start_);
+    show(end - attempt_start_);
   }
   ++outcome_.trials;
   return Rated{participant_.rate(setting_.protocol.ratings)};
 }
 
-void SessionRunner::begin_occasion(const Occasion& occasion) {
-  occasion_start_ = now();
+void SessionRunner::begin_attempt(const Attempt& attempt) {
+  attempt_start_ = now();
   clock_ = VirtualClock();
-  participant_.begin_occasion(occasion);
+  participant_.begin_attempt(attempt);
 }
 
 void SessionRunner::begin(Task task) {

@@ -73,13 +73,13 @@ class SessionRunner {
   void start_rendering();
   void stop_rendering();
 
-  /// Begins an occasion: its clock starts anew.
-  void begin_occasion(const Occasion& occasion);
+  /// Begins an attempt: its clock starts anew.
+  void begin_attempt(const Attempt& attempt);
   void begin(Task task);
-  /// Presents what is next, at most until there is something at `until`, by the occasion's clock.
+  /// Presents what is next, at most until there is something at `until`, by the attempt's clock.
   void show(Nanoseconds until);
 
-  Nanoseconds now() const { return occasion_start_ + clock_.now(); }
+  Nanoseconds now() const { return attempt_start_ + clock_.now(); }
   std::size_t trial_index() const { return *trial_of(procedure_, state_); }
   int trials_before() const { return static_cast<int>(trial_index()); }
   const PlannedTrial& trial() const { return plan_[trial_index()]; }
@@ -93,13 +93,13 @@ class SessionRunner {
   const Plan& plan_;
   Procedure procedure_;
   Participant& participant_;
-  /// The session's clock is at occasion_start_ when the occasion's, clock_, is at 0. What a
+  /// The session's clock is at attempt_start_ when the attempt's, clock_, is at 0. What a
   /// participant sees and does is a matter of the latter, to the last bit.
-  Nanoseconds occasion_start_{0};
+  Nanoseconds attempt_start_{0};
   VirtualClock clock_;
   SessionState state_;
   std::optional<GazeCorrection> correction_;
-  std::optional<Nanoseconds> pressed_;     ///< the key, by the occasion's clock, for the task
+  std::optional<Nanoseconds> pressed_;     ///< the key, by the attempt's clock, for the task
   std::unique_ptr<TrialAttempt> attempt_;  ///< while a trial is rendered
   SessionOutcome outcome_;
 };

@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/progress.h"
+#include "renderer/commands/former_option.h"
 #include "study/commands/command_line.h"
 #include "study/commands/simulate_study.h"
-#include "study/participant/planted_effect.h"
+#include "study/participant/injected_effect.h"
 #include "study/protocol/protocol.h"
 
 namespace foveola::study {
@@ -20,7 +21,7 @@ struct SimulateArguments {
   int participants = 0;
   std::uint64_t seed = 0;
   std::string people = "adults";
-  std::string plant = "none";
+  std::string injected = "none";
   int threads = 0;
   int jobs = 1;
   double scale = 1.0;
@@ -41,7 +42,7 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"scale", arguments.scale},
           {"predicted", arguments.predicted},
           {"real_time", arguments.real_time},
-          {"plant", arguments.plant},
+          {"injected", arguments.injected},
           {"trials", report.trials},
           {"wall_seconds", report.wall_s},
           {"sessions_wall_seconds", report.sessions_wall_s},
@@ -60,7 +61,7 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
                                                 .participants = arguments.participants,
                                                 .seed = arguments.seed,
                                                 .people = arguments.people,
-                                                .plant = arguments.plant,
+                                                .injected = arguments.injected,
                                                 .threads = arguments.threads,
                                                 .jobs = arguments.jobs,
                                                 .scale = arguments.scale,
@@ -125,7 +126,9 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
       "--scale leaves that as it is");
   command->add_option("--people", arguments->people,
                       "Who the participants are: a file of data/participants, or one's own");
-  command->add_option("--plant", arguments->plant, planted_effect_help);
+  CLI::Option* const inject =
+      command->add_option("--inject", arguments->injected, injected_effect_help);
+  accept_former_name(*command, *inject, "--plant");
   command->add_option("--report", arguments->report,
                       "A folder that gets the study beside the published one, cell by cell");
   command->add_flag("--resume", arguments->resume,

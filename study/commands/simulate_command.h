@@ -12,7 +12,7 @@
 
 namespace foveola::study {
 
-/// What is made of a simulated study once it is finished: it needs what this room must not know.
+/// What is made of a simulated study once it is finished: it needs what this module must not know.
 struct SimulationReporter {
   /// Throws Error if `folder` could not be written to.
   std::function<void(const std::filesystem::path& folder)> check;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-constexpr const char* no_plant = "none";
+constexpr const char* no_injection = "none";
 
 std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
   std::vector<KnownSession> sessions = store.sessions();
@@ -88,17 +88,17 @@ void require_options(const SimulateSettings& settings) {
   }
 }
 
-/// Who takes part, and what was planted in them.
+/// Who takes part, and what was injected in them.
 struct Simulated {
   People people;
-  std::optional<PlantedEffect> effect;
+  std::optional<InjectedEffect> effect;
 };
 
 Simulated simulated_people(const SimulateSettings& settings) {
   Simulated simulated{.people = read_people(settings.people), .effect = std::nullopt};
   simulated.people.population.vision.coarseness = std::round(std::sqrt(settings.scale));
-  if (settings.plant != no_plant) {
-    simulated.effect = parse_planted_effect(settings.plant);
+  if (settings.injected != no_injection) {
+    simulated.effect = parse_injected_effect(settings.injected);
   }
   return simulated;
 }
@@ -202,7 +202,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const SimulationKind kind{.scale = settings.scale,
                             .predicted = settings.predicted,
                             .real_time = settings.real_time,
-                            .plant = settings.plant,
+                            .injected = settings.injected,
                             .people_sha256 = sha256(std::string_view(simulated.people.toml))};
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   require_usable(settings, protocol, kind);

@@ -16,7 +16,7 @@ struct SimulateSettings {
   int participants = 0;
   std::uint64_t seed = 0;
   std::string people = "adults";  ///< see read_people
-  std::string plant = "none";     ///< see parse_planted_effect
+  std::string injected = "none";  ///< see parse_injected_effect
   int threads = 0;                ///< 0: every core
   int jobs = 1;                   ///< sessions side by side, which share the threads
   double scale = 1.0;             ///< see scaled_protocol

@@ -7,13 +7,21 @@
 #include "study/record/shown_scene.h"
 
 namespace foveola::study {
+namespace {
+
+/// Earlier versions called it "plant".
+std::string injected_in(const nlohmann::json& simulation) {
+  return simulation.at(simulation.contains("injected") ? "injected" : "plant").get<std::string>();
+}
+
+}  // namespace
 
 std::string devices_of(const SimulationKind& kind) {
   const nlohmann::json devices = {{"simulation",
                                    {{"scale", kind.scale},
                                     {"predicted", kind.predicted},
                                     {"real_time", kind.real_time},
-                                    {"plant", kind.plant},
+                                    {"injected", kind.injected},
                                     {"people_sha256", kind.people_sha256}}}};
   return devices.dump();
 }
@@ -27,7 +35,7 @@ std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
   return SimulationKind{.scale = simulation.at("scale").get<double>(),
                         .predicted = simulation.at("predicted").get<bool>(),
                         .real_time = simulation.value("real_time", false),
-                        .plant = simulation.at("plant").get<std::string>(),
+                        .injected = injected_in(simulation),
                         .people_sha256 = simulation.at("people_sha256").get<std::string>()};
 }
 

@@ -13,7 +13,7 @@ struct SimulationKind {
   double scale = 1.0;         ///< see scaled_protocol
   bool predicted = false;     ///< nothing was rendered
   bool real_time = false;     ///< before the real window, at the speed of the machine
-  std::string plant;          ///< the effect that was planted; empty: none
+  std::string injected;       ///< the effect that was injected; empty: none
   std::string people_sha256;  ///< of the file that says who the participants are
 };
 

@@ -31,8 +31,8 @@ struct TrialAttemptSetting {
   TrialSeeds seeds;
   Participant& participant;
   std::optional<GazeCorrection> correction;
-  VirtualClock& clock;            ///< the occasion's; at its `now` rendering starts
-  Nanoseconds occasion_start{0};  ///< when that is 0, by the session's clock
+  VirtualClock& clock;           ///< the attempt's; at its `now` rendering starts
+  Nanoseconds attempt_start{0};  ///< when that is 0, by the session's clock
   SessionSink& sink;
   std::size_t index = 0;  ///< of the trial in the plan
   int number = 1;         ///< of the attempt
@@ -43,7 +43,7 @@ class TrialAttempt {
   virtual ~TrialAttempt() = default;
 
   /// Presents at least the next frame, and advances the clock to when the last one is on the
-  /// display; goes on at most until one is there at `until` (of the occasion) or later. Returns the
+  /// display; goes on at most until one is there at `until` (of the attempt) or later. Returns the
   /// time of the key press that a glance at it led to.
   virtual std::optional<Nanoseconds> show(Nanoseconds until) = 0;
 

@@ -19,7 +19,7 @@ namespace foveola::study {
 
 /// One attempt's rendering, watched by `participant` through the protocol's eye tracker, corrected
 /// if its calibration says so, and a simulated head tracker; nothing is traced in a catch trial. It
-/// refers to everything it is made of and advances `clock`, the occasion's, by a frame's time a
+/// refers to everything it is made of and advances `clock`, the attempt's, by a frame's time a
 /// frame.
 class VirtualPreview {
  public:

@@ -19,10 +19,10 @@ enum class Chance : std::uint32_t {
   conduct,
   glances,
   ratings,
-  planted_person,
-  planted_scene,
-  planted_trial,
-  planted_dropout,
+  injected_person,
+  injected_scene,
+  injected_trial,
+  injected_dropout,
 };
 
 /// A number for a text, the same everywhere.
@@ -34,7 +34,7 @@ inline std::uint32_t key_of(const std::string& text) {
   return key;
 }
 
-/// The stream for `purpose` at `place`, such as {occasion, glance}: a function of these alone.
+/// The stream for `purpose` at `place`, such as {attempt, glance}: a function of these alone.
 inline Pcg32 chance(std::uint64_t seed, Chance purpose,
                     std::initializer_list<std::uint32_t> place = {}) {
   std::uint32_t low = mix(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(purpose));

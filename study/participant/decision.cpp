@@ -36,8 +36,8 @@ Nanoseconds draw_reaction(const DecisionHabits& habits, const Traits& traits, Pc
 Decision::Decision(const DecisionHabits& habits, const Traits& traits, std::uint64_t seed)
     : habits_(habits), traits_(traits), seed_(seed) {}
 
-void Decision::begin_occasion(const Occasion& occasion) {
-  occasion_ = occasion;
+void Decision::begin_attempt(const Attempt& attempt) {
+  attempt_ = attempt;
   task_.reset();
   mark_ = 0;
   regrets_ = false;
@@ -52,7 +52,7 @@ void Decision::begin(Task task, Nanoseconds now) {
 }
 
 Decision::Conduct Decision::draw_conduct() const {
-  Pcg32 random = chance(seed_, Chance::conduct, {occasion_.conduct, mark_});
+  Pcg32 random = chance(seed_, Chance::conduct, {attempt_.conduct, mark_});
   Conduct conduct;
   conduct.early = random.uniform() < habits_.early_part;
   conduct.noticed = random.uniform() < habits_.early_noticed_part;
@@ -63,22 +63,22 @@ Decision::Conduct Decision::draw_conduct() const {
   return conduct;
 }
 
-double Decision::evidence(const Sighting& sighting) const {
-  const double drift = traits_.drift_per_trial * occasion_.trials_before;
+double Decision::log_evidence(const Evidence& evidence) const {
+  const double drift = traits_.drift_per_trial * attempt_.trials_before;
   const double ratio =
       *task_ == Task::mark_outline
-          ? sighting.outline_signal_to_noise /
+          ? evidence.outline_signal_to_noise /
                 (habits_.outline_signal_to_noise * traits_.outline_criterion)
-          : habits_.material_jnd * traits_.material_criterion / sighting.material_jnd;
+          : habits_.material_jnd * traits_.material_criterion / evidence.material_jnd;
   return std::clamp(std::log(ratio) - drift, -habits_.evidence_limit, habits_.evidence_limit);
 }
 
-std::optional<Nanoseconds> Decision::consider(const Sighting& sighting, Nanoseconds now) {
+std::optional<Nanoseconds> Decision::consider(const Evidence& evidence, Nanoseconds now) {
   if (!task_ || *task_ == Task::look_around) {
     return std::nullopt;
   }
-  Pcg32 random = chance(seed_, Chance::glances, {occasion_.conduct, mark_, glance_});
-  const double seen = evidence(sighting) + habits_.glance_noise * random.normal();
+  Pcg32 random = chance(seed_, Chance::glances, {attempt_.conduct, mark_, glance_});
+  const double seen = log_evidence(evidence) + habits_.glance_noise * random.normal();
   const double since_s = seconds(now - last_glance_);
   const double weight = glance_ == 0 || habits_.integration_s == 0.0
                             ? 1.0

@@ -6,9 +6,9 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
+#include "study/participant/evidence.h"
 #include "study/participant/participant.h"
 #include "study/participant/population.h"
-#include "study/participant/sighting.h"
 
 namespace foveola::study {
 
@@ -27,22 +27,22 @@ Traits draw_traits(const Population& population, std::uint64_t seed);
 Nanoseconds draw_reaction(const DecisionHabits& habits, const Traits& traits, Pcg32& random);
 
 /// The leaky mean of the logarithm of evidence is held against a criterion; every glance's noise is
-/// a function of (seed, occasion, mark, glance), so that what is drawn does not depend on what is
+/// a function of (seed, attempt, mark, glance), so that what is drawn does not depend on what is
 /// seen.
 class Decision {
  public:
   Decision(const DecisionHabits& habits, const Traits& traits, std::uint64_t seed);
 
-  /// Another occasion, or what comes after one: nothing is to be decided, nothing was pressed.
-  void begin_occasion(const Occasion& occasion);
+  /// Another attempt, or what comes after one: nothing is to be decided, nothing was pressed.
+  void begin_attempt(const Attempt& attempt);
   void begin(Task task, Nanoseconds now);
 
   /// A glance at `now`, of the task that was begun; times do not go back. Returns the time of the
   /// key press, not before now, once; afterwards nothing, until the next begin(). Nothing while
   /// looking around.
-  std::optional<Nanoseconds> consider(const Sighting& sighting, Nanoseconds now);
+  std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now);
 
-  /// Whether a press of this occasion was early and noticed to be so: the trial should be timed
+  /// Whether a press of this attempt was early and noticed to be so: the trial should be timed
   /// again.
   bool wants_retime() const { return regrets_; }
 
@@ -55,14 +55,14 @@ class Decision {
   };
   Conduct draw_conduct() const;
   /// The natural logarithm of the evidence over its criterion, without noise.
-  double evidence(const Sighting& sighting) const;
+  double log_evidence(const Evidence& evidence) const;
 
   DecisionHabits habits_;
   Traits traits_;
   std::uint64_t seed_;
-  Occasion occasion_;
+  Attempt attempt_;
   std::optional<Task> task_;
-  std::uint32_t mark_ = 0;    ///< how many tasks were begun in this occasion
+  std::uint32_t mark_ = 0;    ///< how many tasks were begun in this attempt
   std::uint32_t glance_ = 0;  ///< how many glances at this task
   Nanoseconds begun_{0};
   Nanoseconds last_glance_{0};

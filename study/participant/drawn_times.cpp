@@ -7,8 +7,8 @@
 namespace foveola::study {
 namespace {
 
-/// ln of the factor that is planted in this trial's times.
-double planted_log(const PlantedEffect& effect, const DrawnTrial& trial) {
+/// ln of the factor that is injected in this trial's times.
+double injected_log(const InjectedEffect& effect, const DrawnTrial& trial) {
   double log = std::log(effect.order_factor) * trial.trials_before;
   if (const auto faster = effect.faster.find(trial.method); faster != effect.faster.end()) {
     log -= std::log(faster->second);
@@ -21,16 +21,16 @@ double planted_log(const PlantedEffect& effect, const DrawnTrial& trial) {
 
 }  // namespace
 
-double drawn_time_s(const TimesModel& model, const PlantedEffect& effect, const DrawnTrial& trial,
+double drawn_time_s(const TimesModel& model, const InjectedEffect& effect, const DrawnTrial& trial,
                     std::size_t mark) {
   const std::uint32_t scene = key_of(trial.scene);
-  Pcg32 of_person = chance(trial.seed, Chance::planted_person);
-  Pcg32 of_scene = chance(0, Chance::planted_scene, {scene});
+  Pcg32 of_person = chance(trial.seed, Chance::injected_person);
+  Pcg32 of_scene = chance(0, Chance::injected_scene, {scene});
   Pcg32 of_trial =
-      chance(trial.seed, Chance::planted_trial, {scene, key_of(trial.method), trial.timing});
+      chance(trial.seed, Chance::injected_trial, {scene, key_of(trial.method), trial.timing});
   const double log = model.participant_spread * of_person.normal() +
                      model.scene_spread * of_scene.normal() +
-                     model.trial_spread * of_trial.normal() + planted_log(effect, trial);
+                     model.trial_spread * of_trial.normal() + injected_log(effect, trial);
   return model.first_mark_s * std::pow(model.mark_ratio, static_cast<double>(mark)) * std::exp(log);
 }
 

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <string>
 
-#include "study/participant/planted_effect.h"
+#include "study/participant/injected_effect.h"
 
 namespace foveola::study {
 
 /// The natural logarithm of a time is a sum of independent normal parts, of the participant, of the
-/// scene and of the participant's one trial, and of what is planted. Medians and deviations are
-/// assumed; nothing that a planted effect is recovered for depends on the first three.
+/// scene and of the participant's one trial, and of what is injected. Medians and deviations are
+/// assumed; nothing that an injected effect is recovered for depends on the first three.
 struct TimesModel {
   double first_mark_s = 2.0;  ///< median of a trial's first mark after its first frame
   double mark_ratio = 4.0;    ///< each next mark's time over that of the one before, in any trial
@@ -34,7 +34,7 @@ struct DrawnTrial {
 /// arguments; the scene's part depends on its name alone. Between two methods' trials the logarithm
 /// of the ratio is normal with mean -ln(faster_a / faster_b), plus ln(order_factor) for each trial
 /// between them, and standard deviation sqrt(2) trial_spread.
-double drawn_time_s(const TimesModel& model, const PlantedEffect& effect, const DrawnTrial& trial,
+double drawn_time_s(const TimesModel& model, const InjectedEffect& effect, const DrawnTrial& trial,
                     std::size_t mark);
 
 }  // namespace foveola::study

@@ -16,7 +16,7 @@ namespace {
   throw Error(ProtocolPlaces(protocol).of(toml_path),
               "simulated participants do not know how to judge " + what,
               "they mark outline and material and rate artifacts: simulate a copy of the protocol "
-              "without it, or draw what they give with study simulate --plant order:1");
+              "without it, or draw what they give with study simulate --inject order:1");
 }
 
 }  // namespace

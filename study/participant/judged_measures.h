@@ -13,7 +13,7 @@ std::optional<Task> judgement_of(const MarkEntry& mark);
 
 /// Throws Error with file:line:column for a mark without a judgement, and for a rating but
 /// `artifacts` and words: what participants who look gave for it would be made up. Those whose
-/// times are drawn (see PlantedEffect) need no judgement.
+/// times are drawn (see InjectedEffect) need no judgement.
 void require_judgements(const Protocol& protocol);
 
 }  // namespace foveola::study

@@ -24,11 +24,11 @@ struct OfferedObject {
 };
 
 /// One glance at the display. Nothing in it tells how the image was made.
-struct Percept {
+struct Stimulus {
   const RgbImage& image;     ///< the presented pixels: sRGB-encoded, in [0, 1]
   const Viewport& viewport;  ///< the view that they were shown through
   Vec3 gaze{0.0F};           ///< unit length, world: where the participant's own eye pointed
-  Nanoseconds presented{0};  ///< of the occasion
+  Nanoseconds presented{0};  ///< of the attempt
 };
 
 /// What a participant is to do from now on.
@@ -39,12 +39,12 @@ enum class Task {
 };
 
 /// An attempt at a trial, or a look at all targets.
-struct Occasion {
+struct Attempt {
   std::uint32_t conduct = 0;  ///< a number for each; all that is left to chance follows from it
   int trials_before = 0;      ///< in the session, whatever came of them
 };
 
-/// Times are those of an occasion: of an attempt at a trial, or of one look at all targets. What
+/// Times are those of an attempt: of an attempt at a trial, or of one look at all targets. What
 /// happens in it depends on nothing that was before, so that it can be had again after a crash.
 class Participant {
  public:
@@ -55,15 +55,15 @@ class Participant {
   virtual std::vector<Answer> answer(const std::string& form,
                                      const std::vector<Question>& questions) = 0;
 
-  /// How long after something appears the key is pressed; occasion: a number for each.
-  virtual Nanoseconds react(std::uint32_t occasion) = 0;
+  /// How long after something appears the key is pressed; attempt: a number for each.
+  virtual Nanoseconds react(std::uint32_t attempt) = 0;
 
   /// One of the objects of `scene`: its index. offered is not empty.
   virtual std::size_t choose_object(const std::string& scene,
                                     const std::vector<OfferedObject>& offered) = 0;
 
-  /// From now on, time 0, it is another occasion: head and eye are straight ahead.
-  virtual void begin_occasion(const Occasion& occasion) = 0;
+  /// From now on, time 0, it is another attempt: head and eye are straight ahead.
+  virtual void begin_attempt(const Attempt& attempt) = 0;
 
   /// Turns to the object of `scene` that the next tasks are about.
   virtual void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) = 0;
@@ -81,16 +81,16 @@ class Participant {
   virtual Vec3 gaze(Nanoseconds time) = 0;
 
   /// Shows the participant what is on the display. Returns the time of the key press, not earlier
-  /// than the percept, once the mark that the task asks for is made. Another thread may meanwhile
+  /// than the stimulus, once the mark that the task asks for is made. Another thread may meanwhile
   /// ask for head() and gaze(), and for nothing else.
-  virtual std::optional<Nanoseconds> see(const Percept& percept) = 0;
+  virtual std::optional<Nanoseconds> see(const Stimulus& stimulus) = 0;
 
-  /// After a mark, or before a rating: whether the timing of this occasion's trial failed, since
+  /// After a mark, or before a rating: whether the timing of this attempt's trial failed, since
   /// the key was pressed too early. The session is then to be asked to time it again.
   virtual bool wants_retime() const = 0;
 
   /// Whether the participant, asked between trials, wants to end the session here. trials_before:
-  /// as of an occasion.
+  /// as of an attempt.
   virtual bool wants_to_withdraw(int trials_before) const = 0;
 
   /// The answers to the ratings of what was seen while looking around.

@@ -26,8 +26,8 @@ std::vector<Answer> SimulatedParticipant::answer(const std::string& form,
   return draw_answers(questions, population_.background, random);
 }
 
-Nanoseconds SimulatedParticipant::react(std::uint32_t occasion) {
-  Pcg32 random = chance(seed_, Chance::reactions, {occasion});
+Nanoseconds SimulatedParticipant::react(std::uint32_t attempt) {
+  Pcg32 random = chance(seed_, Chance::reactions, {attempt});
   return draw_reaction(population_.decision, traits_, random);
 }
 
@@ -37,10 +37,10 @@ std::size_t SimulatedParticipant::choose_object(const std::string& scene,
   return random.below(static_cast<std::uint32_t>(offered.size()));
 }
 
-void SimulatedParticipant::begin_occasion(const Occasion& occasion) {
-  occasion_ = occasion;
-  decision_.begin_occasion(occasion);
-  path_ = ScanPath(population_.gaze, seed_ ^ std::uint64_t{occasion.conduct} << 32U);
+void SimulatedParticipant::begin_attempt(const Attempt& attempt) {
+  attempt_ = attempt;
+  decision_.begin_attempt(attempt);
+  path_ = ScanPath(population_.gaze, seed_ ^ std::uint64_t{attempt.conduct} << 32U);
   task_.reset();
   artifacts_jnd_ = 0.0;
   looks_ = 0;
@@ -64,18 +64,18 @@ void SimulatedParticipant::begin(Task task, Nanoseconds now) {
   }
 }
 
-std::optional<Nanoseconds> SimulatedParticipant::see(const Percept& percept) {
-  return task_ ? consider(look(percept), percept.presented) : std::nullopt;
+std::optional<Nanoseconds> SimulatedParticipant::see(const Stimulus& stimulus) {
+  return task_ ? consider(look(stimulus), stimulus.presented) : std::nullopt;
 }
 
-std::optional<Nanoseconds> SimulatedParticipant::consider(const Sighting& sighting,
+std::optional<Nanoseconds> SimulatedParticipant::consider(const Evidence& evidence,
                                                           Nanoseconds now) {
   if (task_ && *task_ == Task::look_around) {
-    artifacts_jnd_ += sighting.artifacts_jnd;
+    artifacts_jnd_ += evidence.artifacts_jnd;
     ++looks_;
     return std::nullopt;
   }
-  const std::optional<Nanoseconds> press = decision_.consider(sighting, now);
+  const std::optional<Nanoseconds> press = decision_.consider(evidence, now);
   if (press) {
     task_.reset();
   }
@@ -84,7 +84,7 @@ std::optional<Nanoseconds> SimulatedParticipant::consider(const Sighting& sighti
 
 std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& ratings) {
   task_.reset();
-  Pcg32 random = chance(seed_, Chance::ratings, {occasion_.conduct});
+  Pcg32 random = chance(seed_, Chance::ratings, {attempt_.conduct});
   const double noticed = noticed_jnd(random);
   std::vector<Answer> answers = draw_answers(ratings, population_.background, random);
   for (Answer& answer : answers) {
@@ -126,52 +126,52 @@ std::vector<SimulatedParticipant::Scale> SimulatedParticipant::judged_scales() c
   return scales;
 }
 
-Sighting SimulatedParticipant::look(const Percept& percept) {
-  const Area& area = expect(percept);
+Evidence SimulatedParticipant::look(const Stimulus& stimulus) {
+  const Area& area = expect(stimulus);
   switch (*task_) {
     case Task::mark_outline:
       return {.outline_signal_to_noise = outline_signal_to_noise(
-                  energies(percept, area.scales.front(), true), area.scales.front().visibility,
-                  percept.gaze, population_.decision.outline_signal_to_noise)};
+                  energies(stimulus, area.scales.front(), true), area.scales.front().visibility,
+                  stimulus.gaze, population_.decision.outline_signal_to_noise)};
     case Task::mark_material:
-      return {.material_jnd = difference_jnd(percept, area)};
+      return {.material_jnd = difference_jnd(stimulus, area)};
     case Task::look_around:
       break;
   }
-  return {.artifacts_jnd = difference_jnd(percept, area)};
+  return {.artifacts_jnd = difference_jnd(stimulus, area)};
 }
 
-double SimulatedParticipant::difference_jnd(const Percept& percept, const Area& area) const {
+double SimulatedParticipant::difference_jnd(const Stimulus& stimulus, const Area& area) const {
   std::vector<double> of_scales;
   for (const Scale& scale : area.scales) {
     of_scales.push_back(
-        visible_difference_jnd(energies(percept, scale, false), scale.visibility, percept.gaze));
+        visible_difference_jnd(energies(stimulus, scale, false), scale.visibility, stimulus.gaze));
   }
   return pooled_jnd(population_.vision, of_scales);
 }
 
-std::vector<PatchEnergies> SimulatedParticipant::energies(const Percept& percept,
+std::vector<PatchEnergies> SimulatedParticipant::energies(const Stimulus& stimulus,
                                                           const Scale& scale,
                                                           bool with_contrast) const {
   return patch_energies(scale.cells, scale.pixels,
-                        cell_means(percept.image, scale.pixels, population_.vision.jnd_lab),
+                        cell_means(stimulus.image, scale.pixels, population_.vision.jnd_lab),
                         scale.expected, with_contrast);
 }
 
-const SimulatedParticipant::Area& SimulatedParticipant::expect(const Percept& percept) {
+const SimulatedParticipant::Area& SimulatedParticipant::expect(const Stimulus& stimulus) {
   if (!area_ || area_->task != *task_) {
     area_ = Area{.task = *task_, .view = std::nullopt, .scales = judged_scales()};
   }
-  if (area_->view != percept.viewport) {
-    const int width = percept.image.width;
-    const int height = percept.image.height;
+  if (area_->view != stimulus.viewport) {
+    const int width = stimulus.image.width;
+    const int height = stimulus.image.height;
     const RgbImage image = display_image(
-        viewport_image(*scene_.panorama, percept.viewport, width, height), scene_.exposure_stops);
+        viewport_image(*scene_.panorama, stimulus.viewport, width, height), scene_.exposure_stops);
     for (Scale& scale : area_->scales) {
-      scale.pixels = pixels_of(scale.cells, percept.viewport, width, height);
+      scale.pixels = pixels_of(scale.cells, stimulus.viewport, width, height);
       scale.expected = cell_means(image, scale.pixels, population_.vision.jnd_lab);
     }
-    area_->view = percept.viewport;
+    area_->view = stimulus.viewport;
   }
   return *area_;
 }

@@ -26,24 +26,24 @@ class SimulatedParticipant final : public SimulatedObserver {
 
   std::vector<Answer> answer(const std::string& form,
                              const std::vector<Question>& questions) override;
-  Nanoseconds react(std::uint32_t occasion) override;
+  Nanoseconds react(std::uint32_t attempt) override;
   /// Stays with one object per scene, so that methods are compared on the same one.
   std::size_t choose_object(const std::string& scene,
                             const std::vector<OfferedObject>& offered) override;
-  void begin_occasion(const Occasion& occasion) override;
+  void begin_attempt(const Attempt& attempt) override;
   void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override;
   void look_at(const Vec3& target, Nanoseconds now) override { path_.fixate(target, now); }
   void begin(Task task, Nanoseconds now) override;
   AzimuthElevation head(Nanoseconds time) override { return path_.head(time); }
   Vec3 gaze(Nanoseconds time) override { return path_.gaze(time); }
-  std::optional<Nanoseconds> see(const Percept& percept) override;
+  std::optional<Nanoseconds> see(const Stimulus& stimulus) override;
   bool wants_retime() const override { return decision_.wants_retime(); }
   bool wants_to_withdraw(int /*trials_before*/) const override { return false; }
   /// See is_judged(); any other as if it were asked on a form, which require_judgements() lets be
   /// only for words.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
-  std::optional<Nanoseconds> consider(const Sighting& sighting, Nanoseconds now) override;
+  std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
   bool looks() const override { return true; }
   ScanPath& path() override { return path_; }
 
@@ -60,14 +60,14 @@ class SimulatedParticipant final : public SimulatedObserver {
     std::optional<Viewport> view;
     std::vector<Scale> scales;
   };
-  Sighting look(const Percept& percept);
-  double difference_jnd(const Percept& percept, const Area& area) const;
-  std::vector<PatchEnergies> energies(const Percept& percept, const Scale& scale,
+  Evidence look(const Stimulus& stimulus);
+  double difference_jnd(const Stimulus& stimulus, const Area& area) const;
+  std::vector<PatchEnergies> energies(const Stimulus& stimulus, const Scale& scale,
                                       bool with_contrast) const;
   /// The cells that the task is judged by.
   std::vector<Scale> judged_scales() const;
-  /// What they should look like in the percept's view; made anew only when view or task change.
-  const Area& expect(const Percept& percept);
+  /// What they should look like in the stimulus's view; made anew only when view or task change.
+  const Area& expect(const Stimulus& stimulus);
   double noticed_jnd(Pcg32& random) const;
 
   Population population_;
@@ -76,7 +76,7 @@ class SimulatedParticipant final : public SimulatedObserver {
   Traits traits_;
   Decision decision_;
   ScanPath path_;
-  Occasion occasion_;
+  Attempt attempt_;
   KnownScene scene_;
   OfferedObject object_;
   std::optional<Area> area_;

@@ -11,16 +11,16 @@ MaybeIntent intent_if(bool is_meant, KeyIntent intent) {
   return is_meant ? MaybeIntent(intent) : std::nullopt;
 }
 
-MaybeIntent intent_in_doubt(PersonKey key, Doubt doubt) {
-  const bool is_of_timing = doubt == Doubt::timing_again;
+MaybeIntent intent_in_confirmation(PersonKey key, Confirmation confirmation) {
+  const bool is_of_timing = confirmation == Confirmation::timing_again;
   if (key == (is_of_timing ? PersonKey::again : PersonKey::yes)) {
     return is_of_timing ? KeyIntent::time_again : KeyIntent::stop_taking_part;
   }
   return intent_if(key == (is_of_timing ? PersonKey::back : PersonKey::no),
-                   KeyIntent::let_doubt_go);
+                   KeyIntent::let_confirmation_go);
 }
 
-/// One key goes on, another one raises a doubt.
+/// One key goes on, another one raises a confirmation.
 MaybeIntent intent_of_two(PersonKey key, PersonKey first, KeyIntent intent, PersonKey second,
                           KeyIntent other) {
   return key == first ? MaybeIntent(intent) : intent_if(key == second, other);
@@ -29,7 +29,7 @@ MaybeIntent intent_of_two(PersonKey key, PersonKey first, KeyIntent intent, Pers
 MaybeIntent intent_in_phase(PersonKey key, Phase phase) {
   switch (phase) {
     case Phase::consent:
-      return intent_if(key == PersonKey::no, KeyIntent::doubt_going_on);
+      return intent_if(key == PersonKey::no, KeyIntent::confirm_going_on);
     case Phase::validation:
       return intent_if(goes_on(key), KeyIntent::begin_validation);
     case Phase::reaction:
@@ -41,13 +41,13 @@ MaybeIntent intent_in_phase(PersonKey key, Phase phase) {
       return intent_if(key == PersonKey::mark, KeyIntent::start_trial);
     case Phase::marking:
       return intent_of_two(key, PersonKey::mark, KeyIntent::mark, PersonKey::again,
-                           KeyIntent::doubt_timing);
+                           KeyIntent::confirm_timing);
     case Phase::rating:
       return intent_of_two(key, PersonKey::confirm, KeyIntent::rate, PersonKey::again,
-                           KeyIntent::doubt_timing);
+                           KeyIntent::confirm_timing);
     case Phase::paused:
       return goes_on(key) ? MaybeIntent(KeyIntent::resume)
-                          : intent_if(key == PersonKey::back, KeyIntent::doubt_going_on);
+                          : intent_if(key == PersonKey::back, KeyIntent::confirm_going_on);
     case Phase::completed:
     case Phase::withdrawn:
     case Phase::excluded:
@@ -64,10 +64,11 @@ MaybeIntent intent_in_phase(PersonKey key, Phase phase) {
 
 }  // namespace
 
-std::optional<KeyIntent> intent_of(PersonKey key, Phase phase, const std::optional<Doubt>& doubt,
+std::optional<KeyIntent> intent_of(PersonKey key, Phase phase,
+                                   const std::optional<Confirmation>& confirmation,
                                    bool reads_notice) {
-  if (doubt) {
-    return intent_in_doubt(key, *doubt);
+  if (confirmation) {
+    return intent_in_confirmation(key, *confirmation);
   }
   return reads_notice ? intent_if(goes_on(key), KeyIntent::read_on) : intent_in_phase(key, phase);
 }

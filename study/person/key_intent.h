@@ -9,17 +9,17 @@
 namespace foveola::study {
 
 /// What the participant is asked to confirm.
-enum class Doubt { timing_again, stopping };
+enum class Confirmation { timing_again, stopping };
 
 enum class KeyIntent {
   read_on,  ///< the notice was read
-  // Of a doubt.
+  // Of a confirmation.
   time_again,
   stop_taking_part,
-  let_doubt_go,
+  let_confirmation_go,
   // Raise one.
-  doubt_timing,
-  doubt_going_on,
+  confirm_timing,
+  confirm_going_on,
   // Of the phases.
   begin_validation,
   press,  ///< at what appears
@@ -32,9 +32,10 @@ enum class KeyIntent {
   leave,
 };
 
-/// Empty if it means nothing there. A doubt comes before a notice, a notice before the phase. Forms
-/// take what they need before; PersonKey::pause is left to others.
-std::optional<KeyIntent> intent_of(PersonKey key, Phase phase, const std::optional<Doubt>& doubt,
+/// Empty if it means nothing there. A confirmation comes before a notice, a notice before the
+/// phase. Forms take what they need before; PersonKey::pause is left to others.
+std::optional<KeyIntent> intent_of(PersonKey key, Phase phase,
+                                   const std::optional<Confirmation>& confirmation,
                                    bool reads_notice);
 
 /// The event of the session that the intent is, if it says all of one. time: of the key, session

@@ -3,16 +3,16 @@
 namespace foveola::study {
 namespace {
 
-ScreenPage page_of_doubt(Doubt doubt, const Texts& texts) {
-  return doubt == Doubt::timing_again ? retiming_screen(texts)
-                                      : notice_screen(Notice::stopping, texts);
+ScreenPage page_of_confirmation(Confirmation confirmation, const Texts& texts) {
+  return confirmation == Confirmation::timing_again ? retiming_screen(texts)
+                                                    : notice_screen(Notice::stopping, texts);
 }
 
-ScreenPage page_of_validation(const Standing& standing) {
-  const int attempts = standing.protocol.tracker.validation->attempts;
-  const bool is_first = standing.seen.validations_left == attempts;
+ScreenPage page_of_validation(const SessionContext& context) {
+  const int attempts = context.protocol.tracker.validation->attempts;
+  const bool is_first = context.seen.validations_left == attempts;
   return notice_screen(is_first ? Notice::validation : Notice::validation_again,
-                       standing.protocol.texts);
+                       context.protocol.texts);
 }
 
 ScreenPage page_of_reaction(ReactionLook look, const Texts& texts) {
@@ -27,15 +27,15 @@ ScreenPage page_of_reaction(ReactionLook look, const Texts& texts) {
   return reaction_wait_screen(texts);
 }
 
-ScreenPage page_before_trial(const Standing& standing) {
-  const std::size_t trial = *trial_of(standing.procedure, standing.seen);
-  return ready_screen(standing.protocol.marks, trial_count(standing.plan, trial),
-                      standing.seen.timing > 1, standing.protocol.texts);
+ScreenPage page_before_trial(const SessionContext& context) {
+  const std::size_t trial = *trial_of(context.procedure, context.seen);
+  return ready_screen(context.protocol.marks, trial_count(context.plan, trial),
+                      context.seen.timing > 1, context.protocol.texts);
 }
 
-ScreenPage page_of_rating(const Asked& asked, const Protocol& protocol, bool acknowledges) {
-  if (asked.form) {
-    return asked.form->screen();
+ScreenPage page_of_rating(const PromptState& prompt, const Protocol& protocol, bool acknowledges) {
+  if (prompt.form) {
+    return prompt.form->screen();
   }
   const std::size_t marks = protocol.marks.size();
   return acknowledges ? mark_taken_screen(marks, marks, protocol.texts)
@@ -57,54 +57,55 @@ ScreenPage page_of_end(Phase phase, const Texts& texts) {
   }
 }
 
-std::optional<ScreenPage> page_of_phase(const Asked& asked, const Standing& standing,
+std::optional<ScreenPage> page_of_phase(const PromptState& prompt, const SessionContext& context,
                                         Nanoseconds now) {
-  const Protocol& protocol = standing.protocol;
-  const SessionState& seen = standing.seen;
-  const bool acknowledges = now < asked.acknowledged_until;
+  const Protocol& protocol = context.protocol;
+  const SessionState& seen = context.seen;
+  const bool acknowledges = now < prompt.acknowledged_until;
   switch (seen.phase) {
     case Phase::created:
     case Phase::interrupted:
       return notice_screen(Notice::loading, protocol.texts);
     case Phase::consent:
     case Phase::questionnaire:
-      return asked.form->screen();
+      return prompt.form->screen();
     case Phase::validation:
-      return asked.validation ? std::nullopt : std::optional(page_of_validation(standing));
+      return prompt.validation ? std::nullopt : std::optional(page_of_validation(context));
     case Phase::reaction:
-      return page_of_reaction(asked.reaction.look(), protocol.texts);
+      return page_of_reaction(prompt.reaction.look(), protocol.texts);
     case Phase::choosing_object:
       return choosing_screen(protocol.texts);
     case Phase::ready:
-      return page_before_trial(standing);
+      return page_before_trial(context);
     case Phase::armed:
-      return asked.awaits_gaze ? std::optional(no_gaze_screen(protocol.texts)) : std::nullopt;
+      return prompt.awaits_gaze ? std::optional(no_gaze_screen(protocol.texts)) : std::nullopt;
     case Phase::marking:
       return acknowledges ? std::optional(
                                 mark_taken_screen(seen.mark, protocol.marks.size(), protocol.texts))
                           : std::nullopt;
     case Phase::rating:
-      return page_of_rating(asked, protocol, acknowledges);
+      return page_of_rating(prompt, protocol, acknowledges);
     default:
       return page_of_end(seen.phase, protocol.texts);
   }
 }
 
-std::optional<ScreenPage> page_without_progress(const Asked& asked, const Standing& standing,
-                                                Nanoseconds now) {
-  if (asked.doubt) {
-    return page_of_doubt(*asked.doubt, standing.protocol.texts);
+std::optional<ScreenPage> page_without_progress(const PromptState& prompt,
+                                                const SessionContext& context, Nanoseconds now) {
+  if (prompt.confirmation) {
+    return page_of_confirmation(*prompt.confirmation, context.protocol.texts);
   }
-  return asked.notices.empty() ? page_of_phase(asked, standing, now) : asked.notices.front();
+  return prompt.notices.empty() ? page_of_phase(prompt, context, now) : prompt.notices.front();
 }
 
 }  // namespace
 
-std::optional<ScreenPage> page_of(const Asked& asked, const Standing& standing, Nanoseconds now) {
-  std::optional<ScreenPage> page = page_without_progress(asked, standing, now);
+std::optional<ScreenPage> page_of(const PromptState& prompt, const SessionContext& context,
+                                  Nanoseconds now) {
+  std::optional<ScreenPage> page = page_without_progress(prompt, context, now);
   if (page && page->covers_picture && !page->is_signal) {
-    page->progress = static_cast<double>(standing.seen.step) /
-                     static_cast<double>(standing.procedure.agenda.size());
+    page->progress = static_cast<double>(context.seen.step) /
+                     static_cast<double>(context.procedure.agenda.size());
   }
   return page;
 }

@@ -3,11 +3,12 @@
 
 #include <optional>
 
-#include "study/person/asked.h"
+#include "study/person/prompt_state.h"
 
 namespace foveola::study {
 
 /// Over the picture, or instead of it; empty: the picture alone. now: session clock.
-std::optional<ScreenPage> page_of(const Asked& asked, const Standing& standing, Nanoseconds now);
+std::optional<ScreenPage> page_of(const PromptState& prompt, const SessionContext& context,
+                                  Nanoseconds now);
 
 }  // namespace foveola::study

@@ -35,8 +35,8 @@ PersonSession::PersonSession(const PersonSessionSettings& settings, const Parts&
              return parts_.record->event(settings_.session, time, event, before, after);
            }),
       seen_(settings.state),
-      asked_{.reaction = ReactionPresses(Pcg32(
-                 derive_seed(settings.seed, SeedPurpose::waiting, {settings.state.presses_left})))},
+      prompt_{.reaction = ReactionPresses(Pcg32(derive_seed(settings.seed, SeedPurpose::waiting,
+                                                            {settings.state.presses_left})))},
       viewer_(parts.pointer, parts.head) {
   parts_.eye->correct(settings.correction);
   viewer_.show(parts_.display->geometry(), parts_.display->framebuffer(), 1.0);
@@ -96,7 +96,7 @@ void PersonSession::interrupt() {
 void PersonSession::carry_out(const DurableEvent& durable) {
   parts_.tell(fmt::format("{:9.3f} s  {}", seconds(durable.time), words_for(durable.event)));
   seen_ = durable.after;
-  follow(asked_, durable.event, standing());
+  follow(prompt_, durable.event, context());
   if (const auto* validated = std::get_if<GazeValidated>(&durable.event)) {
     parts_.eye->correct(correction_after(*validated));
   }
@@ -104,12 +104,12 @@ void PersonSession::carry_out(const DurableEvent& durable) {
     carry_out(effect);
   }
   if (!durable.effects.empty()) {
-    set_doubt(std::nullopt);
+    set_confirmation(std::nullopt);
   }
 }
 
 void PersonSession::carry_out(const Effect& effect) {
-  prepare(asked_, effect, standing(), now());
+  prepare(prompt_, effect, context(), now());
   if (is<AskForObject>(effect) || is<AskWhetherReady>(effect)) {
     enter_scene();
   } else if (is<StartRendering>(effect)) {
@@ -138,20 +138,21 @@ void PersonSession::enter_scene() {
 
 bool PersonSession::needs_gaze() const {
   // Whose eyes are simulated sits before every trial as it was planned, whatever is lost of them.
-  const double spares =
-      settings_of(*parts_.protocol, trial().scene, trial().method).film.spare_done_contrast;
-  return parts_.stand_in == nullptr && (follows_gaze(trial().method) || spares > 0.0);
+  const double adaptive_contrast =
+      settings_of(*parts_.protocol, trial().scene, trial().method).film.adaptive_contrast;
+  return parts_.simulated_operator == nullptr &&
+         (follows_gaze(trial().method) || adaptive_contrast > 0.0);
 }
 
 void PersonSession::prepare_rendering() {
   if (needs_gaze() && !parts_.eye->has_gaze(parts_.clock->now())) {
-    asked_.awaits_gaze = true;
+    prompt_.awaits_gaze = true;
     feed(NoteWritten{"the trial waits for a gaze"});
-    const std::string trouble = parts_.eye->trouble();
+    const std::string status = parts_.eye->status();
     parts_.tell(fmt::format(
         "The trial does not begin: {}. It begins by itself once there is a valid gaze; no time "
         "runs until then.",
-        !trouble.empty()            ? trouble
+        !status.empty()             ? status
         : parts_.pointer != nullptr ? "the pointer, which is the eye here, is not in the window"
                                     : "the eye tracker does not see the eyes"));
     return;
@@ -180,11 +181,11 @@ void PersonSession::start_rendering() {
                                             *parts_.protocol, trial(), seen_.timing),
                      .session_zero = zero_,
                      .while_waiting = [this] { answer_window(); },
-                     .page = [this] { return page_of(asked_, standing(), now()); }});
+                     .page = [this] { return page_of(prompt_, context(), now()); }});
 }
 
 void PersonSession::stop_rendering() {
-  asked_.awaits_gaze = false;
+  prompt_.awaits_gaze = false;
   // There is none if it was another program's, which died.
   if (attempt_) {
     attempt_->finish();

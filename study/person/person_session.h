@@ -14,12 +14,12 @@
 #include <string>
 
 #include "renderer/gaze/pointer_eye_tracker.h"
-#include "study/person/asked.h"
 #include "study/person/console.h"
 #include "study/person/live_attempt.h"
 #include "study/person/page_watch.h"
+#include "study/person/prompt_state.h"
 #include "study/person/session_log.h"
-#include "study/person/stand_in.h"
+#include "study/person/simulated_operator.h"
 #include "study/person/viewer.h"
 #include "study/stage/seeds.h"
 
@@ -52,7 +52,7 @@ class PersonSession {
     PointerEyeTracker* pointer;  ///< the eye, if the pointer is; otherwise none
     HeadTracker* head;           ///< none: keys, mouse and gamepad turn the head
     /// Who takes part in a person's place, and whose `events` then are; otherwise none.
-    StandIn* stand_in;
+    SimulatedOperator* simulated_operator;
     RecordThread* record;
     ConsoleLines* console;
     /// Tells the experimenter a line.
@@ -87,7 +87,7 @@ class PersonSession {
 
   // Frames.
   void show_frame();
-  void let_stand_in_see(Nanoseconds shown);
+  void show_to_operator(Nanoseconds shown);
   std::optional<ShownPixels> take_pixels();
   void go_on(Nanoseconds shown);
   void go_on_validating();
@@ -109,15 +109,17 @@ class PersonSession {
   void pause_or_leave();
   void hand_in();
   void act(KeyIntent intent, Nanoseconds time);
-  void set_doubt(const std::optional<Doubt>& doubt);
+  void set_confirmation(const std::optional<Confirmation>& confirmation);
   void turn_to_next_object();
   std::size_t object_ahead_now();
   bool is_picture_shown() const;
   bool needs_gaze() const;
 
-  Standing standing() const { return {*parts_.protocol, *parts_.plan, log_.procedure(), seen_}; }
+  SessionContext context() const {
+    return {*parts_.protocol, *parts_.plan, log_.procedure(), seen_};
+  }
   /// The one that the participant is in, and its scene.
-  const PlannedTrial& trial() const { return trial_at(standing()); }
+  const PlannedTrial& trial() const { return trial_at(context()); }
   const SceneStage& stage() const { return *parts_.stages->at(trial().scene); }
 
   PersonSessionSettings settings_;
@@ -125,7 +127,7 @@ class PersonSession {
   Nanoseconds zero_;  ///< the clock's time at which the session's is 0
   SessionLog log_;
   SessionState seen_;  ///< what is on the disk: nothing else may be seen
-  Asked asked_;
+  PromptState prompt_;
   PageWatch page_watch_;
   Viewer viewer_;
   std::string scene_;                       ///< that the viewer is in

@@ -36,12 +36,12 @@ void PersonSession::tell_of_tracker() {
   }
   was_lost_ = is_lost;
   feed(NoteWritten{is_lost ? "the eye tracker sends no gaze" : "the eye tracker sends gaze again"});
-  const std::string trouble = parts_.eye->trouble();
+  const std::string status = parts_.eye->status();
   if (is_lost) {
     parts_.tell(
         fmt::format("The eye tracker sends no gaze{}{}. The session goes on; pause if it "
                     "should not.",
-                    trouble.empty() ? "" : ": ", trouble));
+                    status.empty() ? "" : ": ", status));
   }
 }
 
@@ -73,9 +73,9 @@ void PersonSession::answer(const WindowEvent& event) {
     return;
   }
   const Phase phase = log_.state().phase;
-  if (is_form_shown(asked_, phase)) {
+  if (is_form_shown(prompt_, phase)) {
     const std::optional<FormInput> input = form_input(event);
-    if (input && asked_.form->follow(*input)) {
+    if (input && prompt_.form->follow(*input)) {
       hand_in();
       return;
     }
@@ -83,7 +83,7 @@ void PersonSession::answer(const WindowEvent& event) {
   if (!key) {
     return;
   }
-  if (const auto intent = intent_of(*key, phase, asked_.doubt, !asked_.notices.empty())) {
+  if (const auto intent = intent_of(*key, phase, prompt_.confirmation, !prompt_.notices.empty())) {
     act(*intent, event.time);
   }
 }
@@ -117,15 +117,15 @@ void PersonSession::pause_or_leave() {
   }
   if (log_.state().is_over()) {
     is_done_ = true;
-  } else if (asked_.doubt) {
-    set_doubt(std::nullopt);
+  } else if (prompt_.confirmation) {
+    set_confirmation(std::nullopt);
   } else {
     feed(PauseRequested{});
   }
 }
 
 void PersonSession::hand_in() {
-  if (asked_.form->is_submitted() && !feed(event_of_form(asked_, log_.state().phase))) {
+  if (prompt_.form->is_submitted() && !feed(event_of_form(prompt_, log_.state().phase))) {
     throw std::logic_error("the session does not take what a form was filled in with");
   }
 }
@@ -137,25 +137,25 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
   }
   switch (intent) {
     case KeyIntent::read_on:
-      asked_.notices.pop_front();
+      prompt_.notices.pop_front();
       page_watch_.turn_page();
       break;
-    case KeyIntent::let_doubt_go:
-      set_doubt(std::nullopt);
+    case KeyIntent::let_confirmation_go:
+      set_confirmation(std::nullopt);
       break;
-    case KeyIntent::doubt_timing:
-      set_doubt(Doubt::timing_again);
+    case KeyIntent::confirm_timing:
+      set_confirmation(Confirmation::timing_again);
       break;
-    case KeyIntent::doubt_going_on:
-      set_doubt(Doubt::stopping);
+    case KeyIntent::confirm_going_on:
+      set_confirmation(Confirmation::stopping);
       break;
     case KeyIntent::begin_validation:
       parts_.eye->correct(std::nullopt);
-      begin_validation(asked_, *parts_.protocol->tracker.validation, parts_.display->geometry(),
+      begin_validation(prompt_, *parts_.protocol->tracker.validation, parts_.display->geometry(),
                        parts_.clock->now());
       break;
     case KeyIntent::press:
-      asked_.reaction.press(time);
+      prompt_.reaction.press(time);
       break;
     case KeyIntent::next_object:
       turn_to_next_object();
@@ -164,7 +164,7 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
       feed(ObjectChosen{stage().objects()[object_ahead_now()].name});
       break;
     case KeyIntent::rate:
-      asked_.wants_to_rate = true;
+      prompt_.wants_to_rate = true;
       break;
     case KeyIntent::leave:
       is_done_ = true;
@@ -180,16 +180,16 @@ void PersonSession::turn_to_next_object() {
                   parts_.clock->now());
 }
 
-void PersonSession::set_doubt(const std::optional<Doubt>& doubt) {
-  asked_.doubt = doubt;
+void PersonSession::set_confirmation(const std::optional<Confirmation>& confirmation) {
+  prompt_.confirmation = confirmation;
   page_watch_.turn_page();
 }
 
 bool PersonSession::is_picture_shown() const {
   const Phase phase = log_.state().phase;
   const bool is_in_scene = attempt_ != nullptr || phase == Phase::choosing_object ||
-                           phase == Phase::ready || asked_.awaits_gaze;
-  return is_in_scene && !is_form_shown(asked_, phase) && asked_.notices.empty();
+                           phase == Phase::ready || prompt_.awaits_gaze;
+  return is_in_scene && !is_form_shown(prompt_, phase) && prompt_.notices.empty();
 }
 
 }  // namespace foveola::study

@@ -34,8 +34,9 @@ void PersonSession::show_frame() {
     parts_.display->take_picture(*settings_.screens /
                                  fmt::format("{:03}-{}.png", *number, name_of(seen_.phase)));
   }
-  asked_.reaction.begin_frame(parts_.clock->now());
-  if (parts_.stand_in != nullptr && attempt_ && parts_.stand_in->wants_to_look()) {
+  prompt_.reaction.begin_frame(parts_.clock->now());
+  if (parts_.simulated_operator != nullptr && attempt_ &&
+      parts_.simulated_operator->wants_to_look()) {
     parts_.display->keep_pixels();
   }
   Nanoseconds shown{0};
@@ -49,21 +50,21 @@ void PersonSession::show_frame() {
   page_watch_.was_shown(shown);
   tell_of_tracker();
   tell_of_slow_drawing();
-  if (parts_.stand_in != nullptr) {
-    let_stand_in_see(shown);
+  if (parts_.simulated_operator != nullptr) {
+    show_to_operator(shown);
   }
   go_on(shown);
 }
 
-void PersonSession::let_stand_in_see(Nanoseconds shown) {
+void PersonSession::show_to_operator(Nanoseconds shown) {
   const bool is_in_trial = trial_of(log_.procedure(), seen_).has_value();
-  parts_.stand_in->follow({.asked = asked_,
-                           .standing = standing(),
-                           .offered = is_in_trial ? &stage().objects() : nullptr,
-                           .shown = shown,
-                           .session_time = now(),
-                           .pixels = take_pixels()},
-                          !log_.has_effects_to_come());
+  parts_.simulated_operator->follow({.prompt = prompt_,
+                                     .context = context(),
+                                     .offered = is_in_trial ? &stage().objects() : nullptr,
+                                     .shown = shown,
+                                     .session_time = now(),
+                                     .pixels = take_pixels()},
+                                    !log_.has_effects_to_come());
 }
 
 std::optional<ShownPixels> PersonSession::take_pixels() {
@@ -93,7 +94,7 @@ void PersonSession::go_on(Nanoseconds shown) {
       go_on_timing();
       break;
     case Phase::rating:
-      if (begin_rating(asked_, *parts_.protocol, now())) {
+      if (begin_rating(prompt_, *parts_.protocol, now())) {
         page_watch_.turn_page();
       }
       break;
@@ -103,21 +104,21 @@ void PersonSession::go_on(Nanoseconds shown) {
 }
 
 void PersonSession::go_on_validating() {
-  if (!asked_.validation) {
+  if (!prompt_.validation) {
     return;
   }
-  asked_.validation->update(parts_.clock->now(), arrived_);
-  if (asked_.validation->result()) {
-    feed(*asked_.validation->result());
-    asked_.validation.reset();
+  prompt_.validation->update(parts_.clock->now(), arrived_);
+  if (prompt_.validation->result()) {
+    feed(*prompt_.validation->result());
+    prompt_.validation.reset();
   }
 }
 
 void PersonSession::go_on_reacting(Nanoseconds shown) {
-  if (!asked_.notices.empty()) {
+  if (!prompt_.notices.empty()) {
     return;
   }
-  if (const auto pressed = asked_.reaction.end_frame(*parts_.protocol->reaction, shown)) {
+  if (const auto pressed = prompt_.reaction.end_frame(*parts_.protocol->reaction, shown)) {
     feed(ReactionPressed{.shown = pressed->shown - zero_, .time = pressed->time - zero_});
   }
 }
@@ -125,8 +126,8 @@ void PersonSession::go_on_reacting(Nanoseconds shown) {
 void PersonSession::go_on_arming(Nanoseconds shown) {
   if (attempt_) {
     feed(FirstFramePresented{shown - zero_});
-  } else if (asked_.awaits_gaze && parts_.eye->has_gaze(parts_.clock->now())) {
-    asked_.awaits_gaze = false;
+  } else if (prompt_.awaits_gaze && parts_.eye->has_gaze(parts_.clock->now())) {
+    prompt_.awaits_gaze = false;
     page_watch_.turn_page();
     prepare_rendering();
   }
@@ -144,9 +145,9 @@ void PersonSession::go_on_timing() {
 
 SessionPicture PersonSession::picture() {
   SessionPicture picture{.head = viewer_.orientation(parts_.clock->now()),
-                         .screen = page_of(asked_, standing(), now())};
-  if (seen_.phase == Phase::validation && asked_.validation) {
-    picture.overlays.target = picture.head * asked_.validation->target().value_or(forward);
+                         .screen = page_of(prompt_, context(), now())};
+  if (seen_.phase == Phase::validation && prompt_.validation) {
+    picture.overlays.target = picture.head * prompt_.validation->target().value_or(forward);
   } else if (seen_.phase == Phase::choosing_object) {
     picture.overlays.offers = rings_of(stage().objects(), object_ahead_now());
   } else if (seen_.phase == Phase::ready) {

@@ -14,7 +14,7 @@ void PersonTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived) {
   if (arrived.size() > known || !last_arrival_) {
     last_arrival_ = now;
   }
-  is_lost_ = !source_->trouble().empty() || now - *last_arrival_ > longest_silence;
+  is_lost_ = !source_->status().empty() || now - *last_arrival_ > longest_silence;
   const std::span<GazeSample> fresh = std::span(arrived).subspan(known);
   if (correction_) {
     foveola::correct(fresh, *correction_);

@@ -30,7 +30,7 @@ class PersonTracker final : public EyeTracker {
   /// The next poll delivers the newest valid sample of those before it once more, first: for who
   /// begins to ask and must know where the eye is from the beginning. Without one, nothing.
   void repeat_newest() { repeats_newest_ = true; }
-  std::string trouble() const override { return source_->trouble(); }
+  std::string status() const override { return source_->status(); }
 
   /// Whether the eye was seen within longest_blink before `now`, as far as polls say.
   bool has_gaze(Nanoseconds now) const {

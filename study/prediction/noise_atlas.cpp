@@ -24,11 +24,11 @@ namespace {
 /// are of it. A scaled film has so few pixels that more of both are needed.
 constexpr double object_convergence = 128.0;
 constexpr int object_pictures = 4;
-constexpr PilotLadder object_ladder{};
+constexpr SampleCountLevels object_levels{};
 
 /// A look around tells one number of a hundred patches: fewer samples will do for each.
 constexpr double around_convergence = 16.0;
-constexpr PilotLadder around_ladder{.first_per_pixel = 1.0 / 32.0, .rungs = 15};
+constexpr SampleCountLevels around_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
@@ -56,8 +56,8 @@ std::string crop_around(const Cone& cone) {
 void require_predictable(const Protocol& protocol) {
   for (const SceneEntry& scene : protocol.scenes) {
     for (const std::string& method : protocol.methods) {
-      if (settings_of(protocol, scene.name, method).film.spare_done_contrast > 0.0) {
-        throw Error(protocol.path.string(), "spares pixels that are done (spare_done_contrast)",
+      if (settings_of(protocol, scene.name, method).film.adaptive_contrast > 0.0) {
+        throw Error(protocol.path.string(), "asks for adaptive sampling (adaptive_contrast)",
                     "simulate it without --predicted");
       }
     }
@@ -168,7 +168,7 @@ class SceneAtlas {
     const auto pictures = static_cast<std::uint32_t>(object_pictures * coarseness());
     for (std::uint32_t picture = 0; picture < pictures; ++picture) {
       const std::vector<ScaleTables> of_picture =
-          measure_noise(pilot, sampler, object_ladder, picture, mask, views, expected);
+          measure_noise(pilot, sampler, object_levels, picture, mask, views, expected);
       for (std::size_t i = 0; i < group.size(); ++i) {
         tables[i].insert(tables[i].end(), of_picture[i].begin(), of_picture[i].end());
       }
@@ -223,7 +223,7 @@ class SceneAtlas {
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const CellMeans expected =
         converged_means(pilot, *sampler, ahead, around_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, around_ladder, 0, mask, views, expected),
+    return gathered(measure_noise(pilot, *sampler, around_levels, 0, mask, views, expected),
                     patches);
   }
 
@@ -273,8 +273,8 @@ class SceneAtlas {
         display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
         vision.material_cell_deg, vision.view_cell_deg, vision.scale_count, vision.object_patch_deg,
         vision.view_patch_deg, vision.coarseness, margin_px, object_convergence, object_pictures,
-        object_ladder.first_per_pixel, object_ladder.rungs, around_convergence,
-        around_ladder.first_per_pixel, around_ladder.rungs);
+        object_levels.first_per_pixel, object_levels.count, around_convergence,
+        around_levels.first_per_pixel, around_levels.count);
   }
 
   const AtlasSetting& setting_;

@@ -40,7 +40,7 @@ struct AtlasSetting {
 };
 
 /// Renders the pilots, or takes their tables from the cache; shows progress. Throws Error if
-/// stopped, or for a protocol that spares finished pixels: where its samples go is not known
+/// stopped, or for a protocol with adaptive sampling: where its samples go is not known
 /// beforehand.
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop);
 

@@ -6,7 +6,7 @@
 namespace foveola::study {
 namespace {
 
-constexpr double rungs_per_octave = 2.0;
+constexpr double levels_per_octave = 2.0;
 
 ChannelValues mixed(const ChannelValues& a, const ChannelValues& b, double part, double scale) {
   ChannelValues result;
@@ -19,20 +19,21 @@ ChannelValues mixed(const ChannelValues& a, const ChannelValues& b, double part,
 }  // namespace
 
 ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr) {
-  const std::vector<ChannelValues>& rungs = patch.noise_times_density;
-  if (rungs.empty() || samples_per_sr <= 0.0) {
+  const std::vector<ChannelValues>& sample_counts = patch.noise_times_density;
+  if (sample_counts.empty() || samples_per_sr <= 0.0) {
     return patch.unsampled;
   }
   const double ratio = samples_per_sr / patch.first_per_sr;
   if (ratio <= 1.0) {
-    const ChannelValues first = mixed(rungs.front(), rungs.front(), 0.0, 1.0 / patch.first_per_sr);
+    const ChannelValues first =
+        mixed(sample_counts.front(), sample_counts.front(), 0.0, 1.0 / patch.first_per_sr);
     return mixed(patch.unsampled, first, ratio, 1.0);
   }
-  const double place = rungs_per_octave * std::log2(ratio);
-  const std::size_t rung = std::min(static_cast<std::size_t>(place), rungs.size() - 1);
-  const std::size_t next = std::min(rung + 1, rungs.size() - 1);
-  return mixed(rungs[rung], rungs[next], std::min(1.0, place - static_cast<double>(rung)),
-               1.0 / samples_per_sr);
+  const double place = levels_per_octave * std::log2(ratio);
+  const std::size_t level = std::min(static_cast<std::size_t>(place), sample_counts.size() - 1);
+  const std::size_t next = std::min(level + 1, sample_counts.size() - 1);
+  return mixed(sample_counts[level], sample_counts[next],
+               std::min(1.0, place - static_cast<double>(level)), 1.0 / samples_per_sr);
 }
 
 PatchNoise mean_of(const NoiseTable& table) {
@@ -47,8 +48,8 @@ PatchNoise mean_of(const NoiseTable& table) {
     mean.first_per_sr += part * patch.first_per_sr;
     for (std::size_t c = 0; c < channel_count; ++c) {
       mean.unsampled[c] += part * patch.unsampled[c];
-      for (std::size_t rung = 0; rung < mean.noise_times_density.size(); ++rung) {
-        mean.noise_times_density[rung][c] += part * patch.noise_times_density[rung][c];
+      for (std::size_t level = 0; level < mean.noise_times_density.size(); ++level) {
+        mean.noise_times_density[level][c] += part * patch.noise_times_density[level][c];
       }
     }
   }

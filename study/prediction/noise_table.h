@@ -4,23 +4,23 @@
 #include <span>
 #include <vector>
 
-#include "study/participant/sighting.h"
+#include "study/participant/evidence.h"
 
 namespace foveola::study {
 
-/// Noise over the density of samples, at densities that grow by half an octave from one rung to the
-/// next.
+/// Noise over the density of samples, at densities that grow by half an octave from one level to
+/// the next.
 struct PatchNoise {
   Vec3 direction{0.0F};       ///< unit length, world
   double cells = 0.0;         ///< as PatchEnergies'
   double contrast = 0.0;      ///< likewise
   ChannelValues unsampled{};  ///< the noise of black, JND^2
-  double first_per_sr = 0.0;  ///< density at the first rung, samples per steradian
-  std::vector<ChannelValues> noise_times_density;  ///< JND^2 samples per steradian, a rung each
+  double first_per_sr = 0.0;  ///< density at the first level, samples per steradian
+  std::vector<ChannelValues> noise_times_density;  ///< JND^2 samples per steradian, a level each
 };
 using NoiseTable = std::vector<PatchNoise>;
 
-/// The noise of a patch after `samples_per_sr`, interpolated; below the first rung between its and
+/// The noise of a patch after `samples_per_sr`, interpolated; below the first level between its and
 /// black's, beyond the last one falling with the number of samples.
 ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
 

@@ -169,30 +169,31 @@ std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
   return seen;
 }
 
-/// Notes what a picture after `samples` says about a rung.
-void set_rung(const ViewSampler& sampler, std::uint64_t samples, std::size_t rung,
-              const ScaleEnergies& seen, NoiseTable& table) {
+/// Notes what a picture after `samples` says about a level.
+void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t level,
+               const ScaleEnergies& seen, NoiseTable& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table[i].noise_times_density.empty()) {
       continue;  // the method does not go there
     }
     const double per_sr = static_cast<double>(samples) * sampler.density_per_sr(table[i].direction);
     for (std::size_t c = 0; c < channel_count; ++c) {
-      table[i].noise_times_density[rung][c] = seen[i].noise[c] * per_sr;
+      table[i].noise_times_density[level][c] = seen[i].noise[c] * per_sr;
     }
   }
 }
 
-/// The samples after which each rung is looked at.
-std::vector<std::uint64_t> rungs_of(const FilmSettings& film, const PilotLadder& ladder,
-                                    double density_per_sr) {
-  std::vector<std::uint64_t> rungs;
-  const double first = ladder.first_per_pixel / (pixel_sr(film) * density_per_sr);
-  for (int rung = 0; rung < ladder.rungs; ++rung) {
-    rungs.push_back(static_cast<std::uint64_t>(
-        std::max(1.0, std::round(first * std::exp2(0.5 * static_cast<double>(rung))))));
+/// The samples after which each level is looked at.
+std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
+                                            const SampleCountLevels& levels,
+                                            double density_per_sr) {
+  std::vector<std::uint64_t> sample_counts;
+  const double first = levels.first_per_pixel / (pixel_sr(film) * density_per_sr);
+  for (int level = 0; level < levels.count; ++level) {
+    sample_counts.push_back(static_cast<std::uint64_t>(
+        std::max(1.0, std::round(first * std::exp2(0.5 * static_cast<double>(level))))));
   }
-  return rungs;
+  return sample_counts;
 }
 
 }  // namespace
@@ -212,7 +213,7 @@ CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sample
 }
 
 std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
-                                       const PilotLadder& ladder, std::uint32_t picture,
+                                       const SampleCountLevels& levels, std::uint32_t picture,
                                        const SampleMask& mask, std::span<const JudgedView> views,
                                        const CellMeans& expected) {
   std::vector<ScaleTables> tables = unsampled_tables(views, expected, setting.jnd_lab);
@@ -220,20 +221,20 @@ std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSa
   if (density == 0.0) {
     return tables;  // a method that never goes there
   }
-  const std::vector<std::uint64_t> rungs = rungs_of(setting.film, ladder, density);
+  const std::vector<std::uint64_t> sample_counts = sample_counts_of(setting.film, levels, density);
   for_each_patch(tables, [&](PatchNoise& patch) {
     const double per_sr = sampler.density_per_sr(patch.direction);
-    patch.first_per_sr = static_cast<double>(rungs.front()) * per_sr;
-    patch.noise_times_density.resize(per_sr > 0.0 ? rungs.size() : 0);
+    patch.first_per_sr = static_cast<double>(sample_counts.front()) * per_sr;
+    patch.noise_times_density.resize(per_sr > 0.0 ? sample_counts.size() : 0);
   });
   MaskedRender render(setting, sampler, mask, mix(picture, pilot_stream));
   Display display(render.film(), setting);
-  for (std::size_t rung = 0; rung < rungs.size(); ++rung) {
-    render.continue_to(rungs[rung]);
+  for (std::size_t level = 0; level < sample_counts.size(); ++level) {
+    render.continue_to(sample_counts[level]);
     for (std::size_t view = 0; view < views.size(); ++view) {
       const std::vector<ScaleEnergies> seen = look(display, views[view], expected[view]);
       for (std::size_t scale = 0; scale < seen.size(); ++scale) {
-        set_rung(sampler, rungs[rung], rung, seen[scale], tables[view][scale]);
+        set_level(sampler, sample_counts[level], level, seen[scale], tables[view][scale]);
       }
     }
   }

@@ -30,10 +30,10 @@ struct PilotSetting {
 };
 
 /// When a pilot is looked at: after so many samples a pixel, in the geometric mean over the judged
-/// patches, growing by half an octave from rung to rung.
-struct PilotLadder {
+/// patches, growing by half an octave from level to level.
+struct SampleCountLevels {
   double first_per_pixel = 1.0 / 32.0;
-  int rungs = 17;  ///< to 8 a pixel: what chance then leaves falls with the number of samples
+  int count = 17;  ///< to 8 a pixel: what chance then leaves falls with the number of samples
 };
 
 /// The means of cells in a picture, of each view on each scale.
@@ -51,7 +51,7 @@ CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sample
 /// The tables of each view, of the patches that have pixels in it, for one picture: each `picture`
 /// has other random numbers. expected: of the same views. Throws Error if stopped.
 std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
-                                       const PilotLadder& ladder, std::uint32_t picture,
+                                       const SampleCountLevels& levels, std::uint32_t picture,
                                        const SampleMask& mask, std::span<const JudgedView> views,
                                        const CellMeans& expected);
 

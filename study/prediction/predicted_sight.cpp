@@ -100,23 +100,23 @@ void PredictedSight::aim(const Aim& aim) {
   sampler_.aim(aim_);
 }
 
-Sighting PredictedSight::look(Task task, const Vec3& gaze, const Viewport& viewport) {
+Evidence PredictedSight::look(Task task, const Vec3& gaze, const Viewport& viewport) {
   if (task == Task::look_around) {
     return {.artifacts_jnd = artifacts_jnd(gaze, viewport)};
   }
   if (task == last_look_.task && gaze == last_look_.gaze &&
       samples_ < noticeable_growth * last_look_.samples) {
-    return last_look_.sighting;
+    return last_look_.evidence;
   }
-  Sighting sighting;
+  Evidence evidence;
   if (task == Task::mark_outline) {
-    sighting.outline_signal_to_noise = outline_signal_to_noise(
+    evidence.outline_signal_to_noise = outline_signal_to_noise(
         outline_.seen(), trial_.outline_visibility, gaze, trial_.outline_signal_to_noise);
   } else {
-    sighting.material_jnd = material_jnd(gaze);
+    evidence.material_jnd = material_jnd(gaze);
   }
-  last_look_ = {.task = task, .gaze = gaze, .samples = samples_, .sighting = sighting};
-  return sighting;
+  last_look_ = {.task = task, .gaze = gaze, .samples = samples_, .evidence = evidence};
+  return evidence;
 }
 
 double PredictedSight::material_jnd(const Vec3& gaze) {

@@ -60,7 +60,7 @@ class PredictedSight {
   void add(double samples, const Aim& aim);
 
   /// What a look at the film tells of what `task` asks for.
-  Sighting look(Task task, const Vec3& gaze, const Viewport& viewport);
+  Evidence look(Task task, const Vec3& gaze, const Viewport& viewport);
 
  private:
   /// What is judged on one scale, as far as it is rendered.
@@ -78,7 +78,7 @@ class PredictedSight {
     Task task = Task::mark_outline;
     Vec3 gaze{0.0F};
     double samples = -1.0;
-    Sighting sighting;
+    Evidence evidence;
   };
 
   void aim(const Aim& aim);

@@ -80,6 +80,7 @@ Protocol read_protocol(const std::string& text, const fs::path& path) {
   read_phases(reader, protocol);
   protocol.analysis = read_analysis(reader.table("analysis"), protocol);
   reader.reject_unknown_keys();
+  protocol.notes = reader.notes();
   return protocol;
 }
 

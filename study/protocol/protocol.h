@@ -57,7 +57,7 @@ struct FilmSettings {
   int height = 160;
   int max_depth = 4;  ///< surface vertices
   /// VisibleNoise::contrast of pixels that get no more samples; 0, as published: all get them.
-  double spare_done_contrast = 0.0;
+  double adaptive_contrast = 0.0;
 };
 
 /// Before anything else, participants look at targets, and the tracker has to see it well enough.
@@ -181,6 +181,9 @@ struct Protocol {
   /// By scene and method, where overrides say something else than film, timing and display.
   std::map<std::pair<std::string, std::string>, TrialSettings> cells;
   AnalysisPlan analysis;
+
+  /// A line for each key that stands under the name that it had in an earlier version.
+  std::vector<std::string> notes;
 
   std::filesystem::path path;
   std::string text;    ///< the file, to the letter

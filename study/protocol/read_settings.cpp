@@ -176,7 +176,8 @@ DisplaySettings read_display(TomlReader reader, const fs::path& folder) {
 FilmSettings read_film(TomlReader reader, FilmSettings film) {
   reader.read("width", film.width, 8, largest_film_side);
   reader.read("height", film.height, 4, largest_film_side);
-  reader.read("spare_done_contrast", film.spare_done_contrast, 0.0, 0.99);
+  reader.read(reader.present_name("adaptive_contrast", "spare_done_contrast"),
+              film.adaptive_contrast, 0.0, 0.99);
   reader.read("max_depth", film.max_depth, 1, 1000);
   reader.reject_unknown_keys();
   return film;

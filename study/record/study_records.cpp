@@ -84,14 +84,16 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
       database,
       "SELECT devices ->> '$.simulation.scale' AS scale,"
       " devices ->> '$.simulation.predicted' AS predicted,"
-      " coalesce(nullif(devices ->> '$.simulation.plant', 'none'), '') AS plant FROM session"
+      // Earlier versions called it "plant".
+      " coalesce(nullif(coalesce(devices ->> '$.simulation.injected',"
+      " devices ->> '$.simulation.plant'), 'none'), '') AS injected FROM session"
       " WHERE kind = 'simulated' AND devices -> '$.simulation' IS NOT NULL LIMIT 1");
   if (!rows.executeStep()) {
     return std::nullopt;
   }
   return SimulationFacts{.scale = rows.getColumn("scale").getDouble(),
                          .predicted = rows.getColumn("predicted").getInt() == 1,
-                         .plant = rows.getColumn("plant").getString()};
+                         .injected = rows.getColumn("injected").getString()};
 }
 
 TrialRow read_trial(SQLite::Statement& row) {

@@ -53,7 +53,7 @@ struct AmendedSession {
 struct SimulationFacts {
   double scale = 1.0;      ///< so many times fewer pixels and samples per second
   bool predicted = false;  ///< what was looked at was not rendered but predicted from pilots
-  std::string plant;       ///< effects that were planted; empty: none
+  std::string injected;    ///< effects that were injected; empty: none
 
   friend bool operator==(const SimulationFacts&, const SimulationFacts&) = default;
 };

@@ -15,8 +15,8 @@ PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSett
   preview.vertical_fov_deg = protocol.display.vertical_fov_deg;
   preview.lens = protocol.display.lens;
   preview.unsampled = settings.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
-  if (settings.film.spare_done_contrast > 0.0) {
-    preview.spare_done = VisibleNoise{.contrast = settings.film.spare_done_contrast};
+  if (settings.film.adaptive_contrast > 0.0) {
+    preview.adaptive = VisibleNoise{.contrast = settings.film.adaptive_contrast};
   }
   preview.viewpoint = stage.viewpoint();
   preview.exposure_stops = stage.source().exposure_stops;

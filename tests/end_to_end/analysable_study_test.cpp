@@ -103,7 +103,7 @@ TEST_F(AnalysableStudy, SimulatedParticipantsRefuseWhatTheyCannotJudge) {
   write_protocol("[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n" + third_mark);
   expect_one_line(simulate(), 1, "do not know how to judge the mark third");
   EXPECT_FALSE(std::filesystem::exists(path_of("study.sqlite")));
-  const ProgramResult drawn = simulate({"--plant", "order:1"});
+  const ProgramResult drawn = simulate({"--inject", "order:1"});
   EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
   EXPECT_THAT(drawn.errors, HasSubstr("warning: "));
   write_protocol("[[rating]]\nid = \"comfort\"\ntext = \"?\"\n");
@@ -113,7 +113,7 @@ TEST_F(AnalysableStudy, SimulatedParticipantsRefuseWhatTheyCannotJudge) {
 TEST_F(AnalysableStudy, LabelsAreTheProtocolsFromTheProtocolToTheReport) {
   write_protocol(
       "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\nlabels = [\"keine & <b>\", \"überall\"]\n");
-  ASSERT_EQ(simulate({"--plant", "order:1"}).exit_code, 0);
+  ASSERT_EQ(simulate({"--inject", "order:1"}).exit_code, 0);
   const ProgramResult analysed =
       run_foveola({"analyze", path_of("study.sqlite"), "-o", path_of("out")});
   ASSERT_EQ(analysed.exit_code, 0) << analysed.errors;

@@ -35,16 +35,16 @@ class BenchConvergence : public testing::Test {
 
 TEST_F(BenchConvergence, WritesTablesFiguresAndCrops) {
   const ProgramResult result = run({"-o", results(), "--quick", "--methods", "od,vp", "--options",
-                                    "none", "--size", "64x32", "--rounds", "2", "--json"});
+                                    "none", "--size", "64x32", "--repetitions", "2", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.output, read_file(folder_ / "results" / "convergence.json"));
   const auto json = nlohmann::json::parse(result.output);
-  EXPECT_EQ(json["measured"][0]["rounds"], 2);
+  EXPECT_EQ(json["measured"][0]["repetitions"], 2);
   EXPECT_EQ(json["measured"][0]["non_finite_samples"], 0);
   EXPECT_EQ(json["costs"].size(), 2U);
   // A view of 100 degrees is a tenth of the image, where VP has all of its samples.
   for (const auto& row : json["overall"]) {
-    if (row["region"] == "viewport" && row["metric"] == "mse" && row["contender"] == "vp") {
+    if (row["region"] == "viewport" && row["metric"] == "mse" && row["configuration"] == "vp") {
       EXPECT_GT(row["samples"]["value"], 3.0);
     }
   }

@@ -175,7 +175,7 @@ TEST_F(RealTime, WhatWasKilledGoesOn) {
 
 TEST_F(RealTime, WhoWantsToMayStop) {
   write_protocol("methods = [\"od\", \"fv\"]\nphases = [\"trials\"]\n", "");
-  simulate({"--plant", "dropout:1"});
+  simulate({"--inject", "dropout:1"});
   EXPECT_THAT(ask("SELECT state FROM session"), ElementsAre("withdrawn"));
   EXPECT_THAT(events(), ElementsAre("session_started", "object_chosen", "trial_started",
                                     "first_frame_presented", "marked", "marked", "rated",
@@ -196,7 +196,7 @@ TEST(RealTimeWithoutADisplay, SaysWhatIsMissing) {
   const fs::path database = hall.folder / "study.sqlite";
   const ProgramResult result =
       run_foveola({"study", "simulate", "hall", "--db", database.string(), "--participants", "1",
-                   "--seed", "3", "--real-time", "--plant", "order:1.1"},
+                   "--seed", "3", "--real-time", "--inject", "order:1.1"},
                   environment);
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.errors, HasSubstr("display"));

@@ -356,8 +356,8 @@ TEST_F(Render, PickTellsWhatTheGazeMeets) {
 
 TEST(Bench, TracingIsMeasuredAgainstEmbreeAlone) {
   const ProgramResult result =
-      run_foveola({"bench", "tracing", "studio-car", "--paths", "20000", "--rounds", "6",
-                   "--threads", "1,2", "--size", "256x128", "--no-skip", "--json"});
+      run_foveola({"bench", "tracing", "studio-car", "--paths", "20000", "--repetitions", "6",
+                   "--threads", "1,2", "--size", "256x128", "--no-fast-path", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   ASSERT_EQ(json["runs"].size(), 2U);

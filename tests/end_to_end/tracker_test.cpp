@@ -34,7 +34,7 @@ TEST(Tracker, WatchTellsRateAndValidity) {
   EXPECT_LE(json.at("samples"), 2 * 120 + 1);
   EXPECT_GT(json.at("valid_samples"), 0);
   EXPECT_LE(json.at("rate_hz"), 120.1);
-  EXPECT_EQ(json.at("trouble"), "");
+  EXPECT_EQ(json.at("status"), "");
 }
 
 TEST(Tracker, WatchSaysWhyNothingComes) {

@@ -147,7 +147,7 @@ TEST(KernelHid, ReadsTheConfigurationBeforeItRequestsGaze) {
   const HidTrackerState state = tracker.wait_for(
       "a connection", [](const HidTrackerState& reached) { return reached.is_connected; });
   EXPECT_THAT(device.requests(), ElementsAre("get 12", "get 11", "get 13", gaze_request));
-  EXPECT_EQ(state.trouble, "");
+  EXPECT_EQ(state.status_text, "");
   EXPECT_EQ(state.counters.reports, 0U);
   EXPECT_NEAR(state.configuration.value().screen_width_m.value(), 0.6, 1e-12);
   EXPECT_NEAR(state.configuration.value().screen_height_m.value(), 0.3, 1e-12);
@@ -196,8 +196,9 @@ TEST(KernelHid, ComesBackWhenItIsPluggedInAgain) {
 
   device.reset();
   const HidTrackerState gone = tracker.wait_for(
-      "trouble", [](const HidTrackerState& reached) { return !reached.is_connected; });
-  EXPECT_THAT(gone.trouble, AnyOf("the eye tracker was unplugged", "no eye tracker is attached"));
+      "status_text", [](const HidTrackerState& reached) { return !reached.is_connected; });
+  EXPECT_THAT(gone.status_text,
+              AnyOf("the eye tracker was unplugged", "no eye tracker is attached"));
 
   device.emplace(reference_device());
   device->wait_for_request(gaze_request);
@@ -208,7 +209,7 @@ TEST(KernelHid, ComesBackWhenItIsPluggedInAgain) {
     expect_step(samples.at(static_cast<std::size_t>(20 + i)), 100 + i);
   }
   EXPECT_EQ(tracker.state().connections, 2U);
-  EXPECT_EQ(tracker.state().trouble, "");
+  EXPECT_EQ(tracker.state().status_text, "");
 }
 
 TEST(KernelHid, ComesBackIfItWasUnpluggedWhileItWasAsked) {
@@ -222,7 +223,7 @@ TEST(KernelHid, ComesBackIfItWasUnpluggedWhileItWasAsked) {
   device->wait_for_request(gaze_request);
   device->send(report(7));
   expect_step(tracker.wait_for_samples(1).front(), 7);
-  EXPECT_EQ(tracker.state().trouble, "");
+  EXPECT_EQ(tracker.state().status_text, "");
 }
 
 // The kernel waits five seconds for the answer that never comes.
@@ -263,7 +264,7 @@ TEST(KernelHid, SurvivesMergedShortAndForeignReports) {
 
   const HidTrackerState state = tracker.state();
   EXPECT_TRUE(state.is_connected);
-  EXPECT_EQ(state.trouble, "");
+  EXPECT_EQ(state.status_text, "");
   EXPECT_EQ(state.counters.reports, 4U);
   EXPECT_EQ(state.counters.other_reports, 1U);
   EXPECT_EQ(state.status.configuration, HidConfigurationStatus::user_calibration_needed);
@@ -275,7 +276,7 @@ struct HostileDescriptor {
   std::string what;
   Bytes bytes;
   bool reaches_the_reader = false;  ///< or else the kernel refuses it
-  std::string verdict;              ///< a part of the trouble that the reader has with it
+  std::string verdict;  ///< a part of what it says of the trouble that the reader has with it
 };
 
 Bytes repeated(const std::string& digits, int times) {
@@ -323,10 +324,11 @@ std::vector<HostileDescriptor> hostile_descriptors() {
 /// Waits until the tracker knows why it does not read the device; empty if it does read it.
 std::string verdict_of(const WatchedTracker& tracker) {
   return tracker
-      .wait_for(
-          "a verdict",
-          [](const HidTrackerState& state) { return state.is_connected || !state.trouble.empty(); })
-      .trouble;
+      .wait_for("a verdict",
+                [](const HidTrackerState& state) {
+                  return state.is_connected || !state.status_text.empty();
+                })
+      .status_text;
 }
 
 // The reference device is plugged in second, so that once its reports come, the kernel has looked

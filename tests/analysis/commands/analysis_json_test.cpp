@@ -125,14 +125,14 @@ TEST(AnalysisJson, HasEquivalenceInTheMarginsUnit) {
   EXPECT_EQ(rows.back()["equivalence"]["interval"].at(1), artifacts.equivalent->interval.high);
 }
 
-TEST(AnalysisJson, HasTheInstrumentsChecksAndFigures) {
+TEST(AnalysisJson, HasTheChecksOfDataQualityAndTheirFigures) {
   AnalysisOutput output;
   output.tables = tabulate_study(complete_study(2));
-  study::InstrumentRecords instrument;
-  instrument.frames = {{.participant = "P1", .frames = 100, .late = 7, .mean_gaze_age_s = 0.012}};
-  instrument.reactions = {{"P2", 0.25, false}};
-  output.checks = check_instrument(output.tables, instrument);
-  const nlohmann::json found = nlohmann::json::parse(analysis_json(output))["instrument"];
+  study::DataQualityRecords quality;
+  quality.frames = {{.participant = "P1", .frames = 100, .late = 7, .mean_gaze_age_s = 0.012}};
+  quality.reactions = {{"P2", 0.25, false}};
+  output.checks = check_data_quality(output.tables, quality);
+  const nlohmann::json found = nlohmann::json::parse(analysis_json(output))["data_quality"];
   EXPECT_EQ(found["checks"].size(), output.checks.checks.size());
   EXPECT_EQ(found["checks"].at(1)["verdict"], "flagged");
   EXPECT_EQ(found["latency"].at(0)["late_frames"], 7);

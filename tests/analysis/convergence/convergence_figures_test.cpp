@@ -23,7 +23,7 @@ TEST(DrawConvergence, DrawsWhatHasPointsWithItsSlopes) {
   EXPECT_THAT(figures[0].svg, HasSubstr("RMSE within 5 degrees"));
 }
 
-TEST(DrawConvergence, LeavesOutAContenderWithoutPoints) {
+TEST(DrawConvergence, LeavesOutAConfigurationWithoutPoints) {
   const std::vector<Figure> figures = draw_convergence(
       {made_up_measurement({{.name = "od"}, {.name = "sparse", .per_pixel = 0.0}}, 1)});
   ASSERT_EQ(figures.size(), 1U);

@@ -30,13 +30,13 @@ std::vector<CsvRow> rows_of(const std::vector<TextFile>& files, const std::strin
 
 ConvergencePlan plan() {
   ConvergencePlan plan;
-  plan.contenders = make_contenders({"od"}, {"independent"});
+  plan.configurations = make_configurations({"od"}, {"independent"});
   return plan;
 }
 
 TEST(ConvergenceCsv, HasEveryPointAndEveryTable) {
   std::vector<GazeMeasurement> measured = measurements();
-  measured[0].rounds[0][0].checkpoints[0].scores[0].error.mse = std::nan("");
+  measured[0].repetitions[0][0].checkpoints[0].scores[0].error.mse = std::nan("");
   const std::vector<TextFile> files = convergence_csv(measured, tabulate(measured));
   for (const TextFile& file : files) {
     const std::vector<CsvRow> rows = rows_of(files, file.name);
@@ -60,7 +60,7 @@ TEST(ConvergenceJson, HasEstimatesWithTheirIntervals) {
   const auto json = nlohmann::json::parse(convergence_json(plan(), measured, tabulate(measured)));
   EXPECT_EQ(json["baseline"], "od");
   EXPECT_EQ(json["plan"]["width"], 1024);
-  EXPECT_EQ(json["measured"][0]["rounds"], 2);
+  EXPECT_EQ(json["measured"][0]["repetitions"], 2);
   EXPECT_THAT(json["crops"]["left_to_right"],
               ElementsAre("od", "od, independent numbers", "reference"));
   ASSERT_EQ(json["speed_ups"].size(), 6U);

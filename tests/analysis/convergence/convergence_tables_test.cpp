@@ -9,11 +9,11 @@
 namespace foveola::analysis {
 namespace {
 
-const SpeedUp& find(const ConvergenceTables& tables, const std::string& contender, Metric metric,
-                    Level level) {
+const SpeedUp& find(const ConvergenceTables& tables, const std::string& configuration,
+                    Metric metric, Level level) {
   const auto found =
       std::find_if(tables.speed_ups.begin(), tables.speed_ups.end(), [&](const SpeedUp& row) {
-        return row.contender == contender && row.metric == metric && row.level == level;
+        return row.configuration == configuration && row.metric == metric && row.level == level;
       });
   EXPECT_NE(found, tables.speed_ups.end());
   return *found;
@@ -32,7 +32,7 @@ TEST(Tabulate, FindsTheSpeedUpThatIsThere) {
       const SpeedUp& row = find(tables, "fv", metric, level);
       EXPECT_NEAR(value(row.samples), 10.0, 1e-9);
       EXPECT_NEAR(value(row.time), 10.0 / 3.0, 1e-9);
-      // All rounds agree on it.
+      // All repetitions agree on it.
       ASSERT_TRUE(row.samples->interval);
       EXPECT_NEAR(row.samples->interval->low, 10.0, 1e-6);
       EXPECT_NEAR(row.samples->interval->high, 10.0, 1e-6);
@@ -83,7 +83,7 @@ TEST(Tabulate, TakesTheGeometricMeanOverScenes) {
   EXPECT_NEAR(tables.overall.front().predicted.value_or(0.0), 5.0, 1e-9);
   EXPECT_EQ(tables.overall.front().samples->n, 2U);
   // A scene without a value must not make the others look like all.
-  for (RenderLog& log : other.rounds[0]) {
+  for (RenderLog& log : other.repetitions[0]) {
     for (Checkpoint& checkpoint : log.checkpoints) {
       checkpoint.scores[0].error.empty_share = 1.0;
     }

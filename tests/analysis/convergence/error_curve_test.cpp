@@ -37,7 +37,7 @@ TEST(MeanCurve, AveragesTheRounds) {
 
 TEST(MeanCurve, LeavesOutWhatCannotBeCompared) {
   GazeMeasurement measurement = made_up_measurement({{.name = "od", .per_pixel = 1.0}}, 1);
-  std::vector<Checkpoint>& checkpoints = measurement.rounds[0][0].checkpoints;
+  std::vector<Checkpoint>& checkpoints = measurement.repetitions[0][0].checkpoints;
   checkpoints[0].scores[0].error.empty_share = 0.5;
   checkpoints[1].scores[0].error.mse = -1e-9;
   checkpoints[2].scores[0].error.mse = std::nan("");

@@ -9,7 +9,7 @@
 
 namespace foveola::analysis {
 
-struct MadeUpContender {
+struct MadeUpConfiguration {
   std::string name;
   double noise = 1.0;       ///< of one sample
   double cost_s = 1e-6;     ///< of one sample
@@ -18,38 +18,38 @@ struct MadeUpContender {
 };
 
 /// One region, "5deg", seen by FLIP too: the root of the squared error. Checkpoints at 1000, 2000,
-/// ..., 64000 samples. Round r is r * spread noisier than the first.
-inline GazeMeasurement made_up_measurement(const std::vector<MadeUpContender>& contenders,
-                                           std::size_t rounds, double spread = 0.0) {
+/// ..., 64000 samples. Repetition r is r * spread noisier than the first.
+inline GazeMeasurement made_up_measurement(const std::vector<MadeUpConfiguration>& configurations,
+                                           std::size_t repetitions, double spread = 0.0) {
   GazeMeasurement measurement{.scene = "aula",
                               .gaze = "10,0",
-                              .contenders = {},
+                              .configurations = {},
                               .regions = {"5deg"},
                               .predicted = {},
-                              .rounds = {}};
-  for (const MadeUpContender& contender : contenders) {
-    measurement.contenders.push_back(contender.name);
-    measurement.predicted.push_back({contenders.front().noise / contender.noise});
+                              .repetitions = {}};
+  for (const MadeUpConfiguration& configuration : configurations) {
+    measurement.configurations.push_back(configuration.name);
+    measurement.predicted.push_back({configurations.front().noise / configuration.noise});
   }
-  for (std::size_t round = 0; round < rounds; ++round) {
-    Round logs;
-    for (const MadeUpContender& contender : contenders) {
+  for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
+    Repetition logs;
+    for (const MadeUpConfiguration& configuration : configurations) {
       RenderLog log;
       for (std::uint64_t samples = 1000; samples <= 64000; samples *= 2) {
         const auto count = static_cast<double>(samples);
         Score score;
-        score.error.mse = contender.noise * (1.0 + spread * static_cast<double>(round)) *
-                          std::pow(count, -contender.decay);
+        score.error.mse = configuration.noise * (1.0 + spread * static_cast<double>(repetition)) *
+                          std::pow(count, -configuration.decay);
         score.error.relative_mse = 2.0 * score.error.mse;
-        score.error.samples_per_pixel = contender.per_pixel * count;
+        score.error.samples_per_pixel = configuration.per_pixel * count;
         score.error.pixels = 100;
         score.flip = std::sqrt(score.error.mse);
         log.checkpoints.push_back(
-            {.samples = samples, .seconds = contender.cost_s * count, .scores = {score}});
+            {.samples = samples, .seconds = configuration.cost_s * count, .scores = {score}});
       }
       logs.push_back(log);
     }
-    measurement.rounds.push_back(logs);
+    measurement.repetitions.push_back(logs);
   }
   return measurement;
 }

@@ -16,11 +16,11 @@ namespace {
 class GazeBenchTest : public testing::Test {
  protected:
   GazeBenchTest() {
-    plan_.contenders = make_contenders({"od", "fv"}, {"independent"});
+    plan_.configurations = make_configurations({"od", "fv"}, {"independent"});
     plan_.size = {64, 32};
     plan_.samples_per_pixel = 16;
-    plan_.least_rounds = 2;
-    plan_.most_rounds = 3;
+    plan_.least_repetitions = 2;
+    plan_.most_repetitions = 3;
     plan_.view_size = 40;
     plan_.max_depth = 3;
     plan_.reference_samples_per_pixel = 32;
@@ -53,14 +53,14 @@ class GazeBenchTest : public testing::Test {
   std::stop_source stop_;
 };
 
-TEST_F(GazeBenchTest, LogsEveryContenderAtEveryCheckpoint) {
+TEST_F(GazeBenchTest, LogsEveryConfigurationAtEveryCheckpoint) {
   const GazeMeasurement measurement = measure();
   EXPECT_EQ(measurement.scene, "box");
-  ASSERT_EQ(measurement.rounds.size(), 3U);
+  ASSERT_EQ(measurement.repetitions.size(), 3U);
   const std::vector<std::uint64_t> counts = checkpoints(plan_);
-  for (const Round& round : measurement.rounds) {
-    ASSERT_EQ(round.size(), 3U);
-    for (const RenderLog& log : round) {
+  for (const Repetition& repetition : measurement.repetitions) {
+    ASSERT_EQ(repetition.size(), 3U);
+    for (const RenderLog& log : repetition) {
       EXPECT_EQ(log.dropped, 0U);
       ASSERT_EQ(log.checkpoints.size(), counts.size());
       double before_s = 0.0;
@@ -76,13 +76,13 @@ TEST_F(GazeBenchTest, LogsEveryContenderAtEveryCheckpoint) {
 }
 
 // The scene is as noisy everywhere as makes no matter, so density alone should decide; 20 degrees
-// are 45 pixels of this film, whose errors over three rounds are known to about a sixth.
+// are 45 pixels of this film, whose errors over three repetitions are known to about a sixth.
 TEST_F(GazeBenchTest, FindsTheSpeedUpThatDensityPredicts) {
   const GazeMeasurement measurement = measure();
   const ConvergenceTables tables = tabulate({measurement});
   const auto row =
       std::find_if(tables.speed_ups.begin(), tables.speed_ups.end(), [](const SpeedUp& speed_up) {
-        return speed_up.contender == "fv" && speed_up.region == "20deg" &&
+        return speed_up.configuration == "fv" && speed_up.region == "20deg" &&
                speed_up.metric == Metric::mse;
       });
   ASSERT_NE(row, tables.speed_ups.end());
@@ -93,15 +93,15 @@ TEST_F(GazeBenchTest, FindsTheSpeedUpThatDensityPredicts) {
 TEST_F(GazeBenchTest, SeedsGiveRoundsOfTheirOwnAndRepeatThemselves) {
   const GazeMeasurement first = measure();
   const GazeMeasurement second = measure();
-  const auto last_error = [](const GazeMeasurement& measurement, std::size_t round) {
-    return measurement.rounds[round][0].checkpoints.back().scores.back().error.mse;
+  const auto last_error = [](const GazeMeasurement& measurement, std::size_t repetition) {
+    return measurement.repetitions[repetition][0].checkpoints.back().scores.back().error.mse;
   };
   EXPECT_NE(last_error(first, 0), last_error(first, 1));
   EXPECT_EQ(last_error(first, 0), last_error(second, 0));
 }
 
 TEST_F(GazeBenchTest, KeepsToItsLeastRoundsWhereTimeIsShort) {
-  EXPECT_EQ(measure(1e-9).rounds.size(), 2U);
+  EXPECT_EQ(measure(1e-9).repetitions.size(), 2U);
 }
 
 TEST_F(GazeBenchTest, HasNoHalfRoundsWhenStopped) {
@@ -113,7 +113,7 @@ TEST_F(GazeBenchTest, HasNoHalfRoundsWhenStopped) {
                                stop_.request_stop();
                              }
                            })
-                  .rounds.empty());
+                  .repetitions.empty());
   EXPECT_NO_THROW((void)bench());  // its reference is cached
   std::filesystem::remove_all(folder_ / "references");
   EXPECT_THROW((void)bench(), Error);
@@ -129,7 +129,7 @@ TEST_F(GazeBenchTest, PutsCropsSideBySideAndTheReferenceLast) {
   }
 }
 
-// Both halves and all rounds have noise of their own.
+// Both halves and all repetitions have noise of their own.
 TEST_F(GazeBenchTest, ReferenceHalvesAreIndependent) {
   const ReferenceHalves halves = reference_halves(subject_, plan_, direction_from(gaze_), workers_,
                                                   folder_ / "references", [](double) {}, {});

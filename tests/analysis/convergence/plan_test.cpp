@@ -22,46 +22,47 @@ TEST(SplitMethods, KnowsSettingsFromMethods) {
               ElementsAre("mask:file=\"a,b.png\"", "od"));
 }
 
-TEST(Contenders, AreTheMethodsAndTheBaselineWithEachOption) {
-  const std::vector<Contender> contenders = make_contenders({"od", "fv"}, {"independent"});
-  ASSERT_EQ(contenders.size(), 3U);
-  EXPECT_EQ(contenders[1].name, "fv");
-  EXPECT_EQ(contenders[1].numbers, RandomNumbers::low_discrepancy);
-  EXPECT_EQ(contenders[2].name, "od, independent numbers");
-  EXPECT_EQ(contenders[2].method, "od");
-  EXPECT_EQ(contenders[2].numbers, RandomNumbers::independent);
+TEST(Configurations, AreTheMethodsAndTheBaselineWithEachOption) {
+  const std::vector<Configuration> configurations =
+      make_configurations({"od", "fv"}, {"independent"});
+  ASSERT_EQ(configurations.size(), 3U);
+  EXPECT_EQ(configurations[1].name, "fv");
+  EXPECT_EQ(configurations[1].numbers, RandomNumbers::low_discrepancy);
+  EXPECT_EQ(configurations[2].name, "od, independent numbers");
+  EXPECT_EQ(configurations[2].method, "od");
+  EXPECT_EQ(configurations[2].numbers, RandomNumbers::independent);
 }
 
-TEST(Contenders, ChangeOneThingEach) {
-  const std::vector<Contender> contenders =
-      make_contenders({"od"}, {"clamp", "spare-done", "no-skip", "no-hierarchy"});
-  ASSERT_EQ(contenders.size(), 5U);
-  EXPECT_FALSE(contenders[0].spare_done_contrast);
-  EXPECT_EQ(contenders[1].largest_radiance, 10.0F);
-  EXPECT_FALSE(contenders[1].spare_done_contrast);
-  EXPECT_GT(contenders[2].largest_radiance, 1e30F);
-  EXPECT_EQ(contenders[2].spare_done_contrast, 0.01);
-  EXPECT_FALSE(contenders[2].is_general);
-  EXPECT_TRUE(contenders[3].is_general);
-  EXPECT_EQ(contenders[3].light_selection, LightSelection::usual);
-  EXPECT_EQ(contenders[4].light_selection, LightSelection::by_power_alone);
+TEST(Configurations, ChangeOneThingEach) {
+  const std::vector<Configuration> configurations =
+      make_configurations({"od"}, {"clamp", "adaptive", "no-fast-path", "no-hierarchy"});
+  ASSERT_EQ(configurations.size(), 5U);
+  EXPECT_FALSE(configurations[0].adaptive_contrast);
+  EXPECT_EQ(configurations[1].largest_radiance, 10.0F);
+  EXPECT_FALSE(configurations[1].adaptive_contrast);
+  EXPECT_GT(configurations[2].largest_radiance, 1e30F);
+  EXPECT_EQ(configurations[2].adaptive_contrast, 0.01);
+  EXPECT_FALSE(configurations[2].uses_general_path);
+  EXPECT_TRUE(configurations[3].uses_general_path);
+  EXPECT_EQ(configurations[3].light_selection, LightSelection::usual);
+  EXPECT_EQ(configurations[4].light_selection, LightSelection::by_power_alone);
 }
 
-TEST(Contenders, RefuseWhatMakesNoSense) {
+TEST(Configurations, RefuseWhatMakesNoSense) {
   EXPECT_THAT(
       [] {
-        (void)make_contenders({"od", "dov"}, {});
+        (void)make_configurations({"od", "dov"}, {});
       },
       ThrowsMessage<Error>(HasSubstr("dov")));
   EXPECT_THAT(
-      [] { (void)make_contenders({"od"}, {"no-magic"}); },
+      [] { (void)make_configurations({"od"}, {"no-magic"}); },
       ThrowsMessage<UsageError>(HasSubstr("no option 'no-magic'; choose from: independent")));
   EXPECT_THAT(
       [] {
-        (void)make_contenders({"od", "fv", "od"}, {});
+        (void)make_configurations({"od", "fv", "od"}, {});
       },
       ThrowsMessage<UsageError>(HasSubstr("'od' comes twice")));
-  EXPECT_THROW((void)make_contenders({}, {}), UsageError);
+  EXPECT_THROW((void)make_configurations({}, {}), UsageError);
 }
 
 TEST(Checkpoints, DoubleUpToTheLastSample) {

@@ -87,23 +87,23 @@ TEST_F(ProgressiveRunTest, IsWhatThePreviewRenders) {
   }
 }
 
-TEST_F(ProgressiveRunTest, SparesWhatThePreviewSpares) {
+TEST_F(ProgressiveRunTest, IsAdaptiveAsThePreviewIs) {
   constexpr double contrast = 0.3;
   constexpr std::uint64_t batch = 1 << 16;
   PreviewSettings settings = preview_settings();
-  settings.spare_done = VisibleNoise{.contrast = contrast};
+  settings.adaptive = VisibleNoise{.contrast = contrast};
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = gaze_}});
   FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
   Preview preview(tracer_, settings, eye, head, workers_);
   preview.restart("od", 7);
   preview.render_frame(Nanoseconds(0), batch);
   preview.render_frame(Nanoseconds(0), batch);
-  ProgressiveRun spared(subject_, plan_,
-                        {.name = "od", .method = "od", .spare_done_contrast = contrast}, aim_, 7,
-                        workers_);
-  spared.advance(2 * batch);
-  EXPECT_LT(spared.film().total_samples(), 2 * batch);
-  EXPECT_EQ(spared.film().resolve().color.pixels, preview.film().resolve().color.pixels);
+  ProgressiveRun adaptive(subject_, plan_,
+                          {.name = "od", .method = "od", .adaptive_contrast = contrast}, aim_, 7,
+                          workers_);
+  adaptive.advance(2 * batch);
+  EXPECT_LT(adaptive.film().total_samples(), 2 * batch);
+  EXPECT_EQ(adaptive.film().resolve().color.pixels, preview.film().resolve().color.pixels);
 }
 
 TEST_F(ProgressiveRunTest, CutsSamples) {
@@ -125,15 +125,15 @@ TEST_F(ProgressiveRunTest, WaysOfTracingShowTheSame) {
   ProgressiveRun usual = run("od");
   usual.advance(samples);
   const Rgb expected = mean(usual.film());
-  const Contender general{.name = "general", .method = "od", .is_general = true};
-  const Contender by_power{
+  const Configuration general{.name = "general", .method = "od", .uses_general_path = true};
+  const Configuration by_power{
       .name = "by power alone", .method = "od", .light_selection = LightSelection::by_power_alone};
-  for (const Contender& contender : {general, by_power}) {
-    ProgressiveRun changed(subject_, plan_, contender, aim_, 7, workers_);
+  for (const Configuration& configuration : {general, by_power}) {
+    ProgressiveRun changed(subject_, plan_, configuration, aim_, 7, workers_);
     changed.advance(samples);
     EXPECT_NE(changed.film().resolve().color.pixels, usual.film().resolve().color.pixels)
-        << contender.name;
-    EXPECT_NEAR(mean(changed.film()).g, expected.g, 0.01F * expected.g) << contender.name;
+        << configuration.name;
+    EXPECT_NEAR(mean(changed.film()).g, expected.g, 0.01F * expected.g) << configuration.name;
   }
 }
 

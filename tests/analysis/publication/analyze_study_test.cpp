@@ -42,19 +42,19 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
   const AnalysisOutput output = analyze_records(golden_study_records(), {}, folder);
-  EXPECT_THAT(names_in(folder),
-              ElementsAre("amended_sessions.csv", "background_correlation.csv", "codebook.csv",
-                          "comparisons.csv", "comparisons.tex", "exclusions.csv",
-                          "figure5_geometric_means.csv", "figure5_geometric_means.tex",
-                          "figure5_relative.pdf", "figure5_relative.png", "figure5_relative.svg",
-                          "figure5_seconds.pdf", "figure5_seconds.png", "figure5_seconds.svg",
-                          "figure6_artifact_ratings.csv", "figure6_artifact_ratings.pdf",
-                          "figure6_artifact_ratings.png", "figure6_artifact_ratings.svg",
-                          "figure6_artifact_ratings.tex", "figure7_latency.csv", "instrument.csv",
-                          "models_ratings.R", "models_times.R", "omnibus.csv", "order_effects.csv",
-                          "participants_wide.csv", "psych-ds", "reaction_times.csv", "report.html",
-                          "table1_background.csv", "table2_times.csv", "table2_times.tex",
-                          "trials_long.csv"));
+  EXPECT_THAT(
+      names_in(folder),
+      ElementsAre("amended_sessions.csv", "background_correlation.csv", "codebook.csv",
+                  "comparisons.csv", "comparisons.tex", "data_quality.csv", "exclusions.csv",
+                  "figure5_geometric_means.csv", "figure5_geometric_means.tex",
+                  "figure5_relative.pdf", "figure5_relative.png", "figure5_relative.svg",
+                  "figure5_seconds.pdf", "figure5_seconds.png", "figure5_seconds.svg",
+                  "figure6_artifact_ratings.csv", "figure6_artifact_ratings.pdf",
+                  "figure6_artifact_ratings.png", "figure6_artifact_ratings.svg",
+                  "figure6_artifact_ratings.tex", "figure7_latency.csv", "models_ratings.R",
+                  "models_times.R", "omnibus.csv", "order_effects.csv", "participants_wide.csv",
+                  "psych-ds", "reaction_times.csv", "report.html", "table1_background.csv",
+                  "table2_times.csv", "table2_times.tex", "trials_long.csv"));
   EXPECT_THAT(
       names_in(folder / "psych-ds" / "data"),
       ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));

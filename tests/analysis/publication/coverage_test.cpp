@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/publication/planted_studies.h"
+#include "analysis/publication/injected_studies.h"
 #include "analysis/publication/study_tables.h"
 
 namespace foveola::analysis {
@@ -42,16 +42,17 @@ TEST(Coverage, StopsWhenAsked) {
                   .empty());
 }
 
-TEST(PlantedStudies, AreSimulatedAndComplete) {
-  const study::StudyRecords records = plant_study({.participants = 5, .scenes = 3}, 4);
+TEST(InjectedStudies, AreSimulatedAndComplete) {
+  const study::StudyRecords records =
+      study_with_injected_effects({.participants = 5, .scenes = 3}, 4);
   EXPECT_EQ(records.trials.size(), 5U * 3U * 3U);
   EXPECT_TRUE(records.has_simulated());
   EXPECT_TRUE(tabulate_study(records).set.exclusions.empty());
 }
 
-TEST(PlantedStudies, HoldTheTruthThatWasPlanted) {
-  PlantedTruth truth{.participants = 400};
-  const StudyTables tables = tabulate_study(plant_study(truth, 11));
+TEST(InjectedStudies, HoldTheEffectsThatWasInjected) {
+  InjectedEffects truth{.participants = 400};
+  const StudyTables tables = tabulate_study(study_with_injected_effects(truth, 11));
   // The standard error is a percent and a half of the value.
   EXPECT_NEAR(tables.method_times_of(Mark::outline, 2).percent_of_baseline->value, 10.0, 0.6);
   EXPECT_NEAR(tables.method_times_of(Mark::outline, 1).percent_of_baseline->value, 32.0, 2.0);

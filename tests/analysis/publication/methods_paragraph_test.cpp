@@ -60,12 +60,12 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
     session.kind = "simulated";
   }
   EXPECT_THAT(paragraph(records, ""), Not(AnyOf(HasSubstr("predicted"), HasSubstr("scaled"))));
-  records.simulation = study::SimulationFacts{.scale = 36.0, .predicted = true, .plant = ""};
+  records.simulation = study::SimulationFacts{.scale = 36.0, .predicted = true, .injected = ""};
   EXPECT_THAT(paragraph(records, ""),
               AllOf(HasSubstr("not rendered but predicted"), HasSubstr("scaled down by 36.")));
-  records.simulation = study::SimulationFacts{.scale = 1.0, .plant = "faster:fv:2"};
+  records.simulation = study::SimulationFacts{.scale = 1.0, .injected = "faster:fv:2"};
   EXPECT_THAT(paragraph(records, ""),
-              AllOf(HasSubstr("planted effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
+              AllOf(HasSubstr("injected effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
 }
 
 /// Of a study by this protocol.

@@ -23,11 +23,11 @@ std::string simulated_report() {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  study::InstrumentRecords instrument;
-  instrument.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
+  study::DataQualityRecords quality;
+  quality.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
   const StudyTables tables = tabulate_study(records);
   const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
-  return report_html({tables, comparisons, instrument, check_instrument(tables, instrument),
+  return report_html({tables, comparisons, quality, check_data_quality(tables, quality),
                       draw_figures(tables), std::vector<PublishedMean>{},
                       methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
 }
@@ -86,7 +86,7 @@ TEST(ReportLook, FlagsAreWordsAndASignAndNotOnlyAColor) {
   const std::string html = simulated_report();
   const std::vector<std::string> flags = parts(html, "<div class=\"flags\"", "</div>");
   ASSERT_EQ(flags.size(), 1U);
-  EXPECT_THAT(flags[0], HasSubstr("The instrument missed:"));
+  EXPECT_THAT(flags[0], HasSubstr("Data-quality limits missed:"));
   EXPECT_THAT(flags[0], HasSubstr("<li>⚑ Validation of the gaze"));
   EXPECT_THAT(html, HasSubstr("<td>⚑ flagged</td>"));
 }

@@ -18,10 +18,10 @@ using testing::Not;
 const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}};
 
 std::string report_of(const study::StudyRecords& records,
-                      const study::InstrumentRecords& instrument = {}) {
+                      const study::DataQualityRecords& quality = {}) {
   const StudyTables tables = tabulate_study(records);
   const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
-  return report_html({tables, comparisons, instrument, check_instrument(tables, instrument),
+  return report_html({tables, comparisons, quality, check_data_quality(tables, quality),
                       draw_figures(tables), published,
                       methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
 }
@@ -126,10 +126,10 @@ TEST(Report, SaysThatSimulatedSessionsWereLeftOut) {
 }
 
 TEST(Report, RaisesAFlagWhereAGateWasMissed) {
-  study::InstrumentRecords instrument;
-  EXPECT_THAT(report_of(balanced_study(), instrument), Not(HasSubstr("class=\"flags\"")));
-  instrument.gaze_runs.push_back({"P1", 1, 4.0, 0.2, 0.1, false});
-  const std::string html = report_of(balanced_study(), instrument);
+  study::DataQualityRecords quality;
+  EXPECT_THAT(report_of(balanced_study(), quality), Not(HasSubstr("class=\"flags\"")));
+  quality.gaze_runs.push_back({"P1", 1, 4.0, 0.2, 0.1, false});
+  const std::string html = report_of(balanced_study(), quality);
   EXPECT_THAT(html, HasSubstr("class=\"flags\""));
   EXPECT_THAT(html, HasSubstr("⚑ Validation of the gaze: 0 of 3 participants passed"));
 }
@@ -157,9 +157,9 @@ TEST(Report, WhatWasPlannedStandsApart) {
 
 TEST(Report, ShowsTheFloorOfReactionTimes) {
   EXPECT_THAT(report_of(complete_study(2)), HasSubstr("No reaction test was recorded"));
-  study::InstrumentRecords instrument;
-  instrument.reactions = {{"P1", 0.25, false}, {"P1", 0.31, false}, {"P1", -0.1, true}};
-  EXPECT_THAT(report_of(complete_study(2), instrument), HasSubstr("<td>0.280</td>"));
+  study::DataQualityRecords quality;
+  quality.reactions = {{"P1", 0.25, false}, {"P1", 0.31, false}, {"P1", -0.1, true}};
+  EXPECT_THAT(report_of(complete_study(2), quality), HasSubstr("<td>0.280</td>"));
 }
 
 TEST(Report, ListsWhatWasLeftOut) {

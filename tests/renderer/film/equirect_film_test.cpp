@@ -138,7 +138,7 @@ TEST(EquirectFilm, ClearForgetsEverything) {
 }
 
 /// A cell of the pyramid by its definition.
-Coverage average_of_pixels(const EquirectFilm& film, int level, int x, int y) {
+PremultipliedTexel average_of_pixels(const EquirectFilm& film, int level, int x, int y) {
   DVec3 color(0.0);
   int known = 0;
   const int side = 1 << level;
@@ -164,8 +164,8 @@ TEST(EquirectFilm, PyramidAveragesWhatIsKnown) {
       for (int level = 0; level < film.levels(); ++level) {
         for (int y = 0; y < film.height(level); ++y) {
           for (int x = 0; x < film.width(level); ++x) {
-            const Coverage cell = film.cell(level, x, y);
-            const Coverage expected = average_of_pixels(film, level, x, y);
+            const PremultipliedTexel cell = film.cell(level, x, y);
+            const PremultipliedTexel expected = average_of_pixels(film, level, x, y);
             ASSERT_LT(glm::distance(cell.color, expected.color), 1e-6F)
                 << "level " << level << ": " << x << ", " << y;
             ASSERT_NEAR(cell.weight, expected.weight, 1e-6F);

@@ -16,14 +16,15 @@ using testing::ElementsAre;
 using testing::FieldsAre;
 
 /// What a film says of its tiles' cells.
-using Cells = std::map<std::tuple<int, int, int>, Coverage>;  ///< by level, row and column
+using Cells =
+    std::map<std::tuple<int, int, int>, PremultipliedTexel>;  ///< by level, row and column
 
 Cells changed_cells(const EquirectFilm& film, FilmRevision since) {
   Cells cells;
   const auto tiles = static_cast<std::uint32_t>(film.tiles_across() * film.tiles_down());
   for (std::uint32_t tile = 0; tile < tiles; ++tile) {
-    const auto visit = [&](int level, const IVec2& cell, const Coverage& coverage) {
-      EXPECT_TRUE(cells.insert({{level, cell.y, cell.x}, coverage}).second) << "visited twice";
+    const auto visit = [&](int level, const IVec2& cell, const PremultipliedTexel& texel) {
+      EXPECT_TRUE(cells.insert({{level, cell.y, cell.x}, texel}).second) << "visited twice";
       EXPECT_EQ(film.tile_of(cell.x << level, cell.y << level), tile);
       EXPECT_GT(film.tile_changed_at(tile), since);
     };
@@ -38,7 +39,7 @@ Cells known_cells(const EquirectFilm& film) {
   for (int level = 0; level < FilmTile::levels; ++level) {
     for (int y = 0; y < film.height(level); ++y) {
       for (int x = 0; x < film.width(level); ++x) {
-        const Coverage cell = film.cell(level, x, y);
+        const PremultipliedTexel cell = film.cell(level, x, y);
         if (cell.weight > 0.0F) {
           cells[{level, y, x}] = cell;
         }
@@ -50,11 +51,11 @@ Cells known_cells(const EquirectFilm& film) {
 
 void expect_same(const Cells& a, const Cells& b) {
   ASSERT_EQ(a.size(), b.size());
-  for (const auto& [place, coverage] : a) {
+  for (const auto& [place, texel] : a) {
     const auto other = b.find(place);
     ASSERT_NE(other, b.end());
-    EXPECT_EQ(coverage.color, other->second.color);
-    EXPECT_EQ(coverage.weight, other->second.weight);
+    EXPECT_EQ(texel.color, other->second.color);
+    EXPECT_EQ(texel.weight, other->second.weight);
   }
 }
 
@@ -77,8 +78,8 @@ TEST(FilmChanges, AreWhatACopyLacks) {
   for (std::uint64_t batch = 0; batch < 20; ++batch) {
     add_samples(sobol_samples(100 * batch, 100), film, workers);
     if (batch % 3 == 0) {
-      for (const auto& [place, coverage] : changed_cells(film, copied_at)) {
-        copy[place] = coverage;
+      for (const auto& [place, texel] : changed_cells(film, copied_at)) {
+        copy[place] = texel;
       }
       copied_at = film.revision();
       expect_same(copy, known_cells(film));
@@ -95,7 +96,7 @@ TEST(FilmChanges, AreWhatLiesOverAndBesideAChange) {
   add_samples(in_pixel(77, 41, film, 2), film, workers);
   EXPECT_GT(film.revision(), before);
   std::vector<std::tuple<int, int, int>> places;
-  for (const auto& [place, coverage] : changed_cells(film, before)) {
+  for (const auto& [place, texel] : changed_cells(film, before)) {
     places.push_back(place);
   }
   EXPECT_THAT(places, ElementsAre(FieldsAre(0, 40, 76), FieldsAre(0, 40, 77), FieldsAre(0, 41, 76),

@@ -16,8 +16,9 @@ class FilmCopyTest : public testing::Test {
     for (int level = 0; level < FilmTile::levels; ++level) {
       for (int y = corner.y >> level; y < (corner.y + 32) >> level; ++y) {
         for (int x = corner.x >> level; x < (corner.x + 32) >> level; ++x) {
-          const Coverage expected = is_copied ? film_.cell(level, x, y) : Coverage{};
-          const Coverage& cell = *copy_.cells().at(level, x, y);
+          const PremultipliedTexel expected =
+              is_copied ? film_.cell(level, x, y) : PremultipliedTexel{};
+          const PremultipliedTexel& cell = *copy_.cells().at(level, x, y);
           wrong += cell.color == expected.color && cell.weight == expected.weight ? 0 : 1;
         }
       }

@@ -26,7 +26,7 @@ TEST(GazeSource, ASimulatedTrackerWatchesASimulatedEye) {
   TrackerProfile profile = read_tracker_profile("fove0");
   const auto tracker = open_eye_tracker(profile, screen, clock);
   NewestGaze newest(*tracker);
-  EXPECT_EQ(tracker->trouble(), "");
+  EXPECT_EQ(tracker->status(), "");
   clock.advance(std::chrono::seconds(1));
   const auto sample = newest(clock.now());
   ASSERT_TRUE(sample);
@@ -77,7 +77,7 @@ TEST(GazeSource, SaysThatNobodySpeaksOpenGaze) {
   const auto tracker = open_eye_tracker(profile, screen, clock);
   NewestGaze newest(*tracker);
   EXPECT_FALSE(newest(clock.now()));
-  EXPECT_THAT(tracker->trouble(), HasSubstr("127.0.0.1:"));
+  EXPECT_THAT(tracker->status(), HasSubstr("127.0.0.1:"));
 }
 
 }  // namespace

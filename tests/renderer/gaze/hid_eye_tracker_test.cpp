@@ -146,7 +146,7 @@ TEST(HidEyeTracker, HasNoSampleBeforeTheFirstReport) {
   const HidTrackerState state = wait_for(tracker, is_connected);
   EXPECT_FALSE(newest(clock.now()));
   EXPECT_EQ(state.device.product, "Scripted");
-  EXPECT_EQ(state.trouble, "");
+  EXPECT_EQ(state.status_text, "");
 }
 
 TEST(HidEyeTracker, ReadsTheConfigurationBeforeItRequestsGaze) {
@@ -222,7 +222,7 @@ TEST(HidEyeTracker, ComesBackWhenItIsPluggedInAgain) {
   HidEyeTracker tracker(open, clock, quick_settings());
   NewestGaze newest(tracker);
   HidTrackerState state = wait_for(tracker, [](const HidTrackerState& s) {
-    return s.connections == 1 && s.trouble == "no eye tracker is attached";
+    return s.connections == 1 && s.status_text == "no eye tracker is attached";
   });
   EXPECT_FALSE(state.is_connected);
   EXPECT_EQ(state.counters.reports, 2U);
@@ -256,7 +256,7 @@ TEST(HidEyeTracker, SaysWhatIsWrongAndGoesOnTrying) {
   };
   const auto says = [](const std::string& text) {
     return [text](const HidTrackerState& state) {
-      return !state.is_connected && state.trouble.find(text) != std::string::npos;
+      return !state.is_connected && state.status_text.find(text) != std::string::npos;
     };
   };
   HidEyeTracker tracker(open, clock, quick_settings());
@@ -264,7 +264,7 @@ TEST(HidEyeTracker, SaysWhatIsWrongAndGoesOnTrying) {
   fault = Fault::is_no_tracker;
   wait_for(tracker, says("a collection has no end"));
   fault = Fault::none;
-  EXPECT_EQ(wait_for(tracker, is_connected).trouble, "");
+  EXPECT_EQ(wait_for(tracker, is_connected).status_text, "");
 }
 
 /// Has none of the features that it describes.
@@ -289,7 +289,7 @@ TEST(HidEyeTracker, ReadsADeviceThatAnswersNothing) {
   HidEyeTracker tracker(open, clock, quick_settings());
   NewestGaze newest(tracker);
   const HidTrackerState state = wait_for(tracker, has_reports(1));
-  EXPECT_THAT(state.trouble, HasSubstr("refuses to be asked for gaze"));
+  EXPECT_THAT(state.status_text, HasSubstr("refuses to be asked for gaze"));
   EXPECT_FALSE(state.configuration);
   EXPECT_LT(glm::distance(newest(clock.now())->direction, Vec3(0, 0, -1)), 1e-6F);
 }
@@ -300,7 +300,7 @@ TEST(HidEyeTracker, EndsWhileItWaitsForTheDevice) {
   HidTrackerSettings settings = quick_settings();
   settings.retry = std::chrono::hours(1);
   HidEyeTracker tracker([] { return std::optional<HidConnection>(); }, clock, settings);
-  wait_for(tracker, [](const HidTrackerState& state) { return !state.trouble.empty(); });
+  wait_for(tracker, [](const HidTrackerState& state) { return !state.status_text.empty(); });
 }
 
 /// Sends as fast as it is read, for ever.

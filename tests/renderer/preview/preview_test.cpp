@@ -198,9 +198,9 @@ TEST_F(PreviewTest, TheGazeTurnsWithTheHead) {
 }
 
 // Where a sample goes then depends on those before it, which the search has to trace again.
-TEST_F(PreviewTest, ASampleIsFoundAgainWhereDonePixelsAreSpared) {
+TEST_F(PreviewTest, ASampleIsFoundAgainWithAdaptiveSampling) {
   PreviewSettings settings = small_settings();
-  settings.spare_done = VisibleNoise{.contrast = 0.9, .least_samples = 2};
+  settings.adaptive = VisibleNoise{.contrast = 0.9, .least_samples = 2};
   constexpr int frames = 6;
   constexpr std::uint64_t samples = 4000;
   Preview rendered(tracer_, settings, ahead_, still_, workers_);
@@ -263,8 +263,8 @@ TEST_F(PreviewTest, SamplesGoWhereTheUserPoints) {
   EXPECT_EQ(share_behind(), 0.0);
 }
 
-// A 256th of the light under 8 stops more looks the same: as much is spared.
-TEST_F(PreviewTest, WhatIsSparedDependsOnWhatTheDisplayShows) {
+// A 256th of the light under 8 stops more looks the same: as much is adaptive.
+TEST_F(PreviewTest, WhatIsConvergedDependsOnWhatTheDisplayShows) {
   const auto traced = [&](float light, double exposure_stops) {
     Scene scene = box_room(0.2F);
     for (Material& material : scene.materials) {
@@ -273,7 +273,7 @@ TEST_F(PreviewTest, WhatIsSparedDependsOnWhatTheDisplayShows) {
     const PathTracer tracer(scene, workers_);
     PreviewSettings settings = small_settings();
     settings.exposure_stops = exposure_stops;
-    settings.spare_done = VisibleNoise{.contrast = 0.01, .least_samples = 2};
+    settings.adaptive = VisibleNoise{.contrast = 0.01, .least_samples = 2};
     Preview preview(tracer, settings, ahead_, still_, workers_);
     preview.restart("fv", 1);
     std::uint64_t samples = 0;

@@ -191,9 +191,9 @@ MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
   const Bsdf bsdf(point.reflectance, frame.to_local(-direction), tables);
   const auto from_light = [&](SampleStream& random) -> double {
     const Vec2 choice = random.next_2d();
-    const Receiver receiver{
+    const ShadingPoint shading_point{
         .position = point.origin, .normal = point.geometric_normal, .transmits = false};
-    const auto light = lights.sample(receiver, 0.0F, choice, random.next_2d());
+    const auto light = lights.sample(shading_point, 0.0F, choice, random.next_2d());
     if (!light) {
       return 0.0;
     }

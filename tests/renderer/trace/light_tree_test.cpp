@@ -39,13 +39,13 @@ struct FlatLight {
             .intensity = intensity};
   }
 
-  /// Whether a point of it is in front of the receiver and shines towards it.
-  bool reaches(const Receiver& receiver) const {
+  /// Whether a point of it is in front of the shading point and shines towards it.
+  bool reaches(const ShadingPoint& shading_point) const {
     for (const float t : {-1.0F, 0.0F, 1.0F}) {
-      const Vec3 to_light = centre + t * reach - receiver.position;
+      const Vec3 to_light = centre + t * reach - shading_point.position;
       const float emission = -glm::dot(normal, to_light);
-      const float incidence = glm::dot(receiver.normal, to_light);
-      if ((two_sided || emission > 0.0F) && (receiver.transmits || incidence > 0.0F)) {
+      const float incidence = glm::dot(shading_point.normal, to_light);
+      if ((two_sided || emission > 0.0F) && (shading_point.transmits || incidence > 0.0F)) {
         return true;
       }
     }
@@ -66,7 +66,7 @@ struct FlatLights {
   }
 };
 
-Receiver random_receiver(Pcg32& random, float half) {
+ShadingPoint random_shading_point(Pcg32& random, float half) {
   const Vec3 position = in_cube(random, half);
   const Vec3 normal = glm::normalize(in_cube(random));
   return {.position = position, .normal = normal, .transmits = random.uniform() < 0.3};
@@ -75,33 +75,33 @@ Receiver random_receiver(Pcg32& random, float half) {
 TEST(LightTreeTest, LightsAreDrawnWithTheirProbability) {
   constexpr int count = 200;
   constexpr int draws = 50000;
-  constexpr int receivers = 8;
+  constexpr int shading_points = 8;
   const LightTree tree(FlatLights(count, 0.05F, 1).bounds);
   Pcg32 random(2);
-  for (int r = 0; r < receivers; ++r) {
-    const Receiver receiver = random_receiver(random, 3.0F);
+  for (int r = 0; r < shading_points; ++r) {
+    const ShadingPoint shading_point = random_shading_point(random, 3.0F);
     std::vector<double> observed(count + 1, 0.0);
     std::vector<double> expected(count + 1, 0.0);
     for (int i = 0; i < draws; ++i) {
-      const auto chosen = tree.sample(receiver, random.uniform());
+      const auto chosen = tree.sample(shading_point, random.uniform());
       observed[chosen ? chosen->light : count] += 1.0;
       if (chosen) {
-        ASSERT_FLOAT_EQ(chosen->probability, tree.probability(receiver, chosen->light));
+        ASSERT_FLOAT_EQ(chosen->probability, tree.probability(shading_point, chosen->light));
       }
     }
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-      const double probability = tree.probability(receiver, i);
+      const double probability = tree.probability(shading_point, i);
       expected[i] = probability * draws;
       sum += probability;
     }
     EXPECT_LE(sum, 1.0 + 1e-5);
     expected[count] = std::max(0.0, 1.0 - sum) * draws;
-    EXPECT_GT(chi_squared_p_value(observed, expected), sidak_level(receivers));
+    EXPECT_GT(chi_squared_p_value(observed, expected), sidak_level(shading_points));
   }
 }
 
-TEST(LightTreeTest, NoLightThatReachesTheReceiverIsForgotten) {
+TEST(LightTreeTest, NoLightThatReachesTheShadingPointIsForgotten) {
   int reached = 0;
   int drawable = 0;
   for (const float size : {0.0F, 0.02F, 0.7F}) {
@@ -109,11 +109,11 @@ TEST(LightTreeTest, NoLightThatReachesTheReceiverIsForgotten) {
     const LightTree tree(flat.bounds);
     Pcg32 random(4);
     for (int r = 0; r < 100; ++r) {
-      const Receiver receiver = random_receiver(random, r % 2 == 0 ? 1.0F : 4.0F);
+      const ShadingPoint shading_point = random_shading_point(random, r % 2 == 0 ? 1.0F : 4.0F);
       for (std::size_t i = 0; i < flat.lights.size(); ++i) {
-        const float probability = tree.probability(receiver, i);
+        const float probability = tree.probability(shading_point, i);
         drawable += probability > 0.0F ? 1 : 0;
-        if (flat.lights[i].reaches(receiver)) {
+        if (flat.lights[i].reaches(shading_point)) {
           ++reached;
           ASSERT_GT(probability, 0.0F) << i;
         }
@@ -134,14 +134,14 @@ TEST(LightTreeTest, PrefersTheNearOfEqualLights) {
                       .intensity = 1.0});
   }
   const LightTree tree(bounds);
-  const Receiver below{.position = Vec3(20, -1, 0)};
+  const ShadingPoint below{.position = Vec3(20, -1, 0)};
   for (std::size_t i = 0; i < 64; ++i) {
     EXPECT_LE(tree.probability(below, i), tree.probability(below, 20));
   }
   EXPECT_GT(tree.probability(below, 20), 0.2F);
 }
 
-TEST(LightTreeTest, LightsBehindTheReceiverOrTurnedAwayAreNotDrawn) {
+TEST(LightTreeTest, LightsBehindTheShadingPointOrTurnedAwayAreNotDrawn) {
   const LightBounds down{.box = {.lower = Vec3(-1, 2, -1), .upper = Vec3(1, 2, 1)},
                          .axis = {0, -1, 0},
                          .falloff_rad = right_angle,
@@ -164,10 +164,10 @@ TEST(LightTreeTest, LightsWithoutIntensityAreNeverDrawn) {
   const LightTree tree(flat.bounds);
   Pcg32 random(6);
   for (int i = 0; i < 2000; ++i) {
-    const Receiver receiver = random_receiver(random, 2.0F);
-    const auto chosen = tree.sample(receiver, random.uniform());
+    const ShadingPoint shading_point = random_shading_point(random, 2.0F);
+    const auto chosen = tree.sample(shading_point, random.uniform());
     EXPECT_TRUE(!chosen || chosen->light % 2 == 1);
-    EXPECT_EQ(tree.probability(receiver, 8), 0.0F);
+    EXPECT_EQ(tree.probability(shading_point, 8), 0.0F);
   }
 }
 
@@ -186,16 +186,16 @@ TEST(LightTreeTest, ChainsAndHeapsOfLightsAreFiniteAndDrawn) {
   for (const auto& lights : {chain, heap}) {
     const LightTree tree(lights);
     for (const float x : {0.0F, 1e-20F, 1e-6F, 1.0F, 1e6F}) {
-      const Receiver receiver{.position = Vec3(x, 0, 0)};
+      const ShadingPoint shading_point{.position = Vec3(x, 0, 0)};
       for (const double u : {0.0, 0.3, largest}) {
-        const auto chosen = tree.sample(receiver, u);
+        const auto chosen = tree.sample(shading_point, u);
         ASSERT_TRUE(chosen);
         EXPECT_GT(chosen->probability, 0.0F);
         EXPECT_LE(chosen->probability, 1.0F);
       }
       double sum = 0.0;
       for (std::size_t i = 0; i < lights.size(); ++i) {
-        sum += tree.probability(receiver, i);
+        sum += tree.probability(shading_point, i);
       }
       EXPECT_NEAR(sum, 1.0, 1e-5);
     }

@@ -25,20 +25,20 @@ Scene every_light() {
   return scene;
 }
 
-TEST(LightsInLanesTest, SamplesAreThoseOfSingleReceivers) {
+TEST(LightsInLanesTest, SamplesAreThoseOfSingleShadingPoints) {
   const Scene scene = every_light();
   const LaneMask but_the_last{-1, -1, -1, -1, -1, -1, -1, 0};
   for (const std::size_t most_in_table : {0U, 100U}) {
     const Lights lights(scene, most_in_table);
     Pcg32 random(9);
     for (std::uint32_t i = 0; i < 500; ++i) {
-      Receivers receivers;
+      ShadingPoints shading_points;
       LightNumbers numbers;
       for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const auto x = static_cast<float>(random.normal());
         const auto y = static_cast<float>(random.normal());
-        receivers.position.put(lane, {x, y, 0.5F});
-        receivers.normal.put(lane, {0.0F, 1.0F, 0.0F});
+        shading_points.position.put(lane, {x, y, 0.5F});
+        shading_points.normal.put(lane, {0.0F, 1.0F, 0.0F});
         SampleStream stream(1, i, static_cast<std::uint32_t>(lane));
         numbers.kind[lane] = stream.next_1d();
         const Vec2 choice = stream.next_2d();
@@ -48,10 +48,10 @@ TEST(LightsInLanesTest, SamplesAreThoseOfSingleReceivers) {
         numbers.point.x[lane] = point.x;
         numbers.point.y[lane] = point.y;
       }
-      const LightSamples samples = lights.sample(receivers, numbers, but_the_last);
+      const LightSamples samples = lights.sample(shading_points, numbers, but_the_last);
       EXPECT_EQ(samples.pdf[7], 0.0F);
       for (std::size_t lane = 0; lane < 7; ++lane) {
-        const auto expected = lights.sample(receivers.at(lane), numbers.kind[lane],
+        const auto expected = lights.sample(shading_points.at(lane), numbers.kind[lane],
                                             numbers.choice.at(lane), numbers.point.at(lane));
         if (!expected) {
           EXPECT_EQ(samples.pdf[lane], 0.0F);

@@ -27,18 +27,18 @@ struct Numbers {
       : kind(random.next_1d()), choice(random.next_2d()), point(random.next_2d()) {}
 };
 
-Receiver facing_up(const Vec3& position) {
+ShadingPoint facing_up(const Vec3& position) {
   return {.position = position, .normal = Vec3(0, 1, 0), .transmits = false};
 }
 
 /// The irradiance on a horizontal plane through `position`, without occlusion.
 MeanEstimate irradiance_at(const Lights& lights, const Vec3& position, int samples) {
-  const Receiver receiver = facing_up(position);
+  const ShadingPoint shading_point = facing_up(position);
   MeanEstimate estimate;
   for (int i = 0; i < samples; ++i) {
     SampleStream random(3, 0, static_cast<std::uint32_t>(i));
     const Numbers numbers(random);
-    const auto light = lights.sample(receiver, numbers.kind, numbers.choice, numbers.point);
+    const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
     estimate.add(light ? light->radiance.r * std::max(0.0F, light->direction.y) / light->pdf : 0.0);
   }
   return estimate;
@@ -99,20 +99,20 @@ TEST(LightsTest, DensitiesAgreeWithThoseOfSampledPoints) {
   const RayScene rays(scene, Workers(1));
   // From far the light is sampled by area, from near by solid angle.
   for (const float y : {0.1F, -60.0F}) {
-    const Receiver receiver = facing_up(Vec3(0.3F, y, -0.2F));
+    const ShadingPoint shading_point = facing_up(Vec3(0.3F, y, -0.2F));
     for (std::uint32_t i = 0; i < 200; ++i) {
       SampleStream random(4, 0, i);
       const Numbers numbers(random);
-      const auto light = lights.sample(receiver, numbers.kind, numbers.choice, numbers.point);
+      const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
       ASSERT_TRUE(light);
       if (std::isinf(light->shadow_ray.t_max)) {
         EXPECT_FLOAT_EQ(lights.distant_light(light->direction).pdf, light->pdf);
         continue;
       }
       const Hit hit =
-          rays.closest_hit({.origin = receiver.position, .direction = light->direction});
+          rays.closest_hit({.origin = shading_point.position, .direction = light->direction});
       ASSERT_FALSE(hit.missed());
-      EXPECT_NEAR(lights.triangle_pdf(receiver, hit, hit.t, light->direction.y), light->pdf,
+      EXPECT_NEAR(lights.triangle_pdf(shading_point, hit, hit.t, light->direction.y), light->pdf,
                   1e-4F * light->pdf);
     }
   }
@@ -156,9 +156,9 @@ TEST(LightsTest, TexturedEmitterIsWeighedByItsTexturesMean) {
   const Hit plain{.t = 1.0F, .barycentric = {}, .object = 0, .triangle = 0};
   const Hit textured{.t = 1.0F, .barycentric = {}, .object = 1, .triangle = 0};
   // So far away that points are uniform in area.
-  const Receiver receiver = facing_up(Vec3(0, -500, 0));
-  EXPECT_NEAR(lights.triangle_pdf(receiver, plain, 1.0F, 1.0F), 2.0 / 3.0, 1e-3);
-  EXPECT_NEAR(lights.triangle_pdf(receiver, textured, 1.0F, 1.0F), 1.0 / 3.0, 1e-3);
+  const ShadingPoint shading_point = facing_up(Vec3(0, -500, 0));
+  EXPECT_NEAR(lights.triangle_pdf(shading_point, plain, 1.0F, 1.0F), 2.0 / 3.0, 1e-3);
+  EXPECT_NEAR(lights.triangle_pdf(shading_point, textured, 1.0F, 1.0F), 1.0 / 3.0, 1e-3);
 }
 
 /// All that rays can meet: a lamp overhead and one to the side, a sky, and a large sun.
@@ -175,17 +175,17 @@ Scene visible_lights() {
 }
 
 /// With which density sample() draws a direction, asked light by light of what a ray meets.
-double density_of(const Lights& lights, const RayScene& rays, const Receiver& receiver,
+double density_of(const Lights& lights, const RayScene& rays, const ShadingPoint& shading_point,
                   const Scene& scene, const Vec3& direction) {
   double density = lights.distant_light(direction).pdf;
-  const Hit hit = rays.closest_hit({.origin = receiver.position, .direction = direction});
+  const Hit hit = rays.closest_hit({.origin = shading_point.position, .direction = direction});
   if (!hit.missed()) {
     const Vec3 normal = Triangle(scene, hit.object, hit.triangle).front_normal();
     const float cosine = -glm::dot(normal, direction);
     if (cosine > 0.0F ||
         scene.materials[static_cast<std::size_t>(scene.mesh_of(hit.object).material)]
             .double_sided) {
-      density += lights.triangle_pdf(receiver, hit, hit.t, std::abs(cosine));
+      density += lights.triangle_pdf(shading_point, hit, hit.t, std::abs(cosine));
     }
   }
   return density;
@@ -195,11 +195,11 @@ double density_of(const Lights& lights, const RayScene& rays, const Receiver& re
 TEST(LightsTest, DirectionsAreDrawnByTheSumOfAllDensities) {
   const Scene scene = visible_lights();
   const RayScene rays(scene, Workers(1));
-  const Receiver receiver{.position = Vec3(0.2F, 0.3F, 0.1F), .normal = Vec3(0, 1, 0)};
+  const ShadingPoint shading_point{.position = Vec3(0.2F, 0.3F, 0.1F), .normal = Vec3(0, 1, 0)};
   for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
     const Lights lights(scene, most_in_table);
     const auto density = [&](const Vec3& w) {
-      return density_of(lights, rays, receiver, scene, w);
+      return density_of(lights, rays, shading_point, scene, w);
     };
     const Vec3 pole = glm::normalize(Vec3(0.3F, 1, 0.2F));
     EXPECT_NEAR(test::integral_over_sphere(density, pole), 1.0, 2e-3);
@@ -207,7 +207,7 @@ TEST(LightsTest, DirectionsAreDrawnByTheSumOfAllDensities) {
     for (std::uint32_t i = 0; i < 50000; ++i) {
       SampleStream random(5, i, 0);
       const Numbers numbers(random);
-      const auto light = lights.sample(receiver, numbers.kind, numbers.choice, numbers.point);
+      const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
       ASSERT_TRUE(light);
       directions.push_back(light->direction);
     }
@@ -345,7 +345,7 @@ TEST(LightsTest, UnlitSurfacesShineButAreNotDrawn) {
   EXPECT_EQ(lights.triangle_pdf({.position = Vec3(0.0F)}, hit, 2.0F, 1.0F), 0.0F);
 }
 
-/// Receivers at corners, on edges, in the plane and just off it, and far away; at all scales.
+/// ShadingPoints at corners, on edges, in the plane and just off it, and far away; at all scales.
 TEST(LightsTest, EverySampleIsFinite) {
   constexpr float largest = 1.0F - 0x1p-24F;
   for (const float scale : {1e-3F, 1.0F, 1e6F}) {
@@ -361,10 +361,10 @@ TEST(LightsTest, EverySampleIsFinite) {
       for (const Vec3& place :
            {Vec3(0.0F), Vec3(1, 0, 1), Vec3(0.5F, 0, 0.5F), Vec3(0.3F, 0, 0.6F), Vec3(7, 0, -3),
             Vec3(0.3F, 1e-7F, 0.6F), Vec3(0.3F, -1e-3F, 0.6F), Vec3(0, 1e-20F, 0), Vec3(3e3F)}) {
-        const Receiver receiver{.position = scale * place, .normal = Vec3(0, 1, 0)};
+        const ShadingPoint shading_point{.position = scale * place, .normal = Vec3(0, 1, 0)};
         for (const float x : {0.0F, 0.4F, 0.7F, largest}) {
           for (const float y : {0.0F, 0.5F, largest}) {
-            const auto light = lights.sample(receiver, x, {y, x}, {x, y});
+            const auto light = lights.sample(shading_point, x, {y, x}, {x, y});
             if (light) {
               EXPECT_TRUE(is_finite(light->direction) && is_finite(light->radiance));
               EXPECT_NEAR(glm::length(light->direction), 1.0, 1e-5);
@@ -376,7 +376,7 @@ TEST(LightsTest, EverySampleIsFinite) {
           for (const float cosine : {0.0F, 1e-30F, 1e-3F, 1.0F}) {
             for (const float distance : {0.0F, 1e-30F, scale, 1e9F * scale}) {
               const Hit hit{.t = distance, .barycentric = {}, .object = object, .triangle = 0};
-              const float pdf = lights.triangle_pdf(receiver, hit, distance, cosine);
+              const float pdf = lights.triangle_pdf(shading_point, hit, distance, cosine);
               EXPECT_TRUE(pdf >= 0.0F && std::isfinite(pdf));
             }
           }

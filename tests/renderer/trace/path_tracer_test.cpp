@@ -96,8 +96,8 @@ TEST(PathTracerTest, TheLoggedRaysAreThoseThatWereTraced) {
   EXPECT_EQ(log.primary.size(), counts.primary);
   EXPECT_EQ(log.bounce.size(), counts.bounce);
   EXPECT_EQ(log.shadow.size(), counts.shadow);
-  EXPECT_EQ(log.window.size(), counts.window);
-  EXPECT_GT(counts.window, 0U);
+  EXPECT_EQ(log.transmittance.size(), counts.transmittance);
+  EXPECT_GT(counts.transmittance, 0U);
   // A job's ray comes again behind each window that it passes.
   std::size_t seen = 0;
   for (const Ray& ray : log.primary) {

@@ -162,9 +162,9 @@ TEST(RaySceneTest, WindowsAreMetButDoNotBlock) {
                           {.direction = Vec3(0.0F, 0.0F, 1.0F)}};
   rays.find_blocked(stream);
   EXPECT_FALSE(stream[0].is_blocked());
-  EXPECT_TRUE(stream[0].met_window());
+  EXPECT_TRUE(stream[0].met_thin_surface());
   EXPECT_FALSE(stream[1].is_blocked());
-  EXPECT_FALSE(stream[1].met_window());
+  EXPECT_FALSE(stream[1].met_thin_surface());
 }
 
 TEST(RaySceneTest, BehindAWindowTheRaysOwnKeysDecide) {

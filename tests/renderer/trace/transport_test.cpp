@@ -154,8 +154,8 @@ TEST(TransportTest, TheGeneralPathSeesTheSame) {
   const std::vector<SampleJob> jobs = jobs_all_around(20000);
   const std::vector<Rgb> usual = trace(tracer, room_viewpoint, jobs, 6);
   std::vector<Rgb> general(jobs.size());
-  tracer.trace(room_viewpoint, jobs, general, {.max_depth = 6, .seed = 1, .is_general = true},
-               workers());
+  tracer.trace(room_viewpoint, jobs, general,
+               {.max_depth = 6, .seed = 1, .uses_general_path = true}, workers());
   std::size_t differing = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     differing += std::abs(usual[i].g - general[i].g) > 1e-3F * usual[i].g ? 1 : 0;

@@ -26,17 +26,17 @@ class CopyOnTheProcessor {
     }
   }
 
-  Coverage cell(int level, const IVec2& place) {
+  PremultipliedTexel cell(int level, const IVec2& place) {
     return at(atlas_.levels()[static_cast<std::size_t>(level)].origin + place);
   }
 
  private:
-  Coverage& at(const IVec2& place) {
+  PremultipliedTexel& at(const IVec2& place) {
     return cells_.at(static_cast<std::size_t>(place.y) * atlas_.size().x + place.x);
   }
 
   PyramidAtlas atlas_;
-  std::vector<Coverage> cells_;
+  std::vector<PremultipliedTexel> cells_;
 };
 
 class FilmMirrorTest : public ::testing::TestWithParam<IVec2> {
@@ -78,8 +78,8 @@ class FilmMirrorTest : public ::testing::TestWithParam<IVec2> {
           if (at.y < 0 || at.y >= size.y) {
             continue;
           }
-          const Coverage expected = film_.cell(level, at.x, at.y);
-          const Coverage actual = copy_.cell(level, at);
+          const PremultipliedTexel expected = film_.cell(level, at.x, at.y);
+          const PremultipliedTexel actual = copy_.cell(level, at);
           ASSERT_EQ(actual.weight, expected.weight) << level << ' ' << at.x << ' ' << at.y;
           ASSERT_EQ(actual.color, expected.color) << level << ' ' << at.x << ' ' << at.y;
         }

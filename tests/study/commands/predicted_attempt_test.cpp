@@ -20,19 +20,19 @@ class WatchedObserver final : public SimulatedObserver {
   std::size_t choose_object(const std::string&, const std::vector<OfferedObject>&) override {
     return 0;
   }
-  void begin_occasion(const Occasion&) override {}
+  void begin_attempt(const Attempt&) override {}
   void turn_to(const std::string&, const OfferedObject&, Nanoseconds) override {}
   void look_at(const Vec3&, Nanoseconds) override {}
   void begin(Task, Nanoseconds) override {}
   AzimuthElevation head(Nanoseconds) override { return {}; }
   Vec3 gaze(Nanoseconds) override { return {0.0F, 0.0F, -1.0F}; }
-  std::optional<Nanoseconds> see(const Percept& percept) override {
-    return consider({}, percept.presented);
+  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
+    return consider({}, stimulus.presented);
   }
   bool wants_retime() const override { return false; }
   bool wants_to_withdraw(int) const override { return false; }
   std::vector<Answer> rate(const std::vector<Question>&) override { return {}; }
-  std::optional<Nanoseconds> consider(const Sighting&, Nanoseconds now) override {
+  std::optional<Nanoseconds> consider(const Evidence&, Nanoseconds now) override {
     times.push_back(now);
     return times.size() == 3 ? std::optional(now + ms(170)) : std::nullopt;
   }

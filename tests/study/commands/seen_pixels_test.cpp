@@ -33,15 +33,15 @@ class WearsGlasses final : public Participant {
                              const std::vector<Question>& questions) override {
     return person_.answer(form, questions);
   }
-  Nanoseconds react(std::uint32_t occasion) override { return person_.react(occasion); }
+  Nanoseconds react(std::uint32_t attempt) override { return person_.react(attempt); }
   std::size_t choose_object(const std::string& scene,
                             const std::vector<OfferedObject>& offered) override {
     return person_.choose_object(scene, offered);
   }
-  void begin_occasion(const Occasion& occasion) override {
-    trial_ = static_cast<std::size_t>(occasion.trials_before);
+  void begin_attempt(const Attempt& attempt) override {
+    trial_ = static_cast<std::size_t>(attempt.trials_before);
     glance_ = 0;
-    person_.begin_occasion({.conduct = 1});
+    person_.begin_attempt({.conduct = 1});
   }
   void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override {
     person_.turn_to(scene, object, now);
@@ -50,12 +50,12 @@ class WearsGlasses final : public Participant {
   void begin(Task task, Nanoseconds now) override { person_.begin(task, now); }
   AzimuthElevation head(Nanoseconds time) override { return person_.head(time); }
   Vec3 gaze(Nanoseconds time) override { return person_.gaze(time); }
-  std::optional<Nanoseconds> see(const Percept& percept) override {
-    const RgbImage image = glasses_(trial_, glance_++, percept.image);
+  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
+    const RgbImage image = glasses_(trial_, glance_++, stimulus.image);
     return person_.see({.image = image,
-                        .viewport = percept.viewport,
-                        .gaze = percept.gaze,
-                        .presented = percept.presented});
+                        .viewport = stimulus.viewport,
+                        .gaze = stimulus.gaze,
+                        .presented = stimulus.presented});
   }
   bool wants_retime() const override { return person_.wants_retime(); }
   bool wants_to_withdraw(int trials_before) const override {

@@ -24,14 +24,14 @@ class ScriptedParticipant final : public Participant {
     forms.push_back(form);
     return {};
   }
-  Nanoseconds react(std::uint32_t /*occasion*/) override { return reaction; }
+  Nanoseconds react(std::uint32_t /*attempt*/) override { return reaction; }
   std::size_t choose_object(const std::string& /*scene*/,
                             const std::vector<OfferedObject>& offered) override {
     return offered.size() - 1;
   }
-  void begin_occasion(const Occasion& occasion) override {
-    occasions.push_back(occasion.conduct);
-    trials_before.push_back(occasion.trials_before);
+  void begin_attempt(const Attempt& attempt) override {
+    attempts.push_back(attempt.conduct);
+    trials_before.push_back(attempt.trials_before);
   }
   void turn_to(const std::string& /*scene*/, const OfferedObject& object,
                Nanoseconds now) override {
@@ -45,15 +45,15 @@ class ScriptedParticipant final : public Participant {
   }
   AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
   Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
-  std::optional<Nanoseconds> see(const Percept& percept) override {
+  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
     const auto is_lit = [](const Rgb& pixel) { return pixel.x > 0.0F; };
     const bool is_black =
-        std::none_of(percept.image.pixels.begin(), percept.image.pixels.end(), is_lit);
+        std::none_of(stimulus.image.pixels.begin(), stimulus.image.pixels.end(), is_lit);
     if (!is_marking_ || is_black) {
       return std::nullopt;
     }
     is_marking_ = false;
-    return percept.presented + thought;
+    return stimulus.presented + thought;
   }
   bool wants_retime() const override {
     return std::ssize(objects) == retimed_turn && tasks.back() == Task::mark_material;
@@ -70,7 +70,7 @@ class ScriptedParticipant final : public Participant {
   std::vector<std::string> forms;
   std::ptrdiff_t retimed_turn = -1;  ///< the turn to an object whose timing failed
   int withdraws_before = -1;         ///< the trial
-  std::vector<std::uint32_t> occasions;
+  std::vector<std::uint32_t> attempts;
   std::vector<int> trials_before;
   std::vector<std::string> objects;
   std::vector<Task> tasks;
@@ -212,7 +212,7 @@ TEST_F(SessionRunnerTest, ATimingThatFailedIsDoneAgain) {
                   " (SELECT * FROM attempt ORDER BY trial, attempt)"),
             "0 1 retimed, 0 2 rated, 1 1 rated, 2 1 rated");
   EXPECT_THAT(participant.trials_before, ElementsAre(0, 0, 1, 2));
-  EXPECT_NE(participant.occasions[0], participant.occasions[1]) << "is left to chance anew";
+  EXPECT_NE(participant.attempts[0], participant.attempts[1]) << "is left to chance anew";
 }
 
 TEST_F(SessionRunnerTest, WhoWantsToWithdrawsBetweenTrials) {
@@ -235,7 +235,7 @@ TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
   EXPECT_EQ(outcome.phase, Phase::completed);
   EXPECT_EQ(outcome.trials, 1U);
   EXPECT_TRUE(second.forms.empty()) << "was asked before";
-  EXPECT_EQ(second.occasions.front(), first.occasions.back());
+  EXPECT_EQ(second.attempts.front(), first.attempts.back());
   EXPECT_EQ(
       value("SELECT group_concat(trial || ' ' || attempt) FROM (SELECT trial, attempt FROM attempt"
             " ORDER BY trial, attempt)"),

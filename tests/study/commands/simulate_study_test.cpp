@@ -150,23 +150,23 @@ TEST_F(SimulateStudyTest, WhatWasSimulatedInAnotherWayIsNotMixedIn) {
   rendered.predicted = false;
   EXPECT_THAT([&] { simulate(rendered); },
               testing::ThrowsMessage<Error>(HasSubstr("simulation/predicted: true, now false")));
-  SimulateSettings planted = predicted;
-  planted.plant = "order:1.2";
-  EXPECT_THAT([&] { simulate(planted); },
-              testing::ThrowsMessage<Error>(HasSubstr("simulation/plant")));
+  SimulateSettings injected = predicted;
+  injected.injected = "order:1.2";
+  EXPECT_THAT([&] { simulate(injected); },
+              testing::ThrowsMessage<Error>(HasSubstr("simulation/injected")));
   EXPECT_EQ(query(folder_ / "study.sqlite", "SELECT count(*) FROM session"), "1");
 }
 
-TEST_F(SimulateStudyTest, PlantedTimesComeWithoutPilotsAndWithoutPictures) {
+TEST_F(SimulateStudyTest, DrawnTimesComeWithoutPilotsAndWithoutPictures) {
   const scenes::EnvironmentVariable empty_cache("XDG_CACHE_HOME", (folder_ / "cache").string());
-  SimulateSettings planted = settings("planted.sqlite");
-  planted.predicted = true;
-  planted.plant = "faster:fv:3,tracker-loss:0.2";
-  planted.participants = 40;
-  EXPECT_EQ(simulate(planted).sessions_completed, 40);
+  SimulateSettings injected = settings("injected.sqlite");
+  injected.predicted = true;
+  injected.injected = "faster:fv:3,tracker-loss:0.2";
+  injected.participants = 40;
+  EXPECT_EQ(simulate(injected).sessions_completed, 40);
   EXPECT_FALSE(fs::exists(folder_ / "cache/foveola/pilots"));
   const std::string logs = query(
-      folder_ / "planted.sqlite",
+      folder_ / "injected.sqlite",
       "SELECT avg(ln(o.time_ns) - ln(f.time_ns)) FROM mark AS o JOIN planned_trial AS po USING"
       " (session, trial) JOIN mark AS f ON f.session = o.session AND f.kind = o.kind JOIN"
       " planned_trial AS pf ON pf.session = f.session AND pf.trial = f.trial WHERE"
@@ -212,7 +212,7 @@ TEST_F(SimulateStudyTest, RefusesNumbersThatMakeNoSense) {
   two_windows.jobs = 2;
   EXPECT_THROW(simulate(two_windows), UsageError);
   SimulateSettings stranger = settings("study.sqlite");
-  stranger.plant = "faster:vp:2";
+  stranger.injected = "faster:vp:2";
   EXPECT_THROW(simulate(stranger), UsageError);
 }
 

@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const SimulationKind quick{
-    .scale = 8.0, .predicted = true, .plant = "order:1.1", .people_sha256 = "abc"};
+    .scale = 8.0, .predicted = true, .injected = "order:1.1", .people_sha256 = "abc"};
 
 KnownSession session(SessionKind kind, const std::string& devices) {
   return {.participant = "P001", .kind = kind, .devices = devices};
@@ -23,10 +23,18 @@ TEST(SimulationKind, ComesBackFromTheRecord) {
   ASSERT_TRUE(kind);
   EXPECT_EQ(kind->scale, 8.0);
   EXPECT_TRUE(kind->predicted);
-  EXPECT_EQ(kind->plant, "order:1.1");
+  EXPECT_EQ(kind->injected, "order:1.1");
   EXPECT_EQ(kind->people_sha256, "abc");
   EXPECT_FALSE(simulation_kind_in("{}"));
   EXPECT_FALSE(simulation_kind_in(R"({"display": {}})"));
+}
+
+TEST(SimulationKind, ReadsWhatEarlierVersionsRecorded) {
+  const std::optional<SimulationKind> kind = simulation_kind_in(
+      R"({"simulation": {"scale": 8.0, "predicted": true, "plant": "order:1.1", )"
+      R"("people_sha256": "abc"}})");
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(devices_of(*kind), devices_of(quick));
 }
 
 TEST(SimulationKind, OneFileHoldsOneKind) {
@@ -56,7 +64,7 @@ TEST(SimulationKind, WhatWindowsAndProgramsOfBeforeSayMakesNoOther) {
   EXPECT_NO_THROW(
       require_same_kind("study.sqlite", {session(SessionKind::simulated, in_a_window)}, timed));
   const std::string before_real_time =
-      R"({"simulation": {"scale": 8.0, "predicted": true, "plant": "order:1.1",)"
+      R"({"simulation": {"scale": 8.0, "predicted": true, "injected": "order:1.1",)"
       R"( "people_sha256": "abc"}})";
   EXPECT_NO_THROW(require_same_kind("study.sqlite",
                                     {session(SessionKind::simulated, before_real_time)}, quick));

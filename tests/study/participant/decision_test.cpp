@@ -21,13 +21,13 @@ constexpr DecisionHabits plain{.outline_signal_to_noise = 5.0,
                                .early_factor = 3.0};
 
 /// What is to be seen after so many glances.
-using Show = std::function<Sighting(int glance)>;
+using Show = std::function<Evidence(int glance)>;
 
-Sighting outline(double signal_to_noise) { return {.outline_signal_to_noise = signal_to_noise}; }
-Sighting material(double jnd) { return {.material_jnd = jnd}; }
+Evidence outline(double signal_to_noise) { return {.outline_signal_to_noise = signal_to_noise}; }
+Evidence material(double jnd) { return {.material_jnd = jnd}; }
 
-Show always(const Sighting& sighting) {
-  return [sighting](int) { return sighting; };
+Show always(const Evidence& evidence) {
+  return [evidence](int) { return evidence; };
 }
 
 struct Press {
@@ -47,9 +47,9 @@ std::optional<Press> press(Decision& decision, Task task, const Show& show, int 
 }
 
 std::optional<Press> press(const DecisionHabits& habits, Task task, const Show& show,
-                           const Occasion& occasion = {}, const Traits& traits = {}) {
+                           const Attempt& attempt = {}, const Traits& traits = {}) {
   Decision decision(habits, traits, 1);
-  decision.begin_occasion(occasion);
+  decision.begin_attempt(attempt);
   return press(decision, task, show);
 }
 
@@ -86,7 +86,7 @@ TEST(Decision, IsMadeByOnesOwnCriteria) {
 TEST(Decision, CriteriaDriftFromTrialToTrial) {
   const Traits tiring{.drift_per_trial = 0.1};
   const double after_ten = 5.0 * std::exp(1.0);
-  const Occasion tenth{.trials_before = 10};
+  const Attempt tenth{.trials_before = 10};
   EXPECT_TRUE(press(plain, Task::mark_outline, always(outline(5.1)), {}, tiring));
   EXPECT_FALSE(press(plain, Task::mark_outline, always(outline(0.99 * after_ten)), tenth, tiring));
   EXPECT_TRUE(press(plain, Task::mark_outline, always(outline(1.01 * after_ten)), tenth, tiring));
@@ -94,7 +94,7 @@ TEST(Decision, CriteriaDriftFromTrialToTrial) {
 
 TEST(Decision, IsOverAfterThePress) {
   Decision decision(plain, {}, 1);
-  decision.begin_occasion({});
+  decision.begin_attempt({});
   ASSERT_TRUE(press(decision, Task::mark_outline, always(outline(10.0))));
   for (int glance = 10; glance < 30; ++glance) {
     EXPECT_FALSE(decision.consider(outline(10.0), glance * glance_interval));
@@ -168,13 +168,13 @@ TEST(Decision, EarlyPressesAreMadeOnLessEvidenceAndSomeAreRegretted) {
   int regretted = 0;
   for (std::uint32_t conduct = 0; conduct < 5000; ++conduct) {
     Decision decision(habits, {}, 2);
-    decision.begin_occasion({.conduct = conduct});
+    decision.begin_attempt({.conduct = conduct});
     // A factor of 2 short of the criterion.
     const bool pressed = press(decision, Task::mark_outline, always(outline(2.5)), 5).has_value();
     early += pressed ? 1 : 0;
     regretted += decision.wants_retime() ? 1 : 0;
     EXPECT_TRUE(pressed || !decision.wants_retime());
-    decision.begin_occasion({.conduct = conduct});
+    decision.begin_attempt({.conduct = conduct});
     EXPECT_FALSE(decision.wants_retime()) << "another timing begins without regrets";
     EXPECT_FALSE(press(decision, Task::mark_outline, always(outline(1.6)), 5))
         << "a factor of more than 3 short";
@@ -204,11 +204,11 @@ TEST(Decision, WhatIsDrawnDoesNotDependOnWhatIsSeen) {
   habits.lapse_part = 0.5;
   habits.lapse_s = 1.0;
   for (std::uint32_t conduct = 0; conduct < 50; ++conduct) {
-    const Occasion occasion{.conduct = conduct};
-    const auto soon = press(habits, Task::mark_outline, always(outline(1e9)), occasion);
+    const Attempt attempt{.conduct = conduct};
+    const auto soon = press(habits, Task::mark_outline, always(outline(1e9)), attempt);
     const auto late = press(
         habits, Task::mark_outline, [](int glance) { return outline(glance < 50 ? 1e-9 : 1e9); },
-        occasion);
+        attempt);
     EXPECT_NE(soon->glance, late->glance);
     EXPECT_EQ(soon->delay_s, late->delay_s);
   }

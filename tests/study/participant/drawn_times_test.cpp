@@ -17,7 +17,7 @@ struct LogRatio {
   double deviation = 0.0;
 };
 
-LogRatio log_ratio(const PlantedEffect& effect, const DrawnTrial& a, const DrawnTrial& b) {
+LogRatio log_ratio(const InjectedEffect& effect, const DrawnTrial& a, const DrawnTrial& b) {
   double sum = 0.0;
   double squares = 0.0;
   for (int person = 0; person < people; ++person) {
@@ -44,8 +44,8 @@ TEST(DrawnTimes, WithoutAnEffectNoMethodIsFaster) {
   EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
 }
 
-TEST(DrawnTimes, AMethodIsAsMuchFasterAsPlanted) {
-  const LogRatio ratio = log_ratio(parse_planted_effect("faster:fv:2"), fv, od);
+TEST(DrawnTimes, AMethodIsAsMuchFasterAsInjected) {
+  const LogRatio ratio = log_ratio(parse_injected_effect("faster:fv:2"), fv, od);
   EXPECT_NEAR(ratio.mean, -std::log(2.0), tolerance);
   EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
 }
@@ -57,12 +57,12 @@ TEST(DrawnTimes, PracticeMakesFaster) {
   DrawnTrial sooner = later;
   sooner.method = "vp";
   sooner.trials_before = 2;
-  EXPECT_NEAR(log_ratio(parse_planted_effect("order:0.9"), later, sooner).mean, 5.0 * std::log(0.9),
-              tolerance);
+  EXPECT_NEAR(log_ratio(parse_injected_effect("order:0.9"), later, sooner).mean,
+              5.0 * std::log(0.9), tolerance);
 }
 
 TEST(DrawnTimes, OnlyTheOutlierIsSlow) {
-  const PlantedEffect effect = parse_planted_effect("outlier:3:5");
+  const InjectedEffect effect = parse_injected_effect("outlier:3:5");
   const DrawnTrial usual{.seed = 9, .participant = 2, .scene = "arcade", .method = "od"};
   DrawnTrial slow = usual;
   slow.participant = 3;

@@ -29,7 +29,7 @@ TEST_F(JudgedMeasures, AreNoOtherMarks) {
               ThrowsMessage<Error>(AllOf(
                   HasSubstr("p.toml:9:6: simulated participants do not know how to judge the mark "
                             "third; "),
-                  HasSubstr("outline and material"), HasSubstr("--plant"))));
+                  HasSubstr("outline and material"), HasSubstr("--inject"))));
 }
 
 TEST_F(JudgedMeasures, AreNoOtherRatingsButWords) {

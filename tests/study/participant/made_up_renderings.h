@@ -67,7 +67,7 @@ inline RgbImage scrambled(RgbImage image) {
 
 /// Sits down for a trial at an object of "scene".
 inline void sit_down(SimulatedParticipant& person, std::size_t object, std::uint32_t conduct = 7) {
-  person.begin_occasion({.conduct = conduct});
+  person.begin_attempt({.conduct = conduct});
   person.turn_to("scene", offered[object], Nanoseconds(0));
 }
 

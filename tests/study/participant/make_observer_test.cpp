@@ -19,16 +19,16 @@ const Plan plan{{.scene = "arcade", .method = "od"},
 
 KnownScene knows_nothing(const std::string& /*scene*/) { return {}; }
 
-std::unique_ptr<SimulatedObserver> planted(const std::string& effect, std::uint64_t seed = 4,
-                                           int row = 0) {
-  return make_observer(read_people("adults").population, parse_planted_effect(effect),
+std::unique_ptr<SimulatedObserver> injected(const std::string& effect, std::uint64_t seed = 4,
+                                            int row = 0) {
+  return make_observer(read_people("adults").population, parse_injected_effect(effect),
                        knows_nothing, seed, row, plan);
 }
 
 /// The marks of a trial, in seconds after its first look, with looks every 100 ms.
-std::vector<double> marks_s(SimulatedObserver& observer, const Occasion& occasion) {
+std::vector<double> marks_s(SimulatedObserver& observer, const Attempt& attempt) {
   constexpr Nanoseconds first = milliseconds(1014);
-  observer.begin_occasion(occasion);
+  observer.begin_attempt(attempt);
   observer.turn_to("arcade", {.name = "Ball"}, Nanoseconds(0));
   std::vector<double> marks;
   Nanoseconds now = first;
@@ -51,18 +51,18 @@ TEST(MakeObserver, WithoutAnEffectItLooks) {
   const auto observer =
       make_observer(read_people("adults").population, std::nullopt, knows_nothing, 4, 0, plan);
   EXPECT_TRUE(observer->looks());
-  EXPECT_FALSE(planted("none")->looks());
+  EXPECT_FALSE(injected("none")->looks());
 }
 
-TEST(PlantedParticipant, PressesAtTheTimesThatAreDrawn) {
-  const auto observer = planted("faster:fv:3,outlier:2:1.5", 4, 1);
+TEST(InjectedEffectParticipant, PressesAtTheTimesThatAreDrawn) {
+  const auto observer = injected("faster:fv:3,outlier:2:1.5", 4, 1);
   const DrawnTrial trial{.seed = 4,
                          .participant = 2,
                          .scene = "church",
                          .method = "fv",
                          .trials_before = 3,
                          .timing = 77};
-  const PlantedEffect effect = parse_planted_effect("faster:fv:3,outlier:2:1.5");
+  const InjectedEffect effect = parse_injected_effect("faster:fv:3,outlier:2:1.5");
   const std::vector<double> marks = marks_s(*observer, {.conduct = 77, .trials_before = 3});
   ASSERT_EQ(marks.size(), 2U);
   EXPECT_NEAR(marks[0], drawn_time_s({}, effect, trial, 0), 1e-6);
@@ -70,14 +70,14 @@ TEST(PlantedParticipant, PressesAtTheTimesThatAreDrawn) {
   EXPECT_FALSE(observer->wants_retime());
 }
 
-TEST(PlantedParticipant, MarksNothingInACatchTrial) {
-  EXPECT_TRUE(marks_s(*planted("none"), {.conduct = 1, .trials_before = 2}).empty());
+TEST(InjectedEffectParticipant, MarksNothingInACatchTrial) {
+  EXPECT_TRUE(marks_s(*injected("none"), {.conduct = 1, .trials_before = 2}).empty());
 }
 
-TEST(PlantedParticipant, DoesNotLook) {
-  const auto observer = planted("none");
+TEST(InjectedEffectParticipant, DoesNotLook) {
+  const auto observer = injected("none");
   const std::vector<double> marks = marks_s(*observer, {.conduct = 5});
-  observer->begin_occasion({.conduct = 5});
+  observer->begin_attempt({.conduct = 5});
   observer->begin(Task::mark_outline, milliseconds(1014));
   const auto press =
       observer->consider({.outline_signal_to_noise = 1e9, .material_jnd = 0.0}, milliseconds(1014));
@@ -85,11 +85,11 @@ TEST(PlantedParticipant, DoesNotLook) {
   EXPECT_EQ(seconds(*press - Nanoseconds(milliseconds(1014))), marks.at(0));
 }
 
-TEST(PlantedParticipant, WithdrawsAsOftenAsPlantedAndStaysAway) {
+TEST(InjectedEffectParticipant, WithdrawsAsOftenAsInjectedAndStaysAway) {
   constexpr int sessions = 2000;
   int withdrawn = 0;
   for (std::uint64_t seed = 0; seed < sessions; ++seed) {
-    const auto observer = planted("dropout:0.25", seed);
+    const auto observer = injected("dropout:0.25", seed);
     EXPECT_FALSE(observer->wants_to_withdraw(0)) << "nobody leaves before the first trial";
     bool gone = false;
     for (int trial = 1; trial < 4; ++trial) {
@@ -99,7 +99,7 @@ TEST(PlantedParticipant, WithdrawsAsOftenAsPlantedAndStaysAway) {
     withdrawn += gone ? 1 : 0;
   }
   EXPECT_NEAR(withdrawn, 0.25 * sessions, 4.0 * std::sqrt(sessions * 0.25 * 0.75));
-  EXPECT_FALSE(planted("none")->wants_to_withdraw(3));
+  EXPECT_FALSE(injected("none")->wants_to_withdraw(3));
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST_F(SimulatedParticipantTest, WhatIsLookedAtCountsMoreThanWhatIsNot) {
         }
       }
       SimulatedParticipant person = participant(1);
-      person.begin_occasion({});
+      person.begin_attempt({});
       person.turn_to("scene", wide, Nanoseconds(0));
       person.begin(Task::mark_material, Nanoseconds(0));
       for (int glance = 0; glance < 4; ++glance) {
@@ -148,7 +148,7 @@ TEST_F(SimulatedParticipantTest, JudgesAMaterialInFinerDetailThanAnOutline) {
   const Viewport viewport(head_orientation({}), radians(100.0), radians(100.0));
   const RgbImage image = noisy(converged(viewport), 1.0, 0.1);
   SimulatedParticipant person = participant(1);
-  person.begin_occasion({});
+  person.begin_attempt({});
   person.turn_to("scene", wide, Nanoseconds(0));
   const auto marks_within_a_second = [&](Task task) {
     person.begin(task, Nanoseconds(0));

@@ -39,7 +39,7 @@ TEST_F(SimulatedParticipantTest,
        RatingsDifferBetweenPeopleByTheirBiasAndBetweenTrialsByTheirNoise) {
   const auto rated = [&](std::uint64_t seed, std::uint32_t conduct) {
     SimulatedParticipant person = participant(seed);
-    person.begin_occasion({.conduct = conduct});
+    person.begin_attempt({.conduct = conduct});
     person.begin(Task::look_around, Nanoseconds(0));
     person.consider({.artifacts_jnd = 2.8}, Nanoseconds(0));
     return std::get<double>(

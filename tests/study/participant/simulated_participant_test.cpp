@@ -27,7 +27,7 @@ TEST_F(SimulatedParticipantTest, StaysWithOneObjectPerSceneAndDiffersInItsChoice
   EXPECT_GT(chosen[1], 0);
 }
 
-TEST_F(SimulatedParticipantTest, AnOccasionDependsOnNothingThatWasBefore) {
+TEST_F(SimulatedParticipantTest, AnAttemptDependsOnNothingThatWasBefore) {
   SimulatedParticipant tired = participant(1);
   sit_down(tired, 1, 99);
   Nanoseconds now = nanoseconds_from_seconds(first_presented_s);

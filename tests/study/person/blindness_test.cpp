@@ -7,13 +7,13 @@
 #include "renderer/window/screen_layout.h"
 #include "study/person/pages.h"
 #include "study/person/typed_answer.h"
-#include "tests/study/person/asked_protocol.h"
+#include "tests/study/person/prompt_session.h"
 
 namespace foveola::study {
 namespace {
 
 using namespace std::chrono_literals;
-using test::AskedSession;
+using test::PromptSession;
 using ::testing::Contains;
 using ::testing::Not;
 
@@ -27,13 +27,13 @@ Protocol published_protocol() {
 }
 
 /// In practice, in the first trial and in another scene; each waits for what `phase` does.
-AskedSession session_with(const std::string& method, Phase phase, std::size_t step) {
-  AskedSession session{.protocol = published_protocol(),
-                       .plan = {{.scene = "hall", .method = method, .kind = TrialKind::practice},
-                                {.scene = "hall", .method = method},
-                                {.scene = "yard", .method = method}},
-                       .procedure = {.agenda = {TrialStep{.trial = 0}, TrialStep{.trial = 1},
-                                                TrialStep{.trial = 2, .chooses_object = false}}}};
+PromptSession session_with(const std::string& method, Phase phase, std::size_t step) {
+  PromptSession session{.protocol = published_protocol(),
+                        .plan = {{.scene = "hall", .method = method, .kind = TrialKind::practice},
+                                 {.scene = "hall", .method = method},
+                                 {.scene = "yard", .method = method}},
+                        .procedure = {.agenda = {TrialStep{.trial = 0}, TrialStep{.trial = 1},
+                                                 TrialStep{.trial = 2, .chooses_object = false}}}};
   session.seen = {.phase = phase, .step = step, .object = "Lamp", .resumes_at = Phase::ready};
   return session;
 }
@@ -62,8 +62,8 @@ std::optional<Effect> effect_before(Phase phase) {
 class Reader {
  public:
   /// Of the page that is seen now.
-  void read(const AskedSession& session, Nanoseconds now = 0s) {
-    if (const std::optional<ScreenPage> page = page_of(session.asked, session.standing(), now)) {
+  void read(const PromptSession& session, Nanoseconds now = 0s) {
+    if (const std::optional<ScreenPage> page = page_of(session.prompt, session.context(), now)) {
       for (const PlacedText& text : lay_out(*page, place_, width_).texts) {
         lines_.push_back(text.line);
       }
@@ -71,10 +71,10 @@ class Reader {
   }
 
   /// Of a form, page by page, as it is filled in.
-  void read_form(AskedSession& session) {
-    while (!session.asked.form->is_submitted()) {
+  void read_form(PromptSession& session) {
+    while (!session.prompt.form->is_submitted()) {
       read(session);
-      Form& form = *session.asked.form;
+      Form& form = *session.prompt.form;
       if (const Question* question = form.question()) {
         for (const FormInput& input : typed_answer(*question, {answer_to(*question)})) {
           form.follow(input);
@@ -105,14 +105,14 @@ class Reader {
   std::vector<std::string> lines_;
 };
 
-void read_phase(Reader& reader, AskedSession session) {
+void read_phase(Reader& reader, PromptSession session) {
   if (const std::optional<Effect> effect = effect_before(session.seen.phase)) {
     session.prepare(*effect);
   }
-  for (; !session.asked.notices.empty(); session.asked.notices.pop_front()) {
+  for (; !session.prompt.notices.empty(); session.prompt.notices.pop_front()) {
     reader.read(session);
   }
-  if (session.asked.form) {
+  if (session.prompt.form) {
     reader.read_form(session);
     return;
   }
@@ -125,9 +125,9 @@ void read_phase(Reader& reader, AskedSession session) {
   }
   reader.read(session);
   if (session.seen.phase == Phase::rating) {
-    session.asked.wants_to_rate = true;
+    session.prompt.wants_to_rate = true;
     reader.read(session, 3s);  // the mark is no longer acknowledged
-    ASSERT_TRUE(begin_rating(session.asked, session.protocol, 60s));
+    ASSERT_TRUE(begin_rating(session.prompt, session.protocol, 60s));
     reader.read_form(session);
   }
 }
@@ -137,10 +137,10 @@ std::vector<std::string> lines_with(const std::string& method) {
   Reader reader;
   for (int phase = 0; phase <= static_cast<int>(Phase::refused); ++phase) {
     for (const std::size_t step : {0U, 1U, 2U}) {
-      AskedSession session = session_with(method, static_cast<Phase>(phase), step);
+      PromptSession session = session_with(method, static_cast<Phase>(phase), step);
       read_phase(reader, session);
-      for (const Doubt doubt : {Doubt::timing_again, Doubt::stopping}) {
-        session.asked.doubt = doubt;
+      for (const Confirmation confirmation : {Confirmation::timing_again, Confirmation::stopping}) {
+        session.prompt.confirmation = confirmation;
         reader.read(session);
       }
     }

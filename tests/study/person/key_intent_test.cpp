@@ -21,10 +21,11 @@ constexpr Phase all_phases[] = {
 using Meanings = std::map<PersonKey, KeyIntent>;
 
 /// Every key that means something there.
-Meanings meanings(Phase phase, const std::optional<Doubt>& doubt = {}, bool reads_notice = false) {
+Meanings meanings(Phase phase, const std::optional<Confirmation>& confirmation = {},
+                  bool reads_notice = false) {
   Meanings meanings;
   for (const PersonKey key : all_keys) {
-    if (const auto intent = intent_of(key, phase, doubt, reads_notice)) {
+    if (const auto intent = intent_of(key, phase, confirmation, reads_notice)) {
       meanings.emplace(key, *intent);
     }
   }
@@ -33,7 +34,7 @@ Meanings meanings(Phase phase, const std::optional<Doubt>& doubt = {}, bool read
 
 TEST(KeyIntent, EachPhaseHasItsKeys) {
   const std::map<Phase, Meanings> expected = {
-      {Phase::consent, {{PersonKey::no, KeyIntent::doubt_going_on}}},
+      {Phase::consent, {{PersonKey::no, KeyIntent::confirm_going_on}}},
       {Phase::validation,
        {{PersonKey::mark, KeyIntent::begin_validation},
         {PersonKey::confirm, KeyIntent::begin_validation}}},
@@ -42,13 +43,13 @@ TEST(KeyIntent, EachPhaseHasItsKeys) {
        {{PersonKey::next, KeyIntent::next_object}, {PersonKey::confirm, KeyIntent::choose_object}}},
       {Phase::ready, {{PersonKey::mark, KeyIntent::start_trial}}},
       {Phase::marking,
-       {{PersonKey::mark, KeyIntent::mark}, {PersonKey::again, KeyIntent::doubt_timing}}},
+       {{PersonKey::mark, KeyIntent::mark}, {PersonKey::again, KeyIntent::confirm_timing}}},
       {Phase::rating,
-       {{PersonKey::confirm, KeyIntent::rate}, {PersonKey::again, KeyIntent::doubt_timing}}},
+       {{PersonKey::confirm, KeyIntent::rate}, {PersonKey::again, KeyIntent::confirm_timing}}},
       {Phase::paused,
        {{PersonKey::mark, KeyIntent::resume},
         {PersonKey::confirm, KeyIntent::resume},
-        {PersonKey::back, KeyIntent::doubt_going_on}}},
+        {PersonKey::back, KeyIntent::confirm_going_on}}},
       {Phase::completed, {{PersonKey::confirm, KeyIntent::leave}}},
       {Phase::withdrawn, {{PersonKey::confirm, KeyIntent::leave}}},
       {Phase::excluded, {{PersonKey::confirm, KeyIntent::leave}}},
@@ -68,14 +69,14 @@ TEST(KeyIntent, ANoticeIsReadBeforeAllElse) {
   }
 }
 
-TEST(KeyIntent, ADoubtIsConfirmedOrLetGoAndNothingElse) {
+TEST(KeyIntent, AConfirmationIsConfirmedOrLetGoAndNothingElse) {
   for (const bool reads_notice : {false, true}) {
-    EXPECT_EQ(meanings(Phase::marking, Doubt::timing_again, reads_notice),
+    EXPECT_EQ(meanings(Phase::marking, Confirmation::timing_again, reads_notice),
               (Meanings{{PersonKey::again, KeyIntent::time_again},
-                        {PersonKey::back, KeyIntent::let_doubt_go}}));
-    EXPECT_EQ(meanings(Phase::paused, Doubt::stopping, reads_notice),
+                        {PersonKey::back, KeyIntent::let_confirmation_go}}));
+    EXPECT_EQ(meanings(Phase::paused, Confirmation::stopping, reads_notice),
               (Meanings{{PersonKey::yes, KeyIntent::stop_taking_part},
-                        {PersonKey::no, KeyIntent::let_doubt_go}}));
+                        {PersonKey::no, KeyIntent::let_confirmation_go}}));
   }
 }
 

@@ -2,37 +2,37 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/study/person/asked_protocol.h"
+#include "tests/study/person/prompt_session.h"
 
 namespace foveola::study {
 namespace {
 
 using namespace std::chrono_literals;
-using test::AskedSession;
+using test::PromptSession;
 
 /// Empty: the picture alone.
-std::string title(const AskedSession& session, Nanoseconds now = 0s) {
-  const std::optional<ScreenPage> page = page_of(session.asked, session.standing(), now);
+std::string title(const PromptSession& session, Nanoseconds now = 0s) {
+  const std::optional<ScreenPage> page = page_of(session.prompt, session.context(), now);
   return page ? page->title : "";
 }
 
-AskedSession session_in(Phase phase) {
-  AskedSession session;
+PromptSession session_in(Phase phase) {
+  PromptSession session;
   session.seen.phase = phase;
   return session;
 }
 
 std::string title_of(const ScreenPage& page) { return page.title; }
 
-TEST(PagesTest, ADoubtIsBeforeNoticesAndThoseAreBeforeThePhase) {
-  AskedSession session = session_in(Phase::paused);
+TEST(PagesTest, AConfirmationIsBeforeNoticesAndThoseAreBeforeThePhase) {
+  PromptSession session = session_in(Phase::paused);
   const Texts& texts = session.protocol.texts;
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::pause, texts)));
   session.follow(SessionStarted{});
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::welcome, texts)));
-  session.asked.doubt = Doubt::stopping;
+  session.prompt.confirmation = Confirmation::stopping;
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::stopping, texts)));
-  session.asked.doubt = Doubt::timing_again;
+  session.prompt.confirmation = Confirmation::timing_again;
   EXPECT_EQ(title(session), title_of(retiming_screen(texts)));
 }
 
@@ -48,39 +48,39 @@ TEST(PagesTest, TheEndsDiffer) {
 }
 
 TEST(PagesTest, AnArmedTrialShowsThePictureUnlessItWaitsForAGaze) {
-  AskedSession session = session_in(Phase::armed);
+  PromptSession session = session_in(Phase::armed);
   EXPECT_EQ(title(session), "");
-  session.asked.awaits_gaze = true;
+  session.prompt.awaits_gaze = true;
   EXPECT_EQ(title(session), title_of(no_gaze_screen(session.protocol.texts)));
 }
 
 TEST(PagesTest, TargetsAreSeenAloneAndSaidBeforehand) {
-  AskedSession session = session_in(Phase::validation);
+  PromptSession session = session_in(Phase::validation);
   const Texts& texts = session.protocol.texts;
   session.seen.validations_left = 3;
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::validation, texts)));
   session.seen.validations_left = 2;
   EXPECT_EQ(title(session), title_of(notice_screen(Notice::validation_again, texts)));
-  begin_validation(session.asked, *session.protocol.tracker.validation,
+  begin_validation(session.prompt, *session.protocol.tracker.validation,
                    {.horizontal_fov_deg = 60.0, .vertical_fov_deg = 60.0}, 0s);
   EXPECT_EQ(title(session), "");
 }
 
 TEST(PagesTest, TheReactionTestShowsItsSignal) {
-  AskedSession session = session_in(Phase::reaction);
+  PromptSession session = session_in(Phase::reaction);
   const Texts& texts = session.protocol.texts;
   EXPECT_EQ(title(session), title_of(reaction_wait_screen(texts)));
   session.follow(ReactionPressed{.shown = 2s, .time = 1s});
   EXPECT_EQ(title(session), title_of(reaction_early_screen(texts)));
-  session.asked.reaction.end_frame(*session.protocol.reaction, 0s);
-  session.asked.reaction.begin_frame(4s);
-  const auto page = page_of(session.asked, session.standing(), 0s);
+  session.prompt.reaction.end_frame(*session.protocol.reaction, 0s);
+  session.prompt.reaction.begin_frame(4s);
+  const auto page = page_of(session.prompt, session.context(), 0s);
   EXPECT_TRUE(page->is_signal);
   EXPECT_FALSE(page->progress) << "nothing but the signal changes";
 }
 
 TEST(PagesTest, AMarkIsAcknowledgedForAMoment) {
-  AskedSession session = session_in(Phase::marking);
+  PromptSession session = session_in(Phase::marking);
   EXPECT_EQ(title(session, 10s), "");
   session.prepare(AcknowledgeMark{}, 10s);
   EXPECT_EQ(title(session, 10500ms), title_of(mark_taken_screen(1, 2, session.protocol.texts)));
@@ -88,23 +88,23 @@ TEST(PagesTest, AMarkIsAcknowledgedForAMoment) {
 }
 
 TEST(PagesTest, ARatingIsPrecededByLookingAround) {
-  AskedSession session = session_in(Phase::rating);
+  PromptSession session = session_in(Phase::rating);
   const Texts& texts = session.protocol.texts;
   session.prepare(AcknowledgeMark{}, 10s);
   session.prepare(AskForRating{}, 10s);
   EXPECT_EQ(title(session, 10s), title_of(mark_taken_screen(2, 2, texts)));
   EXPECT_EQ(title(session, 12s), title_of(look_around_screen(texts)));
-  session.asked.wants_to_rate = true;
-  begin_rating(session.asked, session.protocol, 14s);
+  session.prompt.wants_to_rate = true;
+  begin_rating(session.prompt, session.protocol, 14s);
   EXPECT_EQ(title(session, 14s), title_of(rating_form(session.protocol.ratings, texts).screen()));
 }
 
 TEST(PagesTest, ATrialsPhasesLeaveThePicture) {
-  AskedSession session = session_in(Phase::ready);
+  PromptSession session = session_in(Phase::ready);
   session.seen.step = 1;
   session.protocol.texts["ready_title"] = "{trial} of {trials}";
   EXPECT_EQ(title(session), "2 of 2");
-  EXPECT_FALSE(page_of(session.asked, session.standing(), 0s)->covers_picture);
+  EXPECT_FALSE(page_of(session.prompt, session.context(), 0s)->covers_picture);
   session.seen.phase = Phase::choosing_object;
   EXPECT_EQ(title(session), title_of(choosing_screen(session.protocol.texts)));
   session.seen.phase = Phase::armed;
@@ -112,11 +112,11 @@ TEST(PagesTest, ATrialsPhasesLeaveThePicture) {
 }
 
 TEST(PagesTest, PagesThatCoverThePictureSayHowFarItIs) {
-  AskedSession session = session_in(Phase::paused);
+  PromptSession session = session_in(Phase::paused);
   session.seen.step = 1;
-  EXPECT_DOUBLE_EQ(page_of(session.asked, session.standing(), 0s)->progress.value(), 0.5);
+  EXPECT_DOUBLE_EQ(page_of(session.prompt, session.context(), 0s)->progress.value(), 0.5);
   session.seen.phase = Phase::choosing_object;
-  EXPECT_FALSE(page_of(session.asked, session.standing(), 0s)->progress);
+  EXPECT_FALSE(page_of(session.prompt, session.context(), 0s)->progress);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ class TestTracker final : public EyeTracker {
     arrived.insert(arrived.end(), next.begin(), next.end());
     next.clear();
   }
-  std::string trouble() const override { return why; }
+  std::string status() const override { return why; }
 
   std::vector<GazeSample> next;
   std::string why;

@@ -10,9 +10,9 @@ namespace {
 ChannelValues all(double value) { return {value, 2.0 * value, 3.0 * value}; }
 
 /// Noise of 60 / density, from 10 samples a steradian on; black is 4 wrong.
-PatchNoise falling_patch(int rungs) {
+PatchNoise falling_patch(int sample_counts) {
   PatchNoise patch{.cells = 7.0, .contrast = 2.0, .unsampled = all(4.0), .first_per_sr = 10.0};
-  patch.noise_times_density.assign(rungs, all(60.0));
+  patch.noise_times_density.assign(sample_counts, all(60.0));
   return patch;
 }
 
@@ -24,13 +24,13 @@ TEST(NoiseTable, NoiseFallsWithTheSamples) {
   }
 }
 
-TEST(NoiseTable, BeforeTheFirstRungThereIsStillBlack) {
+TEST(NoiseTable, BeforeTheFirstLevelThereIsStillBlack) {
   const PatchNoise patch = falling_patch(5);
   EXPECT_EQ(noise_at(patch, 0.0), all(4.0));
   EXPECT_DOUBLE_EQ(noise_at(patch, 5.0)[0], 0.5 * (4.0 + 6.0));
 }
 
-TEST(NoiseTable, RungsAreHalfAnOctaveApart) {
+TEST(NoiseTable, LevelsAreHalfAnOctaveApart) {
   PatchNoise patch = falling_patch(3);
   patch.noise_times_density[2] = all(120.0);  // at 20 samples a steradian
   EXPECT_NEAR(noise_at(patch, 20.0)[0], 120.0 / 20.0, 1e-9);

@@ -58,7 +58,7 @@ class PilotTest : public testing::Test {
   }
   ScaleTables tables(const SceneStage& stage, const char* method, double mask_radius_rad,
                      std::uint32_t picture = 0) const {
-    return measure_noise(setting(stage), *aimed(method), ladder_, picture, mask(mask_radius_rad),
+    return measure_noise(setting(stage), *aimed(method), levels_, picture, mask(mask_radius_rad),
                          views(), expected(stage))
         .front();
   }
@@ -68,7 +68,7 @@ class PilotTest : public testing::Test {
   Workers workers_{2};
   SceneStage stage_{wall_with_a_square(folder_), workers_};
   Vision vision_ = some_vision();
-  PilotLadder ladder_{.first_per_pixel = 1.0, .rungs = 11};
+  SampleCountLevels levels_{.first_per_pixel = 1.0, .count = 11};
   std::stop_source stop_;
 };
 
@@ -143,7 +143,7 @@ TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
   display.view_height = 48;
   const std::vector<JudgedView> small = {view_of_object(vision_, object(), display)};
   const PilotSetting pilot = setting(stage_);
-  ladder_.first_per_pixel = 0.5;
+  levels_.first_per_pixel = 0.5;
   const auto sampler = aimed("od");
   const CellMeans converged =
       converged_means(pilot, *sampler, object().direction, 400.0, mask(0.6), small);
@@ -151,7 +151,7 @@ TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
   std::vector<ScaleTables> tables;
   for (std::uint32_t picture = 0; picture < pictures; ++picture) {
     tables.push_back(
-        measure_noise(pilot, *sampler, ladder_, picture, mask(0.6), small, converged).front());
+        measure_noise(pilot, *sampler, levels_, picture, mask(0.6), small, converged).front());
   }
   for (std::size_t scale = 0; scale < small[0].judged.size(); ++scale) {
     for (const std::uint64_t samples : {8'000U, 30'000U, 100'000U}) {

@@ -122,9 +122,9 @@ TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
   for (std::uint32_t picture = 0; picture < trials; ++picture) {
     PredictedSight sight(trial, *sampler, aimed(sight_ahead), picture);
     sight.add(5000.0, aimed(sight_ahead));
-    const Sighting sighting =
+    const Evidence evidence =
         sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport);
-    ++seen[std::lround(1e6 * sighting.material_jnd)];
+    ++seen[std::lround(1e6 * evidence.material_jnd)];
   }
   ASSERT_EQ(seen.size(), 2U);
   EXPECT_NEAR(static_cast<double>(seen.rbegin()->first) / static_cast<double>(seen.begin()->first),

@@ -183,6 +183,18 @@ fill_unsampled = true
   EXPECT_TRUE(both.fill_unsampled);
 }
 
+TEST(Procedure, KeysOfEarlierVersionsAreReadWithANote) {
+  const Protocol protocol = load(minimal + "[film]\nspare_done_contrast = 0.02\n");
+  EXPECT_EQ(protocol.film.adaptive_contrast, 0.02);
+  EXPECT_THAT(
+      protocol.notes,
+      ElementsAre(AllOf(HasSubstr(":6:23: "), HasSubstr("'film.spare_done_contrast' is now called "
+                                                        "'film.adaptive_contrast'"))));
+  EXPECT_THAT(load(minimal + "[film]\nadaptive_contrast = 0.02\n").notes, IsEmpty());
+  EXPECT_THROW(load(minimal + "[film]\nadaptive_contrast = 0.02\nspare_done_contrast = 0.02\n"),
+               Error);
+}
+
 // What the issue of re-creating the published study says of it.
 TEST(Procedure, ThePublishedStudyIsTheOneThatWasPublished) {
   const Protocol protocol = load_protocol(find_protocol("koskela2018"));

@@ -55,7 +55,7 @@ frame_rate_hz = 90.5
 width = 64
 height = 32
 max_depth = 3
-spare_done_contrast = 0.02
+adaptive_contrast = 0.02
 [display]
 view_width = 20
 view_height = 30
@@ -88,7 +88,7 @@ samples_per_object = 10
   EXPECT_EQ(protocol.film.width, 64);
   EXPECT_EQ(protocol.film.height, 32);
   EXPECT_EQ(protocol.film.max_depth, 3);
-  EXPECT_EQ(protocol.film.spare_done_contrast, 0.02);
+  EXPECT_EQ(protocol.film.adaptive_contrast, 0.02);
   EXPECT_EQ(protocol.display.view_width, 20);
   EXPECT_EQ(protocol.display.view_height, 30);
   EXPECT_EQ(protocol.display.horizontal_fov_deg, 60.0);

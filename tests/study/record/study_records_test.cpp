@@ -154,18 +154,26 @@ TEST_F(Records, SayHowSessionsWereSimulated) {
   EXPECT_FALSE(read_study(path_).simulation);
   SessionFacts predicted = facts_of("P02");
   predicted.devices =
-      R"({"simulation": {"scale": 36.0, "predicted": true, "plant": "none", "people_sha256": ""}})";
+      R"({"simulation": {"scale": 36.0, "predicted": true, "injected": "none", "people_sha256": ""}})";
   store_.begin_session(predicted, small_plan());
   EXPECT_EQ(read_study(path_).simulation,
-            (SimulationFacts{.scale = 36.0, .predicted = true, .plant = ""}));
+            (SimulationFacts{.scale = 36.0, .predicted = true, .injected = ""}));
 }
 
-TEST_F(Records, TellWhatWasPlanted) {
-  SessionFacts planted = facts_of("P01");
-  planted.devices = R"({"simulation": {"scale": 1.0, "predicted": false, "plant": "faster:fv:2"}})";
-  store_.begin_session(planted, small_plan());
+TEST_F(Records, TellWhatWasInjected) {
+  SessionFacts injected = facts_of("P01");
+  injected.devices =
+      R"({"simulation": {"scale": 1.0, "predicted": false, "injected": "faster:fv:2"}})";
+  store_.begin_session(injected, small_plan());
   EXPECT_EQ(read_study(path_).simulation,
-            (SimulationFacts{.scale = 1.0, .predicted = false, .plant = "faster:fv:2"}));
+            (SimulationFacts{.scale = 1.0, .predicted = false, .injected = "faster:fv:2"}));
+}
+
+TEST_F(Records, ReadInjectedEffectsOfEarlierVersions) {
+  SessionFacts earlier = facts_of("P01");
+  earlier.devices = R"({"simulation": {"scale": 1.0, "predicted": false, "plant": "faster:fv:2"}})";
+  store_.begin_session(earlier, small_plan());
+  EXPECT_EQ(read_study(path_).simulation->injected, "faster:fv:2");
 }
 
 TEST_F(Records, OfANewStudyAreEmpty) {

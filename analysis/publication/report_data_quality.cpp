@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/publication/html.h"
+#include "analysis/publication/report_parts.h"
+#include "analysis/publication/report_sections.h"
+#include "analysis/publication/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string checks_table(const StudyTables& tables, const DataQualityReport& report) {
+  HtmlTable table;
+  table.numeric = false;
+  table.caption_html = caption_start(tables, "Data-quality checks.") +
+                       "Of the participants whose data are analysed.";
+  table.columns = {"Check", "Verdict", "Found", "Limit"};
+  for (const DataQualityCheck& check : report.checks) {
+    const std::string verdict(name_of(check.verdict));
+    table.rows.push_back({check.name, check.verdict == Verdict::flagged ? "⚑ " + verdict : verdict,
+                          check.found, check.limit});
+  }
+  return render(table);
+}
+
+/// Fig. 7: each session's mean frame, from the eye to the display.
+std::string latency_table(const StudyTables& tables, const study::DataQualityRecords& quality) {
+  constexpr std::size_t most_rows = 100;
+  HtmlTable table;
+  table.caption_html =
+      caption_start(tables, "Latency from the eye to the display.") +
+      "Fig. 7 of the published study, from the frame log: means over each session’s frames.";
+  table.columns = {
+      "Participant", "frames",           "age of the gaze, ms", "polling to display, ms",
+      "both, ms",    "longest frame, ms"};
+  for (std::size_t i = 0; i < std::min(most_rows, quality.frames.size()); ++i) {
+    const study::FrameFigures& row = quality.frames[i];
+    table.rows.push_back({row.participant, std::to_string(row.frames),
+                          fixed(1e3 * row.mean_gaze_age_s, 1),
+                          fixed(1e3 * row.mean_to_display_s, 1),
+                          fixed(1e3 * (row.mean_gaze_age_s + row.mean_to_display_s), 1),
+                          fixed(1e3 * row.longest_frame_s, 1)});
+  }
+  return table.rows.empty() ? "" : render(table);
+}
+
+std::string reactions_table(const StudyTables& tables, const DataQualityReport& report) {
+  constexpr std::size_t most_rows = 100;
+  HtmlTable table;
+  table.caption_html =
+      caption_start(tables, "Reaction-time floor.") +
+      "No mark can be sooner than a press: times near the median reaction say “at once”.";
+  table.columns = {"Participant", "presses", "false starts",
+                   "median, s",   "marks",   "marks within the median"};
+  for (std::size_t i = 0; i < std::min(most_rows, report.reactions.size()); ++i) {
+    const ReactionFloor& row = report.reactions[i];
+    table.rows.push_back({row.participant, std::to_string(row.presses),
+                          std::to_string(row.false_starts), fixed(row.median_s, 3),
+                          std::to_string(row.marks), std::to_string(row.within_floor)});
+  }
+  return table.rows.empty() ? "<p>No reaction test was recorded: how much of a short time is the "
+                              "finger’s is not known.</p>\n"
+                            : render(table);
+}
+
+/// How many trials were timed again, and how often at most.
+std::string attempts_in_words(const AnalysisSet& set) {
+  std::size_t again = 0;
+  int most = 0;
+  for (const Cell& cell : set.cells) {
+    again += cell.attempts > 1 ? 1 : 0;
+    most = std::max(most, cell.attempts);
+  }
+  return again == 0 ? "No trial was timed again."
+                    : fmt::format(
+                          "{} of {} were timed again, at most {} times in all; the last "
+                          "timing counts.",
+                          again, counted(set.cells.size(), "trial"), most);
+}
+
+}  // namespace
+
+std::string data_quality_flags(const StudyTables& tables, const DataQualityReport& report) {
+  std::string items;
+  for (const DataQualityCheck& check : report.checks) {
+    // That data are simulated or a pilot's stands above already.
+    if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
+      items += fmt::format("<li>⚑ {}: {} (limit: {})</li>\n", escape_html(check.name),
+                           escape_html(check.found), escape_html(check.limit));
+    }
+  }
+  return items.empty()
+             ? ""
+             : "<div class=\"flags\" role=\"note\"><p>Data-quality limits missed:</p>\n<ul>\n" +
+                   items + "</ul></div>\n";
+}
+
+std::string data_quality_section(const StudyTables& tables, const DataQualityReport& report,
+                                 const study::DataQualityRecords& quality) {
+  return html_section("Data quality",
+                      checks_table(tables, report) +
+                          fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(tables.set))) +
+                          latency_table(tables, quality) + reactions_table(tables, report));
+}
+
+}  // namespace foveola::analysis

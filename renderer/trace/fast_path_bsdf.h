@@ -1,0 +1,75 @@
+// How opaque surfaces of the metallic-roughness model without covers scatter light, eight at a
+// time.
+#pragma once
+
+#include "renderer/base/lanes.h"
+#include "renderer/trace/bsdf_value.h"
+#include "renderer/trace/ggx_albedo.h"
+
+namespace foveola {
+
+/// A material's values at one point, as FastPathBsdfs wants them.
+struct FastPathLayers {
+  Rgb base_color;
+  float metallic;
+  float roughness;
+  CoatReflectance coat;  ///< of the material's dielectric part
+
+  /// The microfacets reflect.
+  bool is_shiny;
+};
+FastPathLayers fast_path_layers(const Reflectance& reflectance);
+
+/// Whether FastPathBsdfs can take a surface: it is opaque and has no covers.
+bool is_on_fast_path(const Reflectance& reflectance);
+/// Whether they can take its roughness too: in single precision.
+bool is_on_fast_path(const FastPathLayers& layers);
+
+/// Gathers the layers of eight surfaces; black where nothing was put.
+class FastPathLayersLanes {
+ public:
+  void put(std::size_t lane, const FastPathLayers& layers);
+
+ private:
+  friend class FastPathBsdfs;
+  Vec3Lanes base_color_{}, coat_normal_{};
+  FloatLanes metallic_{}, roughness_{}, coat_grazing_{};
+  bool any_shiny_ = false;
+};
+
+/// As Bsdf, with its directions, of eight surfaces.
+class FastPathBsdfs {
+ public:
+  /// outgoing: unit length, z > 0. albedo must outlive this object.
+  FastPathBsdfs(const FastPathLayersLanes& layers, const Vec3s& outgoing, const GgxAlbedo& albedo);
+
+  struct Values {
+    Vec3s times_cosine;
+    Floats pdf;
+  };
+  /// Zeros where incoming looks below the surface.
+  Values eval(const Vec3s& incoming) const;
+
+  struct Samples {
+    Vec3s incoming;
+    Vec3s weight;
+    Floats pdf;  ///< 0: the sample is lost
+  };
+  Samples sample(const Floats& u_lobe, const Vec2s& u) const;
+
+ private:
+  void set_layers(const FastPathLayersLanes& layers);
+  void add_facets(const Vec3s& incoming, Values& values) const;
+  Vec3s sample_visible_normal(const Vec2s& azimuth, const Floats& u) const;
+
+  bool any_shiny_;
+  Vec3s outgoing_;
+  GgxAlbedo::Rows albedo_;
+  Floats alpha_, lambda_outgoing_, masking_outgoing_, inverse_alpha_squared_, density_scale_;
+  Vec3s specular_normal_, specular_grazing_;
+  Floats layer_f0_, layer_f90_;
+  Vec3s diffuse_;
+  Floats specular_probability_, diffuse_probability_;
+};
+
+}  // namespace foveola

@@ -1,0 +1,171 @@
+// The part of BlockTracer that works on the vertices of plain surfaces, eight at a time.
+#include <limits>
+
+#include "renderer/trace/block_tracer.h"
+#include "renderer/trace/surface.h"
+#include "renderer/trace/vertex_rules.h"
+
+namespace foveola {
+namespace {
+
+/// Stands in for directions in lanes that nobody asks for.
+constexpr Vec3 straight_up(0.0F, 0.0F, 1.0F);
+
+}  // namespace
+
+LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
+                                           const GroupNumbers& numbers) {
+  SurfaceHits hits;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    const Hit& hit = hits_[group.first + lane];
+    hits.put(lane, object_of(hit).view, hit);
+  });
+  const Vec3s direction = paths_->direction.load(group.first);
+  SurfacePoints points = hits.points(direction);
+  LaneMask turned_out_other{};
+  const FastPathLayersLanes layers = layers_of(group, points, lanes, turned_out_other);
+  LaneMask goes_on{};
+  if (any_lane(turned_out_other)) {
+    goes_on = advance_alone(group, turned_out_other, numbers);
+    lanes &= ~turned_out_other;
+  }
+  apply_normal_maps(group, direction, lanes, points);
+  const Frames frames(points.shading_normal);
+  const Vec3s outgoing = chosen(lanes, frames.to_local(-direction), all_lanes(straight_up));
+  const FastPathBsdfs bsdfs(layers, outgoing, traced_.tables.ggx());
+  queue_lights(group, lanes, points, frames, bsdfs, numbers);
+  return goes_on | send(group, lanes, points, frames, bsdfs, numbers);
+}
+
+FastPathLayersLanes BlockTracer::layers_of(const Group& group, const SurfacePoints& points,
+                                           const LaneMask& lanes, LaneMask& others) const {
+  FastPathLayersLanes layers;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    const std::size_t index = group.first + lane;
+    const TracedObject& object = object_of(hits_[index]);
+    if (object.is_constant) {
+      layers.put(lane, object.layers);
+      return;
+    }
+    const FastPathLayers here = fast_path_layers(
+        reflectance_at(traced_.scene, mesh_point(index, points, lane), /*is_back=*/false));
+    layers.put(lane, here);
+    others[lane] = is_on_fast_path(here) ? 0 : -1;
+  });
+  return layers;
+}
+
+MeshPoint BlockTracer::mesh_point(std::size_t index, const SurfacePoints& points,
+                                  std::size_t lane) const {
+  const Hit& hit = hits_[index];
+  MeshPoint point{
+      .mesh = *object_of(hit).view.mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
+  const float width_m = paths_->width_m[index] + paths_->spread_rad[index] * hit.t;
+  if (width_m > 0.0F) {
+    point.relative_width = relative_width(width_m, points.facing[lane], points.double_area[lane]);
+  }
+  return point;
+}
+
+void BlockTracer::apply_normal_maps(const Group& group, const Vec3s& direction,
+                                    const LaneMask& lanes, SurfacePoints& points) const {
+  for_each_lane(lanes, [&](std::size_t lane) {
+    const std::size_t index = group.first + lane;
+    const TracedObject& object = object_of(hits_[index]);
+    if (object.has_normal_map) {
+      points.turn_shading_normal(
+          lane, direction,
+          mapped_normal(traced_.scene, mesh_point(index, points, lane), object.view.instance,
+                        points.smooth_normal_at(lane)));
+    }
+  });
+}
+
+void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
+                               const SurfacePoints& points, const Frames& frames,
+                               const FastPathBsdfs& bsdfs, const GroupNumbers& numbers) {
+  if (traced_.lights.empty()) {
+    return;
+  }
+  ShadingPoints shading_points;
+  shading_points.position.store(points.position);
+  shading_points.normal.store(points.geometric_normal);
+  const LightSamples light = traced_.lights.sample(shading_points, numbers.light, lanes);
+  const Vec3s incoming = frames.to_local(light.direction);
+  LaneMask arrives = lanes & (light.pdf != 0.0F) & ~(incoming.z <= 0.0F) &
+                     ~(dot(light.direction, points.geometric_normal) <= 0.0F);
+  if (!any_lane(arrives)) {
+    return;
+  }
+  const auto value = bsdfs.eval(chosen(arrives, incoming, all_lanes(straight_up)));
+  const Floats ratio = value.pdf / light.pdf;
+  const Floats weight = light.is_delta ? all_lanes(1.0F) : 1.0F / (1.0F + ratio * ratio);
+  const Vec3s gain = (weight / light.pdf) *
+                     (paths_->throughput.load(group.first) * value.times_cosine * light.radiance);
+  arrives &= (gain.x != 0.0F) | (gain.y != 0.0F) | (gain.z != 0.0F);
+  // Where a ray ends stays where its start moves to.
+  const LaneMask ends = light.t_max < std::numeric_limits<float>::infinity();
+  const Vec3s moved = light.to_light + (points.position - points.origin);
+  const Vec3s to_light = chosen(ends, moved, light.to_light);
+  arrives = finite(group, arrives, gain, to_light);
+  Vec3Lanes direction;
+  Vec3Lanes origin;
+  Vec3Lanes radiance;
+  direction.store(to_light);
+  origin.store(points.origin);
+  radiance.store(gain);
+  for_each_lane(arrives, [&](std::size_t lane) {
+    pending_.push_back({.job = paths_->job[group.first + lane], .radiance = radiance.at(lane)});
+    shadow_rays_.push_back({.origin = origin.at(lane),
+                            .direction = direction.at(lane),
+                            .t_max = light.t_max[lane],
+                            .key = numbers.shadow_key[lane]});
+  });
+}
+
+LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
+                           const Frames& frames, const FastPathBsdfs& bsdfs,
+                           const GroupNumbers& numbers) {
+  PathStates& paths = *paths_;
+  const std::size_t first = group.first;
+  const auto sample = bsdfs.sample(numbers.lobe.load(), numbers.scattering.load());
+  const Vec3s direction = normalized(frames.to_world(sample.incoming));
+  // Written so that what is not a number comes through, and is found below.
+  LaneMask goes_on = lanes & (sample.pdf != 0.0F) & ~(sample.incoming.z <= 0.0F) &
+                     ~(dot(direction, points.geometric_normal) <= 0.0F);
+  Vec3s throughput = paths.throughput.load(first) * sample.weight;
+  const Floats brightest = max_component(throughput) / paths.radiance_scale.load(first);
+  goes_on = finite(group, goes_on, throughput, direction) & (brightest > 0.0F);
+  if (vertex_ > vertices_before_roulette) {
+    const Floats survives = survival(brightest);
+    const LaneMask is_dim = survives < 1.0F;
+    throughput = chosen(is_dim, (1.0F / survives) * throughput, throughput);
+    goes_on &= ~is_dim | (numbers.roulette.load() < survives);
+  }
+  paths.origin.store(first, goes_on, points.origin);
+  paths.direction.store(first, goes_on, direction);
+  paths.throughput.store(first, goes_on, throughput);
+  paths.pdf.store(first, goes_on, sample.pdf);
+  paths.shading_point_position.store(first, goes_on, points.position);
+  paths.shading_point_normal.store(first, goes_on, points.geometric_normal);
+  const Floats spread = paths.spread_rad.load(first);
+  const Floats scattered = scattered_spread_rad(sample.pdf);
+  for_each_lane(goes_on, [&](std::size_t lane) {
+    paths.shading_point_transmits[first + lane] = false;
+    paths.key[first + lane] = numbers.next_key[lane];
+    paths.width_m[first + lane] += spread[lane] * hits_[first + lane].t;
+  });
+  paths.spread_rad.store(first, goes_on & (spread > 0.0F), larger(spread, scattered));
+  return goes_on;
+}
+
+LaneMask BlockTracer::finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
+                             const Vec3s& direction) {
+  const LaneMask all_finite = is_finite(radiance) & is_finite(direction);
+  for_each_lane(lanes & ~all_finite, [&](std::size_t lane) {
+    radiance_[paths_->job[group.first + lane]] = not_a_number;
+  });
+  return lanes & all_finite;
+}
+
+}  // namespace foveola

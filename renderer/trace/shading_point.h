@@ -1,0 +1,25 @@
+// The place that light is gathered at, as far as drawing lights needs to know it.
+#pragma once
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/vec.h"
+
+namespace foveola {
+
+struct ShadingPoint {
+  Vec3 position{0.0F};
+  Vec3 normal{0.0F, 1.0F, 0.0F};  ///< unit length; of the geometry, not of its shading
+  bool transmits = true;          ///< light may arrive from both sides, not from the normal's alone
+};
+
+/// ShadingPoints that light arrives at from their normal's side only, one a lane.
+struct ShadingPoints {
+  Vec3Lanes position;
+  Vec3Lanes normal;
+
+  ShadingPoint at(std::size_t lane) const {
+    return {.position = position.at(lane), .normal = normal.at(lane), .transmits = false};
+  }
+};
+
+}  // namespace foveola

@@ -1,0 +1,162 @@
+#include "study/participant/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace foveola::study {
+namespace {
+
+constexpr auto achromatic = static_cast<std::size_t>(Channel::achromatic);
+
+double square(double x) { return x * x; }
+
+/// The mean achromatic value of all pixels in cells.
+double mean_lightness(const CellPixels& pixels, const std::vector<ChannelValues>& values) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t cell = 0; cell < values.size(); ++cell) {
+    sum += pixels.pixels_in_cell[cell] * values[cell][achromatic];
+    count += pixels.pixels_in_cell[cell];
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+int block_of(const Vision& vision) {
+  return std::max(1, static_cast<int>(std::lround(vision.coarseness)));
+}
+
+/// Of each block, in each channel: (presented - expected)^2 of its mean, times its pixels. Where a
+/// block lacks cells its noise is larger than a whole one's; it counts for so much less.
+std::vector<ChannelValues> block_energies(const Cells& cells, const CellPixels& pixels,
+                                          const std::vector<ChannelValues>& presented,
+                                          const std::vector<ChannelValues>& expected) {
+  std::vector<ChannelValues> energies(cells.blocks().size());
+  std::vector<double> pixels_in_block(cells.blocks().size());
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    const std::uint32_t block = cells.block_of(cell);
+    const double count = pixels.pixels_in_cell[cell];
+    pixels_in_block[block] += count;
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      energies[block][channel] += count * (presented[cell][channel] - expected[cell][channel]);
+    }
+  }
+  for (std::size_t block = 0; block < energies.size(); ++block) {
+    const double part = static_cast<double>(cells.blocks()[block].cells) /
+                        static_cast<double>(cells.cells_of_whole_block());
+    for (double& energy : energies[block]) {
+      energy = pixels_in_block[block] > 0.0 ? part * square(energy) / pixels_in_block[block] : 0.0;
+    }
+  }
+  return energies;
+}
+
+}  // namespace
+
+Cells outline_cells(const Vision& vision, const Vec3& object, double radius_deg) {
+  return Cells::around(object, vision.surround_factor * radius_deg,
+                       radius_deg / vision.recognition_line_pairs, vision.object_patch_deg,
+                       block_of(vision));
+}
+
+std::vector<double> scales_deg(const Vision& vision, double finest_cell_deg) {
+  std::vector<double> scales(static_cast<std::size_t>(std::lround(vision.scale_count)));
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    scales[i] = std::ldexp(finest_cell_deg, static_cast<int>(i));
+  }
+  return scales;
+}
+
+std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, double radius_deg) {
+  std::vector<Cells> cells;
+  for (const double cell_deg : scales_deg(vision, vision.material_cell_deg)) {
+    cells.push_back(
+        Cells::around(object, radius_deg, cell_deg, vision.object_patch_deg, block_of(vision)));
+  }
+  return cells;
+}
+
+std::vector<Cells> view_cells(const Vision& vision) {
+  std::vector<Cells> cells;
+  for (const double cell_deg : scales_deg(vision, vision.view_cell_deg)) {
+    cells.push_back(Cells::everywhere(cell_deg, vision.view_patch_deg, block_of(vision)));
+  }
+  return cells;
+}
+
+std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
+                                          const std::vector<ChannelValues>& presented,
+                                          const std::vector<ChannelValues>& expected,
+                                          bool with_contrast) {
+  std::vector<PatchEnergies> patches(cells.patches().size());
+  std::vector<double> pixels_in_patch(patches.size());
+  const double mean = with_contrast ? mean_lightness(pixels, expected) : 0.0;
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    const double count = pixels.pixels_in_cell[cell];
+    PatchEnergies& patch = patches[cells.patch_of(cell)];
+    pixels_in_patch[cells.patch_of(cell)] += count;
+    patch.cells += count > 0.0 ? 1.0 : 0.0;
+    if (with_contrast) {
+      patch.contrast += count * square(2.0 * (expected[cell][achromatic] - mean));
+    }
+  }
+  const std::vector<ChannelValues> energies = block_energies(cells, pixels, presented, expected);
+  for (std::size_t block = 0; block < energies.size(); ++block) {
+    ChannelValues& noise = patches[cells.blocks()[block].patch].noise;
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      noise[channel] += energies[block][channel];
+    }
+  }
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    PatchEnergies& patch = patches[i];
+    patch.direction = cells.patches()[i].direction;
+    for (double& noise : patch.noise) {
+      noise /= pixels_in_patch[i];
+    }
+    patch.contrast /= pixels_in_patch[i];
+  }
+  std::erase_if(patches, [](const PatchEnergies& patch) { return patch.cells == 0.0; });
+  return patches;
+}
+
+double outline_signal_to_noise(std::span<const PatchEnergies> patches, const Visibility& visibility,
+                               const Vec3& gaze, double rose) {
+  double signal = 0.0;
+  double noise = 0.0;
+  const double own_noise = 1.0 / square(rose);
+  for (const PatchEnergies& patch : patches) {
+    const double visible = visibility.at(glm::dot(patch.direction, gaze))[achromatic];
+    signal += patch.cells * visible * patch.contrast;
+    noise += patch.cells * (visible * patch.noise[achromatic] + own_noise);
+  }
+  return noise > 0.0 ? std::sqrt(signal / noise) : 0.0;
+}
+
+double visible_difference_jnd(std::span<const PatchEnergies> patches, const Visibility& visibility,
+                              const Vec3& gaze) {
+  double sum = 0.0;
+  double total_weight = 0.0;
+  for (const PatchEnergies& patch : patches) {
+    const auto& visible = visibility.at(glm::dot(patch.direction, gaze));
+    const double weight = patch.cells * visible[achromatic];
+    double difference = 0.0;
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      difference += visible[channel] * patch.noise[channel];
+    }
+    sum += weight * difference;
+    total_weight += weight;
+  }
+  return total_weight > 0.0 ? std::sqrt(sum / total_weight)
+                            : std::numeric_limits<double>::infinity();
+}
+
+double pooled_jnd(const Vision& vision, std::span<const double> jnd_of_scales) {
+  double sum = 0.0;
+  for (const double jnd : jnd_of_scales) {
+    sum += std::pow(jnd, vision.pooling_exponent);
+  }
+  return std::pow(sum, 1.0 / vision.pooling_exponent);
+}
+
+}  // namespace foveola::study

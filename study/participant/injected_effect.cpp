@@ -1,0 +1,122 @@
+#include "study/participant/injected_effect.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr double largest_factor = 1e3;
+
+[[noreturn]] void refuse(std::string_view part, const std::string& what) {
+  throw UsageError(fmt::format("--inject {}", part), what,
+                   "write none, faster:METHOD:FACTOR, order:FACTOR, outlier:PARTICIPANT:FACTOR, "
+                   "dropout:PART or tracker-loss:PART");
+}
+
+double number_from(std::string_view text, double minimum, double maximum, std::string_view part) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() ||
+      !(value >= minimum && value <= maximum)) {
+    refuse(part, fmt::format("'{}' is no number from {} to {}", text, minimum, maximum));
+  }
+  return value;
+}
+
+double factor_from(std::string_view text, std::string_view part) {
+  return number_from(text, 1.0 / largest_factor, largest_factor, part);
+}
+
+/// One effect, cut at its first and its last colon.
+struct Words {
+  std::string_view kind;
+  std::string_view subject;  ///< between the two; empty if there is but one
+  std::string_view amount;
+};
+
+Words words_of(std::string_view part) {
+  const std::size_t first = part.find(':');
+  const std::size_t last = part.rfind(':');
+  if (first == std::string_view::npos) {
+    return {.kind = part};
+  }
+  const bool has_subject = last > first;
+  return {.kind = part.substr(0, first),
+          .subject = has_subject ? part.substr(first + 1, last - first - 1) : std::string_view(),
+          .amount = part.substr(last + 1)};
+}
+
+bool takes_subject(std::string_view kind) { return kind == "faster" || kind == "outlier"; }
+
+void add(std::string_view part, InjectedEffect& effect) {
+  const Words words = words_of(part);
+  if (takes_subject(words.kind) == words.subject.empty()) {
+    refuse(part, "is not a known effect");
+  }
+  if (words.kind == "faster") {
+    const bool is_new =
+        effect.faster.emplace(words.subject, factor_from(words.amount, part)).second;
+    if (!is_new) {
+      refuse(part, "is a second effect of that method");
+    }
+  } else if (words.kind == "order") {
+    effect.order_factor = factor_from(words.amount, part);
+  } else if (words.kind == "outlier") {
+    const double number = number_from(words.subject, 1.0, 1e6, part);
+    if (number != std::floor(number)) {
+      refuse(part, "participants have whole numbers");
+    }
+    effect.outlier = {.participant = static_cast<int>(number),
+                      .slower = factor_from(words.amount, part)};
+  } else if (words.kind == "dropout") {
+    effect.dropout_part = number_from(words.amount, 0.0, 1.0, part);
+  } else if (words.kind == "tracker-loss") {
+    effect.tracker_loss_part = number_from(words.amount, 0.0, 1.0, part);
+  } else {
+    refuse(part, "is not a known effect");
+  }
+}
+
+}  // namespace
+
+InjectedEffect parse_injected_effect(const std::string& text) {
+  InjectedEffect effect;
+  if (text == "none") {
+    return effect;
+  }
+  std::vector<std::string_view> kinds;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view part = std::string_view(text).substr(begin, end - begin);
+    const std::string_view kind = words_of(part).kind;
+    if (kind != "faster" && std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
+      refuse(part, "is there twice");
+    }
+    add(part, effect);
+    kinds.push_back(kind);
+    begin = end + 1;
+  }
+  return effect;
+}
+
+void require_methods(const InjectedEffect& effect, const std::vector<std::string>& methods) {
+  for (const auto& [method, factor] : effect.faster) {
+    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
+      throw UsageError(fmt::format("--inject faster:{}:{}", method, factor),
+                       "names a method that the protocol does not have",
+                       fmt::format("choose one of {}", fmt::join(methods, ", ")));
+    }
+  }
+}
+
+}  // namespace foveola::study

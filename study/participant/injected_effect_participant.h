@@ -1,0 +1,67 @@
+// A participant with an injected effect: moves the eyes like any, but presses at times that are
+// drawn, whatever is on the display.
+#pragma once
+
+#include "study/design/plan.h"
+#include "study/participant/drawn_times.h"
+#include "study/participant/simulated_participant.h"
+
+namespace foveola::study {
+
+class InjectedEffectParticipant final : public SimulatedObserver {
+ public:
+  /// person: answers forms, chooses objects and looks about. row: the participant's, from 0 on.
+  /// plan: the session's, by which it is known what is shown.
+  InjectedEffectParticipant(const InjectedEffect& effect, const SimulatedParticipant& person,
+                            const Background& background, std::uint64_t seed, int row,
+                            const Plan& plan);
+
+  std::vector<Answer> answer(const std::string& form,
+                             const std::vector<Question>& questions) override {
+    return person_.answer(form, questions);
+  }
+  Nanoseconds react(std::uint32_t attempt) override { return person_.react(attempt); }
+  std::size_t choose_object(const std::string& scene,
+                            const std::vector<OfferedObject>& offered) override {
+    return person_.choose_object(scene, offered);
+  }
+  void begin_attempt(const Attempt& attempt) override;
+  void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override {
+    person_.turn_to(scene, object, now);
+  }
+  void look_at(const Vec3& target, Nanoseconds now) override { person_.look_at(target, now); }
+  void begin(Task task, Nanoseconds now) override;
+  AzimuthElevation head(Nanoseconds time) override { return person_.head(time); }
+  Vec3 gaze(Nanoseconds time) override { return person_.gaze(time); }
+  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
+    return consider({}, stimulus.presented);
+  }
+  bool wants_retime() const override { return false; }
+  /// With the effect's probability, from some trial after the first on.
+  bool wants_to_withdraw(int trials_before) const override;
+  /// Drawn like the answers to a form.
+  std::vector<Answer> rate(const std::vector<Question>& ratings) override;
+
+  /// The first look of an attempt is taken for its first frame. No mark in a catch trial.
+  std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
+  bool looks() const override { return false; }
+  ScanPath& path() override { return person_.path(); }
+
+ private:
+  /// How many trials are sat through before withdrawing; none if that does not happen.
+  std::optional<int> draw_dropout() const;
+
+  InjectedEffect effect_;
+  SimulatedParticipant person_;
+  Background background_;
+  std::uint64_t seed_;
+  int row_;
+  Plan plan_;
+  std::optional<int> withdraws_after_;
+  Attempt attempt_;
+  std::optional<Nanoseconds> first_frame_;
+  bool is_marking_ = false;
+  std::size_t marks_ = 0;  ///< made in this attempt
+};
+
+}  // namespace foveola::study

@@ -1,0 +1,53 @@
+// What data quality follows from in a study's sessions: frames, gaze, validations, reactions.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foveola::study {
+
+/// Of all frames that a session presented in the counted attempts at its test trials.
+struct FrameFigures {
+  std::string participant;
+  std::uint64_t frames = 0;
+  std::uint64_t late = 0;          ///< missed their refresh
+  std::uint64_t untracked = 0;     ///< the tracker's newest gaze was not valid
+  double mean_gaze_age_s = 0.0;    ///< of the gaze that was used, when it was polled
+  double mean_to_display_s = 0.0;  ///< from polling to the display
+  double longest_frame_s = 0.0;    ///< from one presented frame to the next
+  std::uint64_t marks = 0;
+  double mean_mark_after_frame_s = 0.0;  ///< from the frame that was seen to the mark
+  double longest_mark_after_frame_s = 0.0;
+};
+
+/// One look at a validation's targets; angles in degrees, empty where nothing was seen.
+struct GazeRunRow {
+  std::string participant;
+  int run = 0;
+  std::optional<double> accuracy_deg;
+  std::optional<double> precision_rms_deg;
+  double data_loss = 0.0;  ///< 0 to 1
+  bool passed = false;     ///< the protocol's gate
+};
+
+/// A key pressed at something that appeared.
+struct ReactionRow {
+  std::string participant;
+  double seconds = 0.0;  ///< below zero of a false start
+  bool early = false;
+};
+
+struct DataQualityRecords {
+  std::vector<FrameFigures> frames;  ///< of the sessions that have any
+  std::vector<GazeRunRow> gaze_runs;
+  std::vector<ReactionRow> reactions;
+};
+
+/// Reads a study's file without changing it, attempt by attempt; none of withdrawn sessions. Throws
+/// Error as read_study does, or if frames are not what was written.
+DataQualityRecords read_data_quality(const std::filesystem::path& path);
+
+}  // namespace foveola::study

@@ -1,0 +1,74 @@
+#include "study/participant/injected_effect.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::study {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+
+TEST(InjectedEffect, NoneIsNoEffect) {
+  const InjectedEffect none = parse_injected_effect("none");
+  EXPECT_TRUE(none.faster.empty());
+  EXPECT_EQ(none.order_factor, 1.0);
+  EXPECT_FALSE(none.outlier);
+  EXPECT_EQ(none.dropout_part, 0.0);
+  EXPECT_EQ(none.tracker_loss_part, 0.0);
+}
+
+TEST(InjectedEffect, AllKindsTogether) {
+  const InjectedEffect effect = parse_injected_effect(
+      "faster:fv:2,order:0.9,outlier:3:5,dropout:0.2,tracker-loss:0.3,faster:mix:a=1:1.5");
+  EXPECT_THAT(effect.faster, ElementsAre(Pair("fv", 2.0), Pair("mix:a=1", 1.5)));
+  EXPECT_EQ(effect.order_factor, 0.9);
+  ASSERT_TRUE(effect.outlier);
+  EXPECT_EQ(effect.outlier->participant, 3);
+  EXPECT_EQ(effect.outlier->slower, 5.0);
+  EXPECT_EQ(effect.dropout_part, 0.2);
+  EXPECT_EQ(effect.tracker_loss_part, 0.3);
+}
+
+TEST(InjectedEffect, WhatMakesNoSenseIsRefused) {
+  for (const char* text : {"",
+                           "faster",
+                           "faster:fv",
+                           "faster::2",
+                           "faster:fv:0",
+                           "faster:fv:-1",
+                           "faster:fv:x",
+                           "faster:fv:2,",
+                           "faster:fv:2,faster:fv:3",
+                           "order:nan",
+                           "order:0.9,order:0.8",
+                           "order:fv:0.9",
+                           "outlier:0:5",
+                           "outlier:1.5:5",
+                           "outlier:5",
+                           "dropout:1.1",
+                           "dropout:-0.1",
+                           "tracker-loss:2",
+                           "none,order:0.9",
+                           "slower:fv:2",
+                           "order:0.9 "}) {
+    EXPECT_THROW(parse_injected_effect(text), UsageError) << "'" << text << "'";
+  }
+}
+
+TEST(InjectedEffect, OfAMethodThatIsNotInTheStudyIsRefused) {
+  const InjectedEffect effect = parse_injected_effect("faster:fw:2");
+  EXPECT_NO_THROW(require_methods(effect, {"od", "fw"}));
+  try {
+    require_methods(effect, {"od", "fv"});
+    FAIL() << "nothing was refused";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("choose one of od, fv"));
+  }
+}
+
+}  // namespace
+}  // namespace foveola::study

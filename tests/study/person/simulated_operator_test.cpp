@@ -1,0 +1,199 @@
+#include "study/person/simulated_operator.h"
+
+#include <atomic>
+
+#include <gmock/gmock.h>
+
+#include "tests/study/person/prompt_session.h"
+#include "tests/waiting.h"
+
+namespace foveola::study {
+namespace {
+
+using namespace std::chrono_literals;
+using test::PromptSession;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// Presses so long after the first thing that it sees.
+class Onlooker final : public Participant {
+ public:
+  std::vector<Answer> answer(const std::string& /*form*/,
+                             const std::vector<Question>& /*questions*/) override {
+    return {};
+  }
+  Nanoseconds react(std::uint32_t /*attempt*/) override { return 200ms; }
+  std::size_t choose_object(const std::string& /*scene*/,
+                            const std::vector<OfferedObject>& /*offered*/) override {
+    return 0;
+  }
+  void begin_attempt(const Attempt& /*attempt*/) override { is_marking_ = false; }
+  void turn_to(const std::string& /*scene*/, const OfferedObject& /*object*/,
+               Nanoseconds /*now*/) override {}
+  void look_at(const Vec3& /*target*/, Nanoseconds /*now*/) override {}
+  void begin(Task task, Nanoseconds /*now*/) override { is_marking_ = task != Task::look_around; }
+  AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
+  Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
+  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
+    ++looks;
+    return std::exchange(is_marking_, false) ? std::optional(stimulus.presented + thought)
+                                             : std::nullopt;
+  }
+  bool wants_retime() const override { return regrets; }
+  bool wants_to_withdraw(int /*trials_before*/) const override { return withdraws; }
+  std::vector<Answer> rate(const std::vector<Question>& /*ratings*/) override { return {}; }
+
+  static constexpr Nanoseconds thought = 300ms;
+  std::atomic<int> looks = 0;
+  bool regrets = false;
+  bool withdraws = false;
+
+ private:
+  bool is_marking_ = false;
+};
+
+class SimulatedOperatorTest : public ::testing::Test {
+ protected:
+  SimulatedOperatorTest() {
+    session_.seen.phase = Phase::ready;
+    session_.seen.object = "Lamp";
+  }
+
+  /// Shows a frame at this time of the clock.
+  void show(Nanoseconds time, bool may_answer = true) {
+    clock_.advance(time - clock_.now());
+    SeenFrame frame{.prompt = session_.prompt,
+                    .context = session_.context(),
+                    .offered = &objects_,
+                    .shown = time,
+                    .session_time = time};
+    if (operator_.wants_to_look()) {
+      frame.pixels = ShownPixels{.image = RgbImage(2, 2),
+                                 .viewport = Viewport(head_orientation({}), 1.0, 1.0)};
+    }
+    operator_.follow(frame, may_answer);
+  }
+
+  /// What was pressed since this was asked, and when.
+  std::vector<std::pair<PersonKey, Nanoseconds>> pressed() {
+    std::vector<std::pair<PersonKey, Nanoseconds>> keys;
+    for (const WindowEvent& event : operator_.events().take()) {
+      if (const std::optional<PersonKey> key = person_key(event)) {
+        keys.emplace_back(*key, event.time);
+      }
+    }
+    return keys;
+  }
+
+  /// Shows it until a key is pressed: looks are over when they are.
+  std::pair<PersonKey, Nanoseconds> key_pressed_by(Nanoseconds time) {
+    std::vector<std::pair<PersonKey, Nanoseconds>> keys;
+    foveola::test::wait_until("a key", [&] {
+      show(time);
+      keys = pressed();
+      return !keys.empty();
+    });
+    EXPECT_EQ(keys.size(), 1U);
+    return keys.front();
+  }
+
+  /// Is ready, and the first frame has been shown at 2 s.
+  void begin_trial() {
+    show(0s);
+    show(1100ms);
+    EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::mark, Nanoseconds(1100ms))));
+    session_.seen.phase = Phase::marking;
+    show(2s);
+  }
+
+  PromptSession session_;
+  std::vector<OfferedObject> objects_ = {{.name = "Lamp"}};
+  Onlooker onlooker_;
+  VirtualClock clock_;
+  WindowEvents window_;
+  SimulatedOperator operator_{{.participant = &onlooker_,
+                               .protocol = &session_.protocol,
+                               .plan = &session_.plan,
+                               .seed = {},
+                               .clock = &clock_,
+                               .window = &window_}};
+};
+
+TEST_F(SimulatedOperatorTest, StartsATrialOnceHeadAndEyeRest) {
+  show(0s);
+  show(900ms);
+  EXPECT_THAT(pressed(), IsEmpty());
+  show(1s);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::mark, Nanoseconds(1s))));
+}
+
+TEST_F(SimulatedOperatorTest, AKeyGoesDownWhenItIsTimeToWheneverFramesCome) {
+  begin_trial();
+  show(2299ms);
+  EXPECT_THAT(pressed(), IsEmpty());
+  EXPECT_EQ(key_pressed_by(2450ms), std::pair(PersonKey::mark, 2s + Onlooker::thought));
+  show(3s);
+  EXPECT_THAT(pressed(), IsEmpty()) << "the mark is made";
+}
+
+TEST_F(SimulatedOperatorTest, NothingIsAnsweredThatIsNotAskedAnyMore) {
+  begin_trial();
+  show(2450ms, false);
+  EXPECT_THAT(pressed(), IsEmpty());
+}
+
+TEST_F(SimulatedOperatorTest, LooksTenTimesASecondAtMost) {
+  begin_trial();
+  EXPECT_FALSE(operator_.wants_to_look()) << "at one thing at a time";
+  key_pressed_by(2450ms);
+  session_.seen.phase = Phase::rating;
+  session_.seen.mark = 2;
+  session_.prompt.look_around_until = 9s;
+  show(4s);
+  foveola::test::wait_until("a look around", [&] { return onlooker_.looks == 2; });
+  for (int frame = 0; frame < 100; ++frame) {
+    show(4099ms);
+  }
+  EXPECT_EQ(onlooker_.looks, 2);
+  foveola::test::wait_until("the next look", [&] {
+    show(4100ms);
+    return onlooker_.looks == 3;
+  });
+}
+
+TEST_F(SimulatedOperatorTest, AFailedTimingIsAskedAboutAndConfirmed) {
+  begin_trial();
+  session_.seen.mark = 1;
+  onlooker_.regrets = true;
+  show(3s);
+  session_.prompt.confirmation = Confirmation::timing_again;
+  show(4s);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::again, Nanoseconds(3s)),
+                                     std::pair(PersonKey::again, Nanoseconds(4s))));
+}
+
+TEST_F(SimulatedOperatorTest, WhoWantsToStopPausesAndSaysSo) {
+  onlooker_.withdraws = true;
+  show(0s);
+  show(2s);
+  session_.seen.phase = Phase::paused;
+  show(3s);
+  session_.prompt.confirmation = Confirmation::stopping;
+  show(4s);
+  EXPECT_THAT(pressed(), ElementsAre(std::pair(PersonKey::pause, Nanoseconds(0s)),
+                                     std::pair(PersonKey::back, Nanoseconds(3s)),
+                                     std::pair(PersonKey::yes, Nanoseconds(4s))));
+}
+
+TEST_F(SimulatedOperatorTest, HandsAtTheMachineDoNothing) {
+  window_.push(press_of(PersonKey::pause, 0s));
+  window_.push({.what = CloseWanted{}});
+  window_.push({.what = WindowHidden{.is_hidden = true}});
+  show(0s);
+  const std::vector<WindowEvent> events = operator_.events().take();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<WindowHidden>(events.front().what));
+}
+
+}  // namespace
+}  // namespace foveola::study
