@@ -145,10 +145,6 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .corrects_gaze = command.correct_gaze,
                            .tell = tell_user};
   live.choices.look.exposure_stops = source.exposure_stops + command.exposure_stops;
-  if (gaze.pointer != nullptr) {
-    // It is read once a frame, and known to rest meanwhile, however long that takes.
-    live.gaze_check.longest_interval = live.gaze_check.give_up;
-  }
   if (command.frames > 0) {
     live.frames = command.frames;
   }
