@@ -33,19 +33,22 @@ std::string glb_container(std::string json, std::string binary) {
   return "glTF" + word(2) + word(header_size + chunks.size()) + chunks;
 }
 
-int GlbDocument::add(const char* list, Json item) {
+template <typename Json>
+int GlbDocument<Json>::add(const char* list, Json item) {
   Json& items = document[list];
   items.push_back(std::move(item));
   return static_cast<int>(items.size()) - 1;
 }
 
-int GlbDocument::add_root(Json node) {
+template <typename Json>
+int GlbDocument<Json>::add_root(Json node) {
   const int index = add("nodes", std::move(node));
   document["scenes"][0]["nodes"].push_back(index);
   return index;
 }
 
-int GlbDocument::add_view(std::span<const std::byte> bytes, GlbTarget target) {
+template <typename Json>
+int GlbDocument<Json>::add_view(std::span<const std::byte> bytes, GlbTarget target) {
   pad(buffer, '\0');
   Json view = {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", bytes.size()}};
   if (target != GlbTarget::none) {
@@ -55,8 +58,9 @@ int GlbDocument::add_view(std::span<const std::byte> bytes, GlbTarget target) {
   return add("bufferViews", std::move(view));
 }
 
-int GlbDocument::add_accessor(std::span<const std::byte> bytes, GlbComponent component,
-                              const char* type, std::size_t count, GlbTarget target) {
+template <typename Json>
+int GlbDocument<Json>::add_accessor(std::span<const std::byte> bytes, GlbComponent component,
+                                    const char* type, std::size_t count, GlbTarget target) {
   const int view = add_view(bytes, target);
   return add("accessors", {{"bufferView", view},
                            {"componentType", static_cast<int>(component)},
@@ -64,7 +68,8 @@ int GlbDocument::add_accessor(std::span<const std::byte> bytes, GlbComponent com
                            {"type", type}});
 }
 
-std::string GlbDocument::bytes() const {
+template <typename Json>
+std::string GlbDocument<Json>::bytes() const {
   Json complete = document;
   std::string padded = buffer;
   pad(padded, '\0');
@@ -73,5 +78,8 @@ std::string GlbDocument::bytes() const {
   }
   return glb_container(complete.dump(), std::move(padded));
 }
+
+template struct GlbDocument<nlohmann::json>;
+template struct GlbDocument<nlohmann::ordered_json>;
 
 }  // namespace foveola

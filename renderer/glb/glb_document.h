@@ -27,9 +27,11 @@ enum class GlbComponent : int {
 /// target of a buffer view.
 enum class GlbTarget : int { none = 0, vertices = 34962, indices = 34963 };
 
-/// A document under construction, and the bytes of its only buffer.
+/// A document under construction, and the bytes of its only buffer. JsonType: nlohmann::json, or
+/// nlohmann::ordered_json for members in the order in which they were added.
+template <typename JsonType>
 struct GlbDocument {
-  using Json = nlohmann::ordered_json;
+  using Json = JsonType;
 
   Json document;
   std::string buffer;

@@ -13,7 +13,8 @@
 namespace foveola {
 namespace {
 
-using Json = GlbDocument::Json;
+using Json = nlohmann::json;
+using Glb = GlbDocument<Json>;
 
 Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -38,19 +39,19 @@ Json material_json(const Material& material) {
           {"extensions", extensions}};
 }
 
-void add_node(GlbDocument& glb, Json node, const DVec3& translation_m) {
+void add_node(Glb& glb, Json node, const DVec3& translation_m) {
   node["translation"] = {translation_m.x, translation_m.y, translation_m.z};
   glb.add_root(std::move(node));
 }
 
 template <typename Element>
-int add_accessor(GlbDocument& glb, const std::vector<Element>& elements, GlbComponent component,
+int add_accessor(Glb& glb, const std::vector<Element>& elements, GlbComponent component,
                  const char* type, std::size_t values_per_element) {
   return glb.add_accessor(std::as_bytes(std::span(elements)), component, type,
                           elements.size() * values_per_element);
 }
 
-void add_mesh(GlbDocument& glb, const Mesh& mesh, const DVec3& translation_m) {
+void add_mesh(Glb& glb, const Mesh& mesh, const DVec3& translation_m) {
   Json primitive = {{"material", mesh.material}};
   primitive["attributes"]["POSITION"] =
       add_accessor(glb, mesh.positions, GlbComponent::float32, "VEC3", 1);
@@ -63,7 +64,7 @@ void add_mesh(GlbDocument& glb, const Mesh& mesh, const DVec3& translation_m) {
   add_node(glb, {{"mesh", index}}, translation_m);
 }
 
-void add_camera(GlbDocument& glb, const DVec3& place) {
+void add_camera(Glb& glb, const DVec3& place) {
   const int index = glb.add(
       "cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
   add_node(glb, {{"camera", index}}, place);
@@ -72,7 +73,7 @@ void add_camera(GlbDocument& glb, const DVec3& place) {
 }  // namespace
 
 std::string glb_of(const Scene& scene, const Vec3& viewpoint, const DVec3& translation_m) {
-  GlbDocument glb;
+  Glb glb;
   glb.document = {{"asset", {{"version", "2.0"}}},
                   {"extensionsUsed",
                    {"KHR_materials_specular", "KHR_materials_emissive_strength",

@@ -13,7 +13,7 @@
 namespace foveola::scenes {
 namespace {
 
-using Json = GlbDocument::Json;
+using Json = nlohmann::ordered_json;
 
 constexpr double default_yfov_rad = 1.0;
 constexpr double clearcoat_roughness = 0.03;  ///< polished, yet found by light sampling
@@ -188,7 +188,7 @@ class ModelWriter {
   }
 
   const Model& model_;
-  GlbDocument glb_;
+  GlbDocument<Json> glb_;
 };
 
 }  // namespace

@@ -16,11 +16,11 @@
 
 namespace foveola::test {
 
-using Json = GlbDocument::Json;
+using Json = nlohmann::json;
 using enum GlbComponent;
 
 /// A document under construction and the bytes of its only buffer. Tests spoil `document` at will.
-struct GlbBuilder : GlbDocument {
+struct GlbBuilder : GlbDocument<Json> {
   GlbBuilder() { document = {{"asset", {{"version", "2.0"}}}}; }
 
   using GlbDocument::add_view;
