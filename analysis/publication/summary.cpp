@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 
 #include "analysis/publication/wording.h"
+#include "renderer/base/aligned_rows.h"
 
 namespace foveola::analysis {
 namespace {
-
-using TextRow = std::vector<std::string>;
 
 std::string printable(const std::string& name) {
   std::string text = name;
@@ -19,31 +18,9 @@ std::string printable(const std::string& name) {
   return text;
 }
 
-/// The number of characters of UTF-8 text.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
-}
-
-/// The first column to the left, the others to the right.
-std::string aligned(const std::vector<TextRow>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const TextRow& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], width_of(row[i]));
-    }
-  }
-  std::string text;
-  for (const TextRow& row : rows) {
-    text += fmt::format("  {:<{}}", row[0], widths[0]);
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      text += fmt::format("   {:>{}}", row[i], widths[i]);
-    }
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += '\n';
-  }
-  return text;
+/// Under a title, the first column to the left, the others to the right.
+std::string aligned_numbers(const std::vector<TextRow>& rows) {
+  return aligned(rows, {.indent = 2, .gap = 3, .numbers_to_the_right = true});
 }
 
 /// Whose data a table shows, at the end of its title.
@@ -93,7 +70,7 @@ std::string times_block(const StudyTables& tables, Mark mark) {
   }
   rows.push_back(overall_row(tables, mark));
   return fmt::format("Time until the {} was visible{}\n{}", name_of(mark), notice(tables),
-                     aligned(rows));
+                     aligned_numbers(rows));
 }
 
 std::string ratings_block(const StudyTables& tables) {
@@ -106,8 +83,8 @@ std::string ratings_block(const StudyTables& tables) {
   const RatingScale& scale = tables.set.rating_scale;
   const std::string notes = notes_on(scale);
   return fmt::format("Artifacts in other areas, {}{}\n{}{}", printable(points_in_words(scale)),
-                     notice(tables), aligned(rows),
-                     notes.empty() ? "" : " " + printable(notes) + "\n");
+                     notice(tables), aligned_numbers(rows),
+                     notes.empty() ? "" : fmt::format(" {}\n", printable(notes)));
 }
 
 std::string background_block(const StudyTables& tables) {
@@ -120,7 +97,8 @@ std::string background_block(const StudyTables& tables) {
          row.pearson ? p_value(row.pearson->p) : "–"});
   }
   return fmt::format("Background ({}) against speed-up{}\n{}",
-                     printable(listed(tables.background.questions)), notice(tables), aligned(rows));
+                     printable(listed(tables.background.questions)), notice(tables),
+                     aligned_numbers(rows));
 }
 
 }  // namespace

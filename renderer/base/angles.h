@@ -51,10 +51,11 @@ inline double angle_between(const Vec3& a, const Vec3& b) {
 /// Two unit vectors that complete the unit vector `n` to a right-handed orthonormal frame
 /// (tangent, bitangent, n), without a branch on its direction (Duff et al. 2017, "Building an
 /// Orthonormal Basis, Revisited").
-///
-/// Number and Vector: float and Vec3, or lanes of them.
-template <typename Number, typename Vector>
+/// Number: float, or Floats.
+template <typename Number>
 struct FrameOf {
+  using Vector = Vec3Of<Number>;
+
   Vector tangent;
   Vector bitangent;
   Vector normal;
@@ -74,7 +75,7 @@ struct FrameOf {
     return {dot(world, tangent), dot(world, bitangent), dot(world, normal)};
   }
 };
-using Frame = FrameOf<float, Vec3>;
-using Frames = FrameOf<Floats, Vec3s>;
+using Frame = FrameOf<float>;
+using Frames = FrameOf<Floats>;
 
 }  // namespace foveola

@@ -10,7 +10,7 @@ struct BuildInfo {
   std::string version;   ///< "0.1.0"
   std::string compiler;  ///< "GNU 12.2.0"
   std::string build_type;
-  std::string instruction_set;  ///< of the numeric libraries that were loaded: "x86-64-v3"
+  std::string instruction_set;  ///< what the loaded numeric libraries use: "x86-64-v3"
 };
 BuildInfo build_info();
 

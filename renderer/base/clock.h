@@ -28,7 +28,7 @@ class SteadyClock final : public Clock {
   Nanoseconds now() const override { return std::chrono::steady_clock::now().time_since_epoch(); }
 };
 
-/// Stands still until it is told to advance.
+/// Stands still between calls of advance().
 class VirtualClock final : public Clock {
  public:
   Nanoseconds now() const override { return now_; }

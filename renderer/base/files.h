@@ -1,5 +1,5 @@
-// Files: where the program finds its own, reading them whole, and writing without half-written
-// ones.
+// Files: where the program finds its own, reading whole files, and replacing files in one step so
+// that none is ever half-written.
 #pragma once
 
 #include <filesystem>

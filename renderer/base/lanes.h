@@ -1,4 +1,5 @@
-// Eight numbers side by side, which the processor works on at once; and vectors of them.
+// Eight numbers side by side (SIMD lanes), which the processor works on at once; and vectors of
+// them.
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@ using Floats = float __attribute__((vector_size(lane_count * sizeof(float))));
 using Ints = std::int32_t __attribute__((vector_size(lane_count * sizeof(float))));
 using LaneMask = Ints;
 
-/// The same for all lanes.
+/// One value in all lanes.
 inline Floats all_lanes(float value) { return Floats{} + value; }
 
 /// A bit for each lane, the first the lowest.
@@ -36,6 +37,7 @@ inline std::uint32_t bits_of(const LaneMask& mask) {
   return bits;
 }
 
+inline bool any_lane(bool mask) { return mask; }
 inline bool any_lane(const LaneMask& mask) {
   std::int32_t any = 0;
   for (std::size_t i = 0; i < lane_count; ++i) {
@@ -51,7 +53,7 @@ void for_each_lane(std::uint32_t bits, const Visit& visit) {
     visit(static_cast<std::size_t>(__builtin_ctz(left)));
   }
 }
-/// The same for the lanes of a mask.
+/// Calls visit(lane) for the lanes of a mask.
 template <typename Visit>
 void for_each_lane(const LaneMask& mask, const Visit& visit) {
   for_each_lane(bits_of(mask), visit);
@@ -81,7 +83,7 @@ inline Floats magnitude(const Floats& x) {
   return reinterpret_cast<Floats>(reinterpret_cast<Ints>(x) & 0x7fffffff);
 }
 
-/// The first one's magnitude with the second one's sign.
+/// The magnitude of `x` with the sign of `sign`.
 inline float with_sign(float x, float sign) { return std::copysign(x, sign); }
 inline Floats with_sign(const Floats& x, const Floats& sign) {
   const Ints sign_bit = reinterpret_cast<Ints>(sign) & std::numeric_limits<std::int32_t>::min();
@@ -107,7 +109,17 @@ inline Floats chosen(const LaneMask& mask, const Floats& a, const Floats& b) {
 /// The next integer towards zero, of |x| < 2^31.
 inline std::int32_t truncated(float x) { return static_cast<std::int32_t>(x); }
 inline Ints truncated(const Floats& x) { return __builtin_convertvector(x, Ints); }
+inline float floats_of(std::int32_t x) { return static_cast<float>(x); }
 inline Floats floats_of(const Ints& x) { return __builtin_convertvector(x, Floats); }
+
+/// The nearest integer in [0, most].
+inline std::int32_t clamped(std::int32_t x, std::int32_t most) {
+  return x < 0 ? 0 : (x < most ? x : most);
+}
+inline Ints clamped(const Ints& x, std::int32_t most) {
+  const Ints not_above = x < most ? x : Ints{} + most;
+  return not_above > 0 ? not_above : Ints{};
+}
 
 /// Arrays that lanes are put into one by one, or taken from, without a round trip for each.
 struct alignas(lane_count * sizeof(float)) FloatLanes : std::array<float, lane_count> {
@@ -145,6 +157,7 @@ struct Vec3s {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
   }
   friend Vec3s operator*(const Floats& s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
+  friend Vec3s operator*(float s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
 };
 
 inline Vec3s all_lanes(const Vec3& v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }
@@ -152,24 +165,50 @@ inline Floats dot(const Vec3s& a, const Vec3s& b) { return a.x * b.x + a.y * b.y
 inline Vec3s cross(const Vec3s& a, const Vec3s& b) {
   return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
 }
+inline Vec3 normalized(const Vec3& v) { return glm::normalize(v); }
 inline Vec3s normalized(const Vec3s& v) { return (1.0F / square_root(dot(v, v))) * v; }
 inline Vec3 magnitude(const Vec3& v) { return glm::abs(v); }
 inline Vec3s magnitude(const Vec3s& v) { return {magnitude(v.x), magnitude(v.y), magnitude(v.z)}; }
+inline Vec3 larger(const Vec3& a, const Vec3& b) { return glm::max(a, b); }
 inline Vec3s larger(const Vec3s& a, const Vec3s& b) {
   return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z)};
 }
 inline Floats max_component(const Vec3s& v) { return larger(v.x, larger(v.y, v.z)); }
-inline Floats luminance(const Vec3s& rgb) {
-  return 0.2126F * rgb.x + 0.7152F * rgb.y + 0.0722F * rgb.z;
-}
 inline LaneMask is_finite(const Vec3s& v) {
   const Vec3s size = magnitude(v);
   constexpr float infinity = std::numeric_limits<float>::infinity();
   return (size.x < infinity) & (size.y < infinity) & (size.z < infinity);
 }
+inline Vec3 chosen(bool condition, const Vec3& a, const Vec3& b) { return condition ? a : b; }
 inline Vec3s chosen(const LaneMask& mask, const Vec3s& a, const Vec3s& b) {
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
+
+/// What goes with a number, which is a float or Floats.
+template <typename Number>
+struct TypesOf;
+template <>
+struct TypesOf<float> {
+  using Int = std::int32_t;
+  using Mask = bool;
+  using Vector2 = Vec2;
+  using Vector3 = Vec3;
+};
+template <>
+struct TypesOf<Floats> {
+  using Int = Ints;
+  using Mask = LaneMask;
+  using Vector2 = Vec2s;
+  using Vector3 = Vec3s;
+};
+template <typename Number>
+using IntOf = typename TypesOf<Number>::Int;
+template <typename Number>
+using MaskOf = typename TypesOf<Number>::Mask;
+template <typename Number>
+using Vec2Of = typename TypesOf<Number>::Vector2;
+template <typename Number>
+using Vec3Of = typename TypesOf<Number>::Vector3;
 
 struct Vec3Lanes {
   FloatLanes x, y, z;

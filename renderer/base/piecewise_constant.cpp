@@ -29,7 +29,7 @@ float probability_of(std::span<const float> running, std::size_t i) {
 
 struct Interval {
   std::size_t index;
-  float fraction;  ///< of the way through it
+  float fraction;  ///< how far through the item, in [0, 1)
 };
 
 /// How many of the leading elements are not above u, at most all but the last. Without branches:

@@ -37,8 +37,8 @@ class PiecewiseConstant2D {
 
   std::size_t width_;
   double total_ = 0.0;
-  std::vector<float> row_sums_;     ///< running, over 1; the last is 1
-  std::vector<float> column_sums_;  ///< running, within each row
+  std::vector<float> row_sums_;     ///< cumulative, normalised: the last is 1
+  std::vector<float> column_sums_;  ///< cumulative and normalised within each row
 };
 
 }  // namespace foveola

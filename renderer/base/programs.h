@@ -8,12 +8,12 @@
 
 namespace foveola {
 
-/// Where the running program's file lies; empty if the system does not tell.
+/// Where the running program's file lies; empty if the system does not say.
 std::filesystem::path own_program();
 
 /// What becomes of a program that we run when the user presses Ctrl-C, which reaches both.
 enum class OnInterrupt : std::uint8_t {
-  as_here,  ///< what becomes of this one: where a thread waits for the signal, both go on
+  as_here,  ///< the same as of this program: where a thread waits for the signal, both go on
   ends      ///< it ends, unless it says otherwise itself
 };
 
@@ -25,7 +25,7 @@ struct Command {
 };
 
 struct ProgramEnd {
-  int status = 0;  ///< as wait() gives it; 0: it succeeded
+  int status = 0;  ///< what wait() returned; 0: it succeeded
   std::string output;
   std::string errors;
 };
@@ -34,7 +34,7 @@ struct ProgramEnd {
 /// cannot be started.
 ProgramEnd run_to_end(const Command& command);
 
-/// Of a status other than 0: "exit status 2", or "signal 9 (Killed)".
+/// Names a status other than 0: "exit status 2", or "signal 9 (Killed)".
 std::string failure_named(int status);
 
 }  // namespace foveola

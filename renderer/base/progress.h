@@ -1,4 +1,4 @@
-// A progress line with the time left, for work that takes longer than a breath.
+// A progress line with the time left, for work that takes longer than a second or two.
 #pragma once
 
 #include <chrono>

@@ -21,13 +21,13 @@ struct RectangleLight {
   Rgb radiance{1.0F};
 };
 
-/// Of the real sun, seen from the earth.
+/// The real sun's angular radius, seen from the earth.
 constexpr double solar_angular_radius_rad = 0.00465;
 
 /// A sun alone, beside whatever environment there is.
 struct Sun {
-  AzimuthElevation place;                                ///< in the sky
-  Rgb irradiance{1.0F};                                  ///< of a surface that faces it
+  AzimuthElevation place;                                ///< direction towards it
+  Rgb irradiance{1.0F};                                  ///< on a surface that faces it
   double angular_radius_rad = solar_angular_radius_rad;  ///< 0: sharp shadows, seen by no ray
 };
 
@@ -35,15 +35,15 @@ struct Sun {
 struct SunAndSky {
   AzimuthElevation sun;
   double turbidity = 3.0;      ///< haze: 2 (very clear) to 10
-  float ground_albedo = 0.2F;  ///< of what lies below the horizon, in [0, 1]
+  float ground_albedo = 0.2F;  ///< reflectance below the horizon, in [0, 1]
 };
 
 /// What the numbers of a glTF file's punctual lights (KHR_lights_punctual) mean. Emissive materials
 /// have radiances in either case, and are taken as they are.
 enum class LightUnits : std::uint8_t {
   /// Lux and candela, as the extension says. Divided by 683 lm/W they become irradiances and
-  /// radiant
-  /// intensities: Blender's exporter multiplies every colour by this luminous efficacy, which the
+  /// radiant intensities: Blender's exporter multiplies every colour by this luminous efficacy,
+  /// which the
   /// SI's definition of the candela gives to light of 540 THz.
   photometric,
   /// Irradiances and radiant intensities: taken as they are.
@@ -61,13 +61,13 @@ struct SceneSource {
   std::string name;  ///< what the user called it
   std::string title;
   std::filesystem::path file;  ///< .glb, .gltf or .obj
-  /// Of the file that all else here was written for; empty if it was for none. Any other file is
-  /// taken all the same, with a warning.
+  /// SHA-256 of the file that all else here was written for; empty if for no file in particular.
+  /// Another file is accepted with a warning.
   std::string described_sha256;
-  /// Of the file's units, for files in others than glTF's. All else here is in metres.
+  /// Length of the file's unit, for files that are not glTF. All else here is in metres.
   double metres_per_unit = 1.0;
-  /// Of a glTF file's punctual lights. If absent, by the program that wrote the file: photometric
-  /// where it was Blender's exporter since it writes them so, else radiometric.
+  /// Units of a glTF file's punctual lights. If absent, the program that wrote the file decides:
+  /// photometric for the versions of Blender's exporter that write them so, else radiometric.
   std::optional<LightUnits> light_units;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
@@ -77,10 +77,10 @@ struct SceneSource {
   std::optional<Rgb> environment_radiance;
   std::optional<std::filesystem::path> environment_file;
   std::optional<SunAndSky> sky;
-  double environment_rotation_rad = 0.0;        ///< as Environment's; turns the sky's sun as well
+  double environment_rotation_rad = 0.0;        ///< see Environment; turns the sky's sun as well
   double environment_strength = 1.0;            ///< multiplies the environment, and the sky's sun
-  std::optional<float> light_radius_m;          ///< of all points and spots, instead of the file's
-  std::optional<float> sun_angular_radius_rad;  ///< of all directional lights, likewise
+  std::optional<float> light_radius_m;          ///< replaces that of all point and spot lights
+  std::optional<float> sun_angular_radius_rad;  ///< replaces that of all directional lights
   std::vector<RectangleLight> lights;
   std::vector<Sun> suns;
   std::vector<ObjectOfInterest> objects;

@@ -82,7 +82,7 @@ class TomlReader {
   };
   /// A non-empty array of at most 1000 strings, none twice; no strings if the key is absent.
   std::vector<Text> texts(std::string_view key);
-  /// Likewise. Throws Error if the key is absent.
+  /// The same strings of a key that must be there: throws Error if it is absent.
   std::vector<Text> require_texts(std::string_view key);
   /// Throws Error if the key is absent or empty.
   std::string require_text(std::string_view key);
@@ -117,7 +117,7 @@ class TomlReader {
   const toml::table* table_;
   std::string name_;
   std::set<std::string, std::less<>> asked_;
-  std::shared_ptr<std::vector<std::string>> notes_;  ///< of all tables of the file
+  std::shared_ptr<std::vector<std::string>> notes_;  ///< shared by all tables of the file
 };
 
 }  // namespace foveola

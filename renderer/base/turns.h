@@ -8,7 +8,7 @@
 
 namespace foveola {
 
-/// Number: float, or Floats.
+/// An angle's sine and cosine. Number: float, or Floats.
 template <typename Number>
 struct SinesCosines {
   Number sine;
@@ -16,8 +16,9 @@ struct SinesCosines {
 };
 using SineCosine = SinesCosines<float>;
 
-/// Of 2 pi `turns`, for |turns| < 2^20, within 1e-7. The polynomials are those of Moshier's Cephes
-/// library (sinf, cosf), 1992, for an eighth of a turn. Number: float, or Floats.
+/// Sine and cosine of the angle 2 pi `turns`, for |turns| < 2^20, within 1e-7. The polynomials are
+/// those of Moshier's Cephes library (sinf, cosf), 1992, for an eighth of a turn. Number: float, or
+/// Floats.
 template <typename Number>
 SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
   constexpr float radians_per_turn = 6.28318530717958648F;

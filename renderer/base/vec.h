@@ -23,13 +23,14 @@ using Quat = glm::quat;
 /// Linear Rec. 709 radiance, reflectance or throughput.
 using Rgb = glm::vec3;
 
-/// Relative luminance of a linear Rec. 709 colour (ITU-R BT.709-6, item 3.2).
-inline float luminance(const Rgb& rgb) {
-  return 0.2126F * rgb.r + 0.7152F * rgb.g + 0.0722F * rgb.b;
+/// Relative luminance of a linear Rec. 709 colour (ITU-R BT.709-6, item 3.2), or of lanes of them.
+template <typename Vector>
+auto luminance(const Vector& rgb) {
+  return 0.2126F * rgb.x + 0.7152F * rgb.y + 0.0722F * rgb.z;
 }
 
 inline double luminance(const DVec3& rgb) {
-  return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b;
+  return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
 }
 
 inline float max_component(const Vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }

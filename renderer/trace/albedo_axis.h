@@ -34,28 +34,19 @@ inline float cosine_of_node(std::size_t node, int steps, float alpha) {
 }
 
 /// A position among nodes: the one below, and how far it is to the next. What is not a number lies
-/// at the first one.
-struct NodePosition {
-  int below;
-  float fraction;
+/// at the first one. Number: float, or Floats.
+template <typename Number>
+struct NodePositionOf {
+  IntOf<Number> below;
+  Number fraction;
 
-  NodePosition(float unit, int steps)
-      : below(std::clamp(truncated(unit * static_cast<float>(steps)), 0, steps - 1)),
-        fraction(unit * static_cast<float>(steps) - static_cast<float>(below)) {}
-};
-
-/// The same, one a lane.
-struct NodePositions {
-  Ints below;
-  Floats fraction;
-
-  NodePositions(const Floats& unit, int steps) {
-    const Floats position = unit * static_cast<float>(steps);
-    const Ints whole = truncated(position);
-    const Ints in_table = whole < steps - 1 ? whole : Ints{} + (steps - 1);
-    below = in_table > 0 ? in_table : Ints{};
+  /// unit: in [0, 1].
+  NodePositionOf(const Number& unit, int steps) {
+    const Number position = unit * static_cast<float>(steps);
+    below = clamped(truncated(position), steps - 1);
     fraction = position - floats_of(below);
   }
 };
+using NodePosition = NodePositionOf<float>;
 
 }  // namespace foveola

@@ -2,36 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "renderer/trace/fresnel.h"
+#include "renderer/base/turns.h"
+#include "renderer/base/unit_interval.h"
 
 namespace foveola {
 namespace {
 
-constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
-
-Vec3 sample_cosine_hemisphere(const Vec2& u) {
-  const float r = std::sqrt(u.y);
-  const float azimuth = 2.0F * std::numbers::pi_v<float> * u.x;
-  return {r * std::cos(azimuth), r * std::sin(azimuth), std::sqrt(1.0F - u.y)};
-}
-
 Vec3 sample_uniform_hemisphere(const Vec2& u) {
   const float z = 1.0F - u.y;
   const float r = std::sqrt(u.y * (1.0F + z));
-  const float azimuth = 2.0F * std::numbers::pi_v<float> * u.x;
-  return {r * std::cos(azimuth), r * std::sin(azimuth), z};
-}
-
-Vec3 raised_above_grazing(const Vec3& w) {
-  return w.z >= smallest_cosine ? w : glm::normalize(Vec3(w.x, w.y, smallest_cosine));
+  const SineCosine azimuth = sine_cosine_of_turns(u.x);
+  return {r * azimuth.cosine, r * azimuth.sine, z};
 }
 
 /// What is left of u in [begin, begin + length), spread over [0, 1).
 float rescaled(float u, float begin, float length) {
-  constexpr float largest = 0x1.fffffep-1F;
-  return std::clamp((u - begin) / length, 0.0F, largest);
+  return std::clamp((u - begin) / length, 0.0F, largest_below_one);
 }
 
 bool has_covers(const Reflectance& reflectance) {
@@ -51,8 +38,8 @@ bool is_matte(const Reflectance& reflectance) {
 Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
     : outgoing_(raised_above_grazing(outgoing)) {
   if (is_matte(reflectance)) {
-    diffuse_ = inverse_pi * reflectance.base_color;
-    diffuse_probability_ = reflectance.base_color == Rgb(0.0F) ? 0.0F : 1.0F;
+    layers_ = OpaqueLayersOf<float>(reflectance.base_color);
+    choose_probabilities();
   } else {
     set_layers(reflectance, tables);
   }
@@ -60,45 +47,20 @@ Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const Scatterin
 
 void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables) {
   microfacets_ = MicrofacetLobe(reflectance.roughness, outgoing_);
-  albedo_ = tables.ggx().row(reflectance.roughness);
-  const SchlickAlbedo lobe = albedo_.at(outgoing_.z);
   const float dielectric = 1.0F - reflectance.metallic;
   const float opaque = dielectric * (1.0F - reflectance.transmission);
-
-  const float base_luminance = luminance(reflectance.base_color);
-  float coat_albedo = 0.0F;
-  float specular_albedo = 0.0F;
-  if (dielectric > 0.0F) {
-    const auto [f0, coat_f90] = coat_reflectance(reflectance);
-    const float coat_f0 = max_component(f0);
-    coat_albedo = std::min(lobe.with(coat_f0, coat_f90), 1.0F);
-    float layer = inverse_pi * (1.0F - coat_albedo);
-    const float below_coat = 1.0F - albedo_.mean().with(coat_f0, coat_f90);
-    if (below_coat > darkest_below_coat) {
-      layer /= below_coat;
-      layer_f0_ = coat_f0;
-      layer_f90_ = coat_f90;
-      has_coat_ = coat_f0 > 0.0F || coat_f90 > 0.0F;
-    }
-    diffuse_ = (opaque * layer) * reflectance.base_color;
-    const float share = reflectance.is_solid ? opaque : dielectric;
-    specular_albedo = share * coat_albedo;
-    specular_normal_ = share * f0;
-    specular_grazing_ = Rgb(share * coat_f90);
-  }
-  if (reflectance.metallic > 0.0F) {
-    // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
-    const float lost = (1.0F - lobe.white) / lobe.white;
-    const Rgb metal = reflectance.metallic * (1.0F + reflectance.base_color * lost);
-    specular_normal_ += metal * reflectance.base_color;
-    specular_grazing_ += metal;
-    specular_albedo += reflectance.metallic * glm::mix(base_luminance, 1.0F, lobe.grazing);
-  }
+  const CoatReflectance coat = coat_reflectance(reflectance);
+  layers_ = OpaqueLayersOf<float>({.base_color = reflectance.base_color,
+                                   .metallic = reflectance.metallic,
+                                   .coat_normal = coat.normal,
+                                   .coat_grazing = coat.grazing,
+                                   .coated = reflectance.is_solid ? opaque : dielectric,
+                                   .opaque = opaque},
+                                  tables.ggx().row(reflectance.roughness), outgoing_.z);
   if (dielectric * reflectance.transmission > 0.0F) {
-    add_transmission(reflectance, coat_albedo, lobe.white, tables);
+    add_transmission(reflectance, tables);
   }
-  const float base_albedo =
-      choose_probabilities(specular_albedo, opaque * (1.0F - coat_albedo) * base_luminance);
+  const float base_albedo = choose_probabilities();
   if (has_covers(reflectance)) {
     covers_.emplace(reflectance, outgoing_, base_albedo, tables);
     base_scale_ = covers_->base_scale();
@@ -106,13 +68,12 @@ void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& ta
   }
 }
 
-void Bsdf::add_transmission(const Reflectance& reflectance, float coat_albedo, float lobe_albedo,
-                            const ScatteringTables& tables) {
+void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTables& tables) {
   const float share = (1.0F - reflectance.metallic) * reflectance.transmission;
   transmitted_ = share * reflectance.base_color;
   if (!reflectance.is_solid) {
-    transmitted_ *= 1.0F - coat_albedo;
-    wall_.emplace(microfacets_.ggx(), outgoing_, lobe_albedo);
+    transmitted_ *= 1.0F - layers_.coat_albedo();
+    wall_.emplace(microfacets_.ggx(), outgoing_, layers_.white_albedo());
     return;
   }
   glass_share_ = share;
@@ -126,7 +87,7 @@ void Bsdf::add_transmission(const Reflectance& reflectance, float coat_albedo, f
 }
 
 /// By the light that each lobe sends back; returns that of all.
-float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
+float Bsdf::choose_probabilities() {
   float transmission_albedo = 0.0F;
   if (glass_) {
     const float reflectance = glass_->reflectance(outgoing_.z);
@@ -134,15 +95,15 @@ float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
   } else if (wall_) {
     transmission_albedo = luminance(transmitted_);
   }
-  const float total = specular_albedo + diffuse_albedo + transmission_albedo;
+  const float total = layers_.specular_albedo() + layers_.diffuse_albedo() + transmission_albedo;
   // Quotients, not products with 1 / total: a single lobe has a probability of exactly 1.
   if (total > 0.0F) {
-    specular_probability_ = specular_albedo / total;
-    diffuse_probability_ = diffuse_albedo / total;
+    specular_probability_ = layers_.specular_albedo() / total;
+    diffuse_probability_ = layers_.diffuse_albedo() / total;
     transmission_probability_ = transmission_albedo / total;
   } else if (total != 0.0F) {
     // Not a number: so is every sample's weight, and the path is reported.
-    diffuse_ = Rgb(total);
+    layers_ = OpaqueLayersOf<float>(Rgb(total));
     diffuse_probability_ = 1.0F;
   }
   return total;
@@ -164,10 +125,7 @@ BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
   BsdfValue value;
   if (specular_probability_ + glass_share_ > 0.0F && !microfacets_.is_smooth()) {
     const MicrofacetLobe::Facets facets = microfacets_.facets(incoming);
-    const Rgb fresnel =
-        glm::mix(specular_normal_, specular_grazing_, schlick_weight(facets.cosine));
-    value.times_cosine = fresnel * facets.times_cosine;
-    value.pdf = specular_probability_ * facets.pdf;
+    value = layers_.specular(facets, specular_probability_);
     if (glass_ && !is_glass_smooth_) {
       const float reflectance = glass_->reflectance(facets.cosine);
       value.times_cosine += glass_share_ * glass_->scale() * reflectance * facets.times_cosine;
@@ -175,9 +133,7 @@ BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
     }
   }
   if (diffuse_probability_ > 0.0F) {
-    const float coat_albedo = has_coat_ ? albedo_.at(incoming.z).with(layer_f0_, layer_f90_) : 0.0F;
-    value.times_cosine += diffuse_ * (std::max(0.0F, 1.0F - coat_albedo) * incoming.z);
-    value.pdf += diffuse_probability_ * incoming.z * inverse_pi;
+    value += layers_.diffuse(incoming.z, diffuse_probability_);
   }
   return value;
 }
@@ -202,12 +158,12 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
   const float clearcoat = covers_->clearcoat_probability();
   if (u_lobe < clearcoat) {
     if (covers_->clearcoat().is_smooth()) {
-      return BsdfSample{.incoming = microfacets_.mirrored(),
+      return BsdfSample{.incoming = mirrored(),
                         .weight = Rgb(covers_->clearcoat_reflectance(outgoing_.z) / clearcoat),
                         .pdf = clearcoat,
                         .is_specular = true};
     }
-    return reflection(covers_->clearcoat().sample(u));
+    return reflection(covers_->clearcoat().sample(sine_cosine_of_turns(u.x), u.y));
   }
   const float above_base = clearcoat + covers_->sheen_probability();
   if (u_lobe < above_base) {
@@ -219,15 +175,13 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
 std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
   if (u_lobe < specular_probability_) {
     if (microfacets_.is_smooth()) {
-      const Rgb reflectance =
-          glm::mix(specular_normal_, specular_grazing_, schlick_weight(outgoing_.z));
-      return specular(microfacets_.mirrored(), reflectance, specular_probability_);
+      return specular(mirrored(), layers_.reflectance(outgoing_.z), specular_probability_);
     }
-    return reflection(microfacets_.sample(u));
+    return reflection(microfacets_.sample(sine_cosine_of_turns(u.x), u.y));
   }
   const float opaque_probability = specular_probability_ + diffuse_probability_;
   if (u_lobe < opaque_probability || transmission_probability_ == 0.0F) {
-    return weighed(sample_cosine_hemisphere(u));
+    return weighed(sample_cosine_hemisphere(sine_cosine_of_turns(u.x), u.y));
   }
   if (glass_) {
     return sample_glass(rescaled(u_lobe, opaque_probability, transmission_probability_), u);
@@ -240,14 +194,14 @@ std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(float u_fresnel, const Vec2& u) const {
-  const Vec3 normal = is_glass_smooth_ ? Vec3(0.0F, 0.0F, 1.0F)
-                                       : microfacets_.ggx().sample_visible_normal(outgoing_, u);
+  const Vec3 normal =
+      is_glass_smooth_ ? Vec3(0.0F, 0.0F, 1.0F) : microfacets_.ggx().visible_normal(outgoing_, u);
   const float reflectance = glass_->reflectance(std::min(glm::dot(outgoing_, normal), 1.0F));
   if (u_fresnel < reflectance) {
     if (!is_glass_smooth_) {
       return reflection(reflected(outgoing_, normal));
     }
-    return specular(microfacets_.mirrored(), Rgb(glass_share_ * reflectance),
+    return specular(mirrored(), Rgb(glass_share_ * reflectance),
                     transmission_probability_ * reflectance);
   }
   const Vec3 incoming = glass_->refracted(normal);

@@ -6,20 +6,12 @@
 #include "renderer/base/vec.h"
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/cover_layers.h"
-#include "renderer/trace/ggx_albedo.h"
 #include "renderer/trace/microfacet_lobe.h"
+#include "renderer/trace/opaque_layers.h"
 #include "renderer/trace/scattering_tables.h"
 #include "renderer/trace/transmission_lobe.h"
 
 namespace foveola {
-
-/// Outgoing directions are raised to it.
-inline constexpr float smallest_cosine = 1e-4F;
-
-/// A coat that lets less of a uniform sky through hides the layer below but at grazing angles.
-/// There it is Lambertian: the table is too coarse for quotients of what so bright a coat does not
-/// reflect.
-inline constexpr float darkest_below_coat = 0.02F;
 
 /// The model of renderer/MATERIALS.md, seen from one direction.
 ///
@@ -44,9 +36,8 @@ class Bsdf {
 
  private:
   void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
-  void add_transmission(const Reflectance& reflectance, float coat_albedo, float lobe_albedo,
-                        const ScatteringTables& tables);
-  float choose_probabilities(float specular_albedo, float diffuse_albedo);
+  void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
+  float choose_probabilities();
   BsdfValue eval_reflection(const Vec3& incoming) const;
   BsdfValue eval_transmission(const Vec3& incoming) const;
   std::optional<BsdfSample> sample_base(float u_lobe, const Vec2& u) const;
@@ -55,17 +46,11 @@ class Bsdf {
   std::optional<BsdfSample> weighed(const Vec3& incoming) const;
   BsdfSample specular(const Vec3& incoming, const Rgb& share, float probability) const;
 
+  Vec3 mirrored() const { return {-outgoing_.x, -outgoing_.y, outgoing_.z}; }
+
   Vec3 outgoing_;
-  MicrofacetLobe microfacets_;  ///< as albedo_, not of a surface that is only diffuse
-  GgxAlbedo::Row albedo_;
-  // Of metal and the dielectric's coat together, Schlick's reflectance.
-  Rgb specular_normal_{0.0F};
-  Rgb specular_grazing_{0.0F};
-  // Of the coat over the diffuse layer, the strongest channel.
-  float layer_f0_ = 0.0F;
-  float layer_f90_ = 0.0F;
-  bool has_coat_ = false;
-  Rgb diffuse_{0.0F};  ///< the Lambertian layer's BSDF but for (1 - E(incoming))
+  OpaqueLayersOf<float> layers_;
+  MicrofacetLobe microfacets_;  ///< not of a surface that is only diffuse
   std::optional<ThinWall> wall_;
   std::optional<GlassInterface> glass_;
   bool is_glass_smooth_ = false;

@@ -1,6 +1,7 @@
 // What goes into a BSDF and what comes out of it.
 #pragma once
 
+#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/trace/fresnel.h"
 
@@ -46,10 +47,19 @@ struct BsdfSample {
   float radiance_scale = 1.0F;
 };
 
-/// The BSDF and its sampling density, which share nearly all of their terms.
-struct BsdfValue {
-  Rgb times_cosine{0.0F};  ///< BSDF times the incoming direction's cosine
-  float pdf = 0.0F;        ///< per steradian, with which sample() gives that direction
+/// The BSDF and its sampling density, which share nearly all of their terms. Number: float, or
+/// Floats.
+template <typename Number>
+struct BsdfValueOf {
+  Vec3Of<Number> times_cosine{};  ///< BSDF times the incoming direction's cosine
+  Number pdf{};                   ///< per steradian, with which sample() gives that direction
+
+  BsdfValueOf& operator+=(const BsdfValueOf& other) {
+    times_cosine = times_cosine + other.times_cosine;
+    pdf += other.pdf;
+    return *this;
+  }
 };
+using BsdfValue = BsdfValueOf<float>;
 
 }  // namespace foveola

@@ -5,6 +5,8 @@
 #include "renderer/base/lanes.h"
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/ggx_albedo.h"
+#include "renderer/trace/microfacet_lobe.h"
+#include "renderer/trace/opaque_layers.h"
 
 namespace foveola {
 
@@ -43,10 +45,7 @@ class FastPathBsdfs {
   /// outgoing: unit length, z > 0. albedo must outlive this object.
   FastPathBsdfs(const FastPathLayersLanes& layers, const Vec3s& outgoing, const GgxAlbedo& albedo);
 
-  struct Values {
-    Vec3s times_cosine;
-    Floats pdf;
-  };
+  using Values = BsdfValueOf<Floats>;
   /// Zeros where incoming looks below the surface.
   Values eval(const Vec3s& incoming) const;
 
@@ -58,17 +57,10 @@ class FastPathBsdfs {
   Samples sample(const Floats& u_lobe, const Vec2s& u) const;
 
  private:
-  void set_layers(const FastPathLayersLanes& layers);
-  void add_facets(const Vec3s& incoming, Values& values) const;
-  Vec3s sample_visible_normal(const Vec2s& azimuth, const Floats& u) const;
-
   bool any_shiny_;
   Vec3s outgoing_;
-  GgxAlbedo::Rows albedo_;
-  Floats alpha_, lambda_outgoing_, masking_outgoing_, inverse_alpha_squared_, density_scale_;
-  Vec3s specular_normal_, specular_grazing_;
-  Floats layer_f0_, layer_f90_;
-  Vec3s diffuse_;
+  OpaqueLayersOf<Floats> layers_;
+  MicrofacetLobeOf<Floats> microfacets_;  ///< only if any is shiny
   Floats specular_probability_, diffuse_probability_;
 };
 

@@ -1,6 +1,4 @@
 // The part of BlockTracer that works on the vertices of plain surfaces, eight at a time.
-#include <limits>
-
 #include "renderer/trace/block_tracer.h"
 #include "renderer/trace/surface.h"
 #include "renderer/trace/vertex_rules.h"
@@ -98,15 +96,9 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
     return;
   }
   const auto value = bsdfs.eval(chosen(arrives, incoming, all_lanes(straight_up)));
-  const Floats ratio = value.pdf / light.pdf;
-  const Floats weight = light.is_delta ? all_lanes(1.0F) : 1.0F / (1.0F + ratio * ratio);
-  const Vec3s gain = (weight / light.pdf) *
-                     (paths_->throughput.load(group.first) * value.times_cosine * light.radiance);
+  const Vec3s gain = direct_light(paths_->throughput.load(group.first), value, light);
   arrives &= (gain.x != 0.0F) | (gain.y != 0.0F) | (gain.z != 0.0F);
-  // Where a ray ends stays where its start moves to.
-  const LaneMask ends = light.t_max < std::numeric_limits<float>::infinity();
-  const Vec3s moved = light.to_light + (points.position - points.origin);
-  const Vec3s to_light = chosen(ends, moved, light.to_light);
+  const Vec3s to_light = shadow_direction(light, points.position, points.origin);
   arrives = finite(group, arrives, gain, to_light);
   Vec3Lanes direction;
   Vec3Lanes origin;

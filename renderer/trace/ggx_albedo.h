@@ -43,43 +43,34 @@ class GgxAlbedo {
   /// mirror) and 1 (lanes that do not shine). All of them take 70 ms of a core.
   GgxAlbedo(std::span<const RoughnessInterval> needed, const Workers& workers);
 
-  /// The albedo as a function of the cosine, for one roughness.
-  class Row {
+  /// The albedo as a function of the cosine, for one roughness or for eight of them. Valid as long
+  /// as the table.
+  template <typename Number>
+  class RowOf {
    public:
     /// cosine: between the normal and the direction, in [0, 1].
-    SchlickAlbedo at(float cosine) const;
+    SchlickAlbedoOf<Number> at(const Number& cosine) const;
     /// 2 * integral of albedo(c) c dc over [0, 1]: the albedo under a uniform sky.
-    SchlickAlbedo mean() const;
-
-   private:
-    friend class GgxAlbedo;
-    const Vec2* smoother_ = nullptr;
-    float alpha_ = 0.0F;
-    float rougher_weight_ = 0.0F;
-    const SchlickAlbedo* smoother_mean_ = nullptr;
-  };
-
-  /// roughness: perceptual, in [0, 1]; below smallest_roughness it is that of a perfect mirror. The
-  /// row is valid as long as the table.
-  Row row(float roughness) const;
-
-  /// The same for eight roughnesses.
-  class Rows {
-   public:
-    SchlickAlbedos at(const Floats& cosine) const;
-    SchlickAlbedos mean() const;
+    SchlickAlbedoOf<Number> mean() const;
 
    private:
     friend class GgxAlbedo;
     const GgxAlbedo* albedo_ = nullptr;
-    Ints smoother_{};  ///< number of the row
-    Floats alpha_{};
-    Floats rougher_weight_{};
+    IntOf<Number> smoother_{};  ///< number of the table's row below the roughness
+    Number alpha_{};
+    Number rougher_weight_{};
   };
+  using Row = RowOf<float>;
+  using Rows = RowOf<Floats>;
+
+  /// roughness: perceptual, in [0, 1]; below smallest_roughness it is that of a perfect mirror.
+  Row row(float roughness) const;
   /// roughness: in [smallest_roughness, 1].
-  Rows rows(const Floats& roughness) const;
+  Rows row(const Floats& roughness) const { return rough_row(roughness); }
 
  private:
+  template <typename Number>
+  RowOf<Number> rough_row(const Number& roughness) const;
   Row mirror_row() const;
   /// Whether the row of this number is read for any of these roughnesses.
   static bool is_needed(std::size_t number, std::span<const RoughnessInterval> needed);
@@ -101,96 +92,95 @@ class GgxAlbedo {
     return {.white = x, .grazing = x * (schlick_weight(cosine) + alpha * y)};
   }
 
+  /// The nodes at both sides of a roughness, and there at both sides of a cosine.
+  template <typename Number>
+  struct Cell {
+    Vec2Of<Number> smoother[2];
+    Vec2Of<Number> rougher[2];
+  };
+  /// index: of the smoother node below the cosine.
+  Cell<float> cell(std::int32_t index) const {
+    const Vec2* smoother = &nodes_[static_cast<std::size_t>(index)];
+    const Vec2* rougher = smoother + nodes_in_row;
+    return {{smoother[0], smoother[1]}, {rougher[0], rougher[1]}};
+  }
+  Cell<Floats> cell(const Ints& index) const {
+    Cell<Floats> cells;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const Cell<float> one = cell(index[lane]);
+      for (std::size_t next = 0; next < 2; ++next) {
+        cells.smoother[next].x[lane] = one.smoother[next].x;
+        cells.smoother[next].y[lane] = one.smoother[next].y;
+        cells.rougher[next].x[lane] = one.rougher[next].x;
+        cells.rougher[next].y[lane] = one.rougher[next].y;
+      }
+    }
+    return cells;
+  }
+
+  const SchlickAlbedo& mean_of_row(std::int32_t number) const {
+    return means_[static_cast<std::size_t>(number)];
+  }
+  SchlickAlbedos mean_of_row(const Ints& number) const {
+    SchlickAlbedos means;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const SchlickAlbedo& one = mean_of_row(number[lane]);
+      means.white[lane] = one.white;
+      means.grazing[lane] = one.grazing;
+    }
+    return means;
+  }
+
   /// Row-major: first a mirror's row, then the roughnesses from 0 on, each over the position of the
   /// cosine.
   std::vector<Vec2> nodes_;
   std::vector<SchlickAlbedo> means_;  ///< one a row
 };
 
-inline SchlickAlbedo GgxAlbedo::Row::at(float cosine) const {
-  const NodePosition place(albedo_position(cosine, alpha_), cosine_steps);
-  const Vec2* smoother = smoother_ + place.below;
-  const Vec2* rougher = smoother + nodes_in_row;
-  const Vec2 lower = smoother[0] + rougher_weight_ * (rougher[0] - smoother[0]);
-  const Vec2 upper = smoother[1] + rougher_weight_ * (rougher[1] - smoother[1]);
-  const Vec2 node = lower + place.fraction * (upper - lower);
-  return albedo_of(node.x, node.y, cosine, alpha_);
+template <typename Number>
+SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
+  const NodePositionOf<Number> place(albedo_position(cosine, alpha_), cosine_steps);
+  const auto cell =
+      albedo_->cell(smoother_ * static_cast<std::int32_t>(nodes_in_row) + place.below);
+  const auto between = [&](Number Vec2Of<Number>::*value) {
+    const auto at_roughness = [&](std::size_t node) {
+      const Number smoother = cell.smoother[node].*value;
+      return smoother + rougher_weight_ * (cell.rougher[node].*value - smoother);
+    };
+    const Number lower = at_roughness(0);
+    return lower + place.fraction * (at_roughness(1) - lower);
+  };
+  return albedo_of(between(&Vec2Of<Number>::x), between(&Vec2Of<Number>::y), cosine, alpha_);
 }
 
-inline SchlickAlbedo GgxAlbedo::Row::mean() const {
-  const SchlickAlbedo& smoother = smoother_mean_[0];
-  const SchlickAlbedo& rougher = smoother_mean_[1];
+template <typename Number>
+SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
+  const SchlickAlbedoOf<Number> smoother = albedo_->mean_of_row(smoother_);
+  const SchlickAlbedoOf<Number> rougher = albedo_->mean_of_row(smoother_ + 1);
   return {.white = smoother.white + rougher_weight_ * (rougher.white - smoother.white),
           .grazing = smoother.grazing + rougher_weight_ * (rougher.grazing - smoother.grazing)};
 }
 
-inline GgxAlbedo::Row GgxAlbedo::mirror_row() const {
-  Row row;
-  row.smoother_ = nodes_.data();
-  row.smoother_mean_ = means_.data();
-  return row;
-}
-
-inline GgxAlbedo::Row GgxAlbedo::row(float roughness) const {
-  assert(roughness >= 0.0F && roughness <= 1.0F);
-  if (roughness < smallest_roughness) {
-    return mirror_row();
-  }
-  const NodePosition place(roughness, roughness_steps);
-  const auto below = static_cast<std::size_t>(place.below) + 1;
-  Row row;
-  row.smoother_ = &nodes_[below * nodes_in_row];
-  row.smoother_mean_ = &means_[below];
+template <typename Number>
+GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
+  const NodePositionOf<Number> place(roughness, roughness_steps);
+  RowOf<Number> row;
+  row.albedo_ = this;
+  row.smoother_ = place.below + 1;  // after the mirror's
   row.alpha_ = roughness * roughness;
   row.rougher_weight_ = place.fraction;
   return row;
 }
 
-inline GgxAlbedo::Rows GgxAlbedo::rows(const Floats& roughness) const {
-  const NodePositions place(roughness, roughness_steps);
-  Rows rows;
-  rows.albedo_ = this;
-  rows.smoother_ = place.below + 1;
-  rows.alpha_ = roughness * roughness;
-  rows.rougher_weight_ = place.fraction;
-  return rows;
+inline GgxAlbedo::Row GgxAlbedo::mirror_row() const {
+  Row row;
+  row.albedo_ = this;
+  return row;
 }
 
-inline SchlickAlbedos GgxAlbedo::Rows::at(const Floats& cosine) const {
-  const NodePositions place(albedo_position(cosine, alpha_), cosine_steps);
-  const Ints index = smoother_ * static_cast<std::int32_t>(nodes_in_row) + place.below;
-  Floats x[2][2];
-  Floats y[2][2];
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const Vec2* smoother = &albedo_->nodes_[static_cast<std::size_t>(index[lane])];
-    const Vec2* rougher = smoother + nodes_in_row;
-    for (std::size_t next = 0; next < 2; ++next) {
-      x[0][next][lane] = smoother[next].x;
-      y[0][next][lane] = smoother[next].y;
-      x[1][next][lane] = rougher[next].x;
-      y[1][next][lane] = rougher[next].y;
-    }
-  }
-  const auto between = [&](const Floats(&node)[2][2]) {
-    const Floats lower = node[0][0] + rougher_weight_ * (node[1][0] - node[0][0]);
-    const Floats upper = node[0][1] + rougher_weight_ * (node[1][1] - node[0][1]);
-    return lower + place.fraction * (upper - lower);
-  };
-  return albedo_of(between(x), between(y), cosine, alpha_);
-}
-
-inline SchlickAlbedos GgxAlbedo::Rows::mean() const {
-  SchlickAlbedos smoother;
-  SchlickAlbedos rougher;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const SchlickAlbedo* means = &albedo_->means_[static_cast<std::size_t>(smoother_[lane])];
-    smoother.white[lane] = means[0].white;
-    smoother.grazing[lane] = means[0].grazing;
-    rougher.white[lane] = means[1].white;
-    rougher.grazing[lane] = means[1].grazing;
-  }
-  return {.white = smoother.white + rougher_weight_ * (rougher.white - smoother.white),
-          .grazing = smoother.grazing + rougher_weight_ * (rougher.grazing - smoother.grazing)};
+inline GgxAlbedo::Row GgxAlbedo::row(float roughness) const {
+  assert(roughness >= 0.0F && roughness <= 1.0F);
+  return roughness < smallest_roughness ? mirror_row() : rough_row(roughness);
 }
 
 }  // namespace foveola

@@ -3,10 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace foveola {
 namespace {
+
+constexpr float infinitely_far = std::numeric_limits<float>::infinity();
+
+std::optional<LightSample> some_light(const LightSample& sample) {
+  return sample.pdf != 0.0F ? std::optional(sample) : std::nullopt;
+}
 
 /// The area of the disc that the scene's bounding sphere covers.
 double cross_section(const Scene& scene) {
@@ -73,13 +80,13 @@ std::optional<LightSample> Lights::sample(const ShadingPoint& shading_point, flo
   switch (kind_of(u_kind)) {
     case Kind::environment: {
       const EnvironmentLight::Sample sky = environment_->sample(u);
-      return sample_distant(shading_point, sky.direction, sky.light, {});
+      return sample_distant(sky.direction, sky.light, {});
     }
     case Kind::suns:
-      return sample_suns(shading_point, u_choice, u);
+      return sample_suns(u_choice, u);
     case Kind::local:
       if (const auto sample = local_.sample(shading_point, u_choice, u)) {
-        return from_local(shading_point, *sample);
+        return some_light(from_local(*sample));
       }
       break;
     case Kind::nothing:
@@ -88,21 +95,15 @@ std::optional<LightSample> Lights::sample(const ShadingPoint& shading_point, flo
   return std::nullopt;
 }
 
-std::optional<LightSample> Lights::from_local(const ShadingPoint& shading_point,
-                                              const LocalLightSample& sample) const {
-  const float distance = glm::length(sample.to_light);
-  if (!(distance > 0.0F)) {
-    return std::nullopt;
-  }
-  LightSample light{.direction = sample.to_light / distance,
-                    .pdf = local_probability_ * sample.pdf,
-                    .radiance = sample.radiance,
-                    .is_delta = sample.is_delta,
-                    .shadow_ray = {}};
-  light.shadow_ray.origin = shading_point.position;
-  light.shadow_ray.direction = sample.to_light;
-  light.shadow_ray.t_max = 1.0F;
-  return light;
+template <typename Number>
+LightSampleOf<Number> Lights::from_local(const LocalLightSampleOf<Number>& sample) const {
+  const Number distance = square_root(dot(sample.to_light, sample.to_light));
+  return {.direction = (1.0F / distance) * sample.to_light,
+          .pdf = chosen(distance > 0.0F, local_probability_ * sample.pdf, Number{}),
+          .radiance = sample.radiance,
+          .is_delta = sample.is_delta,
+          .to_light = sample.to_light,
+          .t_max = Number{} + 1.0F};
 }
 
 namespace {
@@ -115,8 +116,8 @@ class LightSampleLanes {
     pdf_[lane] = sample.pdf;
     radiance_.put(lane, sample.radiance);
     is_delta_[lane] = sample.is_delta ? -1 : 0;
-    to_light_.put(lane, sample.shadow_ray.direction);
-    t_max_[lane] = sample.shadow_ray.t_max;
+    to_light_.put(lane, sample.to_light);
+    t_max_[lane] = sample.t_max;
   }
   LightSamples load() const {
     return {.direction = direction_.load(),
@@ -133,16 +134,14 @@ class LightSampleLanes {
   LaneMask is_delta_{};
 };
 
-void add_drawn(const TriangleLights::Drawn::Samples& drawn, float probability,
-               const LaneMask& lanes, LightSamples& samples) {
-  const Floats distance = square_root(dot(drawn.to_light, drawn.to_light));
-  const LaneMask exists = lanes & (distance > 0.0F) & (drawn.pdf > 0.0F);
-  const Vec3s direction = (1.0F / distance) * drawn.to_light;
-  samples.direction = chosen(exists, direction, samples.direction);
-  samples.pdf = exists ? probability * drawn.pdf : samples.pdf;
-  samples.radiance = chosen(exists, drawn.radiance, samples.radiance);
-  samples.to_light = chosen(exists, drawn.to_light, samples.to_light);
-  samples.t_max = exists ? all_lanes(1.0F) : samples.t_max;
+/// The first in the lanes of a mask, the second in the others.
+LightSamples merged(const LaneMask& mask, const LightSamples& a, const LightSamples& b) {
+  return {.direction = chosen(mask, a.direction, b.direction),
+          .pdf = chosen(mask, a.pdf, b.pdf),
+          .radiance = chosen(mask, a.radiance, b.radiance),
+          .is_delta = mask ? a.is_delta : b.is_delta,
+          .to_light = chosen(mask, a.to_light, b.to_light),
+          .t_max = chosen(mask, a.t_max, b.t_max)};
 }
 
 }  // namespace
@@ -173,7 +172,7 @@ LightSamples Lights::sample(const ShadingPoints& shading_points, const LightNumb
         is_drawn[lane] = -1;
         break;
       case LocalLights::Choice::sampled:
-        put(lane, from_local(shading_point, sampled));
+        put(lane, some_light(from_local(sampled)));
         break;
       case LocalLights::Choice::nothing:
         break;
@@ -184,41 +183,39 @@ LightSamples Lights::sample(const ShadingPoints& shading_points, const LightNumb
     samples = one_by_one.load();
   }
   if (any_lane(is_drawn)) {
-    add_drawn(drawn.sample(shading_points.position.load(), numbers.point.load()),
-              local_probability_, is_drawn, samples);
+    const LightSamples from_drawn =
+        from_local(drawn.sample(shading_points.position.load(), numbers.point.load()));
+    samples = merged(is_drawn & (from_drawn.pdf > 0.0F), from_drawn, samples);
   }
   return samples;
 }
 
-std::optional<LightSample> Lights::sample_suns(const ShadingPoint& shading_point,
-                                               const Vec2& u_choice, const Vec2& u) const {
+std::optional<LightSample> Lights::sample_suns(const Vec2& u_choice, const Vec2& u) const {
   const Suns::Sample sample = suns_.sample(u_choice, u);
   if (!sample.is_delta) {
     const DistantLight sky = environment_ ? environment_->at(sample.direction) : DistantLight{};
-    return sample_distant(shading_point, sample.direction, sky, sample.sun);
+    return sample_distant(sample.direction, sky, sample.sun);
   }
-  LightSample light{.direction = sample.direction,
-                    .pdf = suns_probability_ * sample.probability,
-                    .radiance = sample.irradiance,
-                    .is_delta = true,
-                    .shadow_ray = {}};
-  light.shadow_ray.origin = shading_point.position;
-  light.shadow_ray.direction = sample.direction;
-  return light;
+  return LightSample{.direction = sample.direction,
+                     .pdf = suns_probability_ * sample.probability,
+                     .radiance = sample.irradiance,
+                     .is_delta = true,
+                     .to_light = sample.direction,
+                     .t_max = infinitely_far};
 }
 
-std::optional<LightSample> Lights::sample_distant(const ShadingPoint& shading_point,
-                                                  const Vec3& direction, const DistantLight& sky,
+std::optional<LightSample> Lights::sample_distant(const Vec3& direction, const DistantLight& sky,
                                                   Sun known) const {
   const DistantLight distant = with_suns(sky, direction, known);
   if (!(distant.pdf > 0.0F)) {
     return std::nullopt;
   }
-  LightSample light{
-      .direction = direction, .pdf = distant.pdf, .radiance = distant.radiance, .shadow_ray = {}};
-  light.shadow_ray.origin = shading_point.position;
-  light.shadow_ray.direction = direction;
-  return light;
+  return LightSample{.direction = direction,
+                     .pdf = distant.pdf,
+                     .radiance = distant.radiance,
+                     .is_delta = false,
+                     .to_light = direction,
+                     .t_max = infinitely_far};
 }
 
 float Lights::triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,

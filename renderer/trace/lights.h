@@ -16,26 +16,22 @@ namespace foveola {
 /// Light that arrives at a point if nothing is in the way: f |cos| radiance / pdf estimates what is
 /// scattered. A ray may meet by chance what a sample was drawn from, so both are to be weighed by
 /// their densities; but no ray meets a delta light, and its samples count in full.
-struct LightSample {
-  Vec3 direction{0.0F};  ///< unit length, towards the light
-  float pdf = 0.0F;      ///< per steradian; without size: the probability that it was drawn
-  Rgb radiance{0.0F};    ///< without size: the irradiance that it gives head-on
+///
+/// Number: float, or Floats.
+template <typename Number>
+struct LightSampleOf {
+  Vec3Of<Number> direction{};  ///< unit length, towards the light
+  Number pdf{};  ///< per steradian; without size: the probability that it was drawn; 0: no light
+  Vec3Of<Number> radiance{};  ///< without size: the irradiance that it gives head-on
   /// A light without size, or a punctual light's sphere, which no ray sees.
-  bool is_delta = false;
-  Ray shadow_ray;  ///< from the shading point to the light
+  MaskOf<Number> is_delta{};
+  Vec3Of<Number> to_light{};  ///< the shadow ray's direction from the shading point
+  Number t_max{};             ///< where the shadow ray ends; infinite for distant lights
 };
+using LightSample = LightSampleOf<float>;
+using LightSamples = LightSampleOf<Floats>;
 
-/// The same, one a lane.
-struct LightSamples {
-  Vec3s direction{};
-  Floats pdf{};  ///< 0: no light
-  Vec3s radiance{};
-  LaneMask is_delta{};
-  Vec3s to_light{};  ///< the shadow ray's direction, and its t_max
-  Floats t_max{};
-};
-
-/// The random numbers of LightSamples: u_kind, u_choice and u of Lights::sample().
+/// The random numbers of eight shading points: u_kind, u_choice and u of Lights::sample().
 struct LightNumbers {
   FloatLanes kind;
   Vec2Lanes choice;
@@ -86,14 +82,12 @@ class Lights {
 
   enum class Kind : std::uint8_t { environment, suns, local, nothing };
   Kind kind_of(float u_kind) const;
-  std::optional<LightSample> from_local(const ShadingPoint& shading_point,
-                                        const LocalLightSample& sample) const;
-  std::optional<LightSample> sample_suns(const ShadingPoint& shading_point, const Vec2& u_choice,
-                                         const Vec2& u) const;
+  template <typename Number>
+  LightSampleOf<Number> from_local(const LocalLightSampleOf<Number>& sample) const;
+  std::optional<LightSample> sample_suns(const Vec2& u_choice, const Vec2& u) const;
   /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its
   /// density may be off by any factor.
-  std::optional<LightSample> sample_distant(const ShadingPoint& shading_point,
-                                            const Vec3& direction, const DistantLight& sky,
+  std::optional<LightSample> sample_distant(const Vec3& direction, const DistantLight& sky,
                                             Sun known) const;
 
   std::optional<EnvironmentLight> environment_;  ///< empty where it gives no light

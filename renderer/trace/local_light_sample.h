@@ -1,16 +1,21 @@
 // A point of a light that stands in the scene, as a place sees it.
 #pragma once
 
+#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
 
-struct LocalLightSample {
-  Vec3 to_light{0.0F};  ///< from the place to the point, not of unit length
-  float pdf = 0.0F;     ///< per steradian; without size: a probability
-  Rgb radiance{0.0F};   ///< without size: the irradiance that it gives head-on
-  /// A light without size, or one that no ray sees.
-  bool is_delta = false;
+/// Number: float, or Floats.
+template <typename Number>
+struct LocalLightSampleOf {
+  Vec3Of<Number> to_light{};  ///< from the place to the point, not of unit length
+  Number
+      pdf{};  ///< per steradian; of a light without size the probability of its choice; 0: no light
+  Vec3Of<Number> radiance{};  ///< of a light without size the irradiance that it gives head-on
+  /// The light has no size, or no ray sees it.
+  MaskOf<Number> is_delta{};
 };
+using LocalLightSample = LocalLightSampleOf<float>;
 
 }  // namespace foveola

@@ -22,14 +22,6 @@ Rgb absorption_beyond(const Path& path, const Reflectance& surface, const Rgb& i
   return surface.from_inside ? Rgb(0.0F) : inside;
 }
 
-/// Moves the ray's start; where it ends stays.
-void start_at(const Vec3& origin, Ray& ray) {
-  if (std::isfinite(ray.t_max)) {
-    ray.direction += ray.origin - origin;
-  }
-  ray.origin = origin;
-}
-
 float width_at(const Path& path, const Hit& hit) { return path.width_m + path.spread_rad * hit.t; }
 
 }  // namespace
@@ -132,16 +124,17 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   if (side * incoming.z <= 0.0F) {
     return;
   }
-  const BsdfValue value = bsdf.eval(incoming);
-  const float weight = light->is_delta ? 1.0F : power_heuristic(light->pdf, value.pdf);
-  Rgb gain = path.throughput * value.times_cosine * light->radiance * (weight / light->pdf);
+  Rgb gain = direct_light(path.throughput, bsdf.eval(incoming), *light);
   if (gain == Rgb(0.0F)) {
     return;
   }
-  Ray shadow_ray = light->shadow_ray;
+  const bool is_beyond = side < 0.0F;
+  Ray shadow_ray;
   shadow_ray.key = numbers.shadow_key;
-  start_at(side < 0.0F ? point.origin_beyond() : point.origin, shadow_ray);
-  const Rgb absorption = side < 0.0F
+  shadow_ray.origin = is_beyond ? point.origin_beyond() : point.origin;
+  shadow_ray.direction = shadow_direction(*light, point.position, shadow_ray.origin);
+  shadow_ray.t_max = light->t_max;
+  const Rgb absorption = is_beyond
                              ? absorption_beyond(path, point.reflectance, object.absorption_per_m)
                              : path.absorption_per_m;
   gain *= transmittance(absorption, glm::length(shadow_ray.direction) * shadow_ray.t_max);

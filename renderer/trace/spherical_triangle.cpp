@@ -5,7 +5,7 @@
 
 namespace foveola {
 
-SphericalTriangle::SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint)
+SphericalTriangle::SphericalTriangle(const TriangleOf<float>& triangle, const Vec3& viewpoint)
     : a_(DVec3(triangle.p0) - DVec3(viewpoint)),
       b_(DVec3(triangle.p1) - DVec3(viewpoint)),
       c_(DVec3(triangle.p2) - DVec3(viewpoint)),

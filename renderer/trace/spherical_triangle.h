@@ -11,7 +11,7 @@ namespace foveola {
 class SphericalTriangle {
  public:
   /// Seen from `viewpoint`. All that follows is finite for every finite triangle and viewpoint.
-  SphericalTriangle(const Triangle& triangle, const Vec3& viewpoint);
+  SphericalTriangle(const TriangleOf<float>& triangle, const Vec3& viewpoint);
 
   /// In steradians, in [0, 2 pi]; one of the two on the plane (Van Oosterom and Strackee 1983, "The
   /// Solid Angle of a Plane Triangle").

@@ -58,39 +58,12 @@ Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_b
   return reflectance;
 }
 
-namespace {
-
-/// `normal` at unit length, or `otherwise` if it has no direction.
-Vec3 normalized_or(const Vec3& normal, const Vec3& otherwise) {
-  const float squared_length = glm::dot(normal, normal);
-  return squared_length > 0.0F ? normal / std::sqrt(squared_length) : otherwise;
-}
-
-}  // namespace
-
 Mat3 world_normal_from_local(const Mat4& world_from_local) {
   const Mat3 linear(world_from_local);
   const float sign = std::copysign(1.0F, glm::determinant(linear));
   return {sign * glm::cross(linear[1], linear[2]), sign * glm::cross(linear[2], linear[0]),
           sign * glm::cross(linear[0], linear[1])};
 }
-
-namespace {
-
-/// The interpolated normal of the vertices in the world, on no particular side.
-Vec3 vertex_normal(const MeshPoint& point, const Instance* instance, const Vec3& geometric_normal) {
-  if (point.mesh.normals.empty()) {
-    return geometric_normal;
-  }
-  Vec3 normal =
-      interpolate(point.mesh.normals, point.mesh.triangles[point.triangle], point.barycentric);
-  if (instance != nullptr) {
-    normal = world_normal_from_local(instance->world_from_local) * normal;
-  }
-  return normalized_or(normal, geometric_normal);
-}
-
-}  // namespace
 
 Vec3 mapped_normal(const Scene& scene, const MeshPoint& point, const Instance* instance,
                    const Vec3& normal) {
@@ -125,53 +98,24 @@ float relative_width(float ray_width_m, float facing, float double_area) {
   return ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), most_grazing));
 }
 
-namespace {
-
-/// The shading normal on the side of `geometric_normal`: the texture's, or the vertices' where that
-/// is turned away from `outgoing`, or the geometric one where that is so too.
-Vec3 shading_normal_at(const Scene& scene, const Material& material, const MeshPoint& point,
-                       const Instance* instance, const Vec3& geometric_normal,
-                       const Vec3& front_normal, const Vec3& outgoing) {
-  const Vec3 smooth = vertex_normal(point, instance, front_normal);
-  const auto on_our_side = [&](const Vec3& normal) {
-    return normal * std::copysign(1.0F, glm::dot(smooth, geometric_normal));
-  };
-  if (material.normal_texture.exists()) {
-    const Vec3 mapped = on_our_side(mapped_normal(scene, point, instance, smooth));
-    if (glm::dot(mapped, outgoing) > 0.0F) {
-      return mapped;
-    }
-  }
-  const Vec3 shading = on_our_side(smooth);
-  return glm::dot(shading, outgoing) > 0.0F ? shading : geometric_normal;
-}
-
-}  // namespace
-
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction,
                            float ray_width_m) {
   const Mesh& mesh = scene.mesh_of(hit.object);
-  const Material& material = material_of(scene, mesh);
-  const Triangle triangle(scene, hit.object, hit.triangle);
-  const Vec3 front_normal = triangle.front_normal();
-  const float facing = -glm::dot(front_normal, direction);
-  const bool is_back = facing < 0.0F;
-  const Vec3 geometric_normal = is_back ? -front_normal : front_normal;
+  const Instance* instance = scene.instance_of(hit.object);
+  const Triangle triangle(mesh, instance, hit.triangle);
+  const Triangle::Front front = triangle.front();
+  SurfaceGeometryOf<float> geometry(triangle, triangle.normal_of(front),
+                                    corner_normals(mesh, instance, hit.triangle), hit.barycentric,
+                                    direction, hit.t);
   MeshPoint point{.mesh = mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
   if (ray_width_m > 0.0F && !mesh.uv_sets.empty()) {
-    const float double_area =
-        glm::length(glm::cross(triangle.p1 - triangle.p0, triangle.p2 - triangle.p0));
-    point.relative_width = relative_width(ray_width_m, facing, double_area);
+    point.relative_width = relative_width(ray_width_m, geometry.facing, front.double_area);
   }
-  const Vec3 position = triangle.at(hit.barycentric);
-  const float rounding_error = triangle.rounding_error();
-  return {.position = position,
-          .rounding_error = rounding_error,
-          .geometric_normal = geometric_normal,
-          .origin = origin_before(position, direction, geometric_normal, hit.t, rounding_error),
-          .shading_normal = shading_normal_at(scene, material, point, scene.instance_of(hit.object),
-                                              geometric_normal, front_normal, -direction),
-          .reflectance = reflectance_at(scene, point, is_back)};
+  if (material_of(scene, mesh).normal_texture.exists()) {
+    geometry.shading_normal = geometry.mapped_shading_normal(
+        mapped_normal(scene, point, instance, geometry.smooth_normal), direction);
+  }
+  return {geometry, reflectance_at(scene, point, geometry.facing < 0.0F)};
 }
 
 Rgb emitted_radiance(const Scene& scene, const Mesh& mesh, std::uint32_t triangle,

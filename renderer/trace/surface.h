@@ -1,14 +1,12 @@
 // From a hit to what light does there: position, normals and the material's values.
 #pragma once
 
-#include <limits>
-
-#include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/ray_scene.h"
+#include "renderer/trace/surface_geometry.h"
 
 namespace foveola {
 
@@ -17,15 +15,10 @@ namespace foveola {
 /// Surfaces scatter on both sides, also where the material is single-sided: many exporters leave
 /// glTF's doubleSided off on walls that are seen from behind, and culling them would let light
 /// leak. Emission does heed it: single-sided emitters shine from their front face only.
-struct SurfacePoint {
-  Vec3 position;
-  float rounding_error;   ///< metres; see Triangle
-  Vec3 geometric_normal;  ///< unit, on the side the ray came from
-  Vec3 origin;            ///< where rays leave the surface on the side the ray came from
-  Vec3 shading_normal;    ///< unit, on the same side; the ray always comes from its front
+struct SurfacePoint : SurfaceGeometryOf<float> {
   Reflectance reflectance;
 
-  /// Where they leave it on the other side.
+  /// Where rays leave the surface on the other side.
   Vec3 origin_beyond() const { return position - rounding_error * geometric_normal; }
 };
 
@@ -35,9 +28,6 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direc
                            float ray_width_m = 0.0F);
 
 // What surface_point() puts together, for those who do so for several points at once.
-
-/// How an instance turns normals: the transposed inverse, up to a positive factor.
-Mat3 world_normal_from_local(const Mat4& world_from_local);
 
 /// What the normal texture makes of the front's `normal`, interpolated between the vertices; that
 /// itself where the mesh has no tangents.
@@ -50,21 +40,6 @@ Reflectance reflectance_at(const Scene& scene, const MeshPoint& point, bool is_b
 /// MeshPoint::relative_width. facing: the cosine between the ray and the surface's normal.
 /// double_area: of the triangle, in square metres.
 float relative_width(float ray_width_m, float facing, float double_area);
-
-/// A point off the surface by its rounding error, back along the ray: where the ray came through
-/// there is no other surface in between, and so no light leaks in where walls meet. At grazing
-/// angles that way is long, but so is the stretch of the ray on which the hit may be; half of the
-/// ray is not exceeded, the rest goes along the normal. normal: on the side that the ray came from.
-/// distance: that it came. Numbers and vectors, or lanes of them.
-template <typename Number, typename Vector>
-Vector origin_before(const Vector& position, const Vector& direction, const Vector& normal,
-                     const Number& distance, const Number& rounding_error) {
-  constexpr float no_zero = std::numeric_limits<float>::min();
-  const Number cosine = larger(-dot(normal, direction), no_zero);
-  const Number back = smaller(rounding_error / cosine, 0.5F * distance);
-  const Number rest = larger(rounding_error - back * cosine, 0.0F);
-  return position - (back * direction - rest * normal);
-}
 
 /// What the surface emits against the ray that hit it.
 struct SurfaceEmission {

@@ -8,6 +8,8 @@
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/ray_scene.h"
+#include "renderer/trace/surface_geometry.h"
+#include "renderer/trace/triangle.h"
 
 namespace foveola {
 
@@ -18,15 +20,8 @@ struct ObjectView {
 };
 
 /// What SurfacePoint says, without the material's textures.
-struct SurfacePoints {
-  Vec3s position;
-  Floats rounding_error;
-  Vec3s geometric_normal;
-  Vec3s origin;
-  Vec3s shading_normal;
-  Floats facing;        ///< the cosine between the ray and the front's normal
-  Floats double_area;   ///< of the triangle, in square metres
-  Vec3s smooth_normal;  ///< the front's, interpolated between the vertices
+struct SurfacePoints : SurfaceGeometryOf<Floats> {
+  Floats double_area;  ///< of the triangle, in square metres
 
   Vec3 smooth_normal_at(std::size_t lane) const {
     return {smooth_normal.x[lane], smooth_normal.y[lane], smooth_normal.z[lane]};
@@ -48,18 +43,25 @@ class SurfaceHits {
  private:
   struct Corners {
     Vec3Lanes p0, p1, p2;
+
+    template <typename Triangle>
+    void put(std::size_t lane, const Triangle& triangle) {
+      p0.put(lane, triangle.p0);
+      p1.put(lane, triangle.p1);
+      p2.put(lane, triangle.p2);
+    }
   };
 
-  void put_instance(std::size_t lane, const ObjectView& object, const Hit& hit);
-  /// Sides: from p0 to the other corners. double_area goes out.
-  Vec3s front_normal(const Vec3s& side1, const Vec3s& side2, Floats& double_area) const;
+  void expect_instances();
+  TriangleOf<Floats> triangles() const;
+  Vec3s front_normal(const TriangleOf<Floats>::Front& front) const;
 
   std::uint32_t filled_ = 0;  ///< a bit a lane
   Corners corners_{};
   Corners normals_{};  ///< zero where the mesh has none
   FloatLanes u_{}, v_{}, distance_{};
   bool has_instances_ = false;
-  FloatLanes largest_term_, roundings_, winding_;  ///< only if there are instances: see Triangle
+  FloatLanes largest_term_, roundings_, winding_;  ///< only if there are instances: see TriangleOf
 };
 
 }  // namespace foveola

@@ -6,14 +6,14 @@ namespace foveola {
 
 TransmissionValue ThinWall::eval(const Vec3& incoming) const {
   const Vec3 mirrored(incoming.x, incoming.y, -incoming.z);
-  const Vec3 half = ggx_.half_vector(outgoing_, mirrored);
+  const Vec3 half = half_vector(ggx_.alpha, outgoing_, mirrored);
   const float microfacets = ggx_.density(half) / (4.0F * outgoing_.z);
   return {.times_cosine = scale_ * microfacets / (1.0F + lambda_ + ggx_.lambda(mirrored)),
           .pdf = microfacets / (1.0F + lambda_)};
 }
 
 Vec3 ThinWall::sample(const Vec2& u) const {
-  const Vec3 mirrored = reflected(outgoing_, ggx_.sample_visible_normal(outgoing_, u));
+  const Vec3 mirrored = reflected(outgoing_, ggx_.visible_normal(outgoing_, u));
   return {mirrored.x, mirrored.y, -mirrored.z};
 }
 

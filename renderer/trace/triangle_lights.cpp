@@ -61,26 +61,73 @@ std::vector<float> mean_radiance_of_materials(const Scene& scene) {
 }
 
 /// Uniform barycentric coordinates (Heitz 2019, "A Low-Distortion Map Between Triangle and
-/// Square").
-Vec2 sample_barycentric(const Vec2& u) {
-  return u.x < u.y ? Vec2(0.5F * u.x, u.y - 0.5F * u.x) : Vec2(u.x - 0.5F * u.y, 0.5F * u.y);
-}
-Vec2s sample_barycentric(const Vec2s& u) {
-  const LaneMask is_upper = u.x < u.y;
-  return {is_upper ? 0.5F * u.x : u.x - 0.5F * u.y, is_upper ? u.y - 0.5F * u.x : 0.5F * u.y};
+/// Square"). Points, or lanes of them.
+template <typename Point>
+Point sample_barycentric(const Point& u) {
+  const auto is_upper = u.x < u.y;
+  return {chosen(is_upper, 0.5F * u.x, u.x - 0.5F * u.y),
+          chosen(is_upper, u.y - 0.5F * u.x, 0.5F * u.y)};
 }
 
-/// Of points, or of lanes of them.
+/// Points, or lanes of them.
 template <typename Vector>
 auto squared_distance(const Vector& a, const Vector& b) {
   return dot(a - b, a - b);
 }
 
-/// Of a number, or of lanes of them.
+/// Per steradian, of a point drawn uniformly in the solid angle, or in the area where the solid
+/// angle is 0. distance: of the point. cosine: between the triangle's normal and the way to it.
 template <typename Number>
-Number density_in_area(const Number& area, const Number& distance, const Number& cosine) {
-  return smaller(distance * distance / (area * cosine), std::numeric_limits<float>::max());
+Number density(const Number& solid_angle, const Number& area, const Number& distance,
+               const Number& cosine) {
+  const Number in_area =
+      smaller(distance * distance / (area * cosine), std::numeric_limits<float>::max());
+  return chosen(solid_angle > 0.0F, 1.0F / solid_angle, in_area);
 }
+
+/// An emissive triangle, or eight, each with the place that its light is for.
+template <typename Number>
+class SeenEmitterOf {
+ public:
+  using Vector = Vec3Of<Number>;
+
+  SeenEmitterOf(const EmitterOf<Number>& emitter, const Vector& place)
+      : emitter_(emitter),
+        place_(place),
+        height_over_plane_(dot(emitter.front_normal, place - emitter.triangle.p0)) {}
+
+  MaskOf<Number> shines() const {
+    return (height_over_plane_ > 0.0F) | ((height_over_plane_ < 0.0F) & emitter_.is_two_sided);
+  }
+
+  MaskOf<Number> is_near() const {
+    const TriangleOf<Number>& triangle = emitter_.triangle;
+    const Number nearest = smaller(
+        squared_distance(triangle.p0, place_),
+        smaller(squared_distance(triangle.p1, place_), squared_distance(triangle.p2, place_)));
+    return emitter_.squared_longest_side > near_share * nearest;
+  }
+
+  /// A point of the triangle without its radiance. solid_angle: of the triangle, if the point was
+  /// drawn uniformly in it, else 0.
+  LocalLightSampleOf<Number> at(const Vec2Of<Number>& barycentric,
+                                const Number& solid_angle) const {
+    const Vector to_point = emitter_.triangle.at(barycentric) - place_;
+    const Number distance = square_root(dot(to_point, to_point));
+    const Number height = magnitude(dot(emitter_.front_normal, to_point));
+    // Off the triangle on the side of the place, but never past the place.
+    const Number off =
+        with_sign(smaller(emitter_.rounding_error, 0.5F * height), height_over_plane_);
+    const Number pdf = density(solid_angle, emitter_.area, distance, height / distance);
+    return {.to_light = to_point + off * emitter_.front_normal,
+            .pdf = chosen(height > 0.0F, pdf, Number{})};
+  }
+
+ private:
+  const EmitterOf<Number>& emitter_;
+  Vector place_;
+  Number height_over_plane_;
+};
 
 }  // namespace
 
@@ -113,18 +160,16 @@ void TriangleLights::add_object(std::uint32_t object) {
   for (std::uint32_t t = 0; t < count; ++t) {
     const Triangle triangle(scene_, object, t);
     emitters_.push_back(
-        {.triangle = triangle,
-         .front_normal = triangle.front_normal(),
-         .area = static_cast<float>(triangle.area()),
-         .squared_longest_side = std::max({squared_distance(triangle.p0, triangle.p1),
-                                           squared_distance(triangle.p1, triangle.p2),
-                                           squared_distance(triangle.p2, triangle.p0)}),
-         .rounding_error = triangle.rounding_error(),
-         .is_two_sided = material.double_sided,
-         .is_uniform = !is_textured && !has_opacity(scene_, mesh),
-         .radiance = material.emission,
-         .object = object,
-         .index = t});
+        {EmitterOf<float>{
+             .triangle = triangle,
+             .front_normal = triangle.front_normal(),
+             .area = static_cast<float>(triangle.area()),
+             .squared_longest_side = std::max({squared_distance(triangle.p0, triangle.p1),
+                                               squared_distance(triangle.p1, triangle.p2),
+                                               squared_distance(triangle.p2, triangle.p0)}),
+             .rounding_error = triangle.rounding_error(),
+             .is_two_sided = material.double_sided},
+         /*is_uniform=*/!is_textured && !has_opacity(scene_, mesh), material.emission, object, t});
   }
 }
 
@@ -141,7 +186,7 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
     return {};
   }
   const Emitter& emitter = emitters_[triangle];
-  const Triangle& corners = emitter.triangle;
+  const TriangleOf<float>& corners = emitter.triangle;
   return {.box = {.lower = glm::min(corners.p0, glm::min(corners.p1, corners.p2)),
                   .upper = glm::max(corners.p0, glm::max(corners.p1, corners.p2))},
           .axis = DVec3(emitter.front_normal),
@@ -153,22 +198,18 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
 
 std::optional<SphericalTriangle> TriangleLights::seen_from_near(const Emitter& emitter,
                                                                 const Vec3& place) {
-  const Triangle& triangle = emitter.triangle;
-  const float nearest =
-      std::min({squared_distance(triangle.p0, place), squared_distance(triangle.p1, place),
-                squared_distance(triangle.p2, place)});
-  if (!(emitter.squared_longest_side > near_share * nearest)) {
+  if (!SeenEmitterOf<float>(emitter, place).is_near()) {
     return std::nullopt;
   }
-  const SphericalTriangle seen(triangle, place);
+  const SphericalTriangle seen(emitter.triangle, place);
   return seen.solid_angle() > smallest_solid_angle ? std::optional(seen) : std::nullopt;
 }
 
 std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, const Vec3& place,
                                                        const Vec2& u) const {
   const Emitter& emitter = emitters_[triangle];
-  const float height_over_plane = glm::dot(emitter.front_normal, place - emitter.triangle.p0);
-  if (height_over_plane == 0.0F || (height_over_plane < 0.0F && !emitter.is_two_sided)) {
+  const SeenEmitterOf<float> seen_emitter(emitter, place);
+  if (!seen_emitter.shines()) {
     return std::nullopt;
   }
   const auto seen = seen_from_near(emitter, place);
@@ -178,21 +219,12 @@ std::optional<LocalLightSample> TriangleLights::sample(std::size_t triangle, con
   if (!(opaque > 0.0F)) {
     return std::nullopt;
   }
-  const Vec3 point = emitter.triangle.at(barycentric);
-  const Vec3 to_point = point - place;
-  const float distance = glm::length(to_point);
-  const float height = std::abs(glm::dot(emitter.front_normal, to_point));
-  if (!(height > 0.0F)) {
+  LocalLightSample sample = seen_emitter.at(barycentric, seen ? seen->solid_angle() : 0.0F);
+  if (sample.pdf == 0.0F) {
     return std::nullopt;
   }
-  // Off the triangle on the side of the place, but never past the place.
-  const float off =
-      std::copysign(std::min(emitter.rounding_error, 0.5F * height), height_over_plane);
-  return LocalLightSample{
-      .to_light = to_point + off * emitter.front_normal,
-      .pdf = seen ? 1.0F / seen->solid_angle()
-                  : density_in_area(emitter.area, distance, height / distance),
-      .radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric)};
+  sample.radiance = opaque * emitted_radiance(scene_, mesh, emitter.index, barycentric);
+  return sample;
 }
 
 float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distance,
@@ -202,7 +234,7 @@ float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distanc
     return 0.0F;
   }
   const auto seen = seen_from_near(emitter, place);
-  return seen ? 1.0F / seen->solid_angle() : density_in_area(emitter.area, distance, cosine);
+  return density(seen ? seen->solid_angle() : 0.0F, emitter.area, distance, cosine);
 }
 
 void TriangleLights::Drawn::put(std::size_t lane, const TriangleLights& lights,
@@ -221,36 +253,34 @@ void TriangleLights::Drawn::put(std::size_t lane, const TriangleLights& lights,
   probability_[lane] = probability;
 }
 
-// The steps are TriangleLights::sample()'s.
+EmitterOf<Floats> TriangleLights::Drawn::emitters() const {
+  EmitterOf<Floats> emitters{};
+  emitters.triangle.p0 = p0_.load();
+  emitters.triangle.p1 = p1_.load();
+  emitters.triangle.p2 = p2_.load();
+  emitters.front_normal = front_normal_.load();
+  emitters.area = area_.load();
+  emitters.squared_longest_side = squared_longest_side_.load();
+  emitters.rounding_error = rounding_error_.load();
+  emitters.is_two_sided = is_two_sided_.load() > 0.0F;
+  return emitters;
+}
+
 TriangleLights::Drawn::Samples TriangleLights::Drawn::sample(const Vec3s& place,
                                                              const Vec2s& u) const {
-  const Vec3s p0 = p0_.load();
-  const Vec3s p1 = p1_.load();
-  const Vec3s p2 = p2_.load();
-  const Vec3s normal = front_normal_.load();
-  const Floats height_over_plane = dot(normal, place - p0);
-  LaneMask shines =
-      (height_over_plane > 0.0F) | ((height_over_plane < 0.0F) & (is_two_sided_.load() > 0.0F));
-  const Floats nearest = smaller(squared_distance(p0, place),
-                                 smaller(squared_distance(p1, place), squared_distance(p2, place)));
-  const LaneMask is_near = shines & (squared_longest_side_.load() > near_share * nearest);
+  const EmitterOf<Floats> emitters = this->emitters();
+  const SeenEmitterOf<Floats> seen(emitters, place);
+  const LaneMask shines = seen.shines();
+  const LaneMask is_near = shines & seen.is_near();
   Vec2s barycentric = sample_barycentric(u);
   Floats solid_angle{};
   if (any_lane(is_near)) {
     sample_near(place, u, is_near, barycentric, solid_angle);
   }
-  const Vec3s point = p0 + (barycentric.x * (p1 - p0) + barycentric.y * (p2 - p0));
-  const Vec3s to_point = point - place;
-  const Floats distance = square_root(dot(to_point, to_point));
-  const Floats height = magnitude(dot(normal, to_point));
-  shines &= height > 0.0F;
-  const Floats off = with_sign(smaller(rounding_error_.load(), 0.5F * height), height_over_plane);
-  const Floats density = solid_angle > 0.0F
-                             ? 1.0F / solid_angle
-                             : density_in_area(area_.load(), distance, height / distance);
-  return {.to_light = to_point + off * normal,
-          .pdf = shines ? probability_.load() * density : Floats{},
-          .radiance = radiance_.load()};
+  Samples samples = seen.at(barycentric, solid_angle);
+  samples.pdf = shines ? probability_.load() * samples.pdf : Floats{};
+  samples.radiance = radiance_.load();
+  return samples;
 }
 
 void TriangleLights::Drawn::sample_near(const Vec3s& place, const Vec2s& u, const LaneMask& lanes,

@@ -17,6 +17,17 @@
 
 namespace foveola {
 
+/// What drawing a point needs of an emissive triangle, or of eight. Number: float, or Floats.
+template <typename Number>
+struct EmitterOf {
+  TriangleOf<Number> triangle;
+  Vec3Of<Number> front_normal;
+  Number area;                  ///< square metres
+  Number squared_longest_side;  ///< square metres
+  Number rounding_error;        ///< see TriangleOf
+  MaskOf<Number> is_two_sided;
+};
+
 /// A list of triangles in world space. Points are drawn uniformly in the solid angle of triangles
 /// that are near for their size, and in the area of the others. A textured emitter counts with its
 /// texture's mean, and what is not opaque as if it were.
@@ -59,14 +70,7 @@ class TriangleLights {
   }
 
  private:
-  /// What a sample needs of a triangle, in one place.
-  struct Emitter {
-    Triangle triangle;
-    Vec3 front_normal;
-    float area;
-    float squared_longest_side;
-    float rounding_error;  ///< of the triangle
-    bool is_two_sided;
+  struct Emitter : EmitterOf<float> {
     bool is_uniform;  ///< shines with `radiance` everywhere
     Rgb radiance;
     std::uint32_t object;
@@ -96,16 +100,12 @@ class TriangleLights::Drawn {
   /// The triangle that was chosen in a lane, with the probability of that choice.
   void put(std::size_t lane, const TriangleLights& lights, std::size_t triangle, float probability);
 
-  /// As LocalLightSample; pdf is 0 where the triangle does not shine towards the place.
-  struct Samples {
-    Vec3s to_light;
-    Floats pdf;
-    Vec3s radiance;
-  };
+  using Samples = LocalLightSampleOf<Floats>;
   /// place: that the light is for. u: in the unit square.
   Samples sample(const Vec3s& place, const Vec2s& u) const;
 
  private:
+  EmitterOf<Floats> emitters() const;
   void sample_near(const Vec3s& place, const Vec2s& u, const LaneMask& lanes, Vec2s& barycentric,
                    Floats& solid_angle) const;
 

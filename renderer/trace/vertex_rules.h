@@ -6,6 +6,8 @@
 
 #include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
+#include "renderer/trace/bsdf_value.h"
+#include "renderer/trace/lights.h"
 
 namespace foveola {
 
@@ -18,11 +20,14 @@ inline constexpr int vertices_before_roulette = 1;
 inline constexpr float roulette_margin = 2.0F;
 
 /// The chance to survive of a path whose throughput's brightest channel is `brightest`, at least 1
-/// if it surely does.
-inline float survival(float brightest) { return roulette_margin * brightest; }
-inline Floats survival(const Floats& brightest) { return roulette_margin * brightest; }
+/// if it surely does. A number, or lanes of them.
+template <typename Number>
+Number survival(const Number& brightest) {
+  return roulette_margin * brightest;
+}
 
-/// Windows in line that a ray may pass without a vertex, so that no scene traps a path.
+/// Thin transmissive surfaces in line that a ray may pass without a vertex, so that no scene traps
+/// a path.
 inline constexpr int most_thin_surfaces = 256;
 
 /// The density of a direction that no light sample could have given: a camera's or a mirror's.
@@ -30,13 +35,30 @@ inline constexpr float certain = std::numeric_limits<float>::infinity();
 
 /// The power heuristic with exponent 2 (Veach 1997, section 9.2.4) for a sample of density `pdf`
 /// that could also have come from a strategy of density `other`. As a ratio, which cannot overflow
-/// into infinity over infinity.
-inline float power_heuristic(float pdf, float other) {
-  if (pdf == certain) {
-    return 1.0F;
-  }
-  const float ratio = other / pdf;
-  return 1.0F / (1.0F + ratio * ratio);
+/// into infinity over infinity. A number, or lanes of them.
+template <typename Number>
+Number power_heuristic(const Number& pdf, const Number& other) {
+  const Number ratio = other / pdf;
+  return chosen(pdf == certain, Number{} + 1.0F, 1.0F / (1.0F + ratio * ratio));
+}
+
+/// What a path of this throughput gains from a light sample if its shadow ray is not blocked.
+/// value: the BSDF's, for the sample's direction.
+template <typename Number>
+Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput, const BsdfValueOf<Number>& value,
+                            const LightSampleOf<Number>& light) {
+  const Number weight =
+      chosen(light.is_delta, Number{} + 1.0F, power_heuristic(light.pdf, value.pdf));
+  return (weight / light.pdf) * (throughput * value.times_cosine * light.radiance);
+}
+
+/// The direction of the shadow ray to a light sample, which was drawn for `position`, if it starts
+/// at `origin` instead: where it ends stays.
+template <typename Number>
+Vec3Of<Number> shadow_direction(const LightSampleOf<Number>& light, const Vec3Of<Number>& position,
+                                const Vec3Of<Number>& origin) {
+  return chosen(light.t_max < std::numeric_limits<float>::infinity(),
+                light.to_light + (position - origin), light.to_light);
 }
 
 // Textures are averaged over much less than a ray stands for. A wide average shows parts of a

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
-#include "study/commands/aligned_rows.h"
 #include "study/commands/command_line.h"
 #include "study/commands/prediction_agreement.h"
 #include "study/commands/simulate_study.h"
@@ -45,7 +45,7 @@ SimulateReport simulate(const BenchArguments& arguments, bool predicted, const f
 }
 
 std::string text_of(const std::vector<MarkAgreement>& agreements) {
-  std::vector<Row> rows = {
+  std::vector<TextRow> rows = {
       {"mark", "method", "trials", "rendered s", "predicted s", "ratio", "rank correlation"}};
   for (const MarkAgreement& agreement : agreements) {
     rows.push_back({agreement.mark, agreement.method.empty() ? "all" : agreement.method,

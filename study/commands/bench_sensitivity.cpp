@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "study/commands/aligned_rows.h"
 #include "study/commands/command_line.h"
 #include "study/commands/method_means.h"
 #include "study/commands/simulate_study.h"
@@ -124,7 +124,7 @@ std::vector<Outcome> simulate_all(const SensitivityArguments& arguments,
 }
 
 std::string text_of(const std::vector<Outcome>& outcomes) {
-  Row head = {"number", "value"};
+  TextRow head = {"number", "value"};
   std::string mark;
   for (const MethodMean& mean : outcomes.front().means) {
     if (mean.mark != mark) {
@@ -133,11 +133,11 @@ std::string text_of(const std::vector<Outcome>& outcomes) {
     }
     head.push_back(mean.method + " %");
   }
-  std::vector<Row> rows = {head};
+  std::vector<TextRow> rows = {head};
   for (const Outcome& outcome : outcomes) {
     rows.push_back(outcome.number.empty()
-                       ? Row{"as they are", ""}
-                       : Row{outcome.number, fmt::format("{:.4g}", outcome.value)});
+                       ? TextRow{"as they are", ""}
+                       : TextRow{outcome.number, fmt::format("{:.4g}", outcome.value)});
     mark.clear();
     for (const MethodMean& mean : outcome.means) {
       if (mean.mark != mark) {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "study/commands/aligned_rows.h"
+#include "renderer/base/aligned_rows.h"
 #include "study/commands/participant_code.h"
 
 namespace foveola::study {
@@ -19,8 +19,8 @@ std::vector<std::string> scene_names(const Protocol& protocol) {
 }
 
 /// "" "1st" ... "after od" ...
-Row balance_header(const std::string& what, const std::vector<std::string>& names) {
-  Row header{what};
+TextRow balance_header(const std::string& what, const std::vector<std::string>& names) {
+  TextRow header{what};
   for (std::size_t position = 1; position <= names.size(); ++position) {
     header.push_back(fmt::format("at {}", position));
   }
@@ -30,11 +30,11 @@ Row balance_header(const std::string& what, const std::vector<std::string>& name
   return header;
 }
 
-void add_counts(std::vector<Row>& rows, const std::string& what,
+void add_counts(std::vector<TextRow>& rows, const std::string& what,
                 const std::vector<std::string>& names, const Counts& at, const Counts& after) {
   rows.push_back(balance_header(what, names));
   for (std::size_t i = 0; i < names.size(); ++i) {
-    Row row{names[i]};
+    TextRow row{names[i]};
     for (const int count : at[i]) {
       row.push_back(fmt::format("{}", count));
     }
@@ -53,7 +53,7 @@ int largest_in_one_scene(const Balance& balance) {
   return largest;
 }
 
-Row minutes(const std::string& name, const std::string& count, const Duration& duration) {
+TextRow minutes(const std::string& name, const std::string& count, const Duration& duration) {
   return {name, count, fmt::format("{:.1f}", duration.least_s / 60.0),
           fmt::format("{:.1f}", duration.most_s / 60.0)};
 }
@@ -61,7 +61,7 @@ Row minutes(const std::string& name, const std::string& count, const Duration& d
 }  // namespace
 
 std::string plan_table(const std::vector<Plan>& plans) {
-  std::vector<Row> rows = {{"participant", "position", "scene", "methods"}};
+  std::vector<TextRow> rows = {{"participant", "position", "scene", "methods"}};
   for (std::size_t index = 0; index < plans.size(); ++index) {
     const std::string code = participant_code(static_cast<int>(index));
     for (const PlannedTrial& trial : plans[index]) {
@@ -81,11 +81,11 @@ std::string plan_table(const std::vector<Plan>& plans) {
 }
 
 std::string balance_table(const Protocol& protocol, const Balance& balance) {
-  std::vector<Row> methods;
+  std::vector<TextRow> methods;
   add_counts(methods, "methods", protocol.methods, balance.method_at, balance.method_after);
-  std::vector<Row> scenes;
+  std::vector<TextRow> scenes;
   add_counts(scenes, "scenes", scene_names(protocol), balance.scene_at, balance.scene_after);
-  const std::vector<Row> differences = {
+  const std::vector<TextRow> differences = {
       {"largest difference", "at positions", "in one scene", "after one another"},
       {"methods", fmt::format("{}", largest_difference(balance.method_at)),
        fmt::format("{}", largest_in_one_scene(balance)),
@@ -96,12 +96,12 @@ std::string balance_table(const Protocol& protocol, const Balance& balance) {
 }
 
 std::string duration_table(const std::vector<SessionPart>& parts) {
-  std::vector<Row> rows = {{"minutes of", "", "at least", "at most"}};
+  std::vector<TextRow> rows = {{"minutes of", "", "at least", "at most"}};
   for (const SessionPart& part : parts) {
     rows.push_back(minutes(part.name, fmt::format("{}", part.count), part.duration));
   }
   rows.push_back(minutes("a session", "", total_of(parts)));
-  std::vector<Row> assumed = {{"assumed seconds", "at least", "at most"}};
+  std::vector<TextRow> assumed = {{"assumed seconds", "at least", "at most"}};
   for (const AssumedDuration& assumption : assumed_durations()) {
     const double most_s = assumption.duration.most_s;
     assumed.push_back({std::string(assumption.of), fmt::format("{}", assumption.duration.least_s),

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "study/commands/aligned_rows.h"
+#include "renderer/base/aligned_rows.h"
 #include "study/design/orders.h"
 
 namespace foveola::study {
@@ -85,7 +85,7 @@ std::string text_of(const TrialSettings& settings) {
                      settings.fill_unsampled ? "; holes filled" : "");
 }
 
-void add_procedure(std::vector<Row>& rows, const Protocol& protocol) {
+void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
   rows.push_back({"phases", texts_of(protocol.phases)});
   rows.push_back({"scene order", orders_of(protocol.scene_order, protocol.scenes.size())});
   rows.push_back({"method order", orders_of(protocol.method_order, protocol.methods.size()) +
@@ -111,14 +111,14 @@ void add_procedure(std::vector<Row>& rows, const Protocol& protocol) {
   }
 }
 
-void add_settings(std::vector<Row>& rows, const Protocol& protocol) {
+void add_settings(std::vector<TextRow>& rows, const Protocol& protocol) {
   rows.push_back({"trial", text_of(settings_of(protocol, "", ""))});
   for (const auto& [cell, settings] : protocol.cells) {
     rows.push_back({"", fmt::format("{} with {}: {}", cell.first, cell.second, text_of(settings))});
   }
 }
 
-void add_analysis(std::vector<Row>& rows, const Protocol& protocol) {
+void add_analysis(std::vector<TextRow>& rows, const Protocol& protocol) {
   const AnalysisPlan& plan = protocol.analysis;
   if (plan.participants) {
     rows.push_back({"planned", fmt::format("{} participants", *plan.participants)});
@@ -135,7 +135,7 @@ void add_analysis(std::vector<Row>& rows, const Protocol& protocol) {
 }  // namespace
 
 std::string protocol_table(const Protocol& protocol, const std::vector<SceneSource>& sources) {
-  std::vector<Row> rows = {
+  std::vector<TextRow> rows = {
       {"protocol", protocol.name},
       {"title", protocol.title},
       {"sha256", protocol.sha256},

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "study/commands/aligned_rows.h"
+#include "renderer/base/aligned_rows.h"
 
 namespace foveola::study {
 namespace {
@@ -55,7 +55,7 @@ void count_positions(const StudyRecords& records, StudyStatus& status) {
 }
 
 void add_kind_rows(const StudyRecords& records, const std::string& name, const KindStatus& kind,
-                   std::vector<Row>& rows) {
+                   std::vector<TextRow>& rows) {
   for (const auto& [state, count] : kind.sessions) {
     rows.push_back({"sessions", fmt::format("{} {} {}", count, name, state)});
   }
@@ -96,9 +96,9 @@ StudyStatus status_of(const StudyRecords& records) {
 }
 
 std::string status_table(const StudyRecords& records, const StudyStatus& status) {
-  std::vector<Row> rows = {{"protocol", records.protocol_name},
-                           {"title", records.protocol_title},
-                           {"sha256", records.protocol_sha256}};
+  std::vector<TextRow> rows = {{"protocol", records.protocol_name},
+                               {"title", records.protocol_title},
+                               {"sha256", records.protocol_sha256}};
   for (const auto& [name, kind] : status.kinds) {
     add_kind_rows(records, name, kind, rows);
   }
@@ -118,10 +118,10 @@ std::string status_table(const StudyRecords& records, const StudyStatus& status)
 }
 
 std::string verification_table(const Verification& found) {
-  std::vector<Row> rows = {{"sessions", std::to_string(found.sessions)},
-                           {"events", std::to_string(found.events)},
-                           {"chunks", std::to_string(found.chunks)},
-                           {"faults", std::to_string(found.faults.size())}};
+  std::vector<TextRow> rows = {{"sessions", std::to_string(found.sessions)},
+                               {"events", std::to_string(found.events)},
+                               {"chunks", std::to_string(found.chunks)},
+                               {"faults", std::to_string(found.faults.size())}};
   for (const RecordFault& fault : found.faults) {
     rows.push_back({"fault", fault.participant.empty()
                                  ? fault.what

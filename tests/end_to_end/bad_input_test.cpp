@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 
 #include "renderer/base/files.h"
+#include "renderer/glb/glb_document.h"
 #include "tests/end_to_end/program.h"
 
 namespace fs = std::filesystem;
@@ -57,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "folder"},
         BadScene{"empty", "empty.glb", write(""), "empty.glb"},
         BadScene{"truncated", "cut.glb",
-                 write(glb_of(R"({"asset":{"version":"2.0"}})").substr(0, 30)), "cut.glb"},
+                 write(glb_container(R"({"asset":{"version":"2.0"}})", "").substr(0, 30)),
+                 "cut.glb"},
         BadScene{"noise", "noise.glb", write(std::string(1000, '\x5a')), "noise.glb"},
         BadScene{"not_gltf", "data.gltf", write(R"({"name": "not a scene"})"), "data.gltf"},
         BadScene{"not_json", "text.gltf", write("{]"), "text.gltf"},

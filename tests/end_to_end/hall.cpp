@@ -1,6 +1,7 @@
 #include "tests/end_to_end/hall.h"
 
 #include "renderer/base/files.h"
+#include "renderer/glb/glb_document.h"
 
 namespace foveola::test {
 
@@ -67,7 +68,7 @@ position = [0.0, 1.0, -1.0]
 radius_deg = 5.0
 )";
 
-std::string room_glb() { return glb_of(room_gltf()); }
+std::string room_glb() { return glb_container(room_gltf(), ""); }
 
 Hall::Hall() {
   folder.write("share/protocols/hall.toml", hall_protocol());

@@ -126,13 +126,4 @@ std::string room_gltf() {
          base64(bytes) + R"("}]})";
 }
 
-std::string glb_of(std::string gltf) {
-  gltf.resize((gltf.size() + 3) / 4 * 4, ' ');
-  const auto word = [](std::size_t value) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    return std::string(reinterpret_cast<const char*>(&bits), sizeof(bits));
-  };
-  return "glTF" + word(2) + word(20 + gltf.size()) + word(gltf.size()) + "JSON" + gltf;
-}
-
 }  // namespace foveola::test

@@ -33,7 +33,4 @@ void expect_one_line(const ProgramResult& result, int exit_code, const std::stri
 /// A small closed room with a lamp, as a .gltf with its buffer inside.
 std::string room_gltf();
 
-/// The content of a .gltf as that of a .glb without a binary chunk.
-std::string glb_of(std::string gltf);
-
 }  // namespace foveola::test

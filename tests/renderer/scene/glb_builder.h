@@ -2,68 +2,46 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "renderer/base/vec.h"
+#include "renderer/glb/glb_document.h"
 #include "renderer/scene/scene.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::test {
 
 using Json = nlohmann::json;
-
-enum ComponentType : int { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+using enum GlbComponent;
 
 /// A document under construction and the bytes of its only buffer. Tests spoil `document` at will.
-struct GlbBuilder {
-  Json document = {{"asset", {{"version", "2.0"}}}};
-  std::string buffer;
+struct GlbBuilder : GlbDocument<Json> {
+  GlbBuilder() { document = {{"asset", {{"version", "2.0"}}}}; }
 
-  /// Appends `bytes`, 4-byte aligned, and returns the index of a buffer view of exactly them.
+  using GlbDocument::add_view;
   int add_view(const void* bytes, std::size_t size) {
-    buffer.resize((buffer.size() + 3) / 4 * 4);
-    document["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", size}});
-    buffer.append(static_cast<const char*>(bytes), size);
-    return last("bufferViews");
+    return add_view(std::span(static_cast<const std::byte*>(bytes), size));
   }
 
   template <typename T>
-  int add_accessor(const std::vector<T>& values, ComponentType component, const char* type,
+  int add_accessor(const std::vector<T>& values, GlbComponent component, const char* type,
                    std::size_t values_per_element) {
-    const int view = add_view(values.data(), values.size() * sizeof(T));
-    document["accessors"].push_back({{"bufferView", view},
-                                     {"componentType", static_cast<int>(component)},
-                                     {"count", values.size() / values_per_element},
-                                     {"type", type}});
-    return last("accessors");
+    return GlbDocument::add_accessor(std::as_bytes(std::span(values)), component, type,
+                                     values.size() / values_per_element);
   }
-  int add_vectors(const std::vector<Vec3>& values) { return add_accessor(values, f32, "VEC3", 1); }
-  int add_uvs(const std::vector<Vec2>& values) { return add_accessor(values, f32, "VEC2", 1); }
-
-  /// Appends `item` to the array `name` of the document and returns its index.
-  int add(const char* name, Json item) {
-    document[name].push_back(std::move(item));
-    return last(name);
+  int add_vectors(const std::vector<Vec3>& values) {
+    return add_accessor(values, float32, "VEC3", 1);
   }
+  int add_uvs(const std::vector<Vec2>& values) { return add_accessor(values, float32, "VEC2", 1); }
 
   /// A mesh of one primitive.
   int add_mesh(Json primitive) {
     return add("meshes", {{"primitives", Json::array({std::move(primitive)})}});
-  }
-
-  /// A node, which is also listed in scene 0.
-  int add_root(Json node) {
-    const int index = add("nodes", std::move(node));
-    document["scenes"][0]["nodes"].push_back(index);
-    return index;
   }
 
   /// An image of these encoded bytes, in the buffer, and a texture of it.
@@ -72,35 +50,6 @@ struct GlbBuilder {
     const int image = add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
     return add("textures", {{"source", image}});
   }
-
-  std::string bytes() const {
-    Json complete = document;
-    if (!buffer.empty() && !complete.contains("buffers")) {
-      complete["buffers"].push_back({{"byteLength", buffer.size()}});
-    }
-    return container(complete.dump(), buffer);
-  }
-
-  /// The GLB container around any JSON text and buffer.
-  static std::string container(std::string json, std::string binary) {
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    binary.resize((binary.size() + 3) / 4 * 4, '\0');
-    const std::size_t length = 20 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
-    std::string bytes = "glTF" + word(2) + word(length) + word(json.size()) + "JSON" + json;
-    if (!binary.empty()) {
-      bytes += word(binary.size()) + std::string("BIN\0", 4) + binary;
-    }
-    return bytes;
-  }
-
- private:
-  static std::string word(std::size_t value) {
-    const auto bits = static_cast<std::uint32_t>(value);
-    std::string bytes(4, '\0');
-    std::memcpy(bytes.data(), &bits, 4);
-    return bytes;
-  }
-  int last(const char* name) const { return static_cast<int>(document[name].size()) - 1; }
 };
 
 /// The front-facing triangle (0,0,0), (1,0,0), (0,1,0) in a scene of its own.

@@ -60,7 +60,7 @@ class AccessorTypes : public LoadGltf {
  protected:
   /// The first set of texture coordinates of a triangle that stores them like this.
   template <typename T>
-  std::vector<Vec2> uvs(const std::vector<T>& values, ComponentType type, bool normalized) const {
+  std::vector<Vec2> uvs(const std::vector<T>& values, GlbComponent type, bool normalized) const {
     GlbBuilder glb = one_triangle();
     const int accessor = glb.add_accessor(values, type, "VEC2", 2);
     glb.document["accessors"][accessor]["normalized"] = normalized;
@@ -71,20 +71,20 @@ class AccessorTypes : public LoadGltf {
 
 /// KHR_mesh_quantization's table: f = c / 127, c / 255, c / 32767 or c / 65535, and not below -1.
 TEST_F(AccessorTypes, NormalisesIntegers) {
-  EXPECT_THAT(uvs<std::uint8_t>({0, 255, 51, 102, 204, 153}, u8, true),
+  EXPECT_THAT(uvs<std::uint8_t>({0, 255, 51, 102, 204, 153}, uint8, true),
               ElementsAre(Vec2(0, 1), Vec2(0.2F, 0.4F), Vec2(0.8F, 0.6F)));
-  EXPECT_THAT(uvs<std::uint16_t>({0, 65535, 13107, 26214, 0, 0}, u16, true),
+  EXPECT_THAT(uvs<std::uint16_t>({0, 65535, 13107, 26214, 0, 0}, uint16, true),
               ElementsAre(Vec2(0, 1), Vec2(0.2F, 0.4F), Vec2(0, 0)));
-  EXPECT_THAT(uvs<std::int8_t>({127, -127, -128, 0, 1, 0}, i8, true),
+  EXPECT_THAT(uvs<std::int8_t>({127, -127, -128, 0, 1, 0}, int8, true),
               ElementsAre(Vec2(1, -1), Vec2(-1, 0), Vec2(1.0F / 127.0F, 0)));
-  EXPECT_THAT(uvs<std::int16_t>({32767, -32767, -32768, 0, 1, 0}, i16, true),
+  EXPECT_THAT(uvs<std::int16_t>({32767, -32767, -32768, 0, 1, 0}, int16, true),
               ElementsAre(Vec2(1, -1), Vec2(-1, 0), Vec2(1.0F / 32767.0F, 0)));
 }
 
 TEST_F(AccessorTypes, TakesOtherIntegersAsTheyAre) {
-  EXPECT_THAT(uvs<std::uint8_t>({0, 255, 51, 102, 204, 153}, u8, false),
+  EXPECT_THAT(uvs<std::uint8_t>({0, 255, 51, 102, 204, 153}, uint8, false),
               ElementsAre(Vec2(0, 255), Vec2(51, 102), Vec2(204, 153)));
-  EXPECT_THAT(uvs<std::int16_t>({32767, -32768, 0, 0, 1, 0}, i16, false),
+  EXPECT_THAT(uvs<std::int16_t>({32767, -32768, 0, 0, 1, 0}, int16, false),
               ElementsAre(Vec2(32767, -32768), Vec2(0, 0), Vec2(1, 0)));
 }
 
@@ -93,8 +93,8 @@ TEST_F(Accessors, ReadsQuantisedMeshes) {
   GlbBuilder glb;
   const std::vector<std::int16_t> positions = {-100, 0, 0, 9, 100, 0, 0, 9, 0, 100, 50, 9};
   const std::vector<std::int8_t> normals = {0, 0, 127, 9, 0, 0, 127, 9, 0, 90, 90, 9};
-  const int position = glb.add_accessor(positions, i16, "VEC3", 4);
-  const int normal = glb.add_accessor(normals, i8, "VEC3", 4);
+  const int position = glb.add_accessor(positions, int16, "VEC3", 4);
+  const int normal = glb.add_accessor(normals, int8, "VEC3", 4);
   glb.document["bufferViews"][0]["byteStride"] = 8;
   glb.document["bufferViews"][1]["byteStride"] = 4;
   glb.document["accessors"][normal]["normalized"] = true;
@@ -113,7 +113,7 @@ TEST_F(Accessors, ReadsQuantisedMeshes) {
 TEST_F(Accessors, RefusesOtherTypes) {
   GlbBuilder wide = one_triangle();
   wide.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
-      wide.add_accessor<std::uint32_t>({0, 0, 0, 1, 0, 0, 0, 1, 0}, u32, "VEC3", 3);
+      wide.add_accessor<std::uint32_t>({0, 0, 0, 1, 0, 0, 0, 1, 0}, uint32, "VEC3", 3);
   EXPECT_THAT(error_of(wide),
               HasSubstr(position_place + "accessors[1] holds 3 x 32-bit unsigned, but 3 x float or "
                                          "integer of 8 or 16 bits is needed"));
@@ -128,7 +128,7 @@ TEST_F(Accessors, RefusesOtherTypes) {
 
   GlbBuilder colors = one_triangle();
   colors.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
-      colors.add_accessor<std::uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0}, u8, "VEC3", 3);
+      colors.add_accessor<std::uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0}, uint8, "VEC3", 3);
   EXPECT_THAT(error_of(colors),
               HasSubstr("attributes.COLOR_0: accessors[1] holds 3 x 8-bit unsigned, but float or"));
 }
@@ -160,7 +160,7 @@ GlbBuilder sparse(const std::vector<std::uint16_t>& indices, const std::vector<V
   const int value_view = glb.add_view(values.data(), values.size() * sizeof(Vec3));
   glb.document["accessors"][0]["sparse"] = {
       {"count", indices.size()},
-      {"indices", {{"bufferView", index_view}, {"componentType", static_cast<int>(u16)}}},
+      {"indices", {{"bufferView", index_view}, {"componentType", static_cast<int>(uint16)}}},
       {"values", {{"bufferView", value_view}}}};
   return glb;
 }
@@ -190,12 +190,12 @@ TEST_F(Accessors, SparseOffsetsCountFromTheirViews) {
 
 TEST_F(Accessors, IndicesMayBeSparse) {
   GlbBuilder glb = one_triangle();
-  const int accessor = glb.add_accessor<std::uint8_t>({0, 0, 2}, u8, "SCALAR", 1);
+  const int accessor = glb.add_accessor<std::uint8_t>({0, 0, 2}, uint8, "SCALAR", 1);
   const std::vector<std::uint8_t> bytes = {1, 1};
   const int view = glb.add_view(bytes.data(), 2);
   glb.document["accessors"][accessor]["sparse"] = {
       {"count", 1},
-      {"indices", {{"bufferView", view}, {"componentType", static_cast<int>(u8)}}},
+      {"indices", {{"bufferView", view}, {"componentType", static_cast<int>(uint8)}}},
       {"values", {{"bufferView", view}, {"byteOffset", 1}}}};
   glb.document["meshes"][0]["primitives"][0]["indices"] = accessor;
   EXPECT_THAT(load(glb).meshes.at(0).triangles, ElementsAre(std::array<std::uint32_t, 3>{0, 1, 2}));

@@ -87,7 +87,7 @@ TEST_F(GltfFiles, ReadsBuffersBesideTheScene) {
 
 TEST_F(GltfFiles, ReadsBuffersOfBinariesBesideTheScene) {
   write("triangle.bin", one_triangle().buffer);
-  const Scene scene = load_bytes(GlbBuilder::container(gltf_with_buffer("triangle.bin"), ""));
+  const Scene scene = load_bytes(glb_container(gltf_with_buffer("triangle.bin"), ""));
   EXPECT_EQ(scene.triangle_count(), 1U);
 }
 

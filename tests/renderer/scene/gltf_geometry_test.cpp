@@ -48,7 +48,7 @@ GlbBuilder unindexed(const std::vector<Vec3>& positions, int mode) {
 }
 
 template <typename Index>
-GlbBuilder indexed(const std::vector<Index>& indices, ComponentType type, int mode = 4) {
+GlbBuilder indexed(const std::vector<Index>& indices, GlbComponent type, int mode = 4) {
   GlbBuilder glb = unindexed(square, mode);
   primitive(glb)["indices"] = glb.add_accessor(indices, type, "SCALAR", 1);
   return glb;
@@ -73,22 +73,23 @@ TEST_F(Geometry, FansShareTheirFirstVertex) {
 
 TEST_F(Geometry, EveryIndexTypeNamesTheSameVertices) {
   const auto expected = ElementsAre(Corners{0, 1, 3}, Corners{0, 3, 2});
-  EXPECT_THAT(load(indexed<std::uint8_t>({0, 1, 3, 0, 3, 2}, u8)).meshes.at(0).triangles, expected);
-  EXPECT_THAT(load(indexed<std::uint16_t>({0, 1, 3, 0, 3, 2}, u16)).meshes.at(0).triangles,
+  EXPECT_THAT(load(indexed<std::uint8_t>({0, 1, 3, 0, 3, 2}, uint8)).meshes.at(0).triangles,
               expected);
-  EXPECT_THAT(load(indexed<std::uint32_t>({0, 1, 3, 0, 3, 2}, u32)).meshes.at(0).triangles,
+  EXPECT_THAT(load(indexed<std::uint16_t>({0, 1, 3, 0, 3, 2}, uint16)).meshes.at(0).triangles,
+              expected);
+  EXPECT_THAT(load(indexed<std::uint32_t>({0, 1, 3, 0, 3, 2}, uint32)).meshes.at(0).triangles,
               expected);
 }
 
 TEST_F(Geometry, StripsAndFansMayBeIndexed) {
-  EXPECT_THAT(load(indexed<std::uint8_t>({1, 3, 0, 2}, u8, strip_mode)).meshes.at(0).triangles,
+  EXPECT_THAT(load(indexed<std::uint8_t>({1, 3, 0, 2}, uint8, strip_mode)).meshes.at(0).triangles,
               ElementsAre(Corners{1, 3, 0}, Corners{3, 2, 0}));
-  EXPECT_THAT(load(indexed<std::uint8_t>({0, 1, 3, 2}, u8, fan_mode)).meshes.at(0).triangles,
+  EXPECT_THAT(load(indexed<std::uint8_t>({0, 1, 3, 2}, uint8, fan_mode)).meshes.at(0).triangles,
               ElementsAre(Corners{1, 3, 0}, Corners{3, 2, 0}));
 }
 
 TEST_F(Geometry, KeepsOnlyTheVerticesThatAreUsed) {
-  GlbBuilder glb = indexed<std::uint8_t>({1, 3, 2}, u8);
+  GlbBuilder glb = indexed<std::uint8_t>({1, 3, 2}, uint8);
   glb.buffer.append(4, '\0');
   const Mesh mesh = load(glb).meshes.at(0);
   EXPECT_THAT(mesh.positions, ElementsAre(square[1], square[2], square[3]));
@@ -212,21 +213,21 @@ TEST_F(Geometry, ReadsColoursOfAllTypes) {
   GlbBuilder glb = one_triangle();
   const auto colors = [&](int accessor) {
     glb.document["accessors"][accessor]["normalized"] =
-        glb.document["accessors"][accessor]["componentType"] != static_cast<int>(f32);
+        glb.document["accessors"][accessor]["componentType"] != static_cast<int>(float32);
     primitive(glb)["attributes"]["COLOR_0"] = accessor;
     return load(glb).meshes.at(0).colors;
   };
   EXPECT_THAT(colors(glb.add_vectors({{0.5F, 0, 1}, {0, 0.25F, 0}, {0, 0, 0}})),
               ElementsAre(Vec4(0.5F, 0, 1, 1), Vec4(0, 0.25F, 0, 1), Vec4(0, 0, 0, 1)));
-  EXPECT_THAT(
-      colors(glb.add_accessor<float>({0.5F, 0, 1, 0.75F, 0, 0, 0, 0, 1, 1, 1, 1}, f32, "VEC4", 4)),
-      ElementsAre(Vec4(0.5F, 0, 1, 0.75F), Vec4(0, 0, 0, 0), Vec4(1, 1, 1, 1)));
-  EXPECT_THAT(colors(glb.add_accessor<std::uint8_t>({51, 0, 255, 102, 0, 0, 0, 0, 0, 0, 0, 0}, u8,
-                                                    "VEC4", 4)),
+  EXPECT_THAT(colors(glb.add_accessor<float>({0.5F, 0, 1, 0.75F, 0, 0, 0, 0, 1, 1, 1, 1}, float32,
+                                             "VEC4", 4)),
+              ElementsAre(Vec4(0.5F, 0, 1, 0.75F), Vec4(0, 0, 0, 0), Vec4(1, 1, 1, 1)));
+  EXPECT_THAT(colors(glb.add_accessor<std::uint8_t>({51, 0, 255, 102, 0, 0, 0, 0, 0, 0, 0, 0},
+                                                    uint8, "VEC4", 4)),
               ElementsAre(Vec4(0.2F, 0, 1, 0.4F), Vec4(0), Vec4(0)));
-  EXPECT_THAT(
-      colors(glb.add_accessor<std::uint16_t>({13107, 0, 65535, 0, 0, 0, 0, 0, 0}, u16, "VEC3", 3)),
-      ElementsAre(Vec4(0.2F, 0, 1, 1), Vec4(0, 0, 0, 1), Vec4(0, 0, 0, 1)));
+  EXPECT_THAT(colors(glb.add_accessor<std::uint16_t>({13107, 0, 65535, 0, 0, 0, 0, 0, 0}, uint16,
+                                                     "VEC3", 3)),
+              ElementsAre(Vec4(0.2F, 0, 1, 1), Vec4(0, 0, 0, 1), Vec4(0, 0, 0, 1)));
 }
 
 TEST_F(Geometry, LimitsColoursWithAWarning) {
@@ -250,7 +251,7 @@ TEST_F(Geometry, WhiteVerticesKeepNoColours) {
 /// A square seen from +Z with its texture upright and unmirrored: u along +X, v (down the image)
 /// along -Y. Material 0 has a normal texture.
 GlbBuilder normal_mapped() {
-  GlbBuilder glb = indexed<std::uint8_t>({0, 1, 3, 0, 3, 2}, u8);
+  GlbBuilder glb = indexed<std::uint8_t>({0, 1, 3, 0, 3, 2}, uint8);
   primitive(glb)["attributes"]["NORMAL"] = glb.add_vectors(std::vector<Vec3>(4, {0, 0, 1}));
   primitive(glb)["attributes"]["TEXCOORD_0"] = glb.add_uvs({{0, 1}, {1, 1}, {0, 0}, {1, 0}});
   const int texture = glb.add_texture(png(1, 1, 3, std::vector<std::uint8_t>{128, 128, 255}));
@@ -265,8 +266,8 @@ TEST_F(Geometry, ComputesMissingTangentsOfNormalMappedMeshes) {
 
 TEST_F(Geometry, ReadsTangentsOnlyWhereANormalTextureNeedsThem) {
   GlbBuilder glb = normal_mapped();
-  primitive(glb)["attributes"]["TANGENT"] =
-      glb.add_accessor<float>({0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1}, f32, "VEC4", 4);
+  primitive(glb)["attributes"]["TANGENT"] = glb.add_accessor<float>(
+      {0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1, 0, 2, 0, -1}, float32, "VEC4", 4);
   EXPECT_THAT(load(glb).meshes.at(0).tangents, ::testing::Each(::testing::Eq(Vec4(0, 1, 0, -1))));
   glb.document["materials"][0] = Json::object();
   EXPECT_THAT(load(glb).meshes.at(0).tangents, IsEmpty());
@@ -276,7 +277,7 @@ TEST_F(Geometry, ReadsTangentsOnlyWhereANormalTextureNeedsThem) {
 TEST_F(Geometry, ZeroTangentsAreComputedAnew) {
   GlbBuilder glb = normal_mapped();
   primitive(glb)["attributes"]["TANGENT"] =
-      glb.add_accessor<float>({0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, f32, "VEC4", 4);
+      glb.add_accessor<float>({0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, float32, "VEC4", 4);
   const Scene scene = load(glb);
   EXPECT_THAT(scene.meshes.at(0).tangents, ::testing::Each(::testing::Eq(Vec4(1, 0, 0, 1))));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("tangents of no use")));
@@ -299,7 +300,7 @@ TEST_F(Geometry, FlatMeshesGetTangentsOfTheirOwn) {
   GlbBuilder glb = normal_mapped();
   primitive(glb)["attributes"].erase("NORMAL");
   primitive(glb)["attributes"]["TANGENT"] =
-      glb.add_accessor<float>({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, f32, "VEC4", 4);
+      glb.add_accessor<float>({0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}, float32, "VEC4", 4);
   const Mesh mesh = load(glb).meshes.at(0);
   EXPECT_THAT(mesh.normals, IsEmpty());
   EXPECT_THAT(mesh.tangents, ::testing::Each(::testing::Eq(Vec4(1, 0, 0, 1))));
@@ -315,7 +316,7 @@ TEST_F(Geometry, MissingFiniteCoordinatesAreZero) {
 }
 
 TEST_F(Geometry, RefusesAnIndexBeyondTheVertices) {
-  EXPECT_THAT(error_of(indexed<std::uint8_t>({0, 1, 4}, u8)),
+  EXPECT_THAT(error_of(indexed<std::uint8_t>({0, 1, 4}, uint8)),
               HasSubstr("meshes[0].primitives[0].indices: names vertex 4, but POSITION has 4"));
 }
 
@@ -333,7 +334,7 @@ TEST_F(Geometry, RefusesPrimitivesBeyondAllMeasure) {
   for (std::size_t i = 0; i < strip.size(); ++i) {
     strip[i] = static_cast<std::uint8_t>(i % 4);
   }
-  GlbBuilder glb = indexed(strip, u8, strip_mode);
+  GlbBuilder glb = indexed(strip, uint8, strip_mode);
   Json& primitives = glb.document["meshes"][0]["primitives"];
   primitives = Json::array();
   for (int i = 0; i < 2000; ++i) {

@@ -44,10 +44,10 @@ GlbBuilder rich_scene() {
   const int positions = glb.add_vectors({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
   const int normals = glb.add_vectors(std::vector<Vec3>(4, {0, 0, 1}));
   const int first_uvs = glb.add_uvs({{0, 0}, {1, 0}, {0, 1}, {1, 1}});
-  const int second_uvs = glb.add_accessor<std::int16_t>({0, 0, 9, 0, 0, 9, 9, 9}, i16, "VEC2", 2);
-  const int colors = glb.add_accessor(std::vector<std::uint8_t>(16, 99), u8, "VEC4", 4);
+  const int second_uvs = glb.add_accessor<std::int16_t>({0, 0, 9, 0, 0, 9, 9, 9}, int16, "VEC2", 2);
+  const int colors = glb.add_accessor(std::vector<std::uint8_t>(16, 99), uint8, "VEC4", 4);
   glb.document["accessors"][colors]["normalized"] = true;
-  const int indices = glb.add_accessor<std::uint16_t>({0, 1, 2, 2, 1, 3}, u16, "SCALAR", 1);
+  const int indices = glb.add_accessor<std::uint16_t>({0, 1, 2, 2, 1, 3}, uint16, "SCALAR", 1);
   const std::vector<std::uint8_t> replaced = {1, 3};
   const std::vector<Vec3> replacements = {{1, 0, 0}, {1, 1, 0}};
   glb.document["accessors"][positions]["sparse"] = {
@@ -223,7 +223,7 @@ TEST_F(LoadGltf, SurvivesOtherNumbers) {
         "1e40", "0.5", "null"};
     const std::string& number = numbers[random.below(static_cast<std::uint32_t>(numbers.size()))];
     spoilt.replace(at, 1, number);
-    expect_scene_or_error(write("spoilt.glb", GlbBuilder::container(spoilt, glb.buffer)),
+    expect_scene_or_error(write("spoilt.glb", glb_container(spoilt, glb.buffer)),
                           fmt::format("byte {} is {}", at, number));
   }
 }

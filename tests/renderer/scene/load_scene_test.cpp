@@ -238,7 +238,7 @@ TEST_F(LoadScene, InstancesAreScaledWhereTheyStand) {
     indices.insert(indices.end(), {0, 1, 2});
   }
   glb.document["meshes"][0]["primitives"][0]["indices"] =
-      glb.add_accessor(indices, u32, "SCALAR", 1);
+      glb.add_accessor(indices, uint32, "SCALAR", 1);
   for (const double x : {3.0, -3.0}) {
     glb.add_root({{"mesh", 0}, {"translation", {x, 0, 0}}, {"scale", {2, 2, 2}}});
   }

@@ -197,7 +197,8 @@ MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
     if (!light) {
       return 0.0;
     }
-    Ray shadow = light->shadow_ray;
+    Ray shadow{.origin = point.origin, .direction = light->to_light};
+    shadow.t_max = light->t_max;
     rays.find_blocked({&shadow, 1});
     const BsdfValue value = bsdf.eval(frame.to_local(light->direction));
     return shadow.is_blocked() ? 0.0 : value.times_cosine.g * light->radiance.g / light->pdf;

@@ -62,8 +62,8 @@ TEST(LightsInLanesTest, SamplesAreThoseOfSingleShadingPoints) {
         EXPECT_NEAR(samples.direction.y[lane], expected->direction.y, 1e-6F);
         EXPECT_EQ(samples.radiance.y[lane], expected->radiance.y);
         EXPECT_EQ(samples.is_delta[lane] != 0, expected->is_delta);
-        EXPECT_EQ(samples.to_light.z[lane], expected->shadow_ray.direction.z);
-        EXPECT_EQ(samples.t_max[lane], expected->shadow_ray.t_max);
+        EXPECT_EQ(samples.to_light.z[lane], expected->to_light.z);
+        EXPECT_EQ(samples.t_max[lane], expected->t_max);
       }
     }
   }

@@ -105,7 +105,7 @@ TEST(LightsTest, DensitiesAgreeWithThoseOfSampledPoints) {
       const Numbers numbers(random);
       const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
       ASSERT_TRUE(light);
-      if (std::isinf(light->shadow_ray.t_max)) {
+      if (std::isinf(light->t_max)) {
         EXPECT_FLOAT_EQ(lights.distant_light(light->direction).pdf, light->pdf);
         continue;
       }

@@ -1,0 +1,102 @@
+// From hits to the geometry of surface points, for one hit or for eight.
+#pragma once
+
+#include <limits>
+
+#include "renderer/base/lanes.h"
+#include "renderer/base/vec.h"
+#include "renderer/trace/mesh_attributes.h"
+#include "renderer/trace/triangle.h"
+
+namespace foveola {
+
+/// A point off the surface by its rounding error, back along the ray: where the ray came through
+/// there is no other surface in between, and so no light leaks in where walls meet. At grazing
+/// angles that way is long, but so is the stretch of the ray on which the hit may be; half of the
+/// ray is not exceeded, the rest goes along the normal. normal: on the side that the ray came from.
+/// distance: that it came. Numbers and vectors, or lanes of them.
+template <typename Number, typename Vector>
+Vector origin_before(const Vector& position, const Vector& direction, const Vector& normal,
+                     const Number& distance, const Number& rounding_error) {
+  constexpr float no_zero = std::numeric_limits<float>::min();
+  const Number cosine = larger(-dot(normal, direction), no_zero);
+  const Number back = smaller(rounding_error / cosine, 0.5F * distance);
+  const Number rest = larger(rounding_error - back * cosine, 0.0F);
+  return position - (back * direction - rest * normal);
+}
+
+/// `normal` at unit length, or `otherwise` if it has no direction. Vectors, or lanes of them.
+template <typename Vector>
+Vector normalized_or(const Vector& normal, const Vector& otherwise) {
+  const auto squared_length = dot(normal, normal);
+  return chosen(squared_length > 0.0F, (1.0F / square_root(squared_length)) * normal, otherwise);
+}
+
+/// The front's normal at a triangle's corners in the world, of any length; zero where the mesh has
+/// none.
+template <typename Number>
+struct CornerNormalsOf {
+  Vec3Of<Number> p0, p1, p2;
+};
+
+/// How an instance turns normals: the transposed inverse, up to a positive factor.
+Mat3 world_normal_from_local(const Mat4& world_from_local);
+
+/// instance: null for a mesh that stands in the world as it is.
+inline CornerNormalsOf<float> corner_normals(const Mesh& mesh, const Instance* instance,
+                                             std::uint32_t triangle) {
+  if (mesh.normals.empty()) {
+    return {Vec3(0.0F), Vec3(0.0F), Vec3(0.0F)};
+  }
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  if (instance == nullptr) {
+    return {mesh.normals[a], mesh.normals[b], mesh.normals[c]};
+  }
+  const Mat3 turn = world_normal_from_local(instance->world_from_local);
+  return {turn * mesh.normals[a], turn * mesh.normals[b], turn * mesh.normals[c]};
+}
+
+/// What a surface looks like where a ray met it, from where the ray came from. Number: float, or
+/// Floats.
+template <typename Number>
+struct SurfaceGeometryOf {
+  using Vector = Vec3Of<Number>;
+
+  Vector position;
+  Number rounding_error;    ///< metres; see TriangleOf
+  Number facing;            ///< the cosine between the ray and the front's normal
+  Vector geometric_normal;  ///< unit, on the side the ray came from
+  Vector origin;            ///< where rays leave the surface on the side the ray came from
+  Vector smooth_normal;     ///< unit; the front's, interpolated between the vertices
+  Vector shading_normal;    ///< unit, on the same side; the ray always comes from its front
+
+  /// front_normal: the triangle's, unit length. direction: the ray's, unit length. distance: that
+  /// it came.
+  SurfaceGeometryOf(const TriangleOf<Number>& triangle, const Vector& front_normal,
+                    const CornerNormalsOf<Number>& normals, const Vec2Of<Number>& barycentric,
+                    const Vector& direction, const Number& distance)
+      : position(triangle.at(barycentric)),
+        rounding_error(triangle.rounding_error()),
+        facing(-dot(front_normal, direction)),
+        geometric_normal(chosen(facing < 0.0F, -front_normal, front_normal)),
+        origin(origin_before(position, direction, geometric_normal, distance, rounding_error)),
+        smooth_normal(normalized_or(interpolate(normals.p0, normals.p1, normals.p2, barycentric),
+                                    front_normal)),
+        shading_normal(turned_to_ray(smooth_normal, geometric_normal, smooth_normal, direction,
+                                     geometric_normal)) {}
+
+  /// The shading normal if a normal map makes `mapped` of the smooth normal.
+  Vector mapped_shading_normal(const Vector& mapped, const Vector& direction) const {
+    return turned_to_ray(smooth_normal, geometric_normal, mapped, direction, shading_normal);
+  }
+
+  /// `normal` of the front turned to the side of the geometric normal, or `otherwise` if that is
+  /// turned away from the ray.
+  static Vector turned_to_ray(const Vector& smooth, const Vector& geometric, const Vector& normal,
+                              const Vector& direction, const Vector& otherwise) {
+    const Vector turned = with_sign(1.0F, dot(smooth, geometric)) * normal;
+    return chosen(dot(turned, direction) < 0.0F, turned, otherwise);
+  }
+};
+
+}  // namespace foveola
