@@ -23,9 +23,10 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/former_option.h"
 #include "renderer/commands/light_units_option.h"
-#include "renderer/commands/stage.h"
+#include "renderer/commands/warnings.h"
 #include "renderer/image/image_file.h"
-#include "study/record/shown_scene.h"
+#include "renderer/progressive/loaded_scene.h"
+#include "study/stage/scene_stage.h"
 
 namespace fs = std::filesystem;
 
@@ -131,30 +132,25 @@ class ConvergenceBench {
     if (stop_.stop_requested()) {
       return;
     }
-    RenderSettings settings;
-    settings.size = plan_.size;
-    settings.threads = arguments_.threads;
-    const Stage stage(source, settings);
-    print_warnings(stage.warnings);
+    const Workers workers(arguments_.threads);
+    const LoadedScene loaded(source, workers);
+    print_warnings(loaded.warnings);
     std::optional<PathTracer> by_power_alone;
     if (std::any_of(plan_.configurations.begin(), plan_.configurations.end(),
                     [](const Configuration& c) {
                       return c.light_selection == LightSelection::by_power_alone;
                     })) {
-      by_power_alone.emplace(stage.scene, stage.workers, LightSelection::by_power_alone);
+      by_power_alone.emplace(loaded.scene, workers, LightSelection::by_power_alone);
     }
-    const Subject subject{.scene = source.name,
-                          .tracer = &stage.tracer,
-                          .tracer_by_power_alone = by_power_alone ? &*by_power_alone : nullptr,
-                          .key = stage.scene.sha256 + ";" + study::added_to_file(source),
-                          .viewpoint = stage.camera.position,
-                          .exposure_stops = source.exposure_stops};
+    const Subject subject{.loaded = loaded,
+                          .key = study::scene_key(loaded),
+                          .tracer_by_power_alone = by_power_alone ? &*by_power_alone : nullptr};
     for (int i = 0; i < arguments_.gazes && !stop_.stop_requested(); ++i) {
       const double turn_rad = 2.0 * std::numbers::pi * i / arguments_.gazes;
       // Turned into [-pi, pi], as directions have their azimuths.
-      run_gaze(subject, stage.workers,
+      run_gaze(subject, workers,
                azimuth_elevation(
-                   direction_from({.azimuth_rad = stage.camera.heading.azimuth_rad + turn_rad})));
+                   direction_from({.azimuth_rad = loaded.camera.heading.azimuth_rad + turn_rad})));
     }
   }
 
@@ -170,7 +166,7 @@ class ConvergenceBench {
       if (!measurement.repetitions.empty()) {
         results_.measurements.push_back(std::move(measurement));
         results_.crops.push_back(bench.crops());
-        results_.exposure_stops.push_back(subject.exposure_stops);
+        results_.exposure_stops.push_back(subject.loaded.source.exposure_stops);
       }
     } catch (const Error&) {
       // A reference that was stopped takes nothing from what was measured before.

@@ -19,9 +19,9 @@ constexpr std::uint64_t turn_samples = 1 << 17;
 constexpr std::uint64_t short_turn_samples = 1 << 14;
 
 Aim aim_at(const ConvergencePlan& plan, const AzimuthElevation& gaze) {
-  const double fov_rad = radians(plan.fov_deg);
-  return {.viewport = Viewport(head_orientation(gaze), fov_rad, fov_rad),
-          .gaze = direction_from(gaze)};
+  return {
+      .viewport = Viewport(gaze, {.horizontal_deg = plan.fov_deg, .vertical_deg = plan.fov_deg}),
+      .gaze = direction_from(gaze)};
 }
 
 /// Whether another repetition as long as those so far would end within the limit.
@@ -69,15 +69,17 @@ GazeBench::GazeBench(const Subject& subject, const ConvergencePlan& plan,
       gaze_(gaze_name(gaze)),
       aim_(aim_at(plan, gaze)),
       regions_(regions_around(aim_.gaze, aim_.viewport)),
-      scorer_(
-          plan, aim_.viewport, subject.exposure_stops, regions_,
-          reference_halves(
-              subject, plan, aim_.gaze, workers, cache,
-              [&](double fraction) { progress("reference of " + subject.scene, fraction); }, stop_),
-          workers) {}
+      scorer_(plan, aim_.viewport, subject.loaded.source.exposure_stops, regions_,
+              reference_halves(
+                  subject, plan, aim_.gaze, workers, cache,
+                  [&](double fraction) {
+                    progress("reference of " + subject.loaded.source.name, fraction);
+                  },
+                  stop_),
+              workers) {}
 
 GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progress) const {
-  GazeMeasurement measurement{.scene = subject_->scene,
+  GazeMeasurement measurement{.scene = subject_->loaded.source.name,
                               .gaze = gaze_,
                               .configurations = {},
                               .regions = {},
@@ -98,11 +100,11 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
       break;
     }
     const auto in_repetition = [&](double fraction) {
-      progress("repetitions in " + subject_->scene,
+      progress("repetitions in " + subject_->loaded.source.name,
                fraction_done(*plan_, repetition + fraction, limit_s, seconds(clock.now() - start)));
     };
     std::optional<Repetition> logs =
-        run_round(static_cast<std::uint32_t>(repetition), in_repetition);
+        run_repetition(static_cast<std::uint32_t>(repetition), in_repetition);
     if (!logs) {
       break;
     }
@@ -111,8 +113,8 @@ GazeMeasurement GazeBench::measure(double limit_s, const ReportProgress& progres
   return measurement;
 }
 
-std::optional<Repetition> GazeBench::run_round(std::uint32_t seed,
-                                               const std::function<void(double)>& progress) const {
+std::optional<Repetition> GazeBench::run_repetition(
+    std::uint32_t seed, const std::function<void(double)>& progress) const {
   std::vector<ProgressiveRun> runs;
   runs.reserve(plan_->configurations.size());
   for (const Configuration& configuration : plan_->configurations) {

@@ -64,8 +64,8 @@ class GazeBench {
   RgbImage crops() const;
 
  private:
-  std::optional<Repetition> run_round(std::uint32_t seed,
-                                      const std::function<void(double)>& progress) const;
+  std::optional<Repetition> run_repetition(std::uint32_t seed,
+                                           const std::function<void(double)>& progress) const;
   std::vector<std::vector<std::optional<double>>> predictions() const;
 
   const Subject* subject_;

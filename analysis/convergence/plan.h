@@ -9,15 +9,11 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
+#include "renderer/film/viewport_image.h"
+#include "renderer/progressive/loaded_scene.h"
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola::analysis {
-
-/// Where a render's random numbers come from.
-enum class RandomNumbers {
-  low_discrepancy,  ///< Sobol sequences, as shipped
-  independent,      ///< each sample's are independent of all others'
-};
 
 /// Something that is compared: a method as shipped, or with one option changed.
 struct Configuration {
@@ -61,9 +57,10 @@ struct ConvergencePlan {
   int most_repetitions = 4;
   double seconds =
       0.0;  ///< no repetition is begun that would probably not end by then; 0: no limit
-  double fov_deg = 100.0;  ///< of the viewport, both ways; the head points at the gaze
-  int view_size = 640;     ///< pixels of the display along each side
-  int max_depth = 8;
+  /// Of the viewport, both ways; the head points at the gaze.
+  double fov_deg = FieldOfView{}.horizontal_deg;
+  int view_size = usual_view_size.x;  ///< pixels of the display along each side
+  int max_depth = TraceSettings{}.max_depth;
   int reference_samples_per_pixel = 64;  ///< of each of both halves
   int reference_foveated_per_pixel = 8;  ///< the same number, but around the gaze
   double crop_seconds = 1.0;             ///< of rendering, for the crops side by side
@@ -74,14 +71,11 @@ struct ConvergencePlan {
 /// The numbers of samples after which errors are measured, each twice the one before.
 std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
 
-/// A scene ready to be measured, and from where it is seen.
+/// A scene that is measured.
 struct Subject {
-  std::string scene;
-  const PathTracer* tracer = nullptr;
-  const PathTracer* tracer_by_power_alone = nullptr;  ///< where a configuration asks for it
+  const LoadedScene& loaded;
   std::string key;  ///< of all that the radiance depends on, as reference_image
-  Vec3 viewpoint{0.0F};
-  double exposure_stops = 0.0;
+  const PathTracer* tracer_by_power_alone = nullptr;  ///< where a configuration asks for it
 };
 
 /// "azimuth,elevation" in degrees: how a gaze is called in tables.

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "analysis/convergence/progressive_run.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/measure/flip.h"
@@ -60,11 +59,10 @@ ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& 
                                  const std::function<void(double)>& progress,
                                  const std::stop_token& stop) {
   ReferenceSettings settings;
-  settings.viewpoint = subject.viewpoint;
+  settings.viewpoint = subject.loaded.camera.position;
   settings.width = plan.size.x;
   settings.height = plan.size.y;
   settings.max_depth = plan.max_depth;
-  settings.pixel_angle_rad = trace_settings(plan, 0).pixel_angle_rad;
   settings.samples_per_pixel = plan.reference_samples_per_pixel;
   settings.interests = {gaze};
   settings.samples_per_interest = static_cast<std::uint64_t>(plan.reference_foveated_per_pixel) *
@@ -73,7 +71,8 @@ ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& 
   const auto half = [&](std::uint32_t seed) {
     settings.seed = seed;
     const auto so_far = [&](double fraction) { progress(0.5 * (seed + fraction)); };
-    return reference_image(*subject.tracer, subject.key, settings, workers, cache, so_far, stop)
+    return reference_image(subject.loaded.tracer, subject.key, settings, workers, cache, so_far,
+                           stop)
         .color;
   };
   RgbImage first = half(0);

@@ -52,6 +52,8 @@ std::vector<double> parse_finite(std::string_view text, std::size_t count) {
 
 }  // namespace
 
+std::string size_text(const IVec2& size) { return fmt::format("{}x{}", size.x, size.y); }
+
 IVec2 parse_size(const std::string& option, const std::string& text) {
   const std::vector<int> size = parse_numbers<int>(text, 'x', 2);
   constexpr int limit = 65536;

@@ -7,6 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/scene_source.h"
+#include "renderer/progressive/headless_render.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
@@ -16,6 +17,12 @@ void require_method(const std::string& method);
 
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
 IVec2 parse_size(const std::string& option, const std::string& text);
+
+/// The notation of a size.
+std::string size_text(const IVec2& size);
+
+/// Pixels of the film of a preview that is shown live.
+inline constexpr IVec2 live_film_size{4096, 2048};
 
 /// "WIDTH" or "WIDTHxHEIGHT" in degrees, each between 0 and 180, without those.
 struct FieldsOfView {
@@ -37,12 +44,6 @@ DVec3 parse_vec3(const std::string& option, const std::string& text);
 
 /// "azimuth,elevation[,turbidity]" of a sun, angles in degrees.
 SunAndSky parse_sky(const std::string& option, const std::string& text);
-
-/// One sample of one pixel of an image.
-struct SampleAddress {
-  std::uint32_t pixel = 0;  ///< y * width + x
-  std::uint32_t sample_number = 0;
-};
 
 /// "x,y,sample" with a pixel of an image of `size`.
 SampleAddress parse_sample(const std::string& option, const std::string& text, const IVec2& size);

@@ -17,9 +17,10 @@
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/preview_report.h"
-#include "renderer/commands/stage.h"
+#include "renderer/commands/warnings.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/preview/live_frames.h"
+#include "renderer/progressive/headless_render.h"
 
 namespace foveola {
 namespace {
@@ -29,7 +30,7 @@ using Json = nlohmann::ordered_json;
 struct PreviewArguments {
   std::string scene;
   std::string method = "fv";
-  std::string size = "4096x2048";
+  std::string size = size_text(live_film_size);
   std::string view;
   std::string tracker = "fove0";
   std::string display = "fove0";
@@ -43,7 +44,7 @@ struct PreviewArguments {
 RenderSettings settings_of(const PreviewArguments& arguments) {
   RenderSettings settings;
   settings.method = arguments.method;
-  settings.size = parse_size("--size", arguments.size);
+  settings.progressive.film_size = parse_size("--size", arguments.size);
   settings.threads = arguments.threads;
   if (!arguments.view.empty()) {
     settings.view = parse_size("--view", arguments.view);
@@ -78,16 +79,20 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
                       const std::stop_token& stop) {
   const RenderSettings settings = settings_of(arguments);
   PreviewRun run = run_of(arguments, settings);
-  const Stage stage(source, settings);
-  print_warnings(stage.warnings);
-  run.threads = stage.workers.threads();
+  const Workers workers(settings.threads);
+  const LoadedScene loaded(source, workers, settings.scene);
+  print_warnings(loaded.warnings);
+  run.threads = workers.threads();
   const SteadyClock clock;
   const auto eye = open_eye_tracker(run.tracker, screen_of(run.display), clock);
-  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = stage.camera.heading}});
-  Preview preview(stage.tracer,
-                  preview_settings(settings, stage.camera.position, source.exposure_stops), *eye,
-                  head, stage.workers);
-  preview.restart(settings.method, settings.seed);
+  ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = loaded.camera.heading}});
+  Preview preview(loaded.tracer,
+                  {.render = loaded.rendered_with(settings.progressive),
+                   .view_size = settings.view.value_or(usual_view_size),
+                   .exposure_stops = source.exposure_stops},
+                  *eye, head, workers);
+  const std::uint32_t seed = settings.progressive.trace.seed;
+  preview.restart(settings.method, seed);
   const auto wait_until = [](Nanoseconds time) {
     std::this_thread::sleep_until(std::chrono::steady_clock::time_point(time));
   };
@@ -96,7 +101,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   Progress progress("frames");
   for (int i = 0; i < arguments.frames && !stop.stop_requested(); ++i) {
     if (i > 0 && i % arguments.restart_every == 0) {
-      preview.restart(settings.method, settings.seed + static_cast<std::uint32_t>(i));
+      preview.restart(settings.method, seed + static_cast<std::uint32_t>(i));
     }
     run.frames.push_back(live.next());
     progress.update(static_cast<double>(i + 1) / arguments.frames);

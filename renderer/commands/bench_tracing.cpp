@@ -15,12 +15,13 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
 #include "renderer/base/random.h"
+#include "renderer/commands/arguments.h"
 #include "renderer/commands/former_option.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/medians.h"
-#include "renderer/commands/stage.h"
 #include "renderer/commands/tracing_figures.h"
-#include "renderer/film/sample_pass.h"
+#include "renderer/commands/warnings.h"
+#include "renderer/progressive/headless_render.h"
 #include "renderer/trace/embree_alone.h"
 
 namespace foveola {
@@ -31,12 +32,12 @@ constexpr std::uint64_t pass_points = 1 << 16;
 
 struct TracingArguments {
   std::string scene;
-  std::string method = "od";
-  std::string size = "2048x1024";
+  std::string method = RenderSettings{}.method;
+  std::string size = size_text(ProgressiveSettings{}.film_size);
   std::string camera;
   std::vector<int> threads;
   std::uint64_t paths = 1 << 18;
-  int max_depth = 8;
+  int max_depth = TraceSettings{}.max_depth;
   int repetitions = 7;
   bool diffuse = false;
   bool no_fast_path = false;
@@ -104,28 +105,26 @@ std::vector<double> ratios(const std::vector<double>& numerators,
 /// The paths of a render, over and over.
 class Course {
  public:
-  Course(const Stage& stage, const RenderSettings& settings)
-      : stage_(stage), settings_(settings), sampler_(make_view_sampler(settings.method)) {
-    const double fov_rad = radians(settings.fov_deg);
-    sampler_->aim({.viewport = Viewport(head_orientation(stage.camera.heading), fov_rad, fov_rad),
-                   .gaze = direction_from(stage.gaze)});
+  Course(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers)
+      : loaded_(loaded),
+        settings_(settings),
+        workers_(workers),
+        sampler_(make_view_sampler(settings.method)) {
+    sampler_->aim({.viewport = Viewport(loaded.camera.heading, settings.field_of_view),
+                   .gaze = direction_from(gaze_of(settings, loaded))});
   }
 
   /// Once through, from the first sample to the film. Returns the seconds.
   double render(RayCounts& rays) const {
-    EquirectFilm film(settings_.size.x, settings_.size.y);
-    return render(film, rays);
+    ProgressiveRender render = begin();
+    return run(render, rays);
   }
 
-  double render(EquirectFilm& film, RayCounts& rays) const {
-    rays = {};
-    return run(film, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-      const RayCounts counts = stage_.tracer.trace(stage_.camera.position, jobs, radiance,
-                                                   trace_settings(settings_), stage_.workers);
-      for (const RayKind& kind : ray_kinds) {
-        rays.*kind.count += counts.*kind.count;
-      }
-    });
+  RgbImage picture() const {
+    RayCounts rays;
+    ProgressiveRender render = begin();
+    run(render, rays);
+    return render.film().resolve().color;
   }
 
   /// What of that it takes to draw the directions, on one thread. Returns the seconds.
@@ -135,9 +134,9 @@ class Course {
     const SteadyClock clock;
     const Nanoseconds start = clock.now();
     for (std::uint64_t first = 0; first < settings_.budget.samples; first += pass_points) {
-      const std::uint64_t count = std::min(pass_points, settings_.budget.samples - first);
+      const std::uint64_t count = next_pass(first);
       for (std::uint64_t i = 0; i < count; ++i) {
-        points[i] = sobol_2d(first + i, settings_.seed);
+        points[i] = sobol_2d(first + i, settings_.progressive.trace.seed);
       }
       sampler_->sample(std::span(points).first(count), std::span(samples).first(count));
     }
@@ -147,47 +146,55 @@ class Course {
   /// The rays of all that.
   RayLog log_rays() const {
     RayLog log;
-    EquirectFilm film(settings_.size.x, settings_.size.y);
-    run(film, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    ProgressiveRender render = begin();
+    while (render.points_drawn() < settings_.budget.samples) {
+      const std::vector<SampleJob> jobs =
+          render.pass_over(*sampler_, next_pass(render.points_drawn()));
       const RayLog more =
-          stage_.tracer.log_rays(stage_.camera.position, jobs, trace_settings(settings_));
+          loaded_.tracer.log_rays(loaded_.camera.position, jobs, render.trace_settings());
       for (const RayKind& kind : ray_kinds) {
         std::vector<Ray>& rays = log.*kind.rays;
         rays.insert(rays.end(), (more.*kind.rays).begin(), (more.*kind.rays).end());
       }
-      std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
-    });
+    }
     return log;
   }
 
  private:
-  double run(EquirectFilm& film, const SamplePass::Trace& trace) const {
-    SamplePass pass;
+  ProgressiveRender begin() const {
+    ProgressiveRender render(loaded_.tracer, loaded_.rendered_with(settings_.progressive),
+                             workers_);
+    render.begin_pattern(settings_.progressive.trace.seed);
+    return render;
+  }
+
+  std::uint64_t next_pass(std::uint64_t drawn) const {
+    return std::min(pass_points, settings_.budget.samples - drawn);
+  }
+
+  double run(ProgressiveRender& render, RayCounts& rays) const {
+    rays = {};
     const SteadyClock clock;
     const Nanoseconds start = clock.now();
-    for (std::uint64_t first = 0; first < settings_.budget.samples; first += pass_points) {
-      const std::uint64_t count = std::min(pass_points, settings_.budget.samples - first);
-      pass.run(*sampler_, {.first = first, .count = count, .seed = settings_.seed}, trace, film,
-               stage_.workers);
+    while (render.points_drawn() < settings_.budget.samples) {
+      const TracedSamples traced = render.advance(*sampler_, next_pass(render.points_drawn()));
+      for (const RayKind& kind : ray_kinds) {
+        rays.*kind.count += traced.rays.*kind.count;
+      }
     }
     return seconds(clock.now() - start);
   }
 
-  const Stage& stage_;
+  const LoadedScene& loaded_;
   const RenderSettings& settings_;
+  const Workers& workers_;
   std::unique_ptr<ViewSampler> sampler_;
 };
 
 /// How the general path's picture differs; both have the same samples.
-void compare_pictures(const Course& usual, const Course& general, const IVec2& size,
-                      GeneralFigures& figures) {
-  RayCounts rays;
-  EquirectFilm usual_film(size.x, size.y);
-  EquirectFilm general_film(size.x, size.y);
-  usual.render(usual_film, rays);
-  general.render(general_film, rays);
-  const RgbImage a = usual_film.resolve().color;
-  const RgbImage b = general_film.resolve().color;
+void compare_pictures(const Course& usual, const Course& general, GeneralFigures& figures) {
+  const RgbImage a = usual.picture();
+  const RgbImage b = general.picture();
   std::size_t differing = 0;
   DVec3 sum_a(0.0);
   DVec3 sum_b(0.0);
@@ -204,14 +211,15 @@ void compare_pictures(const Course& usual, const Course& general, const IVec2& s
 /// Full renders and Embree alone take turns, so that a busy machine slows both.
 TracingFigures measure(const SceneSource& source, const RenderSettings& settings, int repetitions,
                        bool with_general) {
-  const Stage stage(source, settings);
-  const Course course(stage, settings);
+  const Workers workers(settings.threads);
+  const LoadedScene loaded(source, workers, settings.scene);
+  const Course course(loaded, settings, workers);
   RenderSettings general_settings = settings;
-  general_settings.uses_general_path = true;
-  const Course general(stage, general_settings);
+  general_settings.progressive.trace.uses_general_path = true;
+  const Course general(loaded, general_settings, workers);
   const RayLog log = course.log_rays();
   TracingFigures figures{
-      .threads = stage.workers.threads(), .warnings = stage.warnings, .rays = {}, .embree = {}};
+      .threads = workers.threads(), .warnings = loaded.warnings, .rays = {}, .embree = {}};
   std::vector<double> render_s;
   std::vector<double> sampling_s;
   std::vector<double> general_s;
@@ -224,8 +232,8 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
     }
     sampling_s.push_back(course.draw_directions());
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
-      embree[i].add(time_embree(stage.tracer.ray_scene(), log.*ray_kinds[i].rays,
-                                ray_kinds[i].query, stage.workers));
+      embree[i].add(time_embree(loaded.tracer.ray_scene(), log.*ray_kinds[i].rays,
+                                ray_kinds[i].query, workers));
     }
   }
   for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
@@ -239,7 +247,7 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   if (with_general) {
     figures.general.emplace().gain = median_of(ratios(general_s, render_s));
     figures.general->seconds = median_of(general_s);
-    compare_pictures(course, general, settings.size, *figures.general);
+    compare_pictures(course, general, *figures.general);
   }
   return figures;
 }
@@ -256,9 +264,9 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
                                        {"processor", machine_info().processor},
                                        {"scene", arguments.scene},
                                        {"method", settings.method},
-                                       {"width", settings.size.x},
-                                       {"height", settings.size.y},
-                                       {"max_depth", settings.max_depth},
+                                       {"width", settings.progressive.film_size.x},
+                                       {"height", settings.progressive.film_size.y},
+                                       {"max_depth", settings.progressive.trace.max_depth},
                                        {"paths", settings.budget.samples},
                                        {"repetitions", arguments.repetitions},
                                        {"runs", list}};
@@ -268,14 +276,13 @@ void print_json(const std::vector<TracingFigures>& runs, const TracingArguments&
 RenderSettings settings_from(const TracingArguments& arguments) {
   RenderSettings settings;
   settings.method = arguments.method;
-  settings.size = parse_size("--size", arguments.size);
+  settings.progressive.film_size = parse_size("--size", arguments.size);
   if (!arguments.camera.empty()) {
-    settings.camera = parse_vec3("--camera", arguments.camera);
+    settings.scene.camera = parse_vec3("--camera", arguments.camera);
   }
   settings.budget.samples = arguments.paths;
-  settings.max_depth = arguments.max_depth;
-  settings.seed = 1;
-  settings.diffuse = arguments.diffuse;
+  settings.progressive.trace = {.max_depth = arguments.max_depth, .seed = 1};
+  settings.scene.diffuse = arguments.diffuse;
   return settings;
 }
 

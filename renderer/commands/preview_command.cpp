@@ -21,11 +21,12 @@
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_report.h"
-#include "renderer/commands/stage.h"
+#include "renderer/commands/warnings.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "renderer/gaze/recorded_head.h"
 #include "renderer/image/image_file.h"
+#include "renderer/progressive/headless_render.h"
 #include "renderer/window/live_preview.h"
 #include "renderer/window/preview_panels.h"
 
@@ -37,7 +38,7 @@ using Json = nlohmann::ordered_json;
 struct PreviewCommand {
   std::string scene;
   std::string method = "fv";
-  std::string size = "4096x2048";
+  std::string size = size_text(live_film_size);
   std::string display = "desktop";
   std::string tracker = "pointer";
   std::string gaze_file;
@@ -54,8 +55,7 @@ struct PreviewCommand {
   std::vector<std::string> shown;
   std::uint64_t frames = 0;
   std::string screenshot;
-  int max_depth = 8;
-  std::uint32_t seed = 0;
+  TraceSettings trace;
   int threads = 0;
   bool json = false;
 };
@@ -89,15 +89,14 @@ PreviewChoices choices_from(const PreviewCommand& command) {
 RenderSettings render_settings(const PreviewCommand& command) {
   RenderSettings settings;
   settings.method = command.method;
-  settings.size = parse_size("--size", command.size);
-  settings.max_depth = command.max_depth;
-  settings.seed = command.seed;
+  settings.progressive.film_size = parse_size("--size", command.size);
+  settings.progressive.trace = command.trace;
   settings.threads = command.threads;
   if (!command.camera.empty()) {
-    settings.camera = parse_vec3("--camera", command.camera);
+    settings.scene.camera = parse_vec3("--camera", command.camera);
   }
   if (!command.head.empty()) {
-    settings.head = parse_azimuth_elevation("--head", command.head);
+    settings.scene.head = parse_azimuth_elevation("--head", command.head);
   }
   return settings;
 }
@@ -120,26 +119,29 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                              const IVec2& framebuffer, const Clock& clock,
                              const std::stop_token& stop) {
   const RenderSettings settings = render_settings(command);
-  const PyramidAtlas atlas(settings.size.x, settings.size.y);
+  const IVec2& film_size = settings.progressive.film_size;
+  const PyramidAtlas atlas(film_size.x, film_size.y);
   Presenter presenter(window, atlas, clock);
-  const Stage stage(source, settings);
-  print_warnings(stage.warnings);
+  const Workers workers(settings.threads);
+  const LoadedScene loaded(source, workers, settings.scene);
+  print_warnings(loaded.warnings);
   WindowEyeTracker gaze = open_gaze_source(command, display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
-  SteeredHeadTracker steered_head(stage.camera.heading);
+  SteeredHeadTracker steered_head(loaded.camera.heading);
   std::optional<ScriptedHeadTracker> replayed;
   if (!command.head_file.empty()) {
     replayed.emplace(replayed_head(read_head_file(command.head_file), clock.now()));
   }
   HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
-  Preview preview(stage.tracer,
-                  preview_settings(settings, stage.camera.position, source.exposure_stops), eye,
-                  head, stage.workers);
+  Preview preview(loaded.tracer,
+                  {.render = loaded.rendered_with(settings.progressive),
+                   .exposure_stops = source.exposure_stops},
+                  eye, head, workers);
   Steering steering(steered_head, gaze.pointer);
   LivePreviewSettings live{.display = display,
                            .tracker = read_tracker_profile(command.tracker),
                            .choices = choices_from(command),
-                           .seed = settings.seed,
+                           .seed = command.trace.seed,
                            .framebuffer = framebuffer,
                            .keeps_last_picture = !command.screenshot.empty(),
                            .corrects_gaze = command.correct_gaze,
@@ -156,7 +158,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .presenter = &presenter,
                            .clock = &clock});
   LivePreviewReport report = shown.run(stop);
-  report.threads = stage.workers.threads();
+  report.threads = workers.threads();
   return report;
 }
 
@@ -345,10 +347,10 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
           ->check(CLI::Range(1, 1'000'000'000));
   command->add_option("--screenshot", arguments->screenshot, "Write the last one, as .png or .exr")
       ->needs(frames);
-  command->add_option("--max-depth", arguments->max_depth, "Surface vertices")
+  command->add_option("--max-depth", arguments->trace.max_depth, "Surface vertices")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Another seed gives other noise")
+  command->add_option("--seed", arguments->trace.seed, "Another seed gives other noise")
       ->capture_default_str();
   command->add_option("--threads", arguments->threads, "0: every core")
       ->check(CLI::Range(0, 1024))

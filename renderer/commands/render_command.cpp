@@ -13,43 +13,38 @@
 #include "renderer/commands/environment_option.h"
 #include "renderer/commands/former_option.h"
 #include "renderer/commands/light_units_option.h"
-#include "renderer/commands/render.h"
 #include "renderer/commands/render_report.h"
 #include "renderer/image/image_file.h"
+#include "renderer/progressive/headless_render.h"
 
 namespace foveola {
 namespace {
 
 /// The command line of `render`, as typed.
 struct RenderArguments {
+  RenderSettings settings;  ///< whatever needs no notation of its own
   std::string scene;
   std::string output;
-  std::string method = "od";
-  std::string size = "2048x1024";
+  std::string size = size_text(settings.progressive.film_size);
   std::string camera;
   std::string head;
   std::string gaze;
   std::string pointer;
-  std::string fov = "100";
+  std::string fov = fmt::format("{}", settings.field_of_view.horizontal_deg);
   std::string lens;
-  bool variance = false;
   std::string view;
-  std::string view_size = "640x640";
+  std::string view_size = size_text(usual_view_size);
   bool fill_unsampled = false;
   double samples_per_pixel = 0.0;
   std::int64_t samples = 0;
   double seconds = 0.0;
-  int max_depth = 8;
-  std::uint32_t seed = 0;
-  int threads = 0;
   std::string environment;
   double exposure_stops = 0.0;
   double environment_rotation_deg = 0.0;
   double environment_strength = 1.0;
   double light_radius_m = 0.0;
   double sun_radius_deg = 0.0;
-  bool diffuse = false;
-  double largest_radiance = std::numeric_limits<double>::infinity();
+  double largest_radiance = settings.progressive.trace.largest_radiance;
   double adaptive_contrast = 0.0;
   std::string replay;
   bool json = false;
@@ -85,13 +80,14 @@ RenderBudget budget_from(const CLI::App& command, const RenderArguments& argumen
 
 /// The method, with its pointer held where --pointer says.
 std::string method_from(const RenderArguments& arguments) {
-  require_method(arguments.method);
+  const std::string& typed = arguments.settings.method;
+  require_method(typed);
   if (arguments.pointer.empty()) {
-    return arguments.method;
+    return typed;
   }
   const std::string method =
-      with_pointer(arguments.method, parse_azimuth_elevation("--pointer", arguments.pointer));
-  require(method != arguments.method, "--pointer", "needs the method pointer, or a hybrid of it");
+      with_pointer(typed, parse_azimuth_elevation("--pointer", arguments.pointer));
+  require(method != typed, "--pointer", "needs the method pointer, or a hybrid of it");
   require_method(method);
   return method;
 }
@@ -99,22 +95,21 @@ std::string method_from(const RenderArguments& arguments) {
 /// What is seen of the sphere, and how.
 void read_view(const RenderArguments& arguments, RenderSettings& settings) {
   const FieldsOfView fov = parse_fields_of_view("--fov", arguments.fov);
-  settings.fov_deg = fov.horizontal_deg;
-  settings.vertical_fov_deg = fov.vertical_deg;
+  settings.field_of_view = {.horizontal_deg = fov.horizontal_deg,
+                            .vertical_deg = fov.vertical_deg.value_or(fov.horizontal_deg)};
   if (!arguments.view.empty()) {
     settings.view = parse_size("--view-size", arguments.view_size);
     if (!fov.vertical_deg) {
       const double half_width = std::tan(0.5 * radians(fov.horizontal_deg));
       const double half_height = half_width * settings.view->y / settings.view->x;
-      settings.vertical_fov_deg = degrees(2.0 * std::atan(half_height));
+      settings.field_of_view.vertical_deg = degrees(2.0 * std::atan(half_height));
     }
   }
   settings.unsampled = arguments.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
   if (!arguments.lens.empty()) {
-    settings.lens = parse_lens("--lens", arguments.lens);
+    settings.field_of_view.lens = parse_lens("--lens", arguments.lens);
     try {
-      Viewport(head_orientation({}), radians(settings.fov_deg),
-               radians(settings.vertical_fov_deg.value_or(settings.fov_deg)), settings.lens);
+      Viewport({}, settings.field_of_view);
     } catch (const Error& error) {
       throw UsageError("--lens", error.what());
     }
@@ -122,33 +117,31 @@ void read_view(const RenderArguments& arguments, RenderSettings& settings) {
 }
 
 RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
-  RenderSettings settings;
+  RenderSettings settings = arguments.settings;
+  ProgressiveSettings& progressive = settings.progressive;
   settings.method = method_from(arguments);
-  settings.size = parse_size("--size", arguments.size);
+  progressive.film_size = parse_size("--size", arguments.size);
   if (!arguments.camera.empty()) {
-    settings.camera = parse_vec3("--camera", arguments.camera);
+    settings.scene.camera = parse_vec3("--camera", arguments.camera);
   }
   if (!arguments.head.empty()) {
-    settings.head = parse_azimuth_elevation("--head", arguments.head);
+    settings.scene.head = parse_azimuth_elevation("--head", arguments.head);
   }
   if (!arguments.gaze.empty()) {
     settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
   }
   read_view(arguments, settings);
-  settings.variance = arguments.variance;
-  settings.budget = budget_from(command, arguments, settings.size);
-  require(arguments.max_depth >= 1, "--max-depth", "must be at least 1");
-  settings.max_depth = arguments.max_depth;
-  settings.seed = arguments.seed;
-  require(arguments.threads >= 0 && arguments.threads <= 1024, "--threads",
+  settings.budget = budget_from(command, arguments, progressive.film_size);
+  require(progressive.trace.max_depth >= 1, "--max-depth", "must be at least 1");
+  require(settings.threads >= 0 && settings.threads <= 1024, "--threads",
           "must lie between 0 (every core) and 1024");
-  settings.threads = arguments.threads;
   require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
   require(arguments.adaptive_contrast >= 0.0 && arguments.adaptive_contrast < 1.0, "--adaptive",
           "must lie between 0 (off) and 1");
-  settings.adaptive_contrast = arguments.adaptive_contrast;
-  settings.diffuse = arguments.diffuse;
-  settings.largest_radiance = static_cast<float>(arguments.largest_radiance);
+  if (arguments.adaptive_contrast > 0.0) {
+    progressive.adaptive = VisibleNoise{.contrast = arguments.adaptive_contrast};
+  }
+  progressive.trace.largest_radiance = static_cast<float>(arguments.largest_radiance);
   return settings;
 }
 
@@ -172,7 +165,8 @@ void apply_lighting(const CLI::App& command, const RenderArguments& arguments,
 void run_replay(const CLI::App& command, const RenderArguments& arguments,
                 const RenderSettings& settings, const SceneFinder& find_scene,
                 const std::stop_token& stop) {
-  const SampleAddress address = parse_sample("--replay", arguments.replay, settings.size);
+  const SampleAddress address =
+      parse_sample("--replay", arguments.replay, settings.progressive.film_size);
   require(settings.budget.seconds == 0.0, "--seconds", "does not go with --replay; use --samples");
   SceneSource source = find_scene(arguments.scene);
   apply_lighting(command, arguments, source);
@@ -241,7 +235,7 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   command->add_option("-o,--output", arguments->output,
                       "An .exr (R, G, B, samples) or .png file to write");
   command
-      ->add_option("--method", arguments->method,
+      ->add_option("--method", arguments->settings.method,
                    "Where the samples go: od, vp, vp-rect, fv, fv-map, mask, pointer, crop or a "
                    "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
                    "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
@@ -270,7 +264,7 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
       ->add_flag("--fill-unsampled", arguments->fill_unsampled,
                  "Fill its holes from what is known around them; they are black otherwise")
       ->needs(view);
-  command->add_flag("--variance", arguments->variance,
+  command->add_flag("--variance", arguments->settings.progressive.keep_variances,
                     "Add the variance of luminance of a pixel's samples to the .exr");
   CLI::Option_group* budget = command->add_option_group("budget", "How much to render");
   budget->add_option("--spp", arguments->samples_per_pixel,
@@ -278,11 +272,16 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   budget->add_option("--samples", arguments->samples, "Samples in all");
   budget->add_option("--seconds", arguments->seconds, "Seconds of tracing");
   budget->require_option(0, 1);
-  command->add_option("--max-depth", arguments->max_depth, "Surface vertices; 1 is direct light")
+  command
+      ->add_option("--max-depth", arguments->settings.progressive.trace.max_depth,
+                   "Surface vertices; 1 is direct light")
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Another seed gives other noise")
+  command
+      ->add_option("--seed", arguments->settings.progressive.trace.seed,
+                   "Another seed gives other noise")
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: every core")->capture_default_str();
+  command->add_option("--threads", arguments->settings.threads, "0: every core")
+      ->capture_default_str();
   command
       ->add_option("--exposure", arguments->exposure_stops,
                    "Brighter by so many stops in a .png; an .exr holds radiances, whatever this is")
@@ -296,7 +295,7 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
                       "Makes the file's points and spots spheres of so many metres");
   command->add_option("--sun-radius", arguments->sun_radius_deg,
                       "Makes directional lights discs of so many degrees' radius");
-  command->add_flag("--diffuse", arguments->diffuse,
+  command->add_flag("--diffuse", arguments->settings.scene.diffuse,
                     "Show every material as Lambertian in its base colour, to compare renderers");
   command->add_option("--clamp", arguments->largest_radiance,
                       "Cut each sample's radiance to this: less noise, too dark a picture");

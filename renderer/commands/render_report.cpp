@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/build_info.h"
-#include "renderer/commands/stage.h"
+#include "renderer/commands/warnings.h"
 
 namespace foveola {
 namespace {
@@ -28,6 +28,11 @@ nlohmann::json json_non_finite(const std::vector<DroppedSample>& dropped, int wi
 
 nlohmann::json json_vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// 0: no adaptive sampling.
+double adaptive_contrast(const RenderSettings& settings) {
+  return settings.progressive.adaptive ? settings.progressive.adaptive->contrast : 0.0;
+}
+
 std::string text_of(const Vec3& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
@@ -40,35 +45,36 @@ std::string text_of(const AzimuthElevation& angles) {
 
 nlohmann::json json_report(const RenderReport& report, const RenderSettings& settings,
                            const RenderNames& names) {
-  const nlohmann::json clamp = std::isfinite(settings.largest_radiance)
-                                   ? nlohmann::json(settings.largest_radiance)
+  const nlohmann::json clamp = std::isfinite(settings.progressive.trace.largest_radiance)
+                                   ? nlohmann::json(settings.progressive.trace.largest_radiance)
                                    : nlohmann::json(nullptr);
-  return {{"scene", names.scene},
-          {"output", names.output},
-          {"clamp", clamp},
-          {"adaptive_contrast", settings.adaptive_contrast},
-          {"method", settings.method},
-          {"width", settings.size.x},
-          {"height", settings.size.y},
-          {"seed", settings.seed},
-          {"max_depth", settings.max_depth},
-          {"threads", report.threads},
-          {"triangles", report.triangles},
-          {"camera", {report.camera.x, report.camera.y, report.camera.z}},
-          {"head_deg", json_angles(report.head)},
-          {"gaze_deg", json_angles(report.gaze)},
-          {"fov_deg", {settings.fov_deg, settings.vertical_fov_deg.value_or(settings.fov_deg)}},
-          {"samples", report.samples},
-          {"seconds", report.seconds},
-          {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
-          {"rays", report.rays},
-          {"non_finite", report.non_finite.size()},
-          {"non_finite_samples", json_non_finite(report.non_finite, settings.size.x)},
-          {"peak_memory_bytes", peak_memory_bytes()},
-          {"load_seconds", report.load_seconds},
-          {"build_seconds", report.build_seconds},
-          {"stopped", report.stopped},
-          {"warnings", report.warnings}};
+  return {
+      {"scene", names.scene},
+      {"output", names.output},
+      {"clamp", clamp},
+      {"adaptive_contrast", adaptive_contrast(settings)},
+      {"method", settings.method},
+      {"width", settings.progressive.film_size.x},
+      {"height", settings.progressive.film_size.y},
+      {"seed", settings.progressive.trace.seed},
+      {"max_depth", settings.progressive.trace.max_depth},
+      {"threads", report.threads},
+      {"triangles", report.triangles},
+      {"camera", {report.camera.x, report.camera.y, report.camera.z}},
+      {"head_deg", json_angles(report.head)},
+      {"gaze_deg", json_angles(report.gaze)},
+      {"fov_deg", {settings.field_of_view.horizontal_deg, settings.field_of_view.vertical_deg}},
+      {"samples", report.samples},
+      {"seconds", report.seconds},
+      {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
+      {"rays", report.rays},
+      {"non_finite", report.non_finite.size()},
+      {"non_finite_samples", json_non_finite(report.non_finite, settings.progressive.film_size.x)},
+      {"peak_memory_bytes", peak_memory_bytes()},
+      {"load_seconds", report.load_seconds},
+      {"build_seconds", report.build_seconds},
+      {"stopped", report.stopped},
+      {"warnings", report.warnings}};
 }
 
 void print_report(const RenderReport& report, const RenderSettings& settings,
@@ -76,12 +82,12 @@ void print_report(const RenderReport& report, const RenderSettings& settings,
   print_warnings(report.warnings);
   if (!report.non_finite.empty()) {
     const DroppedSample& first = report.non_finite.front();
-    const auto width = static_cast<unsigned>(settings.size.x);
+    const auto width = static_cast<unsigned>(settings.progressive.film_size.x);
     fmt::print(stderr,
                "foveola: warning: {} samples were not finite and were dropped; --seed {} --replay "
                "{},{},{} traces the first of them again, --json lists more\n",
-               report.non_finite.size(), settings.seed, first.pixel % width, first.pixel / width,
-               first.sample_number);
+               report.non_finite.size(), settings.progressive.trace.seed, first.pixel % width,
+               first.pixel / width, first.sample_number);
   }
   fmt::print("{}: {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}\n", names.output,
              report.samples, report.seconds, static_cast<double>(report.samples) / report.seconds,
@@ -135,21 +141,21 @@ ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
                    {"foveola:instruction_set", build_info().instruction_set},
                    {"foveola:scene", scene},
                    {"foveola:method", settings.method},
-                   {"foveola:seed", std::to_string(settings.seed)},
+                   {"foveola:seed", std::to_string(settings.progressive.trace.seed)},
                    {"foveola:samples", std::to_string(report.samples)},
-                   {"foveola:max_depth", std::to_string(settings.max_depth)},
+                   {"foveola:max_depth", std::to_string(settings.progressive.trace.max_depth)},
                    {"foveola:camera_m", fmt::format("{:.9g},{:.9g},{:.9g}", report.camera.x,
                                                     report.camera.y, report.camera.z)},
                    {"foveola:head_deg", text_of(report.head)},
                    {"foveola:gaze_deg", text_of(report.gaze)}};
-  if (std::isfinite(settings.largest_radiance)) {
-    facts["foveola:clamp"] = fmt::format("{:.9g}", settings.largest_radiance);
+  if (std::isfinite(settings.progressive.trace.largest_radiance)) {
+    facts["foveola:clamp"] = fmt::format("{:.9g}", settings.progressive.trace.largest_radiance);
   }
-  if (settings.diffuse) {
+  if (settings.scene.diffuse) {
     facts["foveola:materials"] = "diffuse";
   }
-  if (settings.adaptive_contrast > 0.0) {
-    facts["foveola:adaptive_contrast"] = fmt::format("{:.9g}", settings.adaptive_contrast);
+  if (settings.progressive.adaptive) {
+    facts["foveola:adaptive_contrast"] = fmt::format("{:.9g}", adaptive_contrast(settings));
   }
   return facts;
 }

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/commands/render.h"
 #include "renderer/image/image_file.h"
+#include "renderer/progressive/headless_render.h"
 
 namespace foveola {
 

@@ -10,7 +10,8 @@
 
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/light_units_option.h"
-#include "renderer/commands/stage.h"
+#include "renderer/commands/warnings.h"
+#include "renderer/progressive/headless_render.h"
 
 namespace foveola {
 namespace {
@@ -36,17 +37,19 @@ std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& so
     settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
   }
   if (!arguments.camera.empty()) {
-    settings.camera = parse_vec3("--camera", arguments.camera);
+    settings.scene.camera = parse_vec3("--camera", arguments.camera);
   }
-  const Stage stage(source, settings);
-  print_warnings(stage.warnings);
-  const auto picked = stage.tracer.pick(stage.camera.position, direction_from(stage.gaze));
+  const Workers workers;
+  const LoadedScene loaded(source, workers, settings.scene);
+  print_warnings(loaded.warnings);
+  const auto picked =
+      loaded.tracer.pick(loaded.camera.position, direction_from(gaze_of(settings, loaded)));
   if (!picked) {
     return std::nullopt;
   }
-  return Answer{.object = stage.scene.object_name(picked->object),
-                .material = stage.scene.materials[static_cast<std::size_t>(picked->material)].name,
-                .position = DVec3(picked->position) + stage.scene.origin,
+  return Answer{.object = loaded.scene.object_name(picked->object),
+                .material = loaded.scene.materials[static_cast<std::size_t>(picked->material)].name,
+                .position = DVec3(picked->position) + loaded.scene.origin,
                 .distance_m = picked->distance_m};
 }
 

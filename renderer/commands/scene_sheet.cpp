@@ -13,10 +13,10 @@
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/light_units_option.h"
-#include "renderer/commands/render.h"
-#include "renderer/commands/stage.h"
+#include "renderer/commands/warnings.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/image_file.h"
+#include "renderer/progressive/headless_render.h"
 
 namespace foveola {
 namespace {
@@ -52,13 +52,14 @@ void expose(RgbImage& image, double stops) {
 SheetRow render_row(const SceneSource& source, RenderSettings settings,
                     const std::stop_token& stop) {
   SheetRow row;
-  const int height = settings.size.y;
+  const int height = settings.progressive.film_size.y;
   Rendering all_around = render(source, settings, stop);
   print_warnings(all_around.report.warnings);
   row.panorama = std::move(all_around.image.color);
   settings.method = "vp";
-  settings.fov_deg = view_extent_deg + 2.0 * margin_deg;
-  settings.size *= 2;
+  const double fov_deg = view_extent_deg + 2.0 * margin_deg;
+  settings.field_of_view = {.horizontal_deg = fov_deg, .vertical_deg = fov_deg};
+  settings.progressive.film_size *= 2;
   const RgbImage film = render(source, settings, stop).image.color;
   const double fov_rad = radians(view_extent_deg);
   row.view = viewport_image(film, Viewport(head_orientation(source.heading), fov_rad, fov_rad),
@@ -111,11 +112,11 @@ std::vector<SheetRow> render_rows(const std::vector<SceneSource>& sources,
 
 RenderSettings settings_from(const SheetArguments& arguments) {
   RenderSettings settings;
-  settings.size = parse_size("--size", arguments.size);
+  settings.progressive.film_size = parse_size("--size", arguments.size);
   settings.threads = arguments.threads;
   settings.budget.samples = static_cast<std::uint64_t>(arguments.samples_per_pixel) *
-                            static_cast<std::uint64_t>(settings.size.x) *
-                            static_cast<std::uint64_t>(settings.size.y);
+                            static_cast<std::uint64_t>(settings.progressive.film_size.x) *
+                            static_cast<std::uint64_t>(settings.progressive.film_size.y);
   return settings;
 }
 

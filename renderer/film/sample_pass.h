@@ -12,11 +12,19 @@
 
 namespace foveola {
 
-/// The points [first, first + count) of the Sobol sequence that is scrambled by `seed`.
-struct SobolRange {
+/// Where a render's random numbers come from.
+enum class RandomNumbers {
+  low_discrepancy,  ///< Sobol sequences, as shipped
+  independent,      ///< each sample's are independent of all others'
+};
+
+/// The points [first, first + count) of the pattern that `seed` makes: of a scrambled Sobol
+/// sequence, or independent ones.
+struct PointRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
   std::uint32_t seed = 0;
+  RandomNumbers numbers = RandomNumbers::low_discrepancy;
 };
 
 /// Keeps its buffers from pass to pass.
@@ -29,9 +37,9 @@ class SamplePass {
   using Adjust = std::function<void(std::vector<ViewSample>& samples)>;
 
   /// Sends `points` through an aimed sampler and `trace` into the film; returns what the film
-  /// dropped. Neither the number of threads nor, without `adjust`, how a range is cut into passes
-  /// changes the film.
-  std::vector<DroppedSample> run(const ViewSampler& sampler, const SobolRange& points,
+  /// dropped. The number of threads does not change the film; nor, with a Sobol sequence and
+  /// without `adjust`, does how a range is cut into passes.
+  std::vector<DroppedSample> run(const ViewSampler& sampler, const PointRange& points,
                                  const Trace& trace, EquirectFilm& film, const Workers& workers,
                                  const Adjust& adjust = {});
 

@@ -9,6 +9,9 @@
 
 namespace foveola {
 
+/// Pixels of a display's image where nobody asks for others.
+inline constexpr IVec2 usual_view_size{640, 640};
+
 /// Resamples the film to a view of width x height pixels, trilinearly: a pixel of the display is
 /// read from the levels of the film's pyramid whose cells are as high as it is. Film pixels are
 /// weighted by whether they have samples, so an unsampled one neither darkens nor brightens its

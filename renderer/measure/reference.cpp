@@ -9,9 +9,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
-#include "renderer/film/equirect_film.h"
-#include "renderer/film/sample_pass.h"
 #include "renderer/image/image_file.h"
+#include "renderer/progressive/progressive_render.h"
+#include "renderer/view/equirect.h"
 #include "renderer/view/view_sampler.h"
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ std::string cache_key(const std::string& scene_key, const ReferenceSettings& set
   std::string text = fmt::format(
       "reference 5\n{}\n{} {} {}\n{}x{}\ndepth {} seed {} angle {} spp {} interest {}\n", scene_key,
       settings.viewpoint.x, settings.viewpoint.y, settings.viewpoint.z, settings.width,
-      settings.height, settings.max_depth, settings.seed, settings.pixel_angle_rad,
+      settings.height, settings.max_depth, settings.seed, pixel_angle_rad(settings.width),
       settings.samples_per_pixel, settings.samples_per_interest);
   for (const Vec3& interest : settings.interests) {
     text += fmt::format("{} {} {}\n", interest.x, interest.y, interest.z);
@@ -69,16 +69,14 @@ class ReferenceRender {
                   const Workers& workers, const std::function<void(double)>& progress,
                   std::stop_token stop)
       : settings_(settings),
-        workers_(workers),
         progress_(progress),
         stop_(std::move(stop)),
-        trace_settings_{.max_depth = settings.max_depth,
-                        .seed = mix(settings.seed, reference_stream),
-                        .pixel_angle_rad = settings.pixel_angle_rad},
-        trace_([this, &tracer](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-          tracer.trace(settings_.viewpoint, jobs, radiance, trace_settings_, workers_);
-        }),
-        film_(settings.width, settings.height),
+        seed_(mix(settings.seed, reference_stream)),
+        render_(tracer,
+                {.viewpoint = settings.viewpoint,
+                 .film_size = {settings.width, settings.height},
+                 .trace = {.max_depth = settings.max_depth, .seed = seed_}},
+                workers),
         planned_(uniform_samples() + settings.interests.size() * settings.samples_per_interest) {}
 
   FilmImage render() {
@@ -86,7 +84,7 @@ class ReferenceRender {
     for (const Vec3& interest : settings_.interests) {
       add("fv", interest, settings_.samples_per_interest);
     }
-    return film_.resolve();
+    return render_.film().resolve();
   }
 
  private:
@@ -97,30 +95,24 @@ class ReferenceRender {
 
   void add(const std::string& method, const Vec3& gaze, std::uint64_t count) {
     const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
-    constexpr double unused_fov_rad = 1.0;
-    sampler->aim(
-        {.viewport = Viewport(head_orientation({}), unused_fov_rad, unused_fov_rad), .gaze = gaze});
-    const std::uint32_t pattern_seed = mix(trace_settings_.seed, ++patterns_);
-    for (std::uint64_t begin = 0; begin < count; begin += pass_samples) {
+    sampler->aim({.viewport = Viewport({}, FieldOfView{}), .gaze = gaze});
+    render_.begin_pattern(mix(seed_, ++patterns_));
+    while (render_.points_drawn() < count) {
       if (stop_.stop_requested()) {
         throw Error("reference image", "stopped before it was finished");
       }
-      const SobolRange points = {
-          .first = begin, .count = std::min(pass_samples, count - begin), .seed = pattern_seed};
-      pass_.run(*sampler, points, trace_, film_, workers_);
-      done_ += points.count;
+      const std::uint64_t points = std::min(pass_samples, count - render_.points_drawn());
+      render_.advance(*sampler, points);
+      done_ += points;
       progress_(static_cast<double>(done_) / static_cast<double>(planned_));
     }
   }
 
   const ReferenceSettings& settings_;
-  const Workers& workers_;
   const std::function<void(double)>& progress_;
   std::stop_token stop_;
-  TraceSettings trace_settings_;
-  SamplePass::Trace trace_;
-  EquirectFilm film_;
-  SamplePass pass_;
+  std::uint32_t seed_;
+  ProgressiveRender render_;
   std::uint32_t patterns_ = 0;
   std::uint64_t planned_;
   std::uint64_t done_ = 0;

@@ -16,9 +16,8 @@ struct ReferenceSettings {
   Vec3 viewpoint{0.0F};
   int width = 0;
   int height = 0;
-  int max_depth = 8;
+  int max_depth = TraceSettings{}.max_depth;
   std::uint32_t seed = 0;
-  float pixel_angle_rad = 0.0F;            ///< as TraceSettings'
   int samples_per_pixel = 64;              ///< uniformly over the image
   std::vector<Vec3> interests;             ///< directions that get more
   std::uint64_t samples_per_interest = 0;  ///< foveated around each of them

@@ -1,39 +1,29 @@
 #include "renderer/preview/preview.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
-
-#include "renderer/base/random.h"
 
 namespace foveola {
 namespace {
 
-/// Keeps the pattern of the directions apart from the randomness of the paths.
-constexpr std::uint32_t view_stream = 0x76696577U;
-
-Viewport viewport_for(const PreviewSettings& settings, const AzimuthElevation& heading) {
-  return {head_orientation(heading), radians(settings.horizontal_fov_deg),
-          radians(settings.vertical_fov_deg), settings.lens};
+ProgressiveSettings render_settings(const PreviewSettings& settings) {
+  ProgressiveSettings render = settings.render;
+  if (render.adaptive) {
+    render.adaptive->exposure_stops = settings.exposure_stops;
+  }
+  return render;
 }
 
 }  // namespace
 
 Preview::Preview(const PathTracer& tracer, const PreviewSettings& settings, EyeTracker& eye,
                  HeadTracker& head, const Workers& workers)
-    : tracer_(&tracer),
-      settings_(settings),
+    : settings_(settings),
       eye_(&eye),
       head_(&head),
       workers_(&workers),
-      film_(settings.film_width, settings.film_height,
-            settings.adaptive || settings.keep_variances ? FilmStatistics::mean_and_variance
-                                                         : FilmStatistics::mean),
-      viewport_(viewport_for(settings, {})) {
-  if (settings_.adaptive) {
-    settings_.adaptive->exposure_stops = settings.exposure_stops;
-  }
-}
+      render_(tracer, render_settings(settings), workers),
+      viewport_({}, settings.field_of_view) {}
 
 Preview::~Preview() = default;
 
@@ -43,11 +33,8 @@ void Preview::restart(std::string_view method, std::uint32_t seed) {
 
 void Preview::restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed) {
   sampler_ = std::move(sampler);
-  settings_.trace.seed = seed;
-  next_point_ = 0;
   next_frame_ = 0;
-  dropped_.clear();
-  film_.clear();
+  render_.restart(seed);
 }
 
 FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
@@ -57,48 +44,9 @@ FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
 }
 
 void Preview::trace(std::uint64_t samples, FrameReport& report) {
-  add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    report.samples += jobs.size();
-    report.rays +=
-        tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_).total();
-  });
-}
-
-std::optional<SampleJob> Preview::find_job(Nanoseconds now, std::uint64_t samples,
-                                           std::uint32_t pixel, std::uint32_t sample_number) {
-  std::optional<SampleJob> found;
-  begin_frame(now);
-  add_samples(samples, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    if (settings_.adaptive) {
-      tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_);
-    } else {
-      std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
-    }
-    const auto job = std::find_if(jobs.begin(), jobs.end(), [&](const SampleJob& candidate) {
-      return candidate.pixel == pixel && candidate.sample_number == sample_number;
-    });
-    if (job != jobs.end()) {
-      found = *job;
-    }
-  });
-  return found;
-}
-
-void Preview::add_samples(std::uint64_t samples, const SamplePass::Trace& trace) {
-  const SobolRange points = {
-      .first = next_point_, .count = samples, .seed = mix(settings_.trace.seed, view_stream)};
-  SamplePass::Adjust adjust;
-  if (settings_.adaptive) {
-    adjust = [&](std::vector<ViewSample>& view_samples) {
-      const auto frame = static_cast<std::uint32_t>(next_frame_);
-      redirect_samples(film_, last_gaze_, *settings_.adaptive, mix(points.seed, frame),
-                       view_samples, *workers_);
-    };
-  }
-  const std::vector<DroppedSample> dropped =
-      pass_.run(*sampler_, points, trace, film_, *workers_, adjust);
-  dropped_.insert(dropped_.end(), dropped.begin(), dropped.end());
-  next_point_ += samples;
+  const TracedSamples traced = render_.advance(*sampler_, samples);
+  report.samples += traced.samples;
+  report.rays += traced.rays.total();
 }
 
 FrameReport Preview::begin_frame(Nanoseconds now) {
@@ -115,18 +63,17 @@ FrameReport Preview::begin_frame(Nanoseconds now) {
 
 FrameReport Preview::begin_frame(Nanoseconds now, const AzimuthElevation& head, const Vec3& gaze) {
   assert(sampler_ != nullptr);
-  viewport_ = viewport_for(settings_, head);
+  viewport_ = Viewport(head, settings_.field_of_view);
   last_gaze_ = gaze;
+  render_.look_at(gaze);
   sampler_->aim({.viewport = viewport_, .gaze = gaze, .pointer = pointer_});
   return {.frame = next_frame_++, .time = now, .head = head, .gaze = gaze};
 }
 
-void Preview::set_view(const PreviewView& view) {
-  viewport_ = Viewport(viewport_.head(), radians(view.horizontal_fov_deg),
-                       radians(view.vertical_fov_deg), view.lens);
-  settings_.horizontal_fov_deg = view.horizontal_fov_deg;
-  settings_.vertical_fov_deg = view.vertical_fov_deg;
-  settings_.lens = view.lens;
+void Preview::set_view(const FieldOfView& view) {
+  viewport_ = Viewport(viewport_.head(), radians(view.horizontal_deg), radians(view.vertical_deg),
+                       view.lens);
+  settings_.field_of_view = view;
 }
 
 void Preview::poll_gaze(Nanoseconds now) {
@@ -150,10 +97,10 @@ void Preview::hold_gaze(bool held) {
 
 const RgbImage& Preview::present() {
   if (!resampler_) {
-    resampler_.emplace(film_, ViewImage{.width = settings_.view_width,
-                                        .height = settings_.view_height,
-                                        .unsampled = settings_.unsampled,
-                                        .exposure_stops = settings_.exposure_stops});
+    resampler_.emplace(film(), ViewImage{.width = settings_.view_size.x,
+                                         .height = settings_.view_size.y,
+                                         .unsampled = settings_.unsampled,
+                                         .exposure_stops = settings_.exposure_stops});
   }
   return resampler_->show(viewport_, *workers_);
 }

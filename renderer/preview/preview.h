@@ -8,33 +8,24 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "renderer/film/adaptive_sampling.h"
 #include "renderer/film/equirect_film.h"
-#include "renderer/film/sample_pass.h"
+#include "renderer/film/viewport_image.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/gaze/eye_tracker.h"
 #include "renderer/gaze/head_tracker.h"
+#include "renderer/progressive/progressive_render.h"
 #include "renderer/trace/path_tracer.h"
 #include "renderer/view/view_sampler.h"
 
 namespace foveola {
 
 struct PreviewSettings {
-  int film_width = 2048;
-  int film_height = 1024;
-  int view_width = 640;  ///< pixels of the presented image
-  int view_height = 640;
-  double horizontal_fov_deg = 100.0;
-  double vertical_fov_deg = 100.0;
-  Vec3 viewpoint{0.0F};
-  RadialLens lens;
-  UnsampledPixels unsampled = UnsampledPixels::black;
-  /// Sends samples away from pixels whose noise is no longer seen at the exposure below. Off in the
-  /// published study.
-  std::optional<VisibleNoise> adaptive;
-  bool keep_variances = false;  ///< in the film, even without adaptive sampling
+  /// Adaptive sampling judges noise at the exposure below.
+  ProgressiveSettings render;
+  FieldOfView field_of_view;
+  IVec2 view_size = usual_view_size;                   ///< pixels of the presented image
+  UnsampledPixels unsampled = UnsampledPixels::black;  ///< in the presented image
   double exposure_stops = 0.0;
-  TraceSettings trace;
 };
 
 /// What happened in one frame; goes into the record.
@@ -50,13 +41,6 @@ struct FrameReport {
   Nanoseconds gaze_age{0};    ///< of the gaze that was used, at `time`; 0 if none was valid yet
   std::uint64_t samples = 0;  ///< traced in this frame
   std::uint64_t rays = 0;
-};
-
-/// What of PreviewSettings changes with the size of a window.
-struct PreviewView {
-  double horizontal_fov_deg = 100.0;
-  double vertical_fov_deg = 100.0;
-  RadialLens lens;
 };
 
 /// Renders frame after frame with one method until it is restarted with another. It refers to the
@@ -84,18 +68,12 @@ class Preview {
   /// Traces so many samples more in the frame that `report` is of.
   void trace(std::uint64_t samples, FrameReport& report);
 
-  /// As render_frame, but returns the job that numbers `sample_number` of `pixel`, if it is among
-  /// the frame's. Traces nothing and adds black to the film, unless what the samples bring decides
-  /// where the next ones go.
-  std::optional<SampleJob> find_job(Nanoseconds now, std::uint64_t samples, std::uint32_t pixel,
-                                    std::uint32_t sample_number);
-
   /// Freezes the gaze of the last frame where it is in the world, while the head looks around, or
   /// lets go of it. Before the first frame that is straight ahead at azimuth 0.
   void hold_gaze(bool held);
 
   /// From the next frame on. Throws Error for a view that cannot be shown flat.
-  void set_view(const PreviewView& view);
+  void set_view(const FieldOfView& view);
 
   /// Where the user points from now on, unit length, world; without, methods that follow the
   /// pointer follow the gaze. A restart keeps it.
@@ -112,27 +90,23 @@ class Preview {
   const ViewSampler& sampler() const { return *sampler_; }
   /// All gaze samples that arrived for the last frame, after those of the frame before.
   const std::vector<GazeSample>& arrived_gaze() const { return arrived_gaze_; }
-  const EquirectFilm& film() const { return film_; }
+  const EquirectFilm& film() const { return render_.film(); }
   const PreviewSettings& settings() const { return settings_; }
   /// Samples dropped since the last restart because they were not finite.
-  const std::vector<DroppedSample>& dropped() const { return dropped_; }
+  const std::vector<DroppedSample>& dropped() const { return render_.dropped(); }
 
  private:
   /// Polls the eye tracker for arrived_gaze and keeps what later frames need of it.
   void poll_gaze(Nanoseconds now);
-  /// Sends the next points through the sampler and `trace` into the film.
-  void add_samples(std::uint64_t samples, const SamplePass::Trace& trace);
 
-  const PathTracer* tracer_;
   PreviewSettings settings_;
   EyeTracker* eye_;
   HeadTracker* head_;
   const Workers* workers_;
-  EquirectFilm film_;
+  ProgressiveRender render_;
   std::optional<ViewportResampler> resampler_;  ///< of the film, once it was presented
   Viewport viewport_;
   std::unique_ptr<ViewSampler> sampler_;
-  std::uint64_t next_point_ = 0;
   std::uint64_t next_frame_ = 0;
   std::vector<GazeSample> arrived_gaze_;
   bool newest_gaze_is_valid_ = false;
@@ -140,8 +114,6 @@ class Preview {
   Vec3 last_gaze_{0.0F, 0.0F, -1.0F};  ///< world
   std::optional<Vec3> held_gaze_;      ///< world
   std::optional<Vec3> pointer_;        ///< world
-  std::vector<DroppedSample> dropped_;
-  SamplePass pass_;
 };
 
 }  // namespace foveola

@@ -77,6 +77,10 @@ Quat head_orientation(const AzimuthElevation& heading) {
   return turn * nod;
 }
 
+Vec3 gaze_in_head(const AzimuthElevation& heading, const Vec3& gaze) {
+  return glm::normalize(glm::conjugate(head_orientation(heading)) * gaze);
+}
+
 Viewport::Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad,
                    const RadialLens& lens)
     : head_(head),

@@ -13,6 +13,16 @@ namespace foveola {
 /// (+X right, +Y up, -Z forward) to the world.
 Quat head_orientation(const AzimuthElevation& heading);
 
+/// A gaze (unit length, world) in the axes of a head that looks along `heading`; unit length.
+Vec3 gaze_in_head(const AzimuthElevation& heading, const Vec3& gaze);
+
+/// What of a view stays the same while the head turns.
+struct FieldOfView {
+  double horizontal_deg = 100.0;  ///< in (0, 180), without the lens
+  double vertical_deg = 100.0;    ///< in (0, 180), without the lens
+  RadialLens lens;
+};
+
 /// A view, rectilinear but for its lens. Its image plane lies at distance 1 and is 2 tan(fov/2)
 /// wide and high: fields of view are those without the lens.
 class Viewport {
@@ -21,6 +31,10 @@ class Viewport {
   /// the display would fold back on itself.
   Viewport(const Quat& head, double horizontal_fov_rad, double vertical_fov_rad,
            const RadialLens& lens = {});
+  /// The view of a head that looks along `heading`. Throws Error as the other constructor does.
+  Viewport(const AzimuthElevation& heading, const FieldOfView& field_of_view)
+      : Viewport(head_orientation(heading), radians(field_of_view.horizontal_deg),
+                 radians(field_of_view.vertical_deg), field_of_view.lens) {}
 
   /// plane: (0, 0) is the display's top left corner, (1, 1) the bottom right one. Unit length,
   /// world.

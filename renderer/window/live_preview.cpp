@@ -142,8 +142,8 @@ void LivePreview::show_in(const WindowResized& size) {
     return;
   }
   geometry_ = view_geometry(settings_.display, size.framebuffer);
-  parts_.preview->set_view({.horizontal_fov_deg = geometry_.horizontal_fov_deg,
-                            .vertical_fov_deg = geometry_.vertical_fov_deg,
+  parts_.preview->set_view({.horizontal_deg = geometry_.horizontal_fov_deg,
+                            .vertical_deg = geometry_.vertical_fov_deg,
                             .lens = geometry_.lens});
   parts_.steering->show(geometry_, size.framebuffer,
                         static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x));

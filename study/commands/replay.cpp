@@ -138,9 +138,9 @@ class Replay {
     PreviewSettings preview =
         trial_preview_settings(protocol_, settings_of(protocol_, trial.scene, trial.method), stage);
     if (session_.display) {
-      preview.horizontal_fov_deg = session_.display->horizontal_fov_deg;
-      preview.vertical_fov_deg = session_.display->vertical_fov_deg;
-      preview.lens = session_.display->lens;
+      preview.field_of_view = {.horizontal_deg = session_.display->horizontal_fov_deg,
+                               .vertical_deg = session_.display->vertical_fov_deg,
+                               .lens = session_.display->lens};
     }
     return preview;
   }
@@ -153,7 +153,7 @@ class Replay {
     write_image(
         settings_.pictures / fmt::format("{}-trial-{:02}-attempt-{}.png", settings_.participant,
                                          attempt.trial, attempt.attempt),
-        viewport_image(preview.film(), preview.viewport(), shown.view_width, shown.view_height,
+        viewport_image(preview.film(), preview.viewport(), shown.view_size.x, shown.view_size.y,
                        shown.unsampled, workers_),
         shown.exposure_stops);
   }

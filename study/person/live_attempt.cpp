@@ -46,8 +46,8 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
           setting_.display->frame_budget()),
       log_(sink_to(*setting_.record, setting_.key)) {
   const ViewGeometry& geometry = setting_.display->geometry();
-  preview_.set_view({.horizontal_fov_deg = geometry.horizontal_fov_deg,
-                     .vertical_fov_deg = geometry.vertical_fov_deg,
+  preview_.set_view({.horizontal_deg = geometry.horizontal_fov_deg,
+                     .vertical_deg = geometry.vertical_fov_deg,
                      .lens = geometry.lens});
   preview_.restart(make_sampler(*setting_.protocol, setting_.trial.method), setting_.seed);
   setting_.display->show_film(preview_.film());

@@ -24,8 +24,7 @@ bool is_of_a_hand(const WindowEvent& event) {
 }  // namespace
 
 Vec3 SimulatedOperator::gaze_in_head(Nanoseconds time) {
-  const Quat world_from_head = head_orientation(heading(time));
-  return glm::normalize(glm::conjugate(world_from_head) * parts_.participant->gaze(time - zero_));
+  return foveola::gaze_in_head(heading(time), parts_.participant->gaze(time - zero_));
 }
 
 bool SimulatedOperator::wants_to_look() const {

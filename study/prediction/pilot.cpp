@@ -8,7 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "renderer/film/viewport_resampler.h"
-#include "renderer/view/equirect.h"
+#include "renderer/progressive/progressive_render.h"
 
 namespace foveola::study {
 namespace {
@@ -18,57 +18,33 @@ constexpr std::uint64_t pass_samples = 1 << 20;
 // Keep these pictures' noise apart, and from that of previews and references.
 constexpr std::uint32_t pilot_stream = 0x70696C6FU;
 constexpr std::uint32_t converged_stream = 0x636F6E76U;
-constexpr std::uint32_t view_stream = 0x76696577U;
 
 double pixel_sr(const FilmSettings& film) {
   return 4.0 * std::numbers::pi / (static_cast<double>(film.width) * film.height);
 }
 
-/// A film in the making, of which only a mask's pixels are traced.
-class MaskedRender {
- public:
-  MaskedRender(const PilotSetting& setting, const ViewSampler& sampler, const SampleMask& mask,
-               std::uint32_t seed)
-      : setting_(setting),
-        sampler_(sampler),
-        film_(setting.film.width, setting.film.height),
-        trace_settings_{.max_depth = setting.film.max_depth,
-                        .seed = seed,
-                        .pixel_angle_rad = pixel_angle_rad(setting.film.width)},
-        trace_([this](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-          setting_.tracer.trace(setting_.viewpoint, jobs, radiance, trace_settings_,
-                                setting_.workers);
-        }),
-        keep_([&mask](std::vector<ViewSample>& samples) { mask.keep(samples); }) {}
-  MaskedRender(const MaskedRender&) = delete;
-  MaskedRender& operator=(const MaskedRender&) = delete;
+/// A render in which only a mask's pixels are traced. The mask must outlive it.
+ProgressiveRender masked_render(const PilotSetting& setting, const SampleMask& mask,
+                                std::uint32_t seed) {
+  ProgressiveRender render(setting.tracer,
+                           {.viewpoint = setting.viewpoint,
+                            .film_size = {setting.film.width, setting.film.height},
+                            .trace = {.max_depth = setting.film.max_depth, .seed = seed}},
+                           setting.workers);
+  render.filter_samples([&mask](std::vector<ViewSample>& samples) { mask.keep(samples); });
+  return render;
+}
 
-  const EquirectFilm& film() const { return film_; }
-
-  /// Goes on until so many of the sampler's points were drawn.
-  void continue_to(std::uint64_t samples) {
-    while (drawn_ < samples) {
-      if (setting_.stop.stop_requested()) {
-        throw Error("pilot render", "stopped before it was finished");
-      }
-      const SobolRange points = {.first = drawn_,
-                                 .count = std::min(pass_samples, samples - drawn_),
-                                 .seed = mix(trace_settings_.seed, view_stream)};
-      pass_.run(sampler_, points, trace_, film_, setting_.workers, keep_);
-      drawn_ += points.count;
+/// Goes on until so many of the sampler's points were drawn. Throws Error if stopped.
+void continue_to(std::uint64_t points, const PilotSetting& setting, const ViewSampler& sampler,
+                 ProgressiveRender& render) {
+  while (render.points_drawn() < points) {
+    if (setting.stop.stop_requested()) {
+      throw Error("pilot render", "stopped before it was finished");
     }
+    render.advance(sampler, std::min(pass_samples, points - render.points_drawn()));
   }
-
- private:
-  const PilotSetting& setting_;
-  const ViewSampler& sampler_;
-  EquirectFilm film_;
-  TraceSettings trace_settings_;
-  SamplePass::Trace trace_;
-  SamplePass::Adjust keep_;
-  SamplePass pass_;
-  std::uint64_t drawn_ = 0;
-};
+}
 
 /// Views of one size share what is kept between pictures, so they are best shown one after another.
 class Display {
@@ -201,9 +177,10 @@ std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
 CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
                           const Vec3& middle, double per_pixel, const SampleMask& mask,
                           std::span<const JudgedView> views) {
-  MaskedRender render(setting, sampler, mask, mix(0U, converged_stream));
-  render.continue_to(static_cast<std::uint64_t>(
-      std::ceil(per_pixel / (pixel_sr(setting.film) * sampler.density_per_sr(middle)))));
+  ProgressiveRender render = masked_render(setting, mask, mix(0U, converged_stream));
+  const double points =
+      std::ceil(per_pixel / (pixel_sr(setting.film) * sampler.density_per_sr(middle)));
+  continue_to(static_cast<std::uint64_t>(points), setting, sampler, render);
   Display display(render.film(), setting);
   CellMeans means;
   for (const JudgedView& view : views) {
@@ -227,10 +204,10 @@ std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSa
     patch.first_per_sr = static_cast<double>(sample_counts.front()) * per_sr;
     patch.noise_times_density.resize(per_sr > 0.0 ? sample_counts.size() : 0);
   });
-  MaskedRender render(setting, sampler, mask, mix(picture, pilot_stream));
+  ProgressiveRender render = masked_render(setting, mask, mix(picture, pilot_stream));
   Display display(render.film(), setting);
   for (std::size_t level = 0; level < sample_counts.size(); ++level) {
-    render.continue_to(sample_counts[level]);
+    continue_to(sample_counts[level], setting, sampler, render);
     for (std::size_t view = 0; view < views.size(); ++view) {
       const std::vector<ScaleEnergies> seen = look(display, views[view], expected[view]);
       for (std::size_t scale = 0; scale < seen.size(); ++scale) {

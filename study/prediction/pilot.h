@@ -8,7 +8,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "renderer/film/sample_pass.h"
 #include "renderer/film/shown_color.h"
 #include "renderer/trace/path_tracer.h"
 #include "study/prediction/judged_view.h"

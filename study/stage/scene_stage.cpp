@@ -6,8 +6,6 @@
 
 #include "renderer/base/files.h"
 #include "renderer/measure/reference.h"
-#include "renderer/scene/load_scene.h"
-#include "renderer/view/equirect.h"
 #include "study/record/shown_scene.h"
 
 namespace foveola::study {
@@ -25,12 +23,13 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
 
 }  // namespace
 
-SceneStage::SceneStage(SceneSource source, const Workers& workers)
-    : source_(std::move(source)),
-      scene_(load_scene(source_)),
-      tracer_(scene_, workers),
-      objects_(objects_on_offer(source_)) {
-  assert(source_.camera_position && !objects_.empty());
+std::string scene_key(const LoadedScene& loaded) {
+  return loaded.scene.sha256 + ";" + added_to_file(loaded.source);
+}
+
+SceneStage::SceneStage(const SceneSource& source, const Workers& workers)
+    : loaded_(source, workers), objects_(objects_on_offer(source)) {
+  assert(source.camera_position && !objects_.empty());
 }
 
 void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuality& quality,
@@ -42,18 +41,15 @@ void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuali
   settings.width = film.width;
   settings.height = film.height;
   settings.max_depth = film.max_depth;
-  settings.pixel_angle_rad = pixel_angle_rad(film.width);
   settings.samples_per_pixel = quality.samples_per_pixel;
   settings.samples_per_interest = static_cast<std::uint64_t>(quality.samples_per_object);
   for (const OfferedObject& object : objects_) {
     settings.interests.push_back(object.direction);
   }
-  reference_ = reference_image(tracer_, key(), settings, workers, cache_folder() / "references",
+  reference_ = reference_image(tracer(), key(), settings, workers, cache_folder() / "references",
                                progress, stop)
                    .color;
 }
-
-std::string SceneStage::key() const { return scene_.sha256 + ";" + added_to_file(source_); }
 
 SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
                         const Workers& workers) {

@@ -12,19 +12,21 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/scene_source.h"
 #include "renderer/image/image.h"
-#include "renderer/scene/scene.h"
-#include "renderer/trace/path_tracer.h"
+#include "renderer/progressive/loaded_scene.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
 
+/// Distinguishes scenes that do not look the same: a hash of the file and what was added to it.
+std::string scene_key(const LoadedScene& loaded);
+
 class SceneStage {
  public:
   /// Loads the scene and builds its tracer. source has a camera position and objects (see
   /// find_scenes). Throws Error for a bad file.
-  SceneStage(SceneSource source, const Workers& workers);
+  SceneStage(const SceneSource& source, const Workers& workers);
   SceneStage(const SceneStage&) = delete;
   SceneStage& operator=(const SceneStage&) = delete;
 
@@ -34,20 +36,18 @@ class SceneStage {
                         const Workers& workers, const std::function<void(double)>& progress,
                         const std::stop_token& stop);
 
-  /// Tells scenes apart that do not look the same: a hash of the file and what was added to it.
-  std::string key() const;
-  const SceneSource& source() const { return source_; }
-  const Scene& scene() const { return scene_; }
-  const PathTracer& tracer() const { return tracer_; }
-  Vec3 viewpoint() const { return scene_.from_file(*source_.camera_position); }
+  std::string key() const { return scene_key(loaded_); }
+  const LoadedScene& loaded() const { return loaded_; }
+  const SceneSource& source() const { return loaded_.source; }
+  const Scene& scene() const { return loaded_.scene; }
+  const PathTracer& tracer() const { return loaded_.tracer; }
+  const Vec3& viewpoint() const { return loaded_.camera.position; }
   const std::vector<OfferedObject>& objects() const { return objects_; }
   /// Linear radiance, as large as the film; empty before render_reference.
   const RgbImage& reference() const { return reference_; }
 
  private:
-  SceneSource source_;
-  Scene scene_;
-  PathTracer tracer_;
+  LoadedScene loaded_;
   std::vector<OfferedObject> objects_;
   RgbImage reference_;
 };

@@ -1,27 +1,22 @@
 #include "study/stage/trial_preview.h"
 
-#include "renderer/view/equirect.h"
-
 namespace foveola::study {
 
 PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSettings& settings,
                                        const SceneStage& stage) {
   PreviewSettings preview;
-  preview.film_width = settings.film.width;
-  preview.film_height = settings.film.height;
-  preview.view_width = protocol.display.view_width;
-  preview.view_height = protocol.display.view_height;
-  preview.horizontal_fov_deg = protocol.display.horizontal_fov_deg;
-  preview.vertical_fov_deg = protocol.display.vertical_fov_deg;
-  preview.lens = protocol.display.lens;
-  preview.unsampled = settings.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
+  preview.render.film_size = {settings.film.width, settings.film.height};
+  preview.render.trace.max_depth = settings.film.max_depth;
   if (settings.film.adaptive_contrast > 0.0) {
-    preview.adaptive = VisibleNoise{.contrast = settings.film.adaptive_contrast};
+    preview.render.adaptive = VisibleNoise{.contrast = settings.film.adaptive_contrast};
   }
-  preview.viewpoint = stage.viewpoint();
+  preview.render = stage.loaded().rendered_with(preview.render);
+  preview.field_of_view = {.horizontal_deg = protocol.display.horizontal_fov_deg,
+                           .vertical_deg = protocol.display.vertical_fov_deg,
+                           .lens = protocol.display.lens};
+  preview.view_size = {protocol.display.view_width, protocol.display.view_height};
+  preview.unsampled = settings.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
   preview.exposure_stops = stage.source().exposure_stops;
-  preview.trace.max_depth = settings.film.max_depth;
-  preview.trace.pixel_angle_rad = pixel_angle_rad(preview.film_width);
   return preview;
 }
 

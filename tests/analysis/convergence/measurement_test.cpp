@@ -44,10 +44,9 @@ class GazeBenchTest : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  Scene scene_ = box_room(0.5F);
   Workers workers_{2};
-  PathTracer tracer_{scene_, workers_};
-  Subject subject_{.scene = "box", .tracer = &tracer_, .key = "box"};
+  LoadedScene loaded_{{.name = "box", .camera_position = Vec3(0.0F)}, box_room(0.5F), workers_};
+  Subject subject_{.loaded = loaded_, .key = "box"};
   ConvergencePlan plan_;
   AzimuthElevation gaze_{.azimuth_rad = 0.7};
   std::stop_source stop_;

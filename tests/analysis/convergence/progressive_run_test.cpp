@@ -51,16 +51,14 @@ class ProgressiveRunTest : public testing::Test {
 
   PreviewSettings preview_settings() const {
     PreviewSettings settings;
-    settings.film_width = plan_.size.x;
-    settings.film_height = plan_.size.y;
-    settings.trace = trace_settings(plan_, 7);
+    settings.render.film_size = plan_.size;
+    settings.render.trace.max_depth = plan_.max_depth;
     return settings;
   }
 
-  Scene scene_ = box_room(0.5F);
   Workers workers_{2};
-  PathTracer tracer_{scene_, workers_};
-  Subject subject_{.scene = "box", .tracer = &tracer_, .key = "box"};
+  LoadedScene loaded_{{.name = "box", .camera_position = Vec3(0.0F)}, box_room(0.5F), workers_};
+  Subject subject_{.loaded = loaded_, .key = "box"};
   ConvergencePlan plan_;
   AzimuthElevation gaze_{.azimuth_rad = 0.7, .elevation_rad = 0.1};
   Aim aim_{.viewport = Viewport(head_orientation(gaze_), radians(100.0), radians(100.0)),
@@ -72,7 +70,7 @@ TEST_F(ProgressiveRunTest, IsWhatThePreviewRenders) {
   const PreviewSettings settings = preview_settings();
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = gaze_}});
   FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
-  Preview preview(tracer_, settings, eye, head, workers_);
+  Preview preview(loaded_.tracer, settings, eye, head, workers_);
   for (const std::string method : {"od", "vp"}) {
     preview.restart(method, 7);
     preview.render_frame(Nanoseconds(0), 20'000);
@@ -91,10 +89,10 @@ TEST_F(ProgressiveRunTest, IsAdaptiveAsThePreviewIs) {
   constexpr double contrast = 0.3;
   constexpr std::uint64_t batch = 1 << 16;
   PreviewSettings settings = preview_settings();
-  settings.adaptive = VisibleNoise{.contrast = contrast};
+  settings.render.adaptive = VisibleNoise{.contrast = contrast};
   ScriptedHeadTracker head({{.time = Nanoseconds(0), .heading = gaze_}});
   FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
-  Preview preview(tracer_, settings, eye, head, workers_);
+  Preview preview(loaded_.tracer, settings, eye, head, workers_);
   preview.restart("od", 7);
   preview.render_frame(Nanoseconds(0), batch);
   preview.render_frame(Nanoseconds(0), batch);
@@ -119,7 +117,7 @@ TEST_F(ProgressiveRunTest, CutsSamples) {
 
 // Other numbers, but no other picture.
 TEST_F(ProgressiveRunTest, WaysOfTracingShowTheSame) {
-  const PathTracer by_power_alone(scene_, workers_, LightSelection::by_power_alone);
+  const PathTracer by_power_alone(loaded_.scene, workers_, LightSelection::by_power_alone);
   subject_.tracer_by_power_alone = &by_power_alone;
   constexpr std::uint64_t samples = 100'000;
   ProgressiveRun usual = run("od");

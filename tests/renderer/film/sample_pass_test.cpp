@@ -27,7 +27,7 @@ TEST(SamplePass, BringsTheSequencesPointsToTheirPixels) {
   const std::unique_ptr<ViewSampler> od = make_view_sampler("od");
   EquirectFilm film(64, 32);
   SamplePass pass;
-  const SobolRange points = {.first = 1000, .count = 9000, .seed = 4};
+  const PointRange points = {.first = 1000, .count = 9000, .seed = 4};
   EXPECT_TRUE(pass.run(*od, points, trace_direction, film, workers).empty());
   std::vector<std::uint32_t> expected(64 * 32, 0);
   for (std::uint64_t i = 1000; i < 10'000; ++i) {
@@ -60,7 +60,7 @@ TEST(SamplePass, CutsAndThreadsDoNotMatter) {
     const Workers workers(threads);
     EquirectFilm result(100, 50);
     SamplePass pass;
-    SobolRange points = {.seed = 9};
+    PointRange points = {.seed = 9};
     for (const std::uint64_t count : counts) {
       points.count = count;
       pass.run(*fv, points, trace_direction, result, workers);

@@ -113,8 +113,6 @@ TEST_F(ReferenceImage, TheKeyHoldsEverythingTheImageDependsOn) {
   expect_a_new_file("scene", "depth");
   settings_.seed = 1;
   expect_a_new_file("scene", "seed");
-  settings_.pixel_angle_rad = 0.1F;
-  expect_a_new_file("scene", "pixel angle");
   settings_.samples_per_pixel = 2;
   expect_a_new_file("scene", "samples per pixel");
   settings_.interests = {Vec3(1.0F, 0.0F, 0.0F)};

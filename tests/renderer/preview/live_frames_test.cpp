@@ -52,9 +52,8 @@ class LiveFramesTest : public testing::Test {
 
   static PreviewSettings small_settings() {
     PreviewSettings settings;
-    settings.film_width = 128;
-    settings.film_height = 64;
-    settings.trace.max_depth = 1;
+    settings.render.film_size = {128, 64};
+    settings.render.trace.max_depth = 1;
     return settings;
   }
 

@@ -37,9 +37,8 @@ class PreviewGaze : public testing::Test {
 
   static PreviewSettings settings() {
     PreviewSettings settings;
-    settings.film_width = 256;
-    settings.film_height = 128;
-    settings.trace.max_depth = 1;
+    settings.render.film_size = {256, 128};
+    settings.render.trace.max_depth = 1;
     return settings;
   }
 

@@ -26,11 +26,9 @@ double turned_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a
 
 PreviewSettings small_settings() {
   PreviewSettings settings;
-  settings.film_width = 256;
-  settings.film_height = 128;
-  settings.view_width = 64;
-  settings.view_height = 48;
-  settings.trace.max_depth = 3;
+  settings.render.film_size = {256, 128};
+  settings.view_size = {64, 48};
+  settings.render.trace.max_depth = 3;
   return settings;
 }
 
@@ -151,8 +149,7 @@ TEST(PreviewThreads, TheFilmDependsOnTheSeedAndNotOnThreadsOrFrames) {
 
 TEST_F(PreviewTest, FvSamplesGatherAroundTheGaze) {
   PreviewSettings settings = small_settings();
-  settings.film_width = 1024;  // so that whole pixels resolve the discs below
-  settings.film_height = 512;
+  settings.render.film_size = {1024, 512};  // so that whole pixels resolve the discs below
   const AzimuthElevation gaze = {.azimuth_rad = radians(60.0), .elevation_rad = radians(-30.0)};
   FixedEyeTracker eye(direction_from(gaze));
   Preview preview(tracer_, settings, eye, still_, workers_);
@@ -195,39 +192,6 @@ TEST_F(PreviewTest, TheGazeTurnsWithTheHead) {
   const FrameReport second = preview.render_frame(preview_frame_time, 1);
   EXPECT_LT(turned_deg(second.gaze, direction_from({.azimuth_rad = radians(110.0)})), 1e-3);
   EXPECT_NEAR(second.head.azimuth_rad, radians(90.0), 1e-9);
-}
-
-// Where a sample goes then depends on those before it, which the search has to trace again.
-TEST_F(PreviewTest, ASampleIsFoundAgainWithAdaptiveSampling) {
-  PreviewSettings settings = small_settings();
-  settings.adaptive = VisibleNoise{.contrast = 0.9, .least_samples = 2};
-  constexpr int frames = 6;
-  constexpr std::uint64_t samples = 4000;
-  Preview rendered(tracer_, settings, ahead_, still_, workers_);
-  rendered.restart("fv", 1);
-  std::uint64_t traced = 0;
-  for (int frame = 0; frame < frames; ++frame) {
-    traced += rendered.render_frame(frame * preview_frame_time, samples).samples;
-  }
-  EXPECT_LT(traced, frames * samples);
-  const auto width = static_cast<std::uint32_t>(rendered.film().width());
-  const std::uint32_t middle =
-      width * static_cast<std::uint32_t>(rendered.film().height()) / 2 + width / 2;
-  const std::uint32_t count = rendered.film().sample_count(static_cast<int>(middle % width),
-                                                           static_cast<int>(middle / width));
-  ASSERT_GT(count, 1U);
-  const auto is_found = [&](std::uint32_t sample_number) {
-    Preview searched(tracer_, settings, ahead_, still_, workers_);
-    searched.restart("fv", 1);
-    bool found = false;
-    for (int frame = 0; frame < frames; ++frame) {
-      found =
-          found || searched.find_job(frame * preview_frame_time, samples, middle, sample_number);
-    }
-    return found;
-  };
-  EXPECT_TRUE(is_found(count - 1));
-  EXPECT_FALSE(is_found(count));
 }
 
 TEST_F(PreviewTest, AHeldGazeStaysWhereItIsInTheWorld) {
@@ -273,7 +237,7 @@ TEST_F(PreviewTest, WhatIsConvergedDependsOnWhatTheDisplayShows) {
     const PathTracer tracer(scene, workers_);
     PreviewSettings settings = small_settings();
     settings.exposure_stops = exposure_stops;
-    settings.adaptive = VisibleNoise{.contrast = 0.01, .least_samples = 2};
+    settings.render.adaptive = VisibleNoise{.contrast = 0.01, .least_samples = 2};
     Preview preview(tracer, settings, ahead_, still_, workers_);
     preview.restart("fv", 1);
     std::uint64_t samples = 0;
@@ -322,17 +286,16 @@ TEST_F(PreviewTest, ReportsSamplesThatAreNotFinite) {
 // is: the noise of both would go together.
 TEST_F(PreviewTest, SharesNoNoiseWithTheReferenceOfItsSeed) {
   PreviewSettings settings = small_settings();
-  settings.film_width = 64;
-  settings.film_height = 32;
+  settings.render.film_size = {64, 32};
   Preview preview(tracer_, settings, ahead_, still_, workers_);
   preview.restart("od", 5);
   preview.render_frame(preview_frame_time, 64 * 32);
   const fs::path cache = fs::path(testing::TempDir()) / "preview_and_reference";
   fs::remove_all(cache);
   const auto reference = [&](int samples_per_pixel, std::uint32_t seed) {
-    const ReferenceSettings same{.width = settings.film_width,
-                                 .height = settings.film_height,
-                                 .max_depth = settings.trace.max_depth,
+    const ReferenceSettings same{.width = settings.render.film_size.x,
+                                 .height = settings.render.film_size.y,
+                                 .max_depth = settings.render.trace.max_depth,
                                  .seed = seed,
                                  .samples_per_pixel = samples_per_pixel};
     return reference_image(tracer_, "room", same, workers_, cache, [](double) {}, {});
@@ -343,8 +306,8 @@ TEST_F(PreviewTest, SharesNoNoiseWithTheReferenceOfItsSeed) {
   double covariance = 0.0;
   double variance_preview = 0.0;
   double variance_reference = 0.0;
-  for (int y = 0; y < settings.film_height; ++y) {
-    for (int x = 0; x < settings.film_width; ++x) {
+  for (int y = 0; y < settings.render.film_size.y; ++y) {
+    for (int x = 0; x < settings.render.film_size.x; ++x) {
       const double a = preview.film().mean(x, y).g - truth.color.at(x, y).g;
       const double b = same_seed.color.at(x, y).g - truth.color.at(x, y).g;
       covariance += a * b;

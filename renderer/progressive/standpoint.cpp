@@ -1,4 +1,4 @@
-#include "renderer/commands/standpoint.h"
+#include "renderer/progressive/standpoint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "renderer/base/scene_source.h"
-#include "renderer/commands/arguments.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/progressive/loaded_scene.h"
+#include "renderer/progressive/progressive_render.h"
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola {
@@ -24,26 +23,14 @@ struct RenderBudget {
 
 struct RenderSettings {
   std::string method = "od";  ///< as make_view_sampler reads it
-  IVec2 size{2048, 1024};
-  std::optional<DVec3> camera;             ///< default: see Stage::camera
-  std::optional<AzimuthElevation> head;    ///< world; default: with the camera
-  std::optional<AzimuthElevation> gaze;    ///< world; default: where the head points
-  double fov_deg = 100.0;                  ///< of the viewport, horizontally
-  std::optional<double> vertical_fov_deg;  ///< default: as horizontally
-  RadialLens lens;
-  bool variance = false;      ///< keep the variances of luminance too
-  std::optional<IVec2> view;  ///< make the display's image too, of so many pixels
-  UnsampledPixels unsampled = UnsampledPixels::black;  ///< in it
+  SceneChoices scene;
+  std::optional<AzimuthElevation> gaze;  ///< world; default: where the head points
+  FieldOfView field_of_view;             ///< of the viewport
+  ProgressiveSettings progressive;       ///< its viewpoint and exposure are the scene's
+  std::optional<IVec2> view;             ///< make the display's image too, of so many pixels
+  UnsampledPixels unsampled = UnsampledPixels::black;  ///< in that image
   RenderBudget budget;
-  int max_depth = 8;
-  std::uint32_t seed = 0;
-  int threads = 0;       ///< 0: every core
-  bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
-  float largest_radiance = std::numeric_limits<float>::infinity();  ///< see TraceSettings
-  bool uses_general_path = false;                                   ///< see TraceSettings
-  /// Relative standard error below which a pixel at the gaze gets no more samples (see
-  /// VisibleNoise); 0: every sample stays where the method put it.
-  double adaptive_contrast = 0.0;
+  int threads = 0;  ///< 0: every core
 };
 
 struct RenderReport {
@@ -68,14 +55,23 @@ struct Rendering {
   RenderReport report;
 };
 
+/// The gaze that settings ask for in a scene: where the head points, if they ask for none.
+AzimuthElevation gaze_of(const RenderSettings& settings, const LoadedScene& loaded);
+
 /// Renders `source`, showing progress. Throws Error for what is wrong with the scene or settings.
 Rendering render(const SceneSource& source, const RenderSettings& settings, std::stop_token stop);
+
+/// One sample of one pixel of an image.
+struct SampleAddress {
+  std::uint32_t pixel = 0;  ///< y * width + x
+  std::uint32_t sample_number = 0;
+};
 
 /// One path of a render, again.
 struct ReplayedPath {
   SampleJob job;
   PathRecord record;
-  std::vector<std::string> object_names;  ///< one a vertex; empty where nothing was met
+  std::vector<std::string> object_names;  ///< one for each vertex; empty where nothing was met
 };
 
 /// Finds sample `address` of the render with these settings, and traces it once more. Throws Error

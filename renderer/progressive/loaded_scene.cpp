@@ -1,0 +1,119 @@
+#include "renderer/progressive/loaded_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/clock.h"
+#include "renderer/progressive/standpoint.h"
+#include "renderer/scene/load_scene.h"
+#include "renderer/scene/scene_facts.h"
+
+namespace foveola {
+namespace {
+
+/// What any renderer can show: for comparing with others.
+void make_diffuse(Material& material) {
+  material.metallic = 0.0F;
+  material.specular = 0.0F;
+  material.transmission = 0.0F;
+  material.clearcoat = 0.0F;
+  material.sheen_color = Rgb(0.0F);
+  material.normal_texture = {};
+}
+
+Scene with_materials(Scene scene, bool diffuse) {
+  if (diffuse) {
+    std::for_each(scene.materials.begin(), scene.materials.end(), make_diffuse);
+  }
+  return scene;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene) {
+  std::vector<std::string> warnings = scene.warnings;
+  if (!has_light(scene)) {
+    warnings.emplace_back(
+        "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
+        "render and preview lights it evenly, and see their --help for daylight and images");
+  }
+  return warnings;
+}
+
+/// Where nobody says where to stand. Adds a warning that says it.
+CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
+                                std::vector<std::string>& warnings) {
+  Standpoint standpoint = choose_standpoint(scene, rays);
+  const DVec3 place = DVec3(standpoint.position) + scene.origin;
+  if (scene.object_count() > 0) {
+    warnings.push_back(fmt::format(
+        "the file has no camera: it is seen from ({:.4g}, {:.4g}, {:.4g}), {}; --camera X,Y,Z "
+        "stands elsewhere",
+        place.x, place.y, place.z, standpoint.reason));
+  }
+  return {.name = "", .position = standpoint.position, .heading = standpoint.heading};
+}
+
+CameraView choose_camera(const SceneSource& source, const Scene& scene, const RayScene& rays,
+                         const SceneChoices& choices, std::vector<std::string>& warnings) {
+  CameraView view;
+  if (source.camera_position) {
+    view = {.name = "",
+            .position = scene.from_file(*source.camera_position),
+            .heading = source.heading};
+  } else if (!scene.cameras.empty()) {
+    view = scene.cameras.front();
+  } else if (!choices.camera) {
+    view = camera_at_standpoint(scene, rays, warnings);
+  }
+  if (choices.camera) {
+    view.position = scene.from_file(*choices.camera);
+  }
+  view.heading = choices.head.value_or(view.heading);
+  return view;
+}
+
+/// The result of `step` and how long it took.
+template <typename Step>
+auto timed(const Step& step) {
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  auto result = step();
+  return std::pair(std::move(result), seconds(clock.now() - start));
+}
+
+PathTracer build(const Scene& scene, const Workers& workers, double& elapsed_s) {
+  auto [tracer, took_s] = timed([&] { return PathTracer(scene, workers); });
+  elapsed_s = took_s;
+  return std::move(tracer);
+}
+
+}  // namespace
+
+LoadedScene::LoadedScene(const SceneSource& scene_source, const Workers& workers,
+                         const SceneChoices& choices)
+    : LoadedScene(scene_source, timed([&] { return load_scene(scene_source); }), workers, choices) {
+}
+
+LoadedScene::LoadedScene(const SceneSource& scene_source, Scene made_scene, const Workers& workers,
+                         const SceneChoices& choices)
+    : LoadedScene(scene_source, std::pair(std::move(made_scene), 0.0), workers, choices) {}
+
+LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, double> timed_scene,
+                         const Workers& workers, const SceneChoices& choices)
+    : source(scene_source),
+      load_seconds(timed_scene.second),
+      scene(with_materials(std::move(timed_scene.first), choices.diffuse)),
+      tracer(build(scene, workers, build_seconds)),
+      warnings(warnings_of(scene)),
+      camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)) {}
+
+ProgressiveSettings LoadedScene::rendered_with(ProgressiveSettings settings) const {
+  settings.viewpoint = camera.position;
+  if (settings.adaptive) {
+    settings.adaptive->exposure_stops = source.exposure_stops;
+  }
+  return settings;
+}
+
+}  // namespace foveola

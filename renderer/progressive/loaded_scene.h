@@ -1,0 +1,53 @@
+// A scene ready to be rendered: loaded, built for tracing, and with a camera chosen for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/base/parallel.h"
+#include "renderer/base/scene_source.h"
+#include "renderer/progressive/progressive_render.h"
+#include "renderer/scene/scene.h"
+#include "renderer/trace/path_tracer.h"
+
+namespace foveola {
+
+/// What a user may choose otherwise than the scene has it.
+struct SceneChoices {
+  std::optional<DVec3> camera;           ///< in the file's world; default: see LoadedScene::camera
+  std::optional<AzimuthElevation> head;  ///< world; default: the camera's
+  bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
+};
+
+struct LoadedScene {
+  SceneSource source;
+  double load_seconds = 0.0;
+  double build_seconds = 0.0;
+  Scene scene;
+  PathTracer tracer;
+  /// One line each: the scene's, where one stands if neither it nor the choices say so (see
+  /// choose_standpoint), and that nothing shines.
+  std::vector<std::string> warnings;
+  /// Where the choices say, else the source, else the file's first, else by choose_standpoint.
+  CameraView camera;
+
+  /// Throws Error for what is wrong with the scene.
+  LoadedScene(const SceneSource& source, const Workers& workers, const SceneChoices& choices = {});
+  /// A scene that comes from no file.
+  LoadedScene(const SceneSource& source, Scene scene, const Workers& workers,
+              const SceneChoices& choices = {});
+  LoadedScene(const LoadedScene&) = delete;
+  LoadedScene& operator=(const LoadedScene&) = delete;
+
+  /// `settings` of a render of this scene: with its viewpoint and its exposure.
+  ProgressiveSettings rendered_with(ProgressiveSettings settings) const;
+
+ private:
+  /// The scene and the seconds that loading it took.
+  LoadedScene(const SceneSource& source, std::pair<Scene, double> timed_scene,
+              const Workers& workers, const SceneChoices& choices);
+};
+
+}  // namespace foveola

@@ -1,0 +1,122 @@
+#include "renderer/progressive/progressive_render.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "renderer/base/random.h"
+#include "renderer/view/equirect.h"
+
+namespace foveola {
+namespace {
+
+/// Keeps the pattern of the directions apart from the randomness of the paths.
+constexpr std::uint32_t view_stream = 0x76696577U;
+
+FilmStatistics statistics_for(const ProgressiveSettings& settings) {
+  return settings.adaptive || settings.keep_variances ? FilmStatistics::mean_and_variance
+                                                      : FilmStatistics::mean;
+}
+
+/// A path's numbers run through a sequence over the samples of its pixel. The first sample of a
+/// pixel that no other path has is independent of all others'.
+std::vector<SampleJob> independent_of_each_other(std::span<const SampleJob> jobs) {
+  std::vector<SampleJob> independent(jobs.begin(), jobs.end());
+  for (SampleJob& job : independent) {
+    job.pixel = mix(job.pixel, job.sample_number);
+    job.sample_number = 0;
+  }
+  return independent;
+}
+
+}  // namespace
+
+ProgressiveRender::ProgressiveRender(const PathTracer& tracer, const ProgressiveSettings& settings,
+                                     const Workers& workers)
+    : tracer_(&tracer),
+      workers_(&workers),
+      settings_(settings),
+      film_(settings.film_size.x, settings.film_size.y, statistics_for(settings)),
+      pattern_seed_(mix(settings.trace.seed, view_stream)) {
+  settings_.trace.pixel_angle_rad = pixel_angle_rad(settings.film_size.x);
+}
+
+void ProgressiveRender::restart(std::uint32_t seed) {
+  settings_.trace.seed = seed;
+  begin_pattern(mix(seed, view_stream));
+  looks_ = 0;
+  dropped_.clear();
+  film_.clear();
+}
+
+void ProgressiveRender::begin_pattern(std::uint32_t seed) {
+  pattern_seed_ = seed;
+  next_point_ = 0;
+}
+
+void ProgressiveRender::look_at(const Vec3& gaze) {
+  gaze_ = gaze;
+  ++looks_;
+}
+
+TracedSamples ProgressiveRender::advance(const ViewSampler& sampler, std::uint64_t points) {
+  TracedSamples traced;
+  draw(sampler, points, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    traced = {.samples = jobs.size(), .rays = trace(jobs, radiance)};
+  });
+  return traced;
+}
+
+std::vector<SampleJob> ProgressiveRender::pass_over(const ViewSampler& sampler,
+                                                    std::uint64_t points) {
+  std::vector<SampleJob> passed;
+  draw(sampler, points, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
+    if (settings_.adaptive) {
+      trace(jobs, radiance);
+    } else {
+      std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
+    }
+    passed.assign(jobs.begin(), jobs.end());
+  });
+  return passed;
+}
+
+std::optional<SampleJob> ProgressiveRender::find_job(const ViewSampler& sampler,
+                                                     std::uint64_t points, std::uint32_t pixel,
+                                                     std::uint32_t sample_number) {
+  const std::vector<SampleJob> jobs = pass_over(sampler, points);
+  const auto job = std::find_if(jobs.begin(), jobs.end(), [&](const SampleJob& candidate) {
+    return candidate.pixel == pixel && candidate.sample_number == sample_number;
+  });
+  return job != jobs.end() ? std::optional(*job) : std::nullopt;
+}
+
+RayCounts ProgressiveRender::trace(std::span<const SampleJob> jobs, std::span<Rgb> radiance) const {
+  if (settings_.numbers == RandomNumbers::independent) {
+    return tracer_->trace(settings_.viewpoint, independent_of_each_other(jobs), radiance,
+                          settings_.trace, *workers_);
+  }
+  return tracer_->trace(settings_.viewpoint, jobs, radiance, settings_.trace, *workers_);
+}
+
+void ProgressiveRender::draw(const ViewSampler& sampler, std::uint64_t points,
+                             const SamplePass::Trace& trace) {
+  const PointRange range = {
+      .first = next_point_, .count = points, .seed = pattern_seed_, .numbers = settings_.numbers};
+  const std::vector<DroppedSample> dropped =
+      pass_.run(sampler, range, trace, film_, *workers_,
+                [this](std::vector<ViewSample>& samples) { adjust(samples); });
+  dropped_.insert(dropped_.end(), dropped.begin(), dropped.end());
+  next_point_ += points;
+}
+
+void ProgressiveRender::adjust(std::vector<ViewSample>& samples) const {
+  if (settings_.adaptive) {
+    redirect_samples(film_, gaze_, *settings_.adaptive, mix(pattern_seed_, looks_), samples,
+                     *workers_);
+  }
+  if (filter_) {
+    filter_(samples);
+  }
+}
+
+}  // namespace foveola

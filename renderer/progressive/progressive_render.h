@@ -1,0 +1,95 @@
+// A progressive render: samples drawn, traced and added to a film, for as long as somebody asks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "renderer/film/adaptive_sampling.h"
+#include "renderer/film/equirect_film.h"
+#include "renderer/film/sample_pass.h"
+#include "renderer/trace/path_tracer.h"
+#include "renderer/view/view_sampler.h"
+
+namespace foveola {
+
+struct ProgressiveSettings {
+  Vec3 viewpoint{0.0F};
+  IVec2 film_size{2048, 1024};  ///< pixels
+  /// Its seed is that of the paths. Its pixel angle is that of the film, whatever stands here.
+  TraceSettings trace;
+  RandomNumbers numbers = RandomNumbers::low_discrepancy;
+  /// Sends samples away from pixels whose noise is no longer seen. Off in the published study.
+  std::optional<VisibleNoise> adaptive;
+  bool keep_variances = false;  ///< in the film, even without adaptive sampling
+};
+
+/// What was traced in one go.
+struct TracedSamples {
+  std::uint64_t samples = 0;
+  RayCounts rays;
+};
+
+/// Samples after which adaptive sampling looks again at what is done, where no frame says when.
+constexpr std::uint64_t adaptive_pass = 1 << 16;
+
+/// The film of one viewpoint. Each call draws the next points of one pattern, whose directions an
+/// aimed sampler chooses; it may be another sampler in each call. It refers to the tracer and the
+/// workers, which must outlive it.
+class ProgressiveRender {
+ public:
+  ProgressiveRender(const PathTracer& tracer, const ProgressiveSettings& settings,
+                    const Workers& workers);
+
+  /// Clears the film and draws paths and directions anew from `seed`.
+  void restart(std::uint32_t seed);
+
+  /// Draws directions from the first point of another pattern on, into the same film. Without it,
+  /// the pattern's seed is made from the paths' seed.
+  void begin_pattern(std::uint32_t seed);
+
+  /// Adaptive sampling judges noise as an eye does that looks along `gaze` (unit length, world).
+  /// After each look it draws other random numbers.
+  void look_at(const Vec3& gaze);
+
+  /// Traces only what `filter` leaves of the samples that were drawn.
+  void filter_samples(SamplePass::Adjust filter) { filter_ = std::move(filter); }
+
+  /// Draws so many points and traces what adaptive sampling and the filter leave of them.
+  TracedSamples advance(const ViewSampler& sampler, std::uint64_t points);
+
+  /// Draws so many points and returns their jobs. They are only traced where the samples decide
+  /// where the next ones go, in adaptive sampling; else the film gets black ones.
+  std::vector<SampleJob> pass_over(const ViewSampler& sampler, std::uint64_t points);
+
+  /// As pass_over, but returns the job of one sample of one pixel, if it is among them.
+  std::optional<SampleJob> find_job(const ViewSampler& sampler, std::uint64_t points,
+                                    std::uint32_t pixel, std::uint32_t sample_number);
+
+  /// Of the present pattern.
+  std::uint64_t points_drawn() const { return next_point_; }
+  const EquirectFilm& film() const { return film_; }
+  /// Samples dropped since the film was clear because they were not finite.
+  const std::vector<DroppedSample>& dropped() const { return dropped_; }
+  /// With the film's pixel angle.
+  const TraceSettings& trace_settings() const { return settings_.trace; }
+
+ private:
+  RayCounts trace(std::span<const SampleJob> jobs, std::span<Rgb> radiance) const;
+  void draw(const ViewSampler& sampler, std::uint64_t points, const SamplePass::Trace& trace);
+  void adjust(std::vector<ViewSample>& samples) const;
+
+  const PathTracer* tracer_;
+  const Workers* workers_;
+  ProgressiveSettings settings_;
+  SamplePass::Adjust filter_;
+  EquirectFilm film_;
+  SamplePass pass_;
+  std::uint32_t pattern_seed_ = 0;
+  std::uint64_t next_point_ = 0;
+  Vec3 gaze_{0.0F, 0.0F, -1.0F};
+  std::uint32_t looks_ = 0;
+  std::vector<DroppedSample> dropped_;
+};
+
+}  // namespace foveola
