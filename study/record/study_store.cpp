@@ -17,10 +17,8 @@
 #include "study/record/event_rows.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
-#include "study/record/migration.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
-#include "study/record/schema.h"
 #include "study/record/session_rows.h"
 
 namespace fs = std::filesystem;
@@ -38,15 +36,6 @@ std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& pro
   return require_same_protocol(checked, path, protocol, other);
 }
 
-/// The study at `path`, which was checked, of this schema, to write.
-SQLite::Database open_study(const fs::path& path) {
-  require_writable_file(path);
-  if (schema_of_study(path) != study_schema_version) {
-    migrate_study(path);
-  }
-  return open_study_to_write(path);
-}
-
 /// Refuses a bad place before a lock is put there.
 fs::path usable(const fs::path& path) {
   require_writable(path);
@@ -60,7 +49,7 @@ struct StudyStore::Implementation {
       : path(usable(path_in)),
         lock(path),
         amendment(make_or_check(path, protocol_in, other)),
-        database(open_study(path)),
+        database(open_study_to_write(path)),
         statements(database),
         protocol(protocol_in) {}
 
@@ -160,10 +149,8 @@ std::int64_t StudyStore::begin_session(const SessionFacts& facts, const Plan& pl
                   fmt::format("participant {} already has a session", facts.participant),
                   "choose another code");
     }
-    session = insert_session(
-        database, facts,
-        {.uuid = random_uuid(), .started_utc = utc_now(), .migrated_from = std::nullopt}, plan,
-        agenda_of(implementation_->protocol, plan));
+    session = insert_session(database, facts, {.uuid = random_uuid(), .started_utc = utc_now()},
+                             plan, agenda_of(implementation_->protocol, plan));
   });
   return session;
 }

@@ -73,8 +73,7 @@ TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
     const Procedure procedure = procedure_of(small_protocol(), small_plan());
     const std::int64_t session = insert_session(
         database, facts_of("P01"),
-        {.uuid = random_uuid(), .started_utc = "2026-11-21T09:30:00.000Z", .migrated_from = {}},
-        small_plan(), agenda);
+        {.uuid = random_uuid(), .started_utc = "2026-11-21T09:30:00.000Z"}, small_plan(), agenda);
     const std::vector<LoggedEvent> events = {
         {ms(0), SessionStarted{}, "2026-11-21T09:30:00.100Z"},
         {ms(10), QuestionnaireAnswered{"background", {}}, "2026-11-21T09:30:00.200Z"},
