@@ -9,6 +9,7 @@
 #include "study/commands/session_so_far.h"
 #include "study/commands/session_window.h"
 #include "study/person/person_session.h"
+#include "study/record/threaded_recorder.h"
 
 namespace foveola::study {
 namespace {
@@ -77,9 +78,8 @@ SessionOutcome sit(const Seat& seat, const BegunSession& begun, const std::stop_
   SessionOutcome outcome;
   const Nanoseconds start = seat.clock.now();
   {
-    RecordThread record(begun.store);
-    PersonSession session({.session = begun.id,
-                           .seed = seed,
+    ThreadedRecorder recorder(begun.store, begun.id);
+    PersonSession session({.seed = seed,
                            .state = so_far.state,
                            .time = so_far.time,
                            .correction = so_far.correction,
@@ -95,7 +95,7 @@ SessionOutcome sit(const Seat& seat, const BegunSession& begun, const std::stop_
                            .pointer = nullptr,
                            .head = &head,
                            .simulated_operator = &simulated_operator,
-                           .record = &record,
+                           .recorder = &recorder,
                            .console = &console,
                            .tell = [](const std::string& /*line*/) {}});
     outcome.phase = session.run(stop);

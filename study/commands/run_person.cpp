@@ -21,6 +21,7 @@
 #include "study/person/person_session.h"
 #include "study/person/words.h"
 #include "study/record/maintenance.h"
+#include "study/record/threaded_recorder.h"
 
 namespace fs = std::filesystem;
 
@@ -130,8 +131,8 @@ class PersonRun {
     const std::string devices = devices_json(display, profile_, tracker_, window.key_time_source());
     tell_of_late_keys(window.key_time_source());
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
+    ThreadedRecorder recorder(store_, row_);
     ConsoleLines console(STDIN_FILENO);
-    RecordThread record(store_);
     const Phase phase = PersonSession(session, {.protocol = &protocol_,
                                                 .plan = &plan_,
                                                 .stages = &stages,
@@ -143,7 +144,7 @@ class PersonRun {
                                                 .pointer = gaze.pointer,
                                                 .head = nullptr,
                                                 .simulated_operator = nullptr,
-                                                .record = &record,
+                                                .recorder = &recorder,
                                                 .console = &console,
                                                 .tell = tell})
                             .run(stop);
@@ -174,8 +175,8 @@ class PersonRun {
         fmt::format("Participant {}, row {} of the design, seed {}, {} trials. help says what can "
                     "be typed here.",
                     facts.participant, facts.design_row, facts.seed, plan_.size()));
-    return {.session = store_.begin_session(facts, plan_),
-            .seed = {.seed = facts.seed, .design_row = facts.design_row},
+    row_ = store_.begin_session(facts, plan_);
+    return {.seed = {.seed = facts.seed, .design_row = facts.design_row},
             .devices = devices,
             .amendment = amendment_note(),
             .screens = settings_.screens};
@@ -186,8 +187,8 @@ class PersonRun {
     const KnownSession& known = so_far_->session;
     tell(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
                      known.participant, seconds(so_far_->time)));
-    return {.session = known.id,
-            .seed = {.seed = known.seed, .design_row = known.design_row},
+    row_ = known.id;
+    return {.seed = {.seed = known.seed, .design_row = known.design_row},
             .state = so_far_->state,
             .time = so_far_->time,
             .correction = so_far_->correction,
@@ -208,6 +209,7 @@ class PersonRun {
   StudyStore& store_;
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
+  std::int64_t row_ = 0;  ///< of the session in the store
 };
 
 fs::path back_up(const StudyStore& store, const fs::path& database) {

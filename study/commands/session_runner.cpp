@@ -110,7 +110,10 @@ std::vector<Effect> SessionRunner::record(const Event& event) {
   if (attempt_ && stops_rendering(next->effects)) {
     attempt_->keep();  // first: whatever an event has ended is whole, whenever the program dies
   }
-  setting_.sink.event(time_of(event, now()), event, state_, next->state);
+  setting_.recorder
+      .record(EventEntry{
+          .time = time_of(event, now()), .event = event, .before = state_, .after = next->state})
+      .get();
   state_ = std::move(next->state);
   return std::move(next->effects);
 }
@@ -143,9 +146,8 @@ void SessionRunner::start_rendering() {
                                     .correction = correction_,
                                     .clock = clock_,
                                     .attempt_start = attempt_start_,
-                                    .sink = setting_.sink,
-                                    .index = trial_index(),
-                                    .number = state_.attempt});
+                                    .recorder = setting_.recorder,
+                                    .key = {.trial = trial_index(), .attempt = state_.attempt}});
 }
 
 void SessionRunner::stop_rendering() {

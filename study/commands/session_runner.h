@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "renderer/base/clock.h"
-#include "study/commands/session_sink.h"
 #include "study/commands/trial_attempt.h"
 #include "study/design/plan.h"
 #include "study/participant/participant.h"
+#include "study/record/study_store.h"
 #include "study/session/session.h"
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
@@ -24,7 +24,7 @@ namespace foveola::study {
 struct SessionSetting {
   const Protocol& protocol;
   const SceneStages& stages;
-  SessionSink& sink;
+  SessionRecorder& recorder;
   MakeAttempt make_attempt;
   SessionSeed seed;
   /// Called when a trial begins, with its index.

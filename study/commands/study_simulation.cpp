@@ -7,6 +7,7 @@
 
 #include "study/commands/ordered_jobs.h"
 #include "study/commands/participant_code.h"
+#include "study/record/store_recorder.h"
 
 namespace foveola::study {
 
@@ -97,8 +98,8 @@ void StudySimulation::run_session(std::int64_t session, int design_row, const Pl
     add(study_.sit({.store = store_, .id = session, .plan = plan, .observer = *observer}, stop));
     return;
   }
-  DurableSink sink(store_, session);
-  add(take_part(sink, store_.events_of(session), design_row, plan, study_.workers, stop));
+  StoreRecorder recorder(store_, session);
+  add(take_part(recorder, store_.events_of(session), design_row, plan, study_.workers, stop));
 }
 
 StudySimulation::Simulated StudySimulation::simulate(int design_row, const std::stop_token& stop) {
@@ -111,14 +112,15 @@ StudySimulation::Simulated StudySimulation::simulate(int design_row, const std::
   return session;
 }
 
-SessionOutcome StudySimulation::take_part(SessionSink& sink, const std::vector<LoggedEvent>& events,
-                                          int design_row, const Plan& plan, const Workers& workers,
+SessionOutcome StudySimulation::take_part(SessionRecorder& recorder,
+                                          const std::vector<LoggedEvent>& events, int design_row,
+                                          const Plan& plan, const Workers& workers,
                                           const std::stop_token& stop) {
   const SessionSeed seed{.seed = study_.settings.seed, .design_row = design_row};
   const std::unique_ptr<SimulatedObserver> observer = make_observer(design_row, plan);
   const SessionSetting setting{.protocol = study_.protocol,
                                .stages = study_.stages,
-                               .sink = sink,
+                               .recorder = recorder,
                                .make_attempt = study_.make_attempts(*observer, workers),
                                .seed = seed,
                                .on_trial = [&](std::size_t trial) { show(plan[trial].scene); },

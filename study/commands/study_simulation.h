@@ -12,6 +12,7 @@
 #include "study/commands/session_runner.h"
 #include "study/commands/simulate_study.h"
 #include "study/participant/simulated_observer.h"
+#include "study/record/buffered_recorder.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
@@ -59,7 +60,7 @@ class StudySimulation {
   struct Simulated {
     SessionFacts facts;
     Plan plan;
-    SessionBuffer record;
+    BufferedRecorder record;
     SessionOutcome outcome;
   };
 
@@ -74,7 +75,7 @@ class StudySimulation {
   void run_session(std::int64_t session, int design_row, const Plan& plan,
                    const std::stop_token& stop);
   Simulated simulate(int design_row, const std::stop_token& stop);
-  SessionOutcome take_part(SessionSink& sink, const std::vector<LoggedEvent>& events,
+  SessionOutcome take_part(SessionRecorder& recorder, const std::vector<LoggedEvent>& events,
                            int design_row, const Plan& plan, const Workers& workers,
                            const std::stop_token& stop);
 

@@ -8,10 +8,10 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/gaze/gaze_correction.h"
-#include "study/commands/session_sink.h"
 #include "study/design/plan.h"
 #include "study/participant/participant.h"
 #include "study/protocol/protocol.h"
+#include "study/record/session_recorder.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {
@@ -33,9 +33,8 @@ struct TrialAttemptSetting {
   std::optional<GazeCorrection> correction;
   VirtualClock& clock;           ///< the attempt's; at its `now` rendering starts
   Nanoseconds attempt_start{0};  ///< when that is 0, by the session's clock
-  SessionSink& sink;
-  std::size_t index = 0;  ///< of the trial in the plan
-  int number = 1;         ///< of the attempt
+  SessionRecorder& recorder;
+  AttemptKey key;
 };
 
 class TrialAttempt {

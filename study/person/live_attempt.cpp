@@ -3,7 +3,6 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/film/film_hash.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {
@@ -20,17 +19,6 @@ ViewLook look_of(const PreviewSettings& settings) {
           .fill_unsampled = settings.unsampled == UnsampledPixels::filled};
 }
 
-AttemptSink sink_to(RecordThread& record, const AttemptKey& key) {
-  return {.frames =
-              [&record, key](std::uint64_t first, std::vector<FrameRow> frames) {
-                record.frames(key.session, key.trial, key.attempt, first, std::move(frames));
-              },
-          .gaze =
-              [&record, key](std::uint64_t first, std::vector<GazeSample> samples) {
-                record.gaze(key.session, key.trial, key.attempt, first, std::move(samples));
-              }};
-}
-
 }  // namespace
 
 LiveAttempt::LiveAttempt(AttemptSetting setting)
@@ -44,7 +32,7 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
           {.resample = [this](const Preview& preview) { draw(preview); },
            .present = [this] { return setting_.display->wait_until_shown(); }},
           setting_.display->frame_budget()),
-      log_(sink_to(*setting_.record, setting_.key)) {
+      log_(*setting_.recorder, setting_.key) {
   const ViewGeometry& geometry = setting_.display->geometry();
   preview_.set_view({.horizontal_fov_deg = geometry.horizontal_fov_deg,
                      .vertical_fov_deg = geometry.vertical_fov_deg,
@@ -63,13 +51,7 @@ Nanoseconds LiveAttempt::next() {
 
 void LiveAttempt::finish() {
   setting_.display->set_frame_budget(frames_.budget().for_another_preview());
-  log_.finish();
-  if (log_.frames() > 0) {
-    const AttemptKey& key = setting_.key;
-    setting_.record->film_hash(
-        key.session, key.trial, key.attempt,
-        {.frame = log_.frames() - 1, .sha256 = film_sha256(preview_.film())});
-  }
+  log_.finish(preview_.film());
 }
 
 std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {

@@ -12,18 +12,11 @@
 #include "renderer/window/slow_drawing.h"
 #include "study/person/person_tracker.h"
 #include "study/person/session_display.h"
-#include "study/record/record_thread.h"
+#include "study/record/session_recorder.h"
 #include "study/stage/attempt_log.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {
-
-/// Which attempt it is in the record.
-struct AttemptKey {
-  std::int64_t session = 0;
-  std::size_t trial = 0;  ///< index into the plan
-  int attempt = 1;
-};
 
 /// What an attempt is made of; what is pointed to must outlive it.
 struct AttemptSetting {
@@ -34,7 +27,7 @@ struct AttemptSetting {
   SessionDisplay* display = nullptr;
   PersonTracker* eye = nullptr;
   HeadTracker* head = nullptr;
-  RecordThread* record = nullptr;
+  SessionRecorder* recorder = nullptr;
   AttemptKey key;
   PlannedTrial trial;
   std::uint32_t seed = 0;       ///< of points and paths

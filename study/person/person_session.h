@@ -26,7 +26,6 @@
 namespace foveola::study {
 
 struct PersonSessionSettings {
-  std::int64_t session = 0;  ///< its row in the record
   SessionSeed seed;
   SessionState state;                        ///< to go on from
   Nanoseconds time{0};                       ///< of the session's clock, to go on from
@@ -53,7 +52,7 @@ class PersonSession {
     HeadTracker* head;           ///< none: keys, mouse and gamepad turn the head
     /// Who takes part in a person's place, and whose `events` then are; otherwise none.
     SimulatedOperator* simulated_operator;
-    RecordThread* record;
+    SessionRecorder* recorder;
     ConsoleLines* console;
     /// Tells the experimenter a line.
     std::function<void(const std::string& line)> tell;

@@ -7,8 +7,8 @@
 
 namespace foveola::study {
 
-SessionLog::SessionLog(Procedure procedure, SessionState state, Write write)
-    : procedure_(std::move(procedure)), state_(std::move(state)), write_(std::move(write)) {}
+SessionLog::SessionLog(Procedure procedure, SessionState state, SessionRecorder& recorder)
+    : procedure_(std::move(procedure)), state_(std::move(state)), recorder_(recorder) {}
 
 bool SessionLog::feed(Nanoseconds now, const Event& event) {
   std::optional<Transition> next = step(procedure_, state_, event);
@@ -16,7 +16,8 @@ bool SessionLog::feed(Nanoseconds now, const Event& event) {
     return false;
   }
   const Nanoseconds time = time_of(event, now);
-  std::future<void> written = write_(time, event, state_, next->state);
+  std::future<void> written = recorder_.record(
+      EventEntry{.time = time, .event = event, .before = state_, .after = next->state});
   pending_.push_back({.event = {.time = time,
                                 .event = event,
                                 .after = next->state,

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 #include <future>
 #include <vector>
 
+#include "study/record/session_recorder.h"
 #include "study/session/session.h"
 
 namespace foveola::study {
@@ -22,12 +22,8 @@ struct DurableEvent {
 /// not wait for a commit.
 class SessionLog {
  public:
-  /// Writes the event that took the session from one state to the other; the future is ready once
-  /// it is on the disk, or throws.
-  using Write = std::function<std::future<void>(
-      Nanoseconds time, const Event& event, const SessionState& before, const SessionState& after)>;
-
-  SessionLog(Procedure procedure, SessionState state, Write write);
+  /// state: to go on from. recorder: must outlive this.
+  SessionLog(Procedure procedure, SessionState state, SessionRecorder& recorder);
 
   const Procedure& procedure() const { return procedure_; }
   /// After all that was fed, on the disk or not.
@@ -56,7 +52,7 @@ class SessionLog {
 
   Procedure procedure_;
   SessionState state_;
-  Write write_;
+  SessionRecorder& recorder_;
   std::deque<Pending> pending_;
 };
 

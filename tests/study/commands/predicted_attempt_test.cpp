@@ -4,46 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "study/commands/rendered_attempt.h"
+#include "study/record/buffered_recorder.h"
 #include "tests/study/commands/small_wall.h"
+#include "tests/study/participant/fake_participant.h"
 #include "tests/study/record/small_study.h"
 
 namespace foveola::study {
 namespace {
-
-/// Notes when it is shown something, and presses a while after its third look.
-class WatchedObserver final : public SimulatedObserver {
- public:
-  std::vector<Answer> answer(const std::string&, const std::vector<Question>&) override {
-    return {};
-  }
-  Nanoseconds react(std::uint32_t) override { return {}; }
-  std::size_t choose_object(const std::string&, const std::vector<OfferedObject>&) override {
-    return 0;
-  }
-  void begin_attempt(const Attempt&) override {}
-  void turn_to(const std::string&, const OfferedObject&, Nanoseconds) override {}
-  void look_at(const Vec3&, Nanoseconds) override {}
-  void begin(Task, Nanoseconds) override {}
-  AzimuthElevation head(Nanoseconds) override { return {}; }
-  Vec3 gaze(Nanoseconds) override { return {0.0F, 0.0F, -1.0F}; }
-  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
-    return consider({}, stimulus.presented);
-  }
-  bool wants_retime() const override { return false; }
-  bool wants_to_withdraw(int) const override { return false; }
-  std::vector<Answer> rate(const std::vector<Question>&) override { return {}; }
-  std::optional<Nanoseconds> consider(const Evidence&, Nanoseconds now) override {
-    times.push_back(now);
-    return times.size() == 3 ? std::optional(now + ms(170)) : std::nullopt;
-  }
-  bool looks() const override { return false; }
-  ScanPath& path() override { return path_; }
-
-  std::vector<Nanoseconds> times;  ///< of looks
-
- private:
-  ScanPath path_{GazeHabits{}, 0};
-};
 
 /// What an attempt presents and when, until 130 ms after the press.
 struct Course {
@@ -64,10 +31,13 @@ class PredictedAttemptTest : public testing::Test {
 
   template <typename Make>
   Course course_of(const Make& make) {
-    WatchedObserver observer;
+    FakeParticipant observer;
+    observer.looks_needed = 3;
+    observer.thought = ms(170);
+    observer.begin(Task::mark_outline, ms(1000));
     VirtualClock clock;
     clock.advance(ms(1000));
-    SessionBuffer record;
+    BufferedRecorder recorder;
     const std::unique_ptr<TrialAttempt> attempt =
         make(TrialAttemptSetting{.stage = stage_,
                                  .protocol = protocol_,
@@ -77,7 +47,7 @@ class PredictedAttemptTest : public testing::Test {
                                  .participant = observer,
                                  .correction = std::nullopt,
                                  .clock = clock,
-                                 .sink = record},
+                                 .recorder = recorder},
              observer);
     attempt->begin(Task::mark_outline);
     attempt->show(clock.now());
@@ -87,7 +57,7 @@ class PredictedAttemptTest : public testing::Test {
           attempt->show(pressed ? *pressed + ms(130) : ms(100'000));
       pressed = pressed ? pressed : press;
     }
-    return {.looks = observer.times, .end = clock.now(), .samples = attempt->samples()};
+    return {.looks = observer.look_times, .end = clock.now(), .samples = attempt->samples()};
   }
 
   TemporaryFolder folder_;

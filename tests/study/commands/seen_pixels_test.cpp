@@ -9,6 +9,7 @@
 #include "study/commands/session_runner.h"
 #include "study/participant/population_file.h"
 #include "study/participant/simulated_participant.h"
+#include "study/record/store_recorder.h"
 #include "tests/scenes/environment.h"
 #include "tests/study/commands/small_wall.h"
 #include "tests/study/record/small_study.h"
@@ -101,14 +102,14 @@ class SeenPixels : public testing::Test {
     SessionFacts facts = facts_of(code);
     facts.scenes.clear();
     const std::int64_t id = store_.begin_session(facts, plan_);
-    DurableSink sink(store_, id);
+    StoreRecorder recorder(store_, id);
     const SceneKnowledge knowledge = [this](const std::string& scene) {
       return KnownScene{.panorama = &stages_.at(scene)->reference()};
     };
     WearsGlasses participant(SimulatedParticipant(careful_adults(), knowledge, 3), glasses);
     SessionRunner runner({.protocol = protocol_,
                           .stages = stages_,
-                          .sink = sink,
+                          .recorder = recorder,
                           .make_attempt =
                               [&](const TrialAttemptSetting& setting) {
                                 return std::make_unique<RenderedAttempt>(setting, workers_);

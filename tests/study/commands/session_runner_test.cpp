@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "study/commands/rendered_attempt.h"
+#include "study/record/store_recorder.h"
+#include "tests/study/participant/fake_participant.h"
 #include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;
@@ -11,73 +13,8 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
-
-constexpr Nanoseconds reaction = std::chrono::milliseconds(300);
-constexpr Nanoseconds thought = std::chrono::milliseconds(150);
-
-/// Marks so long after each first glance, but nothing in blackness; keeps what it was asked.
-class ScriptedParticipant final : public Participant {
- public:
-  std::vector<Answer> answer(const std::string& form,
-                             const std::vector<Question>& /*questions*/) override {
-    forms.push_back(form);
-    return {};
-  }
-  Nanoseconds react(std::uint32_t /*attempt*/) override { return reaction; }
-  std::size_t choose_object(const std::string& /*scene*/,
-                            const std::vector<OfferedObject>& offered) override {
-    return offered.size() - 1;
-  }
-  void begin_attempt(const Attempt& attempt) override {
-    attempts.push_back(attempt.conduct);
-    trials_before.push_back(attempt.trials_before);
-  }
-  void turn_to(const std::string& /*scene*/, const OfferedObject& object,
-               Nanoseconds now) override {
-    EXPECT_EQ(now, Nanoseconds(0));
-    objects.push_back(object.name);
-  }
-  void look_at(const Vec3& /*target*/, Nanoseconds /*now*/) override {}
-  void begin(Task task, Nanoseconds /*now*/) override {
-    tasks.push_back(task);
-    is_marking_ = task != Task::look_around;
-  }
-  AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
-  Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
-  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
-    const auto is_lit = [](const Rgb& pixel) { return pixel.x > 0.0F; };
-    const bool is_black =
-        std::none_of(stimulus.image.pixels.begin(), stimulus.image.pixels.end(), is_lit);
-    if (!is_marking_ || is_black) {
-      return std::nullopt;
-    }
-    is_marking_ = false;
-    return stimulus.presented + thought;
-  }
-  bool wants_retime() const override {
-    return std::ssize(objects) == retimed_turn && tasks.back() == Task::mark_material;
-  }
-  bool wants_to_withdraw(int trials) const override { return trials == withdraws_before; }
-  std::vector<Answer> rate(const std::vector<Question>& ratings) override {
-    std::vector<Answer> answers;
-    for (const Question& question : ratings) {
-      answers.push_back({question.id, question.maximum});
-    }
-    return answers;
-  }
-
-  std::vector<std::string> forms;
-  std::ptrdiff_t retimed_turn = -1;  ///< the turn to an object whose timing failed
-  int withdraws_before = -1;         ///< the trial
-  std::vector<std::uint32_t> attempts;
-  std::vector<int> trials_before;
-  std::vector<std::string> objects;
-  std::vector<Task> tasks;
-
- private:
-  bool is_marking_ = false;
-};
 
 /// A wall in front of the viewer, by an environment that lights it.
 SceneSource wall(const TemporaryFolder& folder) {
@@ -128,11 +65,12 @@ class SessionRunnerTest : public testing::Test {
     session_ = store_.begin_session(facts, plan_);
   }
 
-  SessionOutcome run(ScriptedParticipant& participant) {
-    DurableSink sink(store_, session_);
+  SessionOutcome run(FakeParticipant& participant) {
+    participant.sees_in_blackness = false;
+    StoreRecorder recorder(store_, session_);
     SessionRunner runner({.protocol = protocol_,
                           .stages = stages_,
-                          .sink = sink,
+                          .recorder = recorder,
                           .make_attempt =
                               [&](const TrialAttemptSetting& setting) {
                                 return std::make_unique<RenderedAttempt>(setting, workers_);
@@ -166,12 +104,13 @@ class SessionRunnerTest : public testing::Test {
 };
 
 TEST_F(SessionRunnerTest, GoesThroughEveryStep) {
-  ScriptedParticipant participant;
+  FakeParticipant participant;
   const SessionOutcome outcome = run(participant);
   EXPECT_EQ(outcome.phase, Phase::completed);
   EXPECT_EQ(outcome.trials, 3U);
   EXPECT_THAT(participant.forms, ElementsAre("background"));
   EXPECT_THAT(participant.objects, ElementsAre("middle", "middle", "middle"));
+  EXPECT_THAT(participant.turns, Each(Nanoseconds(0)));
   using enum Task;
   EXPECT_THAT(participant.tasks,
               ElementsAre(mark_outline, mark_material, mark_material, look_around,  //
@@ -184,7 +123,7 @@ TEST_F(SessionRunnerTest, GoesThroughEveryStep) {
 // The first glance is at the first frame, and the next one 0.1 seconds later: the marks come 150 ms
 // after the first glance for each.
 TEST_F(SessionRunnerTest, MarksAreTimedFromTheFirstFrame) {
-  ScriptedParticipant participant;
+  FakeParticipant participant;
   run(participant);
   EXPECT_EQ(value("SELECT group_concat(time_ns / 1000000) FROM (SELECT time_ns FROM mark"
                   " WHERE trial = 0 ORDER BY time_ns)"),
@@ -196,7 +135,7 @@ TEST_F(SessionRunnerTest, MarksAreTimedFromTheFirstFrame) {
 }
 
 TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
-  ScriptedParticipant participant;
+  FakeParticipant participant;
   run(participant);
   EXPECT_EQ(value("SELECT group_concat(time_ns || ' ' || censored) FROM mark WHERE trial = 1"),
             "500000000 1,500000000 1,500000000 1");
@@ -205,7 +144,7 @@ TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
 }
 
 TEST_F(SessionRunnerTest, ATimingThatFailedIsDoneAgain) {
-  ScriptedParticipant participant;
+  FakeParticipant participant;
   participant.retimed_turn = 1;
   EXPECT_EQ(run(participant).phase, Phase::completed);
   EXPECT_EQ(value("SELECT group_concat(trial || ' ' || attempt || ' ' || outcome, ', ') FROM"
@@ -216,7 +155,7 @@ TEST_F(SessionRunnerTest, ATimingThatFailedIsDoneAgain) {
 }
 
 TEST_F(SessionRunnerTest, WhoWantsToWithdrawsBetweenTrials) {
-  ScriptedParticipant participant;
+  FakeParticipant participant;
   participant.withdraws_before = 2;
   const SessionOutcome outcome = run(participant);
   EXPECT_EQ(outcome.phase, Phase::withdrawn);
@@ -225,12 +164,12 @@ TEST_F(SessionRunnerTest, WhoWantsToWithdrawsBetweenTrials) {
 }
 
 TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
-  ScriptedParticipant first;
+  FakeParticipant first;
   stop_in_trial_ = 2;
   EXPECT_EQ(run(first).phase, Phase::interrupted);
   stop_ = std::stop_source();
   stop_in_trial_.reset();
-  ScriptedParticipant second;
+  FakeParticipant second;
   const SessionOutcome outcome = run(second);
   EXPECT_EQ(outcome.phase, Phase::completed);
   EXPECT_EQ(outcome.trials, 1U);

@@ -10,14 +10,12 @@ namespace {
 using namespace std::chrono_literals;
 
 /// A disk that takes as long as the test wants it to.
-struct SlowDisk {
-  SessionLog::Write write() {
-    return [this](Nanoseconds time, const Event& event, const SessionState& /*before*/,
-                  const SessionState& /*after*/) {
-      times.push_back(time);
-      names.emplace_back(name_of(event));
-      return commits.emplace_back().get_future();
-    };
+struct SlowDisk final : SessionRecorder {
+  std::future<void> record(SessionEntry entry) override {
+    const auto& event = std::get<EventEntry>(entry);
+    times.push_back(event.time);
+    names.emplace_back(name_of(event.event));
+    return commits.emplace_back().get_future();
   }
 
   std::vector<Nanoseconds> times;
@@ -29,7 +27,7 @@ Procedure one_trial() { return {.agenda = {ConsentStep{}, TrialStep{}}, .marks =
 
 TEST(SessionLog, EffectsComeOnceTheEventIsOnTheDisk) {
   SlowDisk disk;
-  SessionLog log(one_trial(), {}, disk.write());
+  SessionLog log(one_trial(), {}, disk);
   ASSERT_TRUE(log.feed(1s, SessionStarted{}));
   EXPECT_EQ(log.state().phase, Phase::consent);
   EXPECT_TRUE(log.has_effects_to_come());
@@ -48,7 +46,7 @@ TEST(SessionLog, EffectsComeOnceTheEventIsOnTheDisk) {
 
 TEST(SessionLog, WhatIsNotAllowedIsNotWritten) {
   SlowDisk disk;
-  SessionLog log(one_trial(), {}, disk.write());
+  SessionLog log(one_trial(), {}, disk);
   EXPECT_FALSE(log.feed(1s, Marked{1s}));
   EXPECT_TRUE(disk.commits.empty());
   EXPECT_EQ(log.state(), SessionState{});
@@ -56,7 +54,7 @@ TEST(SessionLog, WhatIsNotAllowedIsNotWritten) {
 
 TEST(SessionLog, LaterEventsWaitForEarlierOnes) {
   SlowDisk disk;
-  SessionLog log(one_trial(), {}, disk.write());
+  SessionLog log(one_trial(), {}, disk);
   log.feed(1s, SessionStarted{});
   log.feed(2s, NoteWritten{"late"});
   disk.commits[1].set_value();
@@ -68,7 +66,7 @@ TEST(SessionLog, LaterEventsWaitForEarlierOnes) {
 
 TEST(SessionLog, ANoteHoldsNobodyUp) {
   SlowDisk disk;
-  SessionLog log(one_trial(), {}, disk.write());
+  SessionLog log(one_trial(), {}, disk);
   log.feed(1s, SessionStarted{});
   disk.commits[0].set_value();
   log.take_durable();
@@ -78,15 +76,14 @@ TEST(SessionLog, ANoteHoldsNobodyUp) {
 
 TEST(SessionLog, AMarkHasTheTimeOfItsKey) {
   SlowDisk disk;
-  SessionLog log(one_trial(), {.phase = Phase::marking, .step = 1, .first_frame = 2s},
-                 disk.write());
+  SessionLog log(one_trial(), {.phase = Phase::marking, .step = 1, .first_frame = 2s}, disk);
   ASSERT_TRUE(log.feed(9s, Marked{5s}));
   EXPECT_THAT(disk.times, ::testing::ElementsAre(5s));
 }
 
 TEST(SessionLog, SaysWhatKeptAnEventFromTheDisk) {
   SlowDisk disk;
-  SessionLog log(one_trial(), {}, disk.write());
+  SessionLog log(one_trial(), {}, disk);
   log.feed(1s, SessionStarted{});
   disk.commits[0].set_exception(std::make_exception_ptr(std::runtime_error("disk full")));
   EXPECT_THROW(log.take_durable(), std::runtime_error);

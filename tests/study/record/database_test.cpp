@@ -131,12 +131,6 @@ std::vector<BadFile> bad_files() {
          run_sql(path, "DROP TRIGGER event_stays");
        },
        "its trigger event_stays is missing or was changed"},
-      {"NoOlderSchemaInside",
-       [](const fs::path& path) {
-         write_small_study(path);
-         overwrite(path, 63, "\x03");
-       },
-       "has views that are not Foveola's"},
       {"EndlessView",
        [](const fs::path& path) {
          write_small_study(path);

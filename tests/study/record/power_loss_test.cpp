@@ -112,8 +112,10 @@ std::string fault_of(const fs::path& path, const RecordedStudy& known, std::size
             step(procedure_of(small_protocol(), small_plan()), state, logged.event).value().state;
       }
       if (!state.is_over()) {
-        store.record_event(session.id, ms(100'000), NoteWritten{.text = "the power was lost"},
-                           state, state);
+        store.record(session.id, EventEntry{.time = ms(100'000),
+                                            .event = NoteWritten{.text = "the power was lost"},
+                                            .before = state,
+                                            .after = state});
       }
     }
     if (!std::equal(events.begin(), events.end(), known.events.begin())) {

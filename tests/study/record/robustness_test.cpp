@@ -51,8 +51,10 @@ TEST(Robustness, AFullDiskIsNamedAndLosesNothing) {
   std::size_t written = 0;
   const std::string message = refusal([&] {
     for (; written < 10'000; ++written) {
-      store.record_event(session.id(), ms(100), NoteWritten{.text = std::string(1000, 'n')},
-                         session.state(), session.state());
+      store.record(session.id(), EventEntry{.time = ms(100),
+                                            .event = NoteWritten{.text = std::string(1000, 'n')},
+                                            .before = session.state(),
+                                            .after = session.state()});
     }
   });
   EXPECT_THAT(message,

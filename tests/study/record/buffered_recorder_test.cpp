@@ -1,9 +1,10 @@
-#include "study/commands/session_sink.h"
+#include "study/record/buffered_recorder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/study/record/small_study.h"
+#include "small_study.h"
+#include "study/record/store_recorder.h"
 
 namespace fs = std::filesystem;
 
@@ -11,13 +12,14 @@ namespace foveola::study {
 namespace {
 
 /// The beginning of a session, with frames and gaze.
-void happen(SessionSink& sink) {
+void happen(SessionRecorder& recorder) {
   const Procedure procedure = procedure_of(small_protocol(), small_plan());
   SessionState state;
   const auto feed = [&](Nanoseconds time, const Event& event) {
     const std::optional<Transition> next = step(procedure, state, event);
     ASSERT_TRUE(next);
-    sink.event(time, event, state, next->state);
+    recorder.record(
+        EventEntry{.time = time, .event = event, .before = state, .after = next->state});
     state = next->state;
   };
   feed(ms(0), SessionStarted{});
@@ -26,13 +28,13 @@ void happen(SessionSink& sink) {
   feed(ms(2), ObjectChosen{"vase"});
   feed(ms(3), TrialStarted{});
   feed(ms(4), FirstFramePresented{ms(4)});
-  sink.frames(0, 1, 0, plausible_frames(5));
-  sink.gaze(0, 1, 0, plausible_gaze(7));
-  sink.film_hash(0, 1, {.frame = 4, .sha256 = std::string(64, 'a')});
+  recorder.record(FrameChunk{.attempt = {}, .first = 0, .frames = plausible_frames(5)});
+  recorder.record(GazeChunk{.attempt = {}, .first = 0, .samples = plausible_gaze(7)});
+  recorder.record(FilmEntry{.attempt = {}, .hash = {.frame = 4, .sha256 = std::string(64, 'a')}});
   feed(ms(900), Marked{ms(900)});
 }
 
-class SessionSinkTest : public testing::Test {
+class BufferedRecorderTest : public testing::Test {
  protected:
   /// All that is recorded but for what is drawn or dated.
   std::vector<std::string> content() const {
@@ -53,18 +55,18 @@ class SessionSinkTest : public testing::Test {
   fs::path path_ = folder_ / "study.sqlite";
 };
 
-TEST_F(SessionSinkTest, ABufferedSessionIsTheOneThatIsWrittenAtOnce) {
+TEST_F(BufferedRecorderTest, ABufferedSessionIsTheOneThatIsWrittenAtOnce) {
   {
     StudyStore store(path_, small_protocol());
-    DurableSink sink(store, store.begin_session(facts_of("P001"), small_plan()));
-    happen(sink);
+    StoreRecorder recorder(store, store.begin_session(facts_of("P001"), small_plan()));
+    happen(recorder);
   }
   const std::vector<std::string> at_once = content();
   EXPECT_GT(at_once.size(), 10U);
   fs::remove(path_);
   {
     StudyStore store(path_, small_protocol());
-    SessionBuffer buffer;
+    BufferedRecorder buffer;
     happen(buffer);
     EXPECT_EQ(query(path_, "SELECT count(*) FROM session"), "0");
     buffer.write(store, facts_of("P001"), small_plan());
@@ -72,15 +74,17 @@ TEST_F(SessionSinkTest, ABufferedSessionIsTheOneThatIsWrittenAtOnce) {
   EXPECT_EQ(content(), at_once);
 }
 
-TEST_F(SessionSinkTest, ASessionIsWrittenWholeOrNotAtAll) {
+TEST_F(BufferedRecorderTest, ASessionIsWrittenWholeOrNotAtAll) {
   StudyStore store(path_, small_protocol());
-  SessionBuffer buffer;
+  BufferedRecorder buffer;
   happen(buffer);
-  buffer.film_hash(0, 1, {.frame = 4, .sha256 = std::string(64, 'b')});  // there is one already
+  buffer.record(
+      FilmEntry{.attempt = {},
+                .hash = {.frame = 4, .sha256 = std::string(64, 'b')}});  // there is one already
   EXPECT_ANY_THROW(buffer.write(store, facts_of("P001"), small_plan()));
   EXPECT_EQ(query(path_, "SELECT count(*) FROM session"), "0");
   EXPECT_EQ(query(path_, "SELECT count(*) FROM event"), "0");
-  SessionBuffer good;
+  BufferedRecorder good;
   happen(good);
   good.write(store, facts_of("P001"), small_plan());
   EXPECT_EQ(query(path_, "SELECT count(*) FROM session"), "1") << "and the store goes on";

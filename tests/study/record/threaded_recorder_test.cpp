@@ -1,4 +1,4 @@
-#include "study/record/record_thread.h"
+#include "study/record/threaded_recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,10 @@ class Recording : public StudyFile {
     state_ = session.state();
   }
 
-  std::future<void> happen(RecordThread& thread, Nanoseconds time, const Event& event) {
+  std::future<void> happen(ThreadedRecorder& recorder, Nanoseconds time, const Event& event) {
     const Transition next = step(procedure_, state_, event).value();
-    std::future<void> done = thread.event(id_, time, event, state_, next.state);
+    std::future<void> done = recorder.record(
+        EventEntry{.time = time, .event = event, .before = state_, .after = next.state});
     state_ = next.state;
     return done;
   }
@@ -32,24 +33,25 @@ class Recording : public StudyFile {
 };
 
 TEST_F(Recording, WhatTheFutureSaysIsOnTheDisk) {
-  RecordThread thread(store_);
-  happen(thread, ms(30), FirstFramePresented{ms(30)}).get();
+  ThreadedRecorder recorder(store_, id_);
+  happen(recorder, ms(30), FirstFramePresented{ms(30)}).get();
   EXPECT_EQ(query(path_, "SELECT state FROM session"), "marking");
-  happen(thread, ms(40), Marked{ms(40)}).get();
+  happen(recorder, ms(40), Marked{ms(40)}).get();
   EXPECT_EQ(query(path_, "SELECT time_ns FROM mark"), "10000000");
 }
 
 TEST_F(Recording, KeepsTheOrderAndWritesAllBeforeItEnds) {
   {
-    RecordThread thread(store_);
-    happen(thread, ms(30), FirstFramePresented{ms(30)});
+    ThreadedRecorder recorder(store_, id_);
+    happen(recorder, ms(30), FirstFramePresented{ms(30)});
     for (int chunk = 0; chunk < 20; ++chunk) {
       const auto first = static_cast<std::uint64_t>(chunk) * 10;
-      thread.frames(id_, 0, 1, first, plausible_frames(10));
-      thread.gaze(id_, 0, 1, first, plausible_gaze(10));
-      happen(thread, ms(31 + chunk), NoteWritten{.text = std::to_string(chunk)});
+      recorder.record(FrameChunk{.attempt = {}, .first = first, .frames = plausible_frames(10)});
+      recorder.record(GazeChunk{.attempt = {}, .first = first, .samples = plausible_gaze(10)});
+      happen(recorder, ms(31 + chunk), NoteWritten{.text = std::to_string(chunk)});
     }
-    thread.film_hash(id_, 0, 1, {.frame = 199, .sha256 = std::string(64, 'f')});
+    recorder.record(
+        FilmEntry{.attempt = {}, .hash = {.frame = 199, .sha256 = std::string(64, 'f')}});
   }
   EXPECT_EQ(
       query(path_, "SELECT group_concat(text) FROM (SELECT text FROM note ORDER BY sequence)"),
@@ -61,12 +63,14 @@ TEST_F(Recording, KeepsTheOrderAndWritesAllBeforeItEnds) {
 }
 
 TEST_F(Recording, AfterAFaultNothingIsWrittenAndAllSayWhy) {
-  RecordThread thread(store_);
-  happen(thread, ms(30), FirstFramePresented{ms(30)}).get();
+  ThreadedRecorder recorder(store_, id_);
+  happen(recorder, ms(30), FirstFramePresented{ms(30)}).get();
   // No attempt 9 was begun.
-  std::future<void> fault = thread.frames(id_, 0, 9, 0, plausible_frames(1));
-  std::future<void> after = happen(thread, ms(40), Marked{ms(40)});
-  std::future<void> later = thread.gaze(id_, 0, 1, 0, plausible_gaze(1));
+  std::future<void> fault = recorder.record(
+      FrameChunk{.attempt = {.trial = 0, .attempt = 9}, .first = 0, .frames = plausible_frames(1)});
+  std::future<void> after = happen(recorder, ms(40), Marked{ms(40)});
+  std::future<void> later =
+      recorder.record(GazeChunk{.attempt = {}, .first = 0, .samples = plausible_gaze(1)});
   const std::string why = refusal([&] { fault.get(); });
   EXPECT_THAT(why, HasSubstr("FOREIGN KEY"));
   EXPECT_EQ(refusal([&] { after.get(); }), why);
