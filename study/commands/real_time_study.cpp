@@ -14,8 +14,6 @@
 namespace foveola::study {
 namespace {
 
-constexpr int no_input = -1;
-
 /// The side of a pane at a distance of 1.
 double side_m(double fov_deg) { return 2.0 * std::tan(0.5 * radians(fov_deg)); }
 
@@ -34,15 +32,8 @@ KnownSession session_in(const StudyStore& store, std::int64_t id) {
                        [&](const KnownSession& session) { return session.id == id; });
 }
 
-std::size_t trials_rated(const StudyStore& store, std::int64_t session) {
-  const std::vector<LoggedEvent> events = store.events_of(session);
-  return static_cast<std::size_t>(std::count_if(
-      events.begin(), events.end(),
-      [](const LoggedEvent& logged) { return std::holds_alternative<Rated>(logged.event); }));
-}
-
 /// What the sessions of a study share.
-struct Seat {
+struct SharedWindow {
   const SimulatedStudy& study;
   const Clock& clock;
   WindowEvents& window;
@@ -59,52 +50,38 @@ SimulatedEyeTracker tracker_of(const SimulatedTrackerSettings& settings, std::ui
   });
 }
 
-SessionOutcome sit(const Seat& seat, const BegunSession& begun, const std::stop_token& stop) {
-  const Protocol& protocol = seat.study.protocol;
+SessionOutcome sit(const SharedWindow& shared, const BegunSession& begun,
+                   const std::stop_token& stop) {
+  const Protocol& protocol = shared.study.protocol;
   const SessionSoFar so_far = so_far_of(begun.store, protocol, session_in(begun.store, begun.id));
   const SessionSeed seed{.seed = so_far.session.seed, .design_row = so_far.session.design_row};
   SimulatedOperator simulated_operator({.participant = &begun.observer,
                                         .protocol = &protocol,
                                         .plan = &begun.plan,
                                         .seed = seed,
-                                        .clock = &seat.clock,
-                                        .window = &seat.window});
+                                        .clock = &shared.clock,
+                                        .window = &shared.window});
   SimulatedEyeTracker tracker = tracker_of(
       protocol.tracker.simulated, derive_seed(seed, SeedPurpose::tracker, {}), simulated_operator);
-  PersonTracker eye(tracker);
   SimulatedHeadTracker head([&](Nanoseconds time) { return simulated_operator.heading(time); });
-  ConsoleLines console(no_input);
-  const std::size_t rated_before = trials_rated(begun.store, begun.id);
-  SessionOutcome outcome;
-  const Nanoseconds start = seat.clock.now();
-  {
-    ThreadedRecorder recorder(begun.store, begun.id);
-    PersonSession session({.seed = seed,
-                           .state = so_far.state,
-                           .time = so_far.time,
-                           .correction = so_far.correction,
-                           .devices = seat.study.devices},
-                          {.protocol = &protocol,
-                           .plan = &begun.plan,
-                           .stages = &seat.study.stages,
-                           .workers = &seat.study.workers,
-                           .clock = &seat.clock,
-                           .events = &simulated_operator.events(),
-                           .display = &seat.display,
-                           .eye = &eye,
-                           .pointer = nullptr,
-                           .head = &head,
-                           .simulated_operator = &simulated_operator,
-                           .recorder = &recorder,
-                           .console = &console,
-                           .tell = [](const std::string& /*line*/) {}});
-    outcome.phase = session.run(stop);
-    outcome.samples = session.samples();
-    outcome.non_finite = session.non_finite();
-  }
-  outcome.duration = seat.clock.now() - start;
-  outcome.trials = trials_rated(begun.store, begun.id) - rated_before;
-  return outcome;
+  ThreadedRecorder recorder(begun.store, begun.id);
+  const std::vector<std::string> notes =
+      so_far.position.state.phase == Phase::created
+          ? std::vector<std::string>{}
+          : std::vector<std::string>{"goes on with " + shared.study.devices};
+  return PersonSession({.seed = seed, .position = so_far.position, .notes = notes},
+                       {.protocol = protocol,
+                        .plan = begun.plan,
+                        .stages = shared.study.stages,
+                        .workers = shared.study.workers},
+                       {.clock = shared.clock,
+                        .events = simulated_operator.events(),
+                        .display = shared.display,
+                        .tracker = tracker,
+                        .head = &head,
+                        .simulated_operator = &simulated_operator},
+                       recorder)
+      .run(stop);
 }
 
 }  // namespace
@@ -140,9 +117,9 @@ SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kin
     SessionDisplay display(window, profile, framebuffer, clock);
     measure_refreshes(display, study.protocol.texts);
     study.devices = devices_in_real_time(kind, display, profile);
-    study.sit = [seat = Seat{study, clock, events, display}](const BegunSession& session,
-                                                             const std::stop_token& stopped) {
-      return sit(seat, session, stopped);
+    study.sit = [shared = SharedWindow{study, clock, events, display}](
+                    const BegunSession& session, const std::stop_token& stopped) {
+      return sit(shared, session, stopped);
     };
     report = StudySimulation(study).run(stop);
   });

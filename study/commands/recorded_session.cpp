@@ -59,24 +59,18 @@ void read_facts(SQLite::Database& database, RecordedSession& session) {
   session.simulation = simulation_kind_in(facts.getColumn(4).getString());
 }
 
-std::vector<RecordedAttempt> attempts_in(const fs::path& path, const Procedure& procedure,
+std::vector<RecordedAttempt> attempts_in(const std::string& whose, const Procedure& procedure,
                                          const std::vector<LoggedEvent>& events) {
   std::vector<RecordedAttempt> attempts;
-  SessionState state;
-  for (const LoggedEvent& logged : events) {
-    std::optional<Transition> next = step(procedure, state, logged.event);
-    if (!next) {
-      throw Error(path.string(),
-                  fmt::format("{} cannot have happened in the phase {}", name_of(logged.event),
-                              name_of(state.phase)),
-                  "foveola study verify says what is wrong with it");
-    }
-    state = std::move(next->state);
-    if (std::holds_alternative<TrialStarted>(logged.event)) {
-      attempts.push_back(
-          {.trial = *trial_of(procedure, state), .attempt = state.attempt, .timing = state.timing});
-    }
-  }
+  for_each_step(
+      procedure, events, whose,
+      [&](const LoggedEvent& logged, const SessionState& /*before*/, const SessionState& after) {
+        if (std::holds_alternative<TrialStarted>(logged.event)) {
+          attempts.push_back({.trial = *trial_of(procedure, after),
+                              .attempt = after.attempt,
+                              .timing = after.timing});
+        }
+      });
   return attempts;
 }
 
@@ -89,7 +83,7 @@ RecordedSession read_session(const fs::path& path, const std::string& participan
     session.known = session_of(database, path, participant);
     read_facts(database, session);
     session.plan = plan_of(database, session.known.id);
-    session.attempts = attempts_in(path, recorded_procedure_of(database, session.known.id),
+    session.attempts = attempts_in(path.string(), recorded_procedure_of(database, session.known.id),
                                    events_of(database, session.known.id));
   });
   return session;

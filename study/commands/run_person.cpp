@@ -69,15 +69,14 @@ std::string devices_json(const SessionDisplay& display, const DisplayProfile& pr
   return json.dump();
 }
 
-void tell(const std::string& line) {
+void say(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }
 
-void tell_of_late_keys(KeyTimeSource source) {
+void say_if_keys_are_late(KeyTimeSource source) {
   if (source == KeyTimeSource::arrival) {
-    tell(
-        "The X server's clock is not this machine's: marks have the times at which their keys "
+    say("The X server's clock is not this machine's: marks have the times at which their keys "
         "arrived.");
   }
 }
@@ -96,11 +95,11 @@ std::vector<int> used_rows(const StudyStore& store) {
 }
 
 /// The session counts with its pictures or without: it goes on to its backup.
-void tell_of_lost_pictures(SessionDisplay& display) {
+void say_if_pictures_are_lost(SessionDisplay& display) {
   try {
     display.finish_pictures();
   } catch (const Error& error) {
-    tell(fmt::format("Not every page became a picture: {}", error.what()));
+    say(fmt::format("Not every page became a picture: {}", error.what()));
   }
 }
 
@@ -126,30 +125,23 @@ class PersonRun {
     const SceneStages stages = load_stages(protocol_, sources_, workers);
     check(stages);
     const WindowEyeTracker gaze = open_window_eye_tracker(tracker_, screen_of(profile_), clock);
-    PersonTracker eye(*gaze.tracker);
     measure_refreshes(display, protocol_.texts);
     const std::string devices = devices_json(display, profile_, tracker_, window.key_time_source());
-    tell_of_late_keys(window.key_time_source());
+    say_if_keys_are_late(window.key_time_source());
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
-    ConsoleLines console(STDIN_FILENO);
-    const Phase phase = PersonSession(session, {.protocol = &protocol_,
-                                                .plan = &plan_,
-                                                .stages = &stages,
-                                                .workers = &workers,
-                                                .clock = &clock,
-                                                .events = &events,
-                                                .display = &display,
-                                                .eye = &eye,
-                                                .pointer = gaze.pointer,
-                                                .head = nullptr,
-                                                .simulated_operator = nullptr,
-                                                .recorder = &recorder,
-                                                .console = &console,
-                                                .tell = tell})
-                            .run(stop);
-    tell_of_lost_pictures(display);
-    return phase;
+    const SessionOutcome outcome =
+        PersonSession(session,
+                      {.protocol = protocol_, .plan = plan_, .stages = stages, .workers = workers},
+                      {.clock = clock,
+                       .events = events,
+                       .display = display,
+                       .tracker = *gaze.tracker,
+                       .pointer = gaze.pointer},
+                      recorder)
+            .run(stop);
+    say_if_pictures_are_lost(display);
+    return outcome.phase;
   }
 
  private:
@@ -171,34 +163,35 @@ class PersonRun {
                        .devices = devices,
                        .scenes = shown_scenes(stages)};
     plan_ = make_plan(protocol_, facts.seed, facts.design_row);
-    tell(
+    say(
         fmt::format("Participant {}, row {} of the design, seed {}, {} trials. help says what can "
                     "be typed here.",
                     facts.participant, facts.design_row, facts.seed, plan_.size()));
     row_ = store_.begin_session(facts, plan_);
-    return {.seed = {.seed = facts.seed, .design_row = facts.design_row},
-            .devices = devices,
-            .amendment = amendment_note(),
-            .screens = settings_.screens};
+    return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, {});
   }
 
   PersonSessionSettings going_on(const std::string& devices) {
     plan_ = so_far_->plan;
     const KnownSession& known = so_far_->session;
-    tell(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
-                     known.participant, seconds(so_far_->time)));
+    say(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
+                    known.participant, seconds(so_far_->position.time)));
     row_ = known.id;
-    return {.seed = {.seed = known.seed, .design_row = known.design_row},
-            .state = so_far_->state,
-            .time = so_far_->time,
-            .correction = so_far_->correction,
-            .devices = devices,
-            .amendment = amendment_note(),
-            .screens = settings_.screens};
+    return settings_of({.seed = known.seed, .design_row = known.design_row}, so_far_->position,
+                       {"goes on with " + devices});
   }
 
-  std::optional<std::string> amendment_note() const {
-    return store_.amendment() ? std::optional(note_of(*store_.amendment())) : std::nullopt;
+  PersonSessionSettings settings_of(const SessionSeed& seed, const SessionPosition& position,
+                                    std::vector<std::string> notes) const {
+    if (store_.amendment()) {
+      notes.push_back(note_of(*store_.amendment()));
+    }
+    return {.seed = seed,
+            .position = position,
+            .notes = std::move(notes),
+            .screens = settings_.screens,
+            .console = STDIN_FILENO,
+            .say = say};
   }
 
   const RunSettings& settings_;

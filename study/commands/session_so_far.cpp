@@ -43,14 +43,6 @@ void require_persons_session(const KnownSession& session, const Resumption& resu
   }
 }
 
-std::vector<Event> events_in(const std::vector<LoggedEvent>& log) {
-  std::vector<Event> events;
-  for (const LoggedEvent& logged : log) {
-    events.push_back(logged.event);
-  }
-  return events;
-}
-
 }  // namespace
 
 std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protocol& protocol,
@@ -70,21 +62,9 @@ std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protoc
 
 SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
                        const KnownSession& session) {
-  SessionSoFar so_far{.session = session, .plan = store.plan_of(session.id)};
-  const std::vector<LoggedEvent> log = store.events_of(session.id);
-  const std::optional<SessionState> state =
-      state_after(procedure_of(protocol, so_far.plan), events_in(log));
-  if (!state) {
-    throw Error("participant " + session.participant, "has a record that no session can have had",
-                "see foveola study verify");
-  }
-  so_far.state = *state;
-  for (const LoggedEvent& logged : log) {
-    so_far.time = std::max(so_far.time, logged.time);
-    if (const auto* validated = std::get_if<GazeValidated>(&logged.event)) {
-      so_far.correction = correction_after(*validated);
-    }
-  }
+  SessionSoFar so_far{.session = session, .plan = store.plan_of(session.id), .position = {}};
+  so_far.position = position_after(procedure_of(protocol, so_far.plan), store.events_of(session.id),
+                                   "participant " + session.participant);
   return so_far;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "study/driver/session_position.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
@@ -11,9 +12,7 @@ namespace foveola::study {
 struct SessionSoFar {
   KnownSession session;
   Plan plan;
-  SessionState state;
-  Nanoseconds time{0};                       ///< session clock: the last that is recorded
-  std::optional<GazeCorrection> correction;  ///< of the gaze, since the last validation
+  SessionPosition position;
 };
 
 struct Resumption {

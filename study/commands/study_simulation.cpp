@@ -98,8 +98,11 @@ void StudySimulation::run_session(std::int64_t session, int design_row, const Pl
     add(study_.sit({.store = store_, .id = session, .plan = plan, .observer = *observer}, stop));
     return;
   }
+  const SessionPosition position =
+      position_after(procedure_of(study_.protocol, plan), store_.events_of(session),
+                     "participant " + participant_code(design_row));
   StoreRecorder recorder(store_, session);
-  add(take_part(recorder, store_.events_of(session), design_row, plan, study_.workers, stop));
+  add(take_part(recorder, position, design_row, plan, study_.workers, stop));
 }
 
 StudySimulation::Simulated StudySimulation::simulate(int design_row, const std::stop_token& stop) {
@@ -113,7 +116,7 @@ StudySimulation::Simulated StudySimulation::simulate(int design_row, const std::
 }
 
 SessionOutcome StudySimulation::take_part(SessionRecorder& recorder,
-                                          const std::vector<LoggedEvent>& events, int design_row,
+                                          const SessionPosition& position, int design_row,
                                           const Plan& plan, const Workers& workers,
                                           const std::stop_token& stop) {
   const SessionSeed seed{.seed = study_.settings.seed, .design_row = design_row};
@@ -125,9 +128,7 @@ SessionOutcome StudySimulation::take_part(SessionRecorder& recorder,
                                .seed = seed,
                                .on_trial = [&](std::size_t trial) { show(plan[trial].scene); },
                                .stop = stop};
-  SessionRunner runner(setting, plan, *observer);
-  runner.resume_after(events);
-  return runner.run();
+  return VirtualSession(setting, plan, *observer, position).run();
 }
 
 std::unique_ptr<SimulatedObserver> StudySimulation::make_observer(int design_row,

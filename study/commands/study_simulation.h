@@ -9,8 +9,8 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/progress.h"
-#include "study/commands/session_runner.h"
 #include "study/commands/simulate_study.h"
+#include "study/commands/virtual_session.h"
 #include "study/participant/simulated_observer.h"
 #include "study/record/buffered_recorder.h"
 #include "study/record/study_store.h"
@@ -75,7 +75,7 @@ class StudySimulation {
   void run_session(std::int64_t session, int design_row, const Plan& plan,
                    const std::stop_token& stop);
   Simulated simulate(int design_row, const std::stop_token& stop);
-  SessionOutcome take_part(SessionRecorder& recorder, const std::vector<LoggedEvent>& events,
+  SessionOutcome take_part(SessionRecorder& recorder, const SessionPosition& position,
                            int design_row, const Plan& plan, const Workers& workers,
                            const std::stop_token& stop);
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "study/commands/rendered_attempt.h"
-#include "study/commands/session_runner.h"
+#include "study/commands/virtual_session.h"
 #include "study/participant/population_file.h"
 #include "study/participant/simulated_participant.h"
 #include "study/record/store_recorder.h"
@@ -107,18 +107,18 @@ class SeenPixels : public testing::Test {
       return KnownScene{.panorama = &stages_.at(scene)->reference()};
     };
     WearsGlasses participant(SimulatedParticipant(careful_adults(), knowledge, 3), glasses);
-    SessionRunner runner({.protocol = protocol_,
-                          .stages = stages_,
-                          .recorder = recorder,
-                          .make_attempt =
-                              [&](const TrialAttemptSetting& setting) {
-                                return std::make_unique<RenderedAttempt>(setting, workers_);
-                              },
-                          .seed = {.seed = 5, .design_row = 0},
-                          .on_trial = [](std::size_t) {},
-                          .stop = {}},
-                         plan_, participant);
-    EXPECT_EQ(runner.run().phase, Phase::completed);
+    VirtualSession session({.protocol = protocol_,
+                            .stages = stages_,
+                            .recorder = recorder,
+                            .make_attempt =
+                                [&](const TrialAttemptSetting& setting) {
+                                  return std::make_unique<RenderedAttempt>(setting, workers_);
+                                },
+                            .seed = {.seed = 5, .design_row = 0},
+                            .on_trial = [](std::size_t) {},
+                            .stop = {}},
+                           plan_, participant, {});
+    EXPECT_EQ(session.run().phase, Phase::completed);
     return {.od = results_of(id, 0), .fv = results_of(id, 1)};
   }
 

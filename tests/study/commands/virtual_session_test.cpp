@@ -1,4 +1,4 @@
-#include "study/commands/session_runner.h"
+#include "study/commands/virtual_session.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,9 +56,9 @@ Plan wall_plan() {
           {.scene = "box", .method = "fv", .method_position = 1}};
 }
 
-class SessionRunnerTest : public testing::Test {
+class VirtualSessionTest : public testing::Test {
  protected:
-  SessionRunnerTest() {
+  VirtualSessionTest() {
     stages_["box"] = std::make_unique<SceneStage>(wall(folder_), workers_);
     SessionFacts facts = facts_of("P001");
     facts.scenes.clear();
@@ -68,19 +68,20 @@ class SessionRunnerTest : public testing::Test {
   SessionOutcome run(FakeParticipant& participant) {
     participant.sees_in_blackness = false;
     StoreRecorder recorder(store_, session_);
-    SessionRunner runner({.protocol = protocol_,
-                          .stages = stages_,
-                          .recorder = recorder,
-                          .make_attempt =
-                              [&](const TrialAttemptSetting& setting) {
-                                return std::make_unique<RenderedAttempt>(setting, workers_);
-                              },
-                          .seed = {.seed = 5, .design_row = 0},
-                          .on_trial = [this](std::size_t trial) { begin_trial(trial); },
-                          .stop = stop_.get_token()},
-                         plan_, participant);
-    runner.resume_after(store_.events_of(session_));
-    return runner.run();
+    VirtualSession session({.protocol = protocol_,
+                            .stages = stages_,
+                            .recorder = recorder,
+                            .make_attempt =
+                                [&](const TrialAttemptSetting& setting) {
+                                  return std::make_unique<RenderedAttempt>(setting, workers_);
+                                },
+                            .seed = {.seed = 5, .design_row = 0},
+                            .on_trial = [this](std::size_t trial) { begin_trial(trial); },
+                            .stop = stop_.get_token()},
+                           plan_, participant,
+                           position_after(procedure_of(protocol_, plan_),
+                                          store_.events_of(session_), "participant P001"));
+    return session.run();
   }
 
   void begin_trial(std::size_t trial) {
@@ -103,7 +104,7 @@ class SessionRunnerTest : public testing::Test {
   std::optional<std::size_t> stop_in_trial_;
 };
 
-TEST_F(SessionRunnerTest, GoesThroughEveryStep) {
+TEST_F(VirtualSessionTest, GoesThroughEveryStep) {
   FakeParticipant participant;
   const SessionOutcome outcome = run(participant);
   EXPECT_EQ(outcome.phase, Phase::completed);
@@ -122,7 +123,7 @@ TEST_F(SessionRunnerTest, GoesThroughEveryStep) {
 
 // The first glance is at the first frame, and the next one 0.1 seconds later: the marks come 150 ms
 // after the first glance for each.
-TEST_F(SessionRunnerTest, MarksAreTimedFromTheFirstFrame) {
+TEST_F(VirtualSessionTest, MarksAreTimedFromTheFirstFrame) {
   FakeParticipant participant;
   run(participant);
   EXPECT_EQ(value("SELECT group_concat(time_ns / 1000000) FROM (SELECT time_ns FROM mark"
@@ -134,7 +135,7 @@ TEST_F(SessionRunnerTest, MarksAreTimedFromTheFirstFrame) {
   EXPECT_EQ(value("SELECT sum(censored) FROM mark WHERE trial <> 1"), "0");
 }
 
-TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
+TEST_F(VirtualSessionTest, NothingIsTracedInACatchTrial) {
   FakeParticipant participant;
   run(participant);
   EXPECT_EQ(value("SELECT group_concat(time_ns || ' ' || censored) FROM mark WHERE trial = 1"),
@@ -143,7 +144,7 @@ TEST_F(SessionRunnerTest, NothingIsTracedInACatchTrial) {
   EXPECT_EQ(value("SELECT count(DISTINCT film_sha256) FROM film_hash"), "3");
 }
 
-TEST_F(SessionRunnerTest, ATimingThatFailedIsDoneAgain) {
+TEST_F(VirtualSessionTest, ATimingThatFailedIsDoneAgain) {
   FakeParticipant participant;
   participant.retimed_turn = 1;
   EXPECT_EQ(run(participant).phase, Phase::completed);
@@ -154,7 +155,7 @@ TEST_F(SessionRunnerTest, ATimingThatFailedIsDoneAgain) {
   EXPECT_NE(participant.attempts[0], participant.attempts[1]) << "is left to chance anew";
 }
 
-TEST_F(SessionRunnerTest, WhoWantsToWithdrawsBetweenTrials) {
+TEST_F(VirtualSessionTest, WhoWantsToWithdrawsBetweenTrials) {
   FakeParticipant participant;
   participant.withdraws_before = 2;
   const SessionOutcome outcome = run(participant);
@@ -163,7 +164,7 @@ TEST_F(SessionRunnerTest, WhoWantsToWithdrawsBetweenTrials) {
   EXPECT_EQ(value("SELECT state FROM session"), "withdrawn");
 }
 
-TEST_F(SessionRunnerTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
+TEST_F(VirtualSessionTest, AStoppedSessionGoesOnAsIfNothingHadBeen) {
   FakeParticipant first;
   stop_in_trial_ = 2;
   EXPECT_EQ(run(first).phase, Phase::interrupted);

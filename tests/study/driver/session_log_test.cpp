@@ -1,4 +1,4 @@
-#include "study/person/session_log.h"
+#include "study/driver/session_log.h"
 
 #include <stdexcept>
 

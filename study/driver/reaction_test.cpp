@@ -1,4 +1,4 @@
-#include "study/person/reaction_test.h"
+#include "study/driver/reaction_test.h"
 
 namespace foveola::study {
 namespace {

@@ -17,6 +17,8 @@ class ReactionTest {
   /// It appears after a wait that is drawn from `random`, uniformly between the settings' limits.
   ReactionTest(const ReactionSettings& settings, Nanoseconds start, Pcg32& random);
 
+  /// When the display should show it.
+  Nanoseconds due() const { return due_; }
   /// Whether the display should show it by now.
   bool appears_at(Nanoseconds now) const { return now >= due_; }
   /// The display has shown it since `time`; the first call counts.

@@ -41,7 +41,7 @@ class SessionLog {
   /// from it.
   std::vector<DurableEvent> take_durable();
 
-  /// Likewise, but waits for all.
+  /// The same, once all of them are there.
   std::vector<DurableEvent> wait_for_all();
 
  private:
