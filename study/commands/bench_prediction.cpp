@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
-#include "study/commands/aligned_rows.h"
 #include "study/commands/command_line.h"
-#include "study/commands/prediction_agreement.h"
-#include "study/commands/simulate_study.h"
 #include "study/protocol/protocol.h"
+#include "study/simulation/prediction_agreement.h"
+#include "study/simulation/simulate_study.h"
+#include "study/tables/aligned_rows.h"
 
 namespace fs = std::filesystem;
 

@@ -1,0 +1,30 @@
+#include "study/simulation/watched_participant.h"
+
+#include "renderer/view/viewport.h"
+
+namespace foveola::study {
+namespace {
+
+Vec3 gaze_in_head(Participant& participant, Nanoseconds time) {
+  const Quat world_from_head = head_orientation(participant.head(time));
+  return glm::normalize(glm::conjugate(world_from_head) * participant.gaze(time));
+}
+
+}  // namespace
+
+std::unique_ptr<EyeTracker> watch(Participant& participant, const TrackerSettings& settings,
+                                  std::uint32_t seed,
+                                  const std::optional<GazeCorrection>& correction) {
+  SimulatedTrackerSettings simulated = settings.simulated;
+  simulated.seed = seed;
+  std::unique_ptr<EyeTracker> tracker =
+      std::make_unique<SimulatedEyeTracker>(simulated, [&participant](Nanoseconds time) {
+        return std::optional<Vec3>(gaze_in_head(participant, time));
+      });
+  if (correction) {
+    tracker = std::make_unique<CorrectedEyeTracker>(std::move(tracker), *correction);
+  }
+  return tracker;
+}
+
+}  // namespace foveola::study
