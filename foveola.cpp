@@ -34,7 +34,7 @@
 #include "study/commands/bench_prediction.h"
 #include "study/commands/bench_sensitivity.h"
 #include "study/commands/commands.h"
-#include "study/commands/simulate_study.h"
+#include "study/simulation/simulate_study.h"
 
 namespace fs = std::filesystem;
 

@@ -9,9 +9,9 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "study/commands/command_line.h"
-#include "study/commands/prediction_agreement.h"
-#include "study/commands/simulate_study.h"
 #include "study/protocol/protocol.h"
+#include "study/simulation/prediction_agreement.h"
+#include "study/simulation/simulate_study.h"
 
 namespace fs = std::filesystem;
 

@@ -14,10 +14,10 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/commands/command_line.h"
-#include "study/commands/method_means.h"
-#include "study/commands/simulate_study.h"
 #include "study/participant/population_file.h"
 #include "study/protocol/protocol.h"
+#include "study/simulation/method_means.h"
+#include "study/simulation/simulate_study.h"
 
 namespace fs = std::filesystem;
 

@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "study/commands/analysable.h"
 #include "study/commands/command_line.h"
-#include "study/commands/design_tables.h"
-#include "study/commands/participant_code.h"
-#include "study/commands/protocol_json.h"
-#include "study/commands/protocol_tables.h"
+#include "study/design/participant_code.h"
 #include "study/design/plan.h"
 #include "study/person/missing_letters.h"
 #include "study/protocol/protocol.h"
+#include "study/stage/analysable.h"
+#include "study/tables/design_tables.h"
+#include "study/tables/protocol_json.h"
+#include "study/tables/protocol_tables.h"
 
 namespace foveola::study {
 namespace {

@@ -9,11 +9,11 @@
 #include "renderer/base/error.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
 #include "study/commands/command_line.h"
-#include "study/commands/record_tables.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 #include "study/record/study_records.h"
 #include "study/record/verification_json.h"
+#include "study/tables/record_tables.h"
 
 namespace foveola::study {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "renderer/base/error.h"
 #include "study/commands/command_line.h"
-#include "study/commands/replay.h"
+#include "study/replay/replay.h"
 
 namespace fs = std::filesystem;
 

@@ -9,7 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/commands/arguments.h"
 #include "study/commands/command_line.h"
-#include "study/commands/run_person.h"
+#include "study/person/run_person.h"
 
 namespace foveola::study {
 namespace {

@@ -8,9 +8,9 @@
 #include "renderer/base/progress.h"
 #include "renderer/commands/former_option.h"
 #include "study/commands/command_line.h"
-#include "study/commands/simulate_study.h"
 #include "study/participant/injected_effect.h"
 #include "study/protocol/protocol.h"
+#include "study/simulation/simulate_study.h"
 
 namespace foveola::study {
 namespace {

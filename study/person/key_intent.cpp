@@ -73,7 +73,7 @@ std::optional<KeyIntent> intent_of(PersonKey key, Phase phase,
   return reads_notice ? intent_if(goes_on(key), KeyIntent::read_on) : intent_in_phase(key, phase);
 }
 
-std::optional<Event> event_of(KeyIntent intent, Nanoseconds time) {
+std::optional<Event> event_of(KeyIntent intent) {
   switch (intent) {
     case KeyIntent::time_again:
       return RetimeRequested{};
@@ -81,8 +81,6 @@ std::optional<Event> event_of(KeyIntent intent, Nanoseconds time) {
       return Withdrawn{};
     case KeyIntent::start_trial:
       return TrialStarted{};
-    case KeyIntent::mark:
-      return Marked{time};
     case KeyIntent::resume:
       return Resumed{};
     default:

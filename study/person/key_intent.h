@@ -38,8 +38,7 @@ std::optional<KeyIntent> intent_of(PersonKey key, Phase phase,
                                    const std::optional<Confirmation>& confirmation,
                                    bool reads_notice);
 
-/// The event of the session that the intent is, if it says all of one. time: of the key, session
-/// clock.
-std::optional<Event> event_of(KeyIntent intent, Nanoseconds time);
+/// The event of the session that the intent is, if it says all of one.
+std::optional<Event> event_of(KeyIntent intent);
 
 }  // namespace foveola::study

@@ -3,7 +3,6 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/film/film_hash.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {
@@ -12,7 +11,7 @@ namespace {
 PreviewSettings preview_settings(const AttemptSetting& setting) {
   const PlannedTrial& trial = setting.trial;
   return trial_preview_settings(
-      *setting.protocol, settings_of(*setting.protocol, trial.scene, trial.method), *setting.stage);
+      setting.protocol, settings_of(setting.protocol, trial.scene, trial.method), setting.stage);
 }
 
 ViewLook look_of(const PreviewSettings& settings) {
@@ -20,56 +19,39 @@ ViewLook look_of(const PreviewSettings& settings) {
           .fill_unsampled = settings.unsampled == UnsampledPixels::filled};
 }
 
-AttemptSink sink_to(RecordThread& record, const AttemptKey& key) {
-  return {.frames =
-              [&record, key](std::uint64_t first, std::vector<FrameRow> frames) {
-                record.frames(key.session, key.trial, key.attempt, first, std::move(frames));
-              },
-          .gaze =
-              [&record, key](std::uint64_t first, std::vector<GazeSample> samples) {
-                record.gaze(key.session, key.trial, key.attempt, first, std::move(samples));
-              }};
-}
-
 }  // namespace
 
 LiveAttempt::LiveAttempt(AttemptSetting setting)
     : setting_(std::move(setting)),
       look_(look_of(preview_settings(setting_))),
-      preview_(setting_.stage->tracer(), preview_settings(setting_), *setting_.eye, *setting_.head,
-               *setting_.workers),
+      preview_(setting_.stage.tracer(), preview_settings(setting_), setting_.eye, setting_.head,
+               setting_.workers),
       frames_(
-          preview_, *setting_.clock, setting_.display->refresh(),
+          preview_, setting_.clock, setting_.display.refresh(),
           [this](Nanoseconds time) { wait_until(time); },
           {.resample = [this](const Preview& preview) { draw(preview); },
-           .present = [this] { return setting_.display->wait_until_shown(); }},
-          setting_.display->frame_budget()),
-      log_(sink_to(*setting_.record, setting_.key)) {
-  const ViewGeometry& geometry = setting_.display->geometry();
-  preview_.set_view({.horizontal_deg = geometry.horizontal_fov_deg,
-                     .vertical_deg = geometry.vertical_fov_deg,
+            .present = [this] { return setting_.display.wait_until_shown(); }},
+           setting_.display.frame_budget()),
+       log_(setting_.recorder, setting_.key) {
+   const ViewGeometry& geometry = setting_.display.geometry();
+   preview_.set_view({.horizontal_deg = geometry.horizontal_fov_deg,
+                      .vertical_deg = geometry.vertical_fov_deg,
                      .lens = geometry.lens});
-  preview_.restart(make_sampler(*setting_.protocol, setting_.trial.method), setting_.seed);
-  setting_.display->show_film(preview_.film());
+  preview_.restart(make_sampler(setting_.protocol, setting_.trial.method), setting_.seed);
+  setting_.display.show_film(preview_.film());
 }
 
-Nanoseconds LiveAttempt::next() {
+Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
   const bool is_blank = setting_.trial.kind == TrialKind::catch_trial;
   const LiveFrame frame = is_blank ? next_blank() : frames_.next();
   keep(frame);
-  setting_.display->set_refresh(frames_.refresh());
-  return frame.shown;
+  setting_.display.set_refresh(frames_.refresh());
+  return frame.shown - setting_.session_zero;
 }
 
 void LiveAttempt::finish() {
-  setting_.display->set_frame_budget(frames_.budget().for_another_preview());
-  log_.finish();
-  if (log_.frames() > 0) {
-    const AttemptKey& key = setting_.key;
-    setting_.record->film_hash(
-        key.session, key.trial, key.attempt,
-        {.frame = log_.frames() - 1, .sha256 = film_sha256(preview_.film())});
-  }
+  setting_.display.set_frame_budget(frames_.budget().for_another_preview());
+  log_.finish(preview_.film());
 }
 
 std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {
@@ -79,22 +61,22 @@ std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {
   }
   return SlowDrawing{.drawing = *drawing,
                      .interval = frames_.refresh().interval(),
-                     .framebuffer = setting_.display->framebuffer(),
-                     .graphics = setting_.display->graphics()};
+                     .framebuffer = setting_.display.framebuffer(),
+                     .graphics = setting_.display.graphics()};
 }
 
 LiveFrame LiveAttempt::next_blank() {
   wait_until(next_blank_);
-  LiveFrame frame{.start = setting_.clock->now()};
+  LiveFrame frame{.start = setting_.clock.now()};
   frame.report = preview_.begin_frame(frame.start);
   draw(preview_);
-  frame.shown = setting_.display->wait_until_shown().value_or(setting_.clock->now());
+  frame.shown = setting_.display.wait_until_shown().value_or(setting_.clock.now());
   next_blank_ = frame.start + frames_.refresh().interval();
   return frame;
 }
 
 void LiveAttempt::draw(const Preview& preview) {
-  setting_.display->draw(
+  setting_.display.draw(
       {.head = preview.viewport().head(), .look = look_, .screen = setting_.page()});
 }
 

@@ -10,31 +10,25 @@
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
 #include "renderer/window/slow_drawing.h"
+#include "study/driver/ports.h"
 #include "study/person/person_tracker.h"
 #include "study/person/session_display.h"
-#include "study/record/record_thread.h"
+#include "study/record/session_recorder.h"
 #include "study/stage/attempt_log.h"
 #include "study/stage/scene_stage.h"
 
 namespace foveola::study {
 
-/// Which attempt it is in the record.
-struct AttemptKey {
-  std::int64_t session = 0;
-  std::size_t trial = 0;  ///< index into the plan
-  int attempt = 1;
-};
-
-/// What an attempt is made of; what is pointed to must outlive it.
+/// What an attempt is made of; what is referred to must outlive it.
 struct AttemptSetting {
-  const Protocol* protocol = nullptr;
-  const SceneStage* stage = nullptr;
-  const Workers* workers = nullptr;
-  const Clock* clock = nullptr;
-  SessionDisplay* display = nullptr;
-  PersonTracker* eye = nullptr;
-  HeadTracker* head = nullptr;
-  RecordThread* record = nullptr;
+  const Protocol& protocol;
+  const SceneStage& stage;
+  const Workers& workers;
+  const Clock& clock;
+  SessionDisplay& display;
+  PersonTracker& eye;
+  HeadTracker& head;
+  SessionRecorder& recorder;
   AttemptKey key;
   PlannedTrial trial;
   std::uint32_t seed = 0;       ///< of points and paths
@@ -45,29 +39,25 @@ struct AttemptSetting {
   std::function<std::optional<ScreenPage>()> page;
 };
 
-class LiveAttempt {
+class LiveAttempt final : public AttemptPort {
  public:
   /// The display shows its film for as long as it lives.
   explicit LiveAttempt(AttemptSetting setting);
-  ~LiveAttempt() { setting_.display->show_no_film(); }
+  ~LiveAttempt() override { setting_.display.show_no_film(); }
   LiveAttempt(const LiveAttempt&) = delete;
   LiveAttempt& operator=(const LiveAttempt&) = delete;
 
-  /// Renders and presents the next frame, nothing but its picture in a catch trial. Returns when it
-  /// was shown, by the clock.
-  Nanoseconds next();
-
-  /// The attempt is over: its last frames and gaze samples, and what the film then holds, are
-  /// handed to the record.
-  void finish();
+  /// Renders and presents the next frame, nothing but its picture in a catch trial.
+  Nanoseconds show(Nanoseconds until) override;
+  void finish() override;
+  std::uint64_t samples() const override { return preview_.film().total_samples(); }
+  std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 
   /// If drawing is found too slow for frames to be in time.
   std::optional<SlowDrawing> slow_drawing() const;
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
   /// That the last frame was shown through.
   const Viewport& viewport() const { return preview_.viewport(); }
-  std::uint64_t samples() const { return preview_.film().total_samples(); }
-  std::uint64_t non_finite() const { return preview_.dropped().size(); }
 
  private:
   LiveFrame next_blank();

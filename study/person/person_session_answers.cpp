@@ -11,52 +11,58 @@
 
 namespace foveola::study {
 
+void PersonSession::act(SessionDriver& /*driver*/) {
+  answer_window();
+  answer_console();
+}
+
 void PersonSession::answer_console() {
   // A command is about what can be seen, like a key.
-  if (log_.has_effects_to_come()) {
+  if (driver_.has_effects_to_come()) {
     return;
   }
-  for (const std::string& line : parts_.console->take()) {
-    const ConsoleAnswer answer = answer_to(line, log_.state(), log_.procedure(), *parts_.plan);
+  for (const std::string& line : console_.take()) {
+    const ConsoleAnswer answer = answer_to(line, driver_.state(), driver_.procedure(), study_.plan);
     if (answer.quits) {
-      interrupt();
-    } else if (answer.event && !feed(*answer.event)) {
-      parts_.tell(fmt::format("not possible now: {}",
-                              words_for(log_.state(), log_.procedure(), *parts_.plan)));
+      driver_.interrupt();
+    } else if (answer.event && !driver_.feed(*answer.event)) {
+      settings_.say(fmt::format("not possible now: {}",
+                                words_for(driver_.state(), driver_.procedure(), study_.plan)));
     } else if (!answer.told.empty()) {
-      parts_.tell(answer.told);
+      settings_.say(answer.told);
     }
   }
 }
 
-void PersonSession::tell_of_tracker() {
-  const bool is_lost = parts_.eye->is_lost();
+void PersonSession::report_tracker() {
+  const bool is_lost = eye_.is_lost();
   if (is_lost == was_lost_) {
     return;
   }
   was_lost_ = is_lost;
-  feed(NoteWritten{is_lost ? "the eye tracker sends no gaze" : "the eye tracker sends gaze again"});
-  const std::string status = parts_.eye->status();
+  driver_.feed(
+      NoteWritten{is_lost ? "the eye tracker sends no gaze" : "the eye tracker sends gaze again"});
+  const std::string status = eye_.status();
   if (is_lost) {
-    parts_.tell(
+    settings_.say(
         fmt::format("The eye tracker sends no gaze{}{}. The session goes on; pause if it "
                     "should not.",
                     status.empty() ? "" : ": ", status));
   }
 }
 
-void PersonSession::tell_of_slow_drawing() {
-  if (has_told_of_slow_drawing_ || !attempt_) {
+void PersonSession::report_slow_drawing() {
+  if (has_reported_slow_drawing_ || attempt_ == nullptr) {
     return;
   }
   if (const std::optional<SlowDrawing> slow = attempt_->slow_drawing()) {
-    has_told_of_slow_drawing_ = true;
-    parts_.tell(slow_drawing_line(*slow));
+    has_reported_slow_drawing_ = true;
+    settings_.say(slow_drawing_line(*slow));
   }
 }
 
 void PersonSession::answer_window() {
-  for (const WindowEvent& event : parts_.events->take()) {
+  for (const WindowEvent& event : seat_.events.take()) {
     answer(event);
   }
 }
@@ -69,10 +75,10 @@ void PersonSession::answer(const WindowEvent& event) {
     pause_or_leave();
     return;
   }
-  if (log_.has_effects_to_come() || !page_watch_.was_seen_at(event.time)) {
+  if (driver_.has_effects_to_come() || !page_watch_.was_seen_at(event.time)) {
     return;
   }
-  const Phase phase = log_.state().phase;
+  const Phase phase = driver_.state().phase;
   if (is_form_shown(prompt_, phase)) {
     const std::optional<FormInput> input = form_input(event);
     if (input && prompt_.form->follow(*input)) {
@@ -92,47 +98,53 @@ void PersonSession::answer_window_itself(const WindowEvent& event) {
   if (const auto* size = std::get_if<WindowResized>(&event.what)) {
     follow_size(*size);
   } else if (const auto* hidden = std::get_if<WindowHidden>(&event.what)) {
-    parts_.display->hide(hidden->is_hidden);
-    feed(NoteWritten{hidden->is_hidden ? "the window is hidden" : "the window is seen again"});
+    seat_.display.hide(hidden->is_hidden);
+    driver_.feed(
+        NoteWritten{hidden->is_hidden ? "the window is hidden" : "the window is seen again"});
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
-    feed(NoteWritten{"lost the monitor " + lost->name});
+    driver_.feed(NoteWritten{"lost the monitor " + lost->name});
     pause_or_leave();
   }
 }
 
 void PersonSession::follow_size(const WindowResized& size) {
-  if (size.framebuffer == parts_.display->framebuffer()) {
+  if (size.framebuffer == seat_.display.framebuffer()) {
     return;
   }
-  parts_.display->resize(size.framebuffer);
-  viewer_.show(parts_.display->geometry(), size.framebuffer,
+  seat_.display.resize(size.framebuffer);
+  viewer_.show(seat_.display.geometry(), size.framebuffer,
                static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x));
-  feed(NoteWritten{
+  driver_.feed(NoteWritten{
       fmt::format("the window has {} x {} pixels", size.framebuffer.x, size.framebuffer.y)});
 }
 
 void PersonSession::pause_or_leave() {
-  if (log_.has_effects_to_come()) {
+  if (driver_.has_effects_to_come()) {
     return;
   }
-  if (log_.state().is_over()) {
-    is_done_ = true;
+  if (driver_.state().is_over()) {
+    driver_.leave();
   } else if (prompt_.confirmation) {
     set_confirmation(std::nullopt);
   } else {
-    feed(PauseRequested{});
+    driver_.feed(PauseRequested{});
   }
 }
 
 void PersonSession::hand_in() {
-  if (prompt_.form->is_submitted() && !feed(event_of_form(prompt_, log_.state().phase))) {
+  if (prompt_.form->is_submitted() &&
+      !driver_.feed(event_of_form(prompt_, driver_.state().phase))) {
     throw std::logic_error("the session does not take what a form was filled in with");
   }
 }
 
 void PersonSession::act(KeyIntent intent, Nanoseconds time) {
-  if (const std::optional<Event> event = event_of(intent, time - zero_)) {
-    feed(*event);
+  if (intent == KeyIntent::mark) {
+    driver_.mark(time - zero_);
+    return;
+  }
+  if (const std::optional<Event> event = event_of(intent)) {
+    driver_.feed(*event);
     return;
   }
   switch (intent) {
@@ -150,9 +162,9 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
       set_confirmation(Confirmation::stopping);
       break;
     case KeyIntent::begin_validation:
-      parts_.eye->correct(std::nullopt);
-      begin_validation(prompt_, *parts_.protocol->tracker.validation, parts_.display->geometry(),
-                       parts_.clock->now());
+      eye_.correct(std::nullopt);
+      begin_validation(prompt_, *study_.protocol.tracker.validation, seat_.display.geometry(),
+                       seat_.clock.now());
       break;
     case KeyIntent::press:
       prompt_.reaction.press(time);
@@ -161,13 +173,13 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
       turn_to_next_object();
       break;
     case KeyIntent::choose_object:
-      feed(ObjectChosen{stage().objects()[object_ahead_now()].name});
+      driver_.feed(ObjectChosen{stage().objects()[object_ahead_now()].name});
       break;
     case KeyIntent::rate:
       prompt_.wants_to_rate = true;
       break;
     case KeyIntent::leave:
-      is_done_ = true;
+      driver_.leave();
       break;
     default:
       break;
@@ -176,8 +188,7 @@ void PersonSession::act(KeyIntent intent, Nanoseconds time) {
 
 void PersonSession::turn_to_next_object() {
   const std::vector<OfferedObject>& objects = stage().objects();
-  viewer_.turn_to(objects[(object_ahead_now() + 1) % objects.size()].direction,
-                  parts_.clock->now());
+  viewer_.turn_to(objects[(object_ahead_now() + 1) % objects.size()].direction, seat_.clock.now());
 }
 
 void PersonSession::set_confirmation(const std::optional<Confirmation>& confirmation) {
@@ -186,7 +197,7 @@ void PersonSession::set_confirmation(const std::optional<Confirmation>& confirma
 }
 
 bool PersonSession::is_picture_shown() const {
-  const Phase phase = log_.state().phase;
+  const Phase phase = driver_.state().phase;
   const bool is_in_scene = attempt_ != nullptr || phase == Phase::choosing_object ||
                            phase == Phase::ready || prompt_.awaits_gaze;
   return is_in_scene && !is_form_shown(prompt_, phase) && prompt_.notices.empty();

@@ -6,7 +6,6 @@
 #include "study/person/object_pick.h"
 #include "study/person/pages.h"
 #include "study/person/person_session.h"
-#include "study/stage/trial_preview.h"
 
 namespace foveola::study {
 namespace {
@@ -28,78 +27,64 @@ RgbImage cut(RgbImage window, const WindowPart& part) {
 
 }  // namespace
 
-void PersonSession::show_frame() {
-  const std::optional<int> number = page_watch_.picture_due(!log_.has_effects_to_come());
+void PersonSession::begin_frame() {
+  const std::optional<int> number = page_watch_.picture_due(!driver_.has_effects_to_come());
   if (number && settings_.screens) {
-    parts_.display->take_picture(*settings_.screens /
-                                 fmt::format("{:03}-{}.png", *number, name_of(seen_.phase)));
+    seat_.display.take_picture(*settings_.screens /
+                               fmt::format("{:03}-{}.png", *number, name_of(driver_.seen().phase)));
   }
-  prompt_.reaction.begin_frame(parts_.clock->now());
-  if (parts_.simulated_operator != nullptr && attempt_ &&
-      parts_.simulated_operator->wants_to_look()) {
-    parts_.display->keep_pixels();
+  prompt_.reaction.begin_frame(seat_.clock.now());
+  if (seat_.simulated_operator != nullptr && attempt_ != nullptr &&
+      seat_.simulated_operator->wants_to_look()) {
+    seat_.display.keep_pixels();
   }
-  Nanoseconds shown{0};
-  if (attempt_) {
-    shown = attempt_->next();
-  } else {
-    shown = parts_.display->show(picture());
-    arrived_.clear();
-    parts_.eye->poll(parts_.clock->now(), arrived_);
+}
+
+Nanoseconds PersonSession::show() {
+  const Nanoseconds shown = seat_.display.show(picture());
+  arrived_.clear();
+  eye_.poll(seat_.clock.now(), arrived_);
+  return shown - zero_;
+}
+
+void PersonSession::end_frame(Nanoseconds shown) {
+  const Nanoseconds shown_by_clock = shown + zero_;
+  page_watch_.was_shown(shown_by_clock);
+  report_tracker();
+  report_slow_drawing();
+  if (seat_.simulated_operator != nullptr) {
+    show_to_operator(shown_by_clock);
   }
-  page_watch_.was_shown(shown);
-  tell_of_tracker();
-  tell_of_slow_drawing();
-  if (parts_.simulated_operator != nullptr) {
-    show_to_operator(shown);
-  }
-  go_on(shown);
+  go_on(shown_by_clock);
 }
 
 void PersonSession::show_to_operator(Nanoseconds shown) {
-  const bool is_in_trial = trial_of(log_.procedure(), seen_).has_value();
-  parts_.simulated_operator->follow({.prompt = prompt_,
-                                     .context = context(),
-                                     .offered = is_in_trial ? &stage().objects() : nullptr,
-                                     .shown = shown,
-                                     .session_time = now(),
-                                     .pixels = take_pixels()},
-                                    !log_.has_effects_to_come());
+  const bool is_in_trial = trial_of(driver_.procedure(), driver_.seen()).has_value();
+  seat_.simulated_operator->follow({.prompt = prompt_,
+                                    .context = context(),
+                                    .offered = is_in_trial ? &stage().objects() : nullptr,
+                                    .shown = shown,
+                                    .session_time = now(),
+                                    .pixels = take_pixels()},
+                                   !driver_.has_effects_to_come());
 }
 
 std::optional<ShownPixels> PersonSession::take_pixels() {
-  std::optional<RgbImage> pixels = parts_.display->take_pixels();
-  if (!pixels || !attempt_) {
+  std::optional<RgbImage> pixels = seat_.display.take_pixels();
+  if (!pixels || attempt_ == nullptr) {
     return std::nullopt;
   }
-  return ShownPixels{.image = cut(std::move(*pixels), parts_.display->geometry().parts.front()),
+  return ShownPixels{.image = cut(std::move(*pixels), seat_.display.geometry().parts.front()),
                      .viewport = attempt_->viewport()};
 }
 
 void PersonSession::go_on(Nanoseconds shown) {
-  if (log_.has_effects_to_come()) {
-    return;
-  }
-  switch (log_.state().phase) {
-    case Phase::validation:
-      go_on_validating();
-      break;
-    case Phase::reaction:
-      go_on_reacting(shown);
-      break;
-    case Phase::armed:
-      go_on_arming(shown);
-      break;
-    case Phase::marking:
-      go_on_timing();
-      break;
-    case Phase::rating:
-      if (begin_rating(prompt_, *parts_.protocol, now())) {
-        page_watch_.turn_page();
-      }
-      break;
-    default:
-      break;
+  if (driver_.waits_in(Phase::validation)) {
+    go_on_validating();
+  } else if (driver_.waits_in(Phase::reaction)) {
+    go_on_reacting(shown);
+  } else if (driver_.waits_in(Phase::rating) && begin_rating(prompt_, study_.protocol, now())) {
+    page_watch_.turn_page();
   }
 }
 
@@ -107,9 +92,9 @@ void PersonSession::go_on_validating() {
   if (!prompt_.validation) {
     return;
   }
-  prompt_.validation->update(parts_.clock->now(), arrived_);
+  prompt_.validation->update(seat_.clock.now(), arrived_);
   if (prompt_.validation->result()) {
-    feed(*prompt_.validation->result());
+    driver_.feed(*prompt_.validation->result());
     prompt_.validation.reset();
   }
 }
@@ -118,46 +103,26 @@ void PersonSession::go_on_reacting(Nanoseconds shown) {
   if (!prompt_.notices.empty()) {
     return;
   }
-  if (const auto pressed = prompt_.reaction.end_frame(*parts_.protocol->reaction, shown)) {
-    feed(ReactionPressed{.shown = pressed->shown - zero_, .time = pressed->time - zero_});
-  }
-}
-
-void PersonSession::go_on_arming(Nanoseconds shown) {
-  if (attempt_) {
-    feed(FirstFramePresented{shown - zero_});
-  } else if (prompt_.awaits_gaze && parts_.eye->has_gaze(parts_.clock->now())) {
-    prompt_.awaits_gaze = false;
-    page_watch_.turn_page();
-    prepare_rendering();
-  }
-}
-
-void PersonSession::go_on_timing() {
-  answer_window();  // a press may have come in time while the frame was rendered
-  const bool still_waits = log_.state().phase == Phase::marking && !log_.has_effects_to_come();
-  const Nanoseconds deadline = log_.state().first_frame +
-                               nanoseconds_from_seconds(mark_timeout_s(*parts_.protocol, trial()));
-  if (still_waits && now() >= deadline) {
-    feed(TimedOut{deadline});
+  if (const auto pressed = prompt_.reaction.end_frame(*study_.protocol.reaction, shown)) {
+    driver_.feed(ReactionPressed{.shown = pressed->shown - zero_, .time = pressed->time - zero_});
   }
 }
 
 SessionPicture PersonSession::picture() {
-  SessionPicture picture{.head = viewer_.orientation(parts_.clock->now()),
+  SessionPicture picture{.head = viewer_.orientation(seat_.clock.now()),
                          .screen = page_of(prompt_, context(), now())};
-  if (seen_.phase == Phase::validation && prompt_.validation) {
+  if (driver_.seen().phase == Phase::validation && prompt_.validation) {
     picture.overlays.target = picture.head * prompt_.validation->target().value_or(forward);
-  } else if (seen_.phase == Phase::choosing_object) {
+  } else if (driver_.seen().phase == Phase::choosing_object) {
     picture.overlays.offers = rings_of(stage().objects(), object_ahead_now());
-  } else if (seen_.phase == Phase::ready) {
-    picture.overlays.offers = {ring_of(stage().objects(), seen_.object)};
+  } else if (driver_.seen().phase == Phase::ready) {
+    picture.overlays.offers = {ring_of(stage().objects(), driver_.seen().object)};
   }
   return picture;
 }
 
 std::size_t PersonSession::object_ahead_now() {
-  const Quat head = viewer_.orientation(parts_.clock->now());
+  const Quat head = viewer_.orientation(seat_.clock.now());
   return object_ahead(stage().objects(), head * forward);
 }
 

@@ -65,12 +65,7 @@ struct Preparing {
   void operator()(const AcknowledgeMark& /*effect*/) const {
     prompt.acknowledged_until = now + acknowledgement;
   }
-  void operator()(const AskForRating& /*effect*/) const {
-    const PlannedTrial& rated = trial_at(context);
-    const Timing timing = settings_of(context.protocol, rated.scene, rated.method).timing;
-    prompt.wants_to_rate = false;
-    prompt.look_around_until = now + nanoseconds_from_seconds(timing.rating_s);
-  }
+  void operator()(const AskForRating& /*effect*/) const { prompt.wants_to_rate = false; }
   void operator()(const StopRendering& /*effect*/) const { prompt.form.reset(); }
   void operator()(const ShowPause& /*effect*/) const { prompt.notices.clear(); }
   void operator()(const EndSession& /*effect*/) const { prompt.notices.clear(); }

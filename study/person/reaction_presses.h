@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "study/person/reaction_test.h"
+#include "study/driver/reaction_test.h"
 
 namespace foveola::study {
 

@@ -105,7 +105,7 @@ void SimulatedOperator::fill_in(const Form& form, const std::vector<Answer>& ans
 void SimulatedOperator::look_at_targets(const SeenFrame& frame) {
   if (!frame.prompt.validation) {
     target_.reset();
-    begin_attempt({.conduct = seed_of_step(frame.context.seen, SeedPurpose::conduct)});
+    begin_attempt(attempt_at_validation(parts_.seed, frame.context.seen));
     press(PersonKey::confirm);
     return;
   }
@@ -119,8 +119,8 @@ void SimulatedOperator::look_at_targets(const SeenFrame& frame) {
 void SimulatedOperator::press_at_what_appears(const SeenFrame& frame) {
   const bool appeared = frame.prompt.reaction.look() == ReactionLook::appeared;
   if (appeared && !has_reacted_) {
-    due_ =
-        frame.shown + participant().react(seed_of_step(frame.context.seen, SeedPurpose::conduct));
+    due_ = frame.shown +
+           participant().react(step_seed(parts_.seed, SeedPurpose::conduct, frame.context.seen));
   }
   has_reacted_ = appeared;
   press_mark_when_due();
@@ -181,11 +181,9 @@ bool SimulatedOperator::enter_attempt(const SeenFrame& frame) {
   if (attempt_ != attempt) {
     attempt_ = attempt;
     object_.clear();
-    const int trials_before = static_cast<int>(attempt.first);
-    begin_attempt({.conduct = trial_seed(parts_.seed, SeedPurpose::conduct, *parts_.protocol,
-                                         trial_at(frame.context), seen.timing),
-                   .trials_before = trials_before});
-    withdraws_ = participant().wants_to_withdraw(trials_before);
+    begin_attempt(attempt_at_trial(parts_.seed, *parts_.protocol, frame.context.procedure,
+                                   *parts_.plan, seen));
+    withdraws_ = participant().wants_to_withdraw(static_cast<int>(attempt.first));
     if (withdraws_) {
       press(PersonKey::pause);
     }
@@ -264,11 +262,6 @@ void SimulatedOperator::pass_on_window_events() {
       events_.push(event);
     }
   }
-}
-
-std::uint32_t SimulatedOperator::seed_of_step(const SessionState& seen, SeedPurpose purpose) const {
-  return derive_seed(parts_.seed, purpose,
-                     {static_cast<int>(seen.step), seen.validations_left, seen.presses_left});
 }
 
 }  // namespace foveola::study

@@ -103,7 +103,6 @@ class SimulatedOperator {
   /// Once it is time to.
   void press_mark_when_due();
   void pass_on_window_events();
-  std::uint32_t seed_of_step(const SessionState& seen, SeedPurpose purpose) const;
 
   Parts parts_;
   WindowEvents events_;

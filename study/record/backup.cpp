@@ -31,7 +31,7 @@ fs::path new_backup(const fs::path& study) {
 fs::path back_up_study(const fs::path& study) {
   fs::path path;
   with_clear_errors(study, [&] {
-    schema_of_study(study);
+    require_study(study);
     SQLite::Database database = open_as_it_is(study);
     path = new_backup(study);
     copy_checked(database, path);

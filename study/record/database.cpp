@@ -12,7 +12,6 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "study/record/migration.h"
 #include "study/record/question_json.h"
 #include "study/record/schema.h"
 #include "study/record/temporary_database.h"
@@ -102,17 +101,6 @@ void require_regular_file(const fs::path& path) {
   require_single_name(path);
 }
 
-/// A file of an older schema, as one of this one that lies in memory.
-SQLite::Database in_this_schema(SQLite::Database& older, const fs::path& path) {
-  SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  try {
-    bring_to_this_schema(older, database);
-  } catch (const Error& error) {
-    throw Error(path.string(), error.what());
-  }
-  return database;
-}
-
 void require_sound(SQLite::Database& database, const fs::path& path) {
   const std::string finding = database.execAndGet("PRAGMA quick_check(1)").getString();
   if (finding != "ok") {
@@ -200,7 +188,7 @@ void require_schema(SQLite::Database& database, const fs::path& path) {
   }
 }
 
-int schema_of_study(const fs::path& path) {
+void require_study(const fs::path& path) {
   require_regular_file(path);
   SQLite::Database database = open_as_it_is(path);
   const int application_id = database.execAndGet("PRAGMA application_id").getInt();
@@ -209,15 +197,14 @@ int schema_of_study(const fs::path& path) {
     throw Error(path.string(), "is no study of Foveola",
                 "name a study that foveola has written, or a new file");
   }
-  if (version > study_schema_version || version < oldest_study_schema_version) {
-    throw Error(path.string(),
-                fmt::format("has schema {}, and this program knows only {} and {}", version,
-                            oldest_study_schema_version, study_schema_version),
-                version > study_schema_version ? "use a newer Foveola"
-                : version > 0 ? "go on with the Foveola that began it, or begin a new study"
-                              : damage_remedy);
+  if (version != study_schema_version) {
+    throw Error(
+        path.string(),
+        fmt::format("has schema {}, and this program knows only {}", version, study_schema_version),
+        version > study_schema_version ? "use a newer Foveola"
+        : version > 0 ? "go on with the Foveola that began it, or begin a new study"
+                      : damage_remedy);
   }
-  return version;
 }
 
 SQLite::Database open_as_it_is(const fs::path& path) {
@@ -229,12 +216,9 @@ SQLite::Database open_as_it_is(const fs::path& path) {
 }
 
 SQLite::Database open_study_to_read(const fs::path& path) {
-  const int version = schema_of_study(path);
+  require_study(path);
   SQLite::Database database = open_as_it_is(path);
   require_sound(database, path);
-  if (version != study_schema_version) {
-    return in_this_schema(database, path);
-  }
   require_schema(database, path);
   return database;
 }

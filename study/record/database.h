@@ -17,10 +17,10 @@ namespace foveola::study {
 /// Runs `work` and turns what SQLite throws into Error about the file at `path`.
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 
-/// The version of the schema that the study at `path` has, one that this program knows. Throws
-/// Error or what SQLite throws if it is missing, no study, of another schema, or if the file has a
-/// second name (hard link).
-int schema_of_study(const std::filesystem::path& path);
+/// That the file at `path` says to be a study of this program's schema; its content is not read.
+/// Throws Error or what SQLite throws if it is missing, no study, of another schema, or if the file
+/// has a second name (hard link).
+void require_study(const std::filesystem::path& path);
 
 /// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a
 /// query do anything else, and a file whose guards were removed is not trusted. Others may stand
@@ -32,9 +32,8 @@ void require_schema(SQLite::Database& database, const std::filesystem::path& pat
 /// write can do. Throws what SQLite throws.
 SQLite::Database open_as_it_is(const std::filesystem::path& path);
 
-/// The study at `path`, checked, to read only; nothing is made either. What a file of an older
-/// schema says comes in this schema. Throws Error or what SQLite throws if it is missing, no study,
-/// damaged or of a schema that this program does not know.
+/// The study at `path`, checked, to read only; nothing is made either. Throws Error or what SQLite
+/// throws if it is missing, no study, damaged or of a schema that this program does not know.
 SQLite::Database open_study_to_read(const std::filesystem::path& path);
 
 /// Makes the study of `protocol` at `path` in one step: it is there whole or not at all. A file

@@ -12,9 +12,11 @@
 namespace foveola::study {
 namespace {
 
-Error bad_event(std::int64_t session, std::int64_t sequence, const std::string& what) {
-  return {fmt::format("session {}, event {}", session, sequence), what, "restore it from a copy"};
+Error bad_event(const std::string& whose, std::int64_t sequence, const std::string& what) {
+  return {fmt::format("{}, event {}", whose, sequence), what, "restore it from a copy"};
 }
+
+std::string name_of_session(std::int64_t session) { return fmt::format("session {}", session); }
 
 }  // namespace
 
@@ -31,27 +33,36 @@ std::vector<LoggedEvent> events_of(SQLite::Database& database, std::int64_t sess
                                             rows.getColumn("payload").getString()),
                         .utc = rows.getColumn("utc").getString()});
     } catch (const std::invalid_argument& fault) {
-      throw bad_event(session, rows.getColumn("sequence").getInt64(),
+      throw bad_event(name_of_session(session), rows.getColumn("sequence").getInt64(),
                       fmt::format("cannot be read ({})", fault.what()));
     }
   }
   return events;
 }
 
-void replay_events(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
-                   const std::vector<LoggedEvent>& events) {
+void for_each_step(const Procedure& procedure, const std::vector<LoggedEvent>& events,
+                   const std::string& whose, const StepVisitor& visit) {
   SessionState state;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const LoggedEvent& logged = events[i];
     const std::optional<Transition> next = step(procedure, state, logged.event);
     if (!next) {
-      throw bad_event(session, static_cast<std::int64_t>(i) + 1,
+      throw bad_event(whose, static_cast<std::int64_t>(i) + 1,
                       fmt::format("is {} in the state {}, which cannot be", name_of(logged.event),
                                   name_of(state.phase)));
     }
-    insert_event_rows(statements, session, procedure, logged, state, next->state);
+    visit(logged, state, next->state);
     state = next->state;
   }
+}
+
+void replay_events(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
+                   const std::vector<LoggedEvent>& events) {
+  for_each_step(
+      procedure, events, name_of_session(session),
+      [&](const LoggedEvent& logged, const SessionState& before, const SessionState& after) {
+        insert_event_rows(statements, session, procedure, logged, before, after);
+      });
 }
 
 }  // namespace foveola::study

@@ -11,7 +11,6 @@
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
 #include "study/record/maintenance.h"
-#include "study/record/migration.h"
 #include "study/record/schema.h"
 #include "study/record/table_rows.h"
 #include "study/record/temporary_database.h"
@@ -41,7 +40,7 @@ bool has_column_session(SQLite::Database& study, const std::string& table) {
   return found.executeStep();
 }
 
-/// The rows that stay, of a study of any schema.
+/// The rows that stay.
 std::string others_than(SQLite::Database& study, const std::string& table, std::int64_t session) {
   if (table == "session") {
     return fmt::format("id <> {}", session);
@@ -109,15 +108,9 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// Copies of older schemas, backups, and the study itself as the last: as long as it has the
-/// person, the others may.
+/// The backups, and the study itself as the last: as long as it has the person, the others may.
 std::vector<fs::path> copies_of(const fs::path& study) {
   std::vector<fs::path> copies;
-  for (int schema = oldest_study_schema_version; schema < study_schema_version; ++schema) {
-    if (const fs::path copy = copy_of_schema(study, schema); fs::exists(copy)) {
-      copies.push_back(copy);
-    }
-  }
   for (const fs::path& file : files_in(backup_folder(study))) {
     if (file.extension() == ".sqlite" && !file.filename().string().starts_with('.')) {
       copies.push_back(file);
@@ -220,7 +213,7 @@ Forgotten forget(const fs::path& study, const std::string& code) {
   const ControllerLock lock(study);
   const std::vector<fs::path> copies = copies_of(study);
   for (const fs::path& copy : copies) {
-    with_clear_errors(copy, [&] { schema_of_study(copy); });
+    with_clear_errors(copy, [&] { require_study(copy); });
   }
   // First, so that what is left to do by another call can be told by the copies alone.
   remove_leftovers(study, copies);
@@ -247,7 +240,7 @@ Forgotten forget(const fs::path& study, const std::string& code) {
 Forgotten forget_participant(const fs::path& path, const std::string& code) {
   Forgotten forgotten;
   with_clear_errors(path, [&] {
-    schema_of_study(path);
+    require_study(path);
     require_writable(path);
     forgotten = forget(fs::canonical(path), code);
   });

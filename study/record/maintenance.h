@@ -44,8 +44,7 @@ struct Forgotten {
 };
 
 /// Rebuilds the study and all of its backups without one participant's session, and checks that
-/// nothing of it is left in the files; copies of older schemas are among them. What a kill leaves
-/// undone is done by calling it again. Throws Error if there is no such participant, or if anything
+/// nothing of it is left in the files. What a kill leaves undone is done by calling it again. Throws Error if there is no such participant, or if anything
 /// is left.
 Forgotten forget_participant(const std::filesystem::path& path, const std::string& code);
 

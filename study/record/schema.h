@@ -7,10 +7,8 @@ namespace foveola::study {
 
 /// "Fovl" in ASCII: marks an SQLite file as a study of Foveola.
 constexpr std::int32_t study_application_id = 0x466F766C;
-/// The schema that this program writes.
+/// The schema that this program reads and writes.
 constexpr std::int32_t study_schema_version = 4;
-/// The oldest schema whose files it reads, and brings to its own when it writes.
-constexpr std::int32_t oldest_study_schema_version = 3;
 
 /// schema.sql, to the letter.
 const char* study_schema();

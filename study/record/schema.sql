@@ -5,8 +5,8 @@
 -- of the protocol's. What was measured is only ever added: triggers refuse to change or remove it.
 --
 -- Programs compare each CREATE statement with the one they know, to the letter. So comments stand
--- outside the statements, and whoever changes a statement raises user_version. A program writes
--- only the version that it knows, and brings files of the one before it to this one.
+-- outside the statements, and whoever changes a statement raises user_version. A program reads and
+-- writes only the version that it knows; no released program wrote an older one than 4.
 --
 -- Version 2: study_method_file; session_scene.shown_as; frames-2, which tell a held gaze.
 -- Version 3: study_profile; gaze_run, gaze_target and the state refused; gaze_chunk.

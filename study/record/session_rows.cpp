@@ -60,28 +60,17 @@ Phase phase_named(std::int64_t session, const std::string& name) {
   throw unknown_word(session, name);
 }
 
-void bind_if_any(SQLite::Statement& row, int index, const std::optional<int>& value) {
-  if (value) {
-    row.bind(index, *value);
-  }
-}
-
 std::int64_t insert_facts(SQLite::Database& database, const SessionFacts& facts,
                           const SessionOrigin& origin) {
   SQLite::Statement session(
       database,
       "INSERT INTO session (uuid, participant, kind, seed, started_utc, program_version, compiler,"
-      "  build_type, processor, cores, operating_system, devices, design_row, migrated_from, state)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'created')");
+      "  build_type, processor, cores, operating_system, devices, design_row, state)"
+      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'created')");
   SQLite::bind(session, origin.uuid, facts.participant, name_of(facts.kind),
                std::to_string(facts.seed), origin.started_utc, facts.build.version,
                facts.build.compiler, facts.build.build_type, facts.machine.processor,
-               facts.machine.cores, facts.machine.system, facts.devices);
-  constexpr int design_row = 13;
-  constexpr int migrated_from = 14;
-  bind_if_any(session, design_row,
-              origin.migrated_from ? std::nullopt : std::optional(facts.design_row));
-  bind_if_any(session, migrated_from, origin.migrated_from);
+               facts.machine.cores, facts.machine.system, facts.devices, facts.design_row);
   session.exec();
   return database.getLastInsertRowid();
 }

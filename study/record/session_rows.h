@@ -21,7 +21,6 @@ const char* name_of(SessionKind kind);
 struct SessionOrigin {
   std::string uuid;
   std::string started_utc;
-  std::optional<int> migrated_from;  ///< the schema; facts then have no design row
 };
 
 /// A random UUID (RFC 4122, section 4.4), so that the records of several sites can be merged.

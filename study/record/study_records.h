@@ -37,7 +37,7 @@ struct SessionRow {
   std::string participant;
   std::string kind;   ///< "human", "pilot" or "simulated"
   std::string state;  ///< name_of(Phase); not an end's if the program died in it or still runs
-  std::optional<int> design_row;  ///< of the protocol's design; empty of sessions of older schemas
+  std::optional<int> design_row;  ///< of the protocol's design; empty if the record keeps none
   std::string reason;             ///< of an exclusion
 };
 

@@ -1,7 +1,6 @@
 #include "study/record/study_store.h"
 
 #include <functional>
-#include <iterator>
 #include <map>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -17,10 +16,8 @@
 #include "study/record/event_rows.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
-#include "study/record/migration.h"
 #include "study/record/recorded_frames.h"
 #include "study/record/same_protocol.h"
-#include "study/record/schema.h"
 #include "study/record/session_rows.h"
 
 namespace fs = std::filesystem;
@@ -38,13 +35,13 @@ std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& pro
   return require_same_protocol(checked, path, protocol, other);
 }
 
-/// The study at `path`, which was checked, of this schema, to write.
-SQLite::Database open_study(const fs::path& path) {
-  require_writable_file(path);
-  if (schema_of_study(path) != study_schema_version) {
-    migrate_study(path);
-  }
-  return open_study_to_write(path);
+ChunkPlace place_of(std::int64_t session, const AttemptKey& attempt, std::uint64_t first,
+                    std::size_t count) {
+  return {.session = session,
+          .trial = static_cast<std::int64_t>(attempt.trial),
+          .attempt = attempt.attempt,
+          .first = static_cast<std::int64_t>(first),
+          .count = static_cast<std::int64_t>(count)};
 }
 
 /// Refuses a bad place before a lock is put there.
@@ -60,7 +57,7 @@ struct StudyStore::Implementation {
       : path(usable(path_in)),
         lock(path),
         amendment(make_or_check(path, protocol_in, other)),
-        database(open_study(path)),
+        database(open_study_to_write(path)),
         statements(database),
         protocol(protocol_in) {}
 
@@ -90,6 +87,33 @@ struct StudyStore::Implementation {
       procedures.clear();
       throw;
     }
+  }
+
+  void insert(std::int64_t session, const EventEntry& entry) {
+    insert_event_rows(statements, session, procedure_of_session(session),
+                      {.time = entry.time, .event = entry.event, .utc = utc_now()}, entry.before,
+                      entry.after);
+  }
+
+  void insert(std::int64_t session, const FrameChunk& chunk) {
+    insert_chunk(database, "frame_chunk",
+                 place_of(session, chunk.attempt, chunk.first, chunk.frames.size()),
+                 frame_encoding_name, encode_frames(chunk.frames));
+  }
+
+  void insert(std::int64_t session, const GazeChunk& chunk) {
+    insert_chunk(database, "gaze_chunk",
+                 place_of(session, chunk.attempt, chunk.first, chunk.samples.size()),
+                 gaze_encoding_name, encode_gaze(chunk.samples));
+  }
+
+  void insert(std::int64_t session, const FilmEntry& film) {
+    const auto trial = static_cast<std::int64_t>(film.attempt.trial);
+    SQLite::Statement row(database, "INSERT INTO film_hash VALUES (?, ?, ?, ?, ?, ?)");
+    SQLite::bind(row, session, trial, film.attempt.attempt,
+                 static_cast<std::int64_t>(film.hash.frame), film.hash.sha256,
+                 film_row_sha256(trial, film.attempt.attempt, film.hash));
+    row.exec();
   }
 
   /// As it was planned when the session began.
@@ -160,58 +184,15 @@ std::int64_t StudyStore::begin_session(const SessionFacts& facts, const Plan& pl
                   fmt::format("participant {} already has a session", facts.participant),
                   "choose another code");
     }
-    session = insert_session(
-        database, facts,
-        {.uuid = random_uuid(), .started_utc = utc_now(), .migrated_from = std::nullopt}, plan,
-        agenda_of(implementation_->protocol, plan));
+    session = insert_session(database, facts, {.uuid = random_uuid(), .started_utc = utc_now()},
+                             plan, agenda_of(implementation_->protocol, plan));
   });
   return session;
 }
 
-void StudyStore::record_event(std::int64_t session, Nanoseconds time, const Event& event,
-                              const SessionState& before, const SessionState& after) {
+void StudyStore::record(std::int64_t session, const SessionEntry& entry) {
   implementation_->commit([&] {
-    insert_event_rows(implementation_->statements, session,
-                      implementation_->procedure_of_session(session),
-                      {.time = time, .event = event, .utc = utc_now()}, before, after);
-  });
-}
-
-void StudyStore::record_frames(std::int64_t session, std::size_t trial, int attempt,
-                               std::uint64_t first_frame, const std::vector<FrameRow>& frames) {
-  const ChunkPlace place{.session = session,
-                         .trial = static_cast<std::int64_t>(trial),
-                         .attempt = attempt,
-                         .first = static_cast<std::int64_t>(first_frame),
-                         .count = std::ssize(frames)};
-  implementation_->commit([&] {
-    insert_chunk(implementation_->database, "frame_chunk", place, frame_encoding_name,
-                 encode_frames(frames));
-  });
-}
-
-void StudyStore::record_gaze(std::int64_t session, std::size_t trial, int attempt,
-                             std::uint64_t first_sample, const std::vector<GazeSample>& samples) {
-  const ChunkPlace place{.session = session,
-                         .trial = static_cast<std::int64_t>(trial),
-                         .attempt = attempt,
-                         .first = static_cast<std::int64_t>(first_sample),
-                         .count = std::ssize(samples)};
-  implementation_->commit([&] {
-    insert_chunk(implementation_->database, "gaze_chunk", place, gaze_encoding_name,
-                 encode_gaze(samples));
-  });
-}
-
-void StudyStore::record_film_hash(std::int64_t session, std::size_t trial, int attempt,
-                                  const FilmHash& hash) {
-  implementation_->commit([&] {
-    const auto trial_number = static_cast<std::int64_t>(trial);
-    SQLite::Statement row(implementation_->database,
-                          "INSERT INTO film_hash VALUES (?, ?, ?, ?, ?, ?)");
-    SQLite::bind(row, session, trial_number, attempt, static_cast<std::int64_t>(hash.frame),
-                 hash.sha256, film_row_sha256(trial_number, attempt, hash));
-    row.exec();
+    std::visit([&](const auto& what) { implementation_->insert(session, what); }, entry);
   });
 }
 

@@ -11,11 +11,10 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
-#include "renderer/base/vec.h"
-#include "renderer/gaze/eye_tracker.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
 #include "study/record/same_protocol.h"
+#include "study/record/session_recorder.h"
 #include "study/session/session.h"
 
 namespace foveola::study {
@@ -63,36 +62,16 @@ struct LoggedEvent {
   std::string utc;
 };
 
-/// One rendered frame, as it is kept.
-struct FrameRow {
-  Nanoseconds time{0};       ///< session clock: head and gaze were polled
-  Nanoseconds presented{0};  ///< session clock: it was on the display
-  float head_azimuth_rad = 0.0F;
-  float head_elevation_rad = 0.0F;
-  Vec3 gaze{0.0F};  ///< world, the one that was used
-  bool gaze_valid = false;
-  bool gaze_held = false;
-  bool is_late = false;  ///< it missed its refresh
-  Nanoseconds gaze_age{0};
-  std::uint32_t samples = 0;
-};
-
-/// What the film was after a frame, so that a replay can be checked.
-struct FilmHash {
-  std::uint64_t frame = 0;  ///< counted from the attempt's start
-  std::string sha256;
-};
-
 /// A study's file, open for writing. Every function that returns has committed with
 /// synchronous=FULL; one that throws Error has changed nothing. There is one at a time for a file.
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
-  /// the file is no database, damaged, of a newer schema, or of another protocol, other files of
+  /// the file is no database, damaged, of another schema, or of another protocol, other files of
   /// its methods or other profiles (by their hashes), or if another program has it open to write:
-  /// then it says which, and since when. Nothing is then made or changed. A file of an older schema
-  /// is copied beside itself and brought to this one. An amended protocol may be taken, too: the
-  /// study keeps its own, and every session by the other is to have a note of it.
+  /// then it says which, and since when. Nothing is then made or changed. An amended
+  /// protocol may be taken, too: the study keeps its own, and every session by the other is to have
+  /// a note of it.
   StudyStore(const std::filesystem::path& path, const Protocol& protocol,
              OtherProtocol other = OtherProtocol::refuse);
   /// Leaves one self-contained file (the write-ahead log is folded in).
@@ -119,21 +98,9 @@ class StudyStore {
   /// Throws Error if the participant has one already.
   std::int64_t begin_session(const SessionFacts& facts, const Plan& plan);
 
-  /// Appends `event`, which took the session from `before` to `after`, to the log, together with
+  /// Appends `entry` to the record of the session whose row is `session`; an event together with
   /// the rows that follow from it (answers, attempts, marks, ratings, the session's state).
-  void record_event(std::int64_t session, Nanoseconds time, const Event& event,
-                    const SessionState& before, const SessionState& after);
-
-  /// Appends a chunk of consecutive frames, at least one, of one attempt; first_frame counts from
-  /// the attempt's start.
-  void record_frames(std::int64_t session, std::size_t trial, int attempt,
-                     std::uint64_t first_frame, const std::vector<FrameRow>& frames);
-
-  /// Likewise, gaze samples.
-  void record_gaze(std::int64_t session, std::size_t trial, int attempt, std::uint64_t first_sample,
-                   const std::vector<GazeSample>& samples);
-
-  void record_film_hash(std::int64_t session, std::size_t trial, int attempt, const FilmHash& hash);
+  void record(std::int64_t session, const SessionEntry& entry);
 
   /// Runs `work`, in which the functions above commit nothing by themselves: all that it records is
   /// on the disk when this returns, or, if it throws, nothing of it.

@@ -240,8 +240,8 @@ void check_texts(SQLite::Database& study, Verification& found) {
 /// A copy, since SQLite checks no CHECK constraints of files that it may not write. It has no name,
 /// and goes to the disk only as far as it is larger than the cache.
 SQLite::Database copy_to_verify(const fs::path& path) {
-  SQLite::Database file = schema_of_study(path) == study_schema_version ? open_as_it_is(path)
-                                                                        : open_study_to_read(path);
+  require_study(path);
+  SQLite::Database file = open_as_it_is(path);
   SQLite::Database copy("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   copy.exec("PRAGMA cache_size = -65536");
   SQLite::Backup(copy, file).executeStep();

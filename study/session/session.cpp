@@ -352,19 +352,6 @@ std::optional<Transition> step(const Procedure& procedure, const SessionState& s
   return state.is_over() ? std::nullopt : std::visit(Step(procedure, state), event);
 }
 
-std::optional<SessionState> state_after(const Procedure& procedure,
-                                        const std::vector<Event>& events) {
-  SessionState state;
-  for (const Event& event : events) {
-    std::optional<Transition> next = step(procedure, state, event);
-    if (!next) {
-      return std::nullopt;
-    }
-    state = std::move(next->state);
-  }
-  return state;
-}
-
 std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state) {
   const Phase phase = is_left_off(state.phase) ? state.resumes_at : state.phase;
   if (phase == Phase::created || state.is_over()) {

@@ -171,11 +171,6 @@ struct Transition {
 std::optional<Transition> step(const Procedure& procedure, const SessionState& state,
                                const Event& event);
 
-/// The state that a session's events lead to from its beginning. Empty if one of them is not
-/// allowed.
-std::optional<SessionState> state_after(const Procedure& procedure,
-                                        const std::vector<Event>& events);
-
 /// The index in the plan of the trial that the state is in; empty if it is in none, or over.
 std::optional<std::size_t> trial_of(const Procedure& procedure, const SessionState& state);
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "renderer/film/film_hash.h"
+
 namespace foveola::study {
 
 FrameRow frame_row(const FrameReport& report) {
@@ -28,16 +30,21 @@ void AttemptLog::add(const FrameRow& frame, std::span<const GazeSample> arrived)
   }
 }
 
-void AttemptLog::finish() {
+void AttemptLog::finish(const EquirectFilm& film) {
   marker_.finish(gaze_);
   write_frames();
   write_gaze();
+  if (frames() > 0) {
+    recorder_.record(FilmEntry{.attempt = attempt_,
+                               .hash = {.frame = frames() - 1, .sha256 = film_sha256(film)}});
+  }
 }
 
 void AttemptLog::write_frames() {
   if (!frames_.empty()) {
     const std::size_t count = frames_.size();
-    sink_.frames(frames_written_, std::exchange(frames_, {}));
+    recorder_.record(FrameChunk{
+        .attempt = attempt_, .first = frames_written_, .frames = std::exchange(frames_, {})});
     frames_written_ += count;
   }
 }
@@ -45,7 +52,8 @@ void AttemptLog::write_frames() {
 void AttemptLog::write_gaze() {
   if (!gaze_.empty()) {
     const std::size_t count = gaze_.size();
-    sink_.gaze(gaze_written_, std::exchange(gaze_, {}));
+    recorder_.record(GazeChunk{
+        .attempt = attempt_, .first = gaze_written_, .samples = std::exchange(gaze_, {})});
     gaze_written_ += count;
   }
 }

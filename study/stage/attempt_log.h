@@ -3,35 +3,32 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "renderer/film/equirect_film.h"
 #include "renderer/gaze/gaze_marker.h"
 #include "renderer/preview/preview.h"
-#include "study/record/study_store.h"
+#include "study/record/session_recorder.h"
 
 namespace foveola::study {
-
-/// Where an attempt's chunks go; firsts count from its start.
-struct AttemptSink {
-  std::function<void(std::uint64_t first_frame, std::vector<FrameRow> frames)> frames;
-  std::function<void(std::uint64_t first_sample, std::vector<GazeSample> samples)> gaze;
-};
 
 /// What the record keeps of a frame, but for its presentation.
 FrameRow frame_row(const FrameReport& report);
 
 class AttemptLog {
  public:
-  explicit AttemptLog(AttemptSink sink) : sink_(std::move(sink)) {}
+  /// recorder: of the attempt's session; must outlive this.
+  AttemptLog(SessionRecorder& recorder, const AttemptKey& attempt)
+      : recorder_(recorder), attempt_(attempt) {}
 
   /// arrived: the gaze samples that came for this frame.
   void add(const FrameRow& frame, std::span<const GazeSample> arrived);
-  /// The attempt is over: hands on what is left.
-  void finish();
+  /// The attempt is over: hands on what is left, and the hash of what its film became, if there
+  /// was a frame.
+  void finish(const EquirectFilm& film);
 
-  /// So far.
+  /// How many frames were added.
   std::uint64_t frames() const { return frames_written_ + frames_.size(); }
 
  private:
@@ -40,7 +37,8 @@ class AttemptLog {
   void write_frames();
   void write_gaze();
 
-  AttemptSink sink_;
+  SessionRecorder& recorder_;
+  AttemptKey attempt_;
   std::uint64_t frames_written_ = 0;
   std::vector<FrameRow> frames_;
   GazeMarker marker_;

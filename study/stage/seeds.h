@@ -7,6 +7,7 @@
 #include "renderer/base/random.h"
 #include "study/design/plan.h"
 #include "study/protocol/protocol.h"
+#include "study/session/session.h"
 
 namespace foveola::study {
 
@@ -43,6 +44,13 @@ inline std::uint32_t derive_seed(const SessionSeed& session, SeedPurpose purpose
 /// off.
 std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose, const Protocol& protocol,
                          const PlannedTrial& trial, int timing);
+
+/// The seed for `purpose` the next time that the step of the agenda is tried in which `state` is.
+inline std::uint32_t step_seed(const SessionSeed& session, SeedPurpose purpose,
+                               const SessionState& state) {
+  return derive_seed(session, purpose,
+                     {static_cast<int>(state.step), state.validations_left, state.presses_left});
+}
 
 /// That of a trial's points and paths: with the recorded frames it makes the same film again.
 inline std::uint32_t rendering_seed(std::uint64_t session_seed, int design_row,

@@ -12,7 +12,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/quantile.h"
 #include "renderer/base/random.h"
-#include "study/record/record_thread.h"
+#include "study/record/threaded_recorder.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::study {
@@ -101,7 +101,9 @@ OpenAttempt begin_attempt(StudyStore& store, const Protocol& protocol) {
   for (const Event& event : {Event(SessionStarted{}), Event(ObjectChosen{"box"}),
                              Event(TrialStarted{}), Event(FirstFramePresented{})}) {
     const SessionState next = step(procedure, attempt.state, event).value().state;
-    store.record_event(attempt.session, Nanoseconds(0), event, attempt.state, next);
+    store.record(
+        attempt.session,
+        EventEntry{.time = Nanoseconds(0), .event = event, .before = attempt.state, .after = next});
     attempt.state = next;
   }
   return attempt;
@@ -125,7 +127,7 @@ void frames_beside_the_record_thread(benchmark::State& state) {
     const Protocol protocol = two_marks();
     StudyStore store(folder / "study.sqlite", protocol);
     const OpenAttempt attempt = begin_attempt(store, protocol);
-    RecordThread thread(store);
+    ThreadedRecorder recorder(store, attempt.session);
     PlausiblePerson person;
     std::vector<FrameRow> frames;
     auto next = std::chrono::steady_clock::now();
@@ -134,13 +136,18 @@ void frames_beside_the_record_thread(benchmark::State& state) {
       kept_ms.push_back(milliseconds_of([&] {
         if (frames.size() == frames_per_chunk) {
           const auto first = static_cast<std::uint64_t>(frame + 1 - frames_per_chunk);
-          thread.frames(attempt.session, 0, 1, first, std::exchange(frames, {}));
-          thread.gaze(attempt.session, 0, 1, first,
-                      std::vector<GazeSample>(static_cast<std::size_t>(frames_per_chunk)));
+          recorder.record(
+              FrameChunk{.attempt = {}, .first = first, .frames = std::exchange(frames, {})});
+          recorder.record(GazeChunk{
+              .attempt = {},
+              .first = first,
+              .samples = std::vector<GazeSample>(static_cast<std::size_t>(frames_per_chunk))});
         }
         if (frame % 50 == 25) {
-          thread.event(attempt.session, Nanoseconds(frame), NoteWritten{.text = "a note"},
-                       attempt.state, attempt.state);
+          recorder.record(EventEntry{.time = Nanoseconds(frame),
+                                     .event = NoteWritten{.text = "a note"},
+                                     .before = attempt.state,
+                                     .after = attempt.state});
         }
       }));
       next += pace;
@@ -172,10 +179,14 @@ void file_of_a_session(benchmark::State& state) {
         for (int i = 0; i < static_cast<int>(gaze_rate_hz); ++i) {
           samples.push_back(person.sample(second + i / gaze_rate_hz));
         }
-        store.record_frames(attempt.session, 0, 1,
-                            static_cast<std::uint64_t>(second * frames_per_chunk), frames);
-        store.record_gaze(attempt.session, 0, 1,
-                          static_cast<std::uint64_t>(second) * samples.size(), samples);
+        store.record(attempt.session,
+                     FrameChunk{.attempt = {},
+                                .first = static_cast<std::uint64_t>(second * frames_per_chunk),
+                                .frames = frames});
+        store.record(attempt.session,
+                     GazeChunk{.attempt = {},
+                               .first = static_cast<std::uint64_t>(second) * samples.size(),
+                               .samples = samples});
       }
     }
     megabytes = 1e-6 * static_cast<double>(std::filesystem::file_size(folder / "study.sqlite"));

@@ -80,11 +80,11 @@ TEST(KeyIntent, AConfirmationIsConfirmedOrLetGoAndNothingElse) {
   }
 }
 
-TEST(KeyIntent, AMarkHappenedWhenItsKeyWentDown) {
-  const std::optional<Event> marked = event_of(KeyIntent::mark, 3s);
-  ASSERT_TRUE(marked && std::holds_alternative<Marked>(*marked));
-  EXPECT_EQ(std::get<Marked>(*marked).time, 3s);
-  EXPECT_FALSE(event_of(KeyIntent::read_on, 3s));
+TEST(KeyIntent, SomeSayAWholeEvent) {
+  const std::optional<Event> resumed = event_of(KeyIntent::resume);
+  EXPECT_TRUE(resumed && std::holds_alternative<Resumed>(*resumed));
+  EXPECT_FALSE(event_of(KeyIntent::read_on));
+  EXPECT_FALSE(event_of(KeyIntent::mark)) << "it has the time of its key";
 }
 
 }  // namespace

@@ -104,10 +104,11 @@ TEST(PromptStateTest, ARatingComesWhenItIsWantedAndWasLookedAround) {
   PromptSession session;
   session.prompt.wants_to_rate = true;  // of the trial before
   session.seen = {.phase = Phase::rating};
-  session.prepare(AskForRating{}, 10s);
+  session.prepare(AskForRating{});
+  session.prompt.look_around_until = 14s;
   EXPECT_FALSE(begin_rating(session.prompt, session.protocol, 20s)) << "not wanted";
   session.prompt.wants_to_rate = true;
-  EXPECT_FALSE(begin_rating(session.prompt, session.protocol, 13900ms)) << "4 s of looking around";
+  EXPECT_FALSE(begin_rating(session.prompt, session.protocol, 13900ms)) << "looks around";
   EXPECT_TRUE(begin_rating(session.prompt, session.protocol, 14s));
   EXPECT_TRUE(is_form_shown(session.prompt, Phase::rating));
   EXPECT_FALSE(begin_rating(session.prompt, session.protocol, 15s)) << "it is there";

@@ -1,9 +1,8 @@
 #include "study/person/simulated_operator.h"
 
-#include <atomic>
-
 #include <gmock/gmock.h>
 
+#include "tests/study/participant/fake_participant.h"
 #include "tests/study/person/prompt_session.h"
 #include "tests/waiting.h"
 
@@ -15,48 +14,12 @@ using test::PromptSession;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Presses so long after the first thing that it sees.
-class Onlooker final : public Participant {
- public:
-  std::vector<Answer> answer(const std::string& /*form*/,
-                             const std::vector<Question>& /*questions*/) override {
-    return {};
-  }
-  Nanoseconds react(std::uint32_t /*attempt*/) override { return 200ms; }
-  std::size_t choose_object(const std::string& /*scene*/,
-                            const std::vector<OfferedObject>& /*offered*/) override {
-    return 0;
-  }
-  void begin_attempt(const Attempt& /*attempt*/) override { is_marking_ = false; }
-  void turn_to(const std::string& /*scene*/, const OfferedObject& /*object*/,
-               Nanoseconds /*now*/) override {}
-  void look_at(const Vec3& /*target*/, Nanoseconds /*now*/) override {}
-  void begin(Task task, Nanoseconds /*now*/) override { is_marking_ = task != Task::look_around; }
-  AzimuthElevation head(Nanoseconds /*time*/) override { return {}; }
-  Vec3 gaze(Nanoseconds /*time*/) override { return {0.0F, 0.0F, -1.0F}; }
-  std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
-    ++looks;
-    return std::exchange(is_marking_, false) ? std::optional(stimulus.presented + thought)
-                                             : std::nullopt;
-  }
-  bool wants_retime() const override { return regrets; }
-  bool wants_to_withdraw(int /*trials_before*/) const override { return withdraws; }
-  std::vector<Answer> rate(const std::vector<Question>& /*ratings*/) override { return {}; }
-
-  static constexpr Nanoseconds thought = 300ms;
-  std::atomic<int> looks = 0;
-  bool regrets = false;
-  bool withdraws = false;
-
- private:
-  bool is_marking_ = false;
-};
-
 class SimulatedOperatorTest : public ::testing::Test {
  protected:
   SimulatedOperatorTest() {
     session_.seen.phase = Phase::ready;
     session_.seen.object = "Lamp";
+    participant_.thought = 300ms;
   }
 
   /// Shows a frame at this time of the clock.
@@ -108,10 +71,10 @@ class SimulatedOperatorTest : public ::testing::Test {
 
   PromptSession session_;
   std::vector<OfferedObject> objects_ = {{.name = "Lamp"}};
-  Onlooker onlooker_;
+  FakeParticipant participant_;
   VirtualClock clock_;
   WindowEvents window_;
-  SimulatedOperator operator_{{.participant = &onlooker_,
+  SimulatedOperator operator_{{.participant = &participant_,
                                .protocol = &session_.protocol,
                                .plan = &session_.plan,
                                .seed = {},
@@ -131,7 +94,7 @@ TEST_F(SimulatedOperatorTest, AKeyGoesDownWhenItIsTimeToWheneverFramesCome) {
   begin_trial();
   show(2299ms);
   EXPECT_THAT(pressed(), IsEmpty());
-  EXPECT_EQ(key_pressed_by(2450ms), std::pair(PersonKey::mark, 2s + Onlooker::thought));
+  EXPECT_EQ(key_pressed_by(2450ms), std::pair(PersonKey::mark, 2s + participant_.thought));
   show(3s);
   EXPECT_THAT(pressed(), IsEmpty()) << "the mark is made";
 }
@@ -150,21 +113,21 @@ TEST_F(SimulatedOperatorTest, LooksTenTimesASecondAtMost) {
   session_.seen.mark = 2;
   session_.prompt.look_around_until = 9s;
   show(4s);
-  foveola::test::wait_until("a look around", [&] { return onlooker_.looks == 2; });
+  foveola::test::wait_until("a look around", [&] { return participant_.look_count == 2; });
   for (int frame = 0; frame < 100; ++frame) {
     show(4099ms);
   }
-  EXPECT_EQ(onlooker_.looks, 2);
+  EXPECT_EQ(participant_.look_count, 2);
   foveola::test::wait_until("the next look", [&] {
     show(4100ms);
-    return onlooker_.looks == 3;
+    return participant_.look_count == 3;
   });
 }
 
 TEST_F(SimulatedOperatorTest, AFailedTimingIsAskedAboutAndConfirmed) {
   begin_trial();
   session_.seen.mark = 1;
-  onlooker_.regrets = true;
+  participant_.regrets = true;
   show(3s);
   session_.prompt.confirmation = Confirmation::timing_again;
   show(4s);
@@ -173,7 +136,7 @@ TEST_F(SimulatedOperatorTest, AFailedTimingIsAskedAboutAndConfirmed) {
 }
 
 TEST_F(SimulatedOperatorTest, WhoWantsToStopPausesAndSaysSo) {
-  onlooker_.withdraws = true;
+  participant_.withdraws_before = 0;
   show(0s);
   show(2s);
   session_.seen.phase = Phase::paused;

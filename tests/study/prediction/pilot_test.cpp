@@ -7,7 +7,7 @@
 #include "renderer/base/error.h"
 #include "renderer/film/viewport_resampler.h"
 #include "study/stage/scene_stage.h"
-#include "tests/study/commands/small_wall.h"
+#include "tests/study/simulation/small_wall.h"
 
 namespace foveola::study {
 namespace {

@@ -34,12 +34,15 @@ TEST_F(DataQuality, FramesAreOfTheCountedAttempts) {
     PlayedSession session(store, facts_of("P01"), small_plan());
     session.begin();
     session.choose_and_start(ms(20));
-    store.record_frames(session.id(), 0, 1, 0, plausible_frames(100));
+    store.record(session.id(),
+                 FrameChunk{.attempt = {}, .first = 0, .frames = plausible_frames(100)});
     session.happen(ms(30), FirstFramePresented{ms(30)});
     session.happen(ms(40), Marked{ms(40)});
     session.happen(ms(50), RetimeRequested{});
     session.choose_and_start(ms(55));
-    store.record_frames(session.id(), 0, 2, 0, frames_from(ms(1000)));
+    store.record(session.id(), FrameChunk{.attempt = {.trial = 0, .attempt = 2},
+                                          .first = 0,
+                                          .frames = frames_from(ms(1000))});
     session.happen(ms(1000), FirstFramePresented{ms(1000)});
     session.happen(ms(1034), Marked{ms(1034)});
     session.happen(ms(1092), Marked{ms(1092)});

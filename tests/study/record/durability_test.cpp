@@ -49,12 +49,26 @@ TEST(Durability, EveryCallIsSyncedBeforeItReturns) {
   EXPECT_GE(syncs_during([&] { session = store.begin_session(facts_of("P01"), small_plan()); }), 1);
   const SessionState ready{.phase = Phase::ready, .step = 1, .object = "vase"};
   const SessionState armed{.phase = Phase::armed, .step = 1, .object = "vase"};
-  EXPECT_GE(syncs_during([&] { store.record_event(session, ms(1), TrialStarted{}, ready, armed); }),
-            1);
-  EXPECT_GE(syncs_during([&] { store.record_frames(session, 0, 1, 0, {FrameRow{}}); }), 1);
-  EXPECT_GE(syncs_during([&] { store.record_gaze(session, 0, 1, 0, {GazeSample{}}); }), 1);
+  EXPECT_GE(
+      syncs_during([&] {
+        store.record(
+            session,
+            EventEntry{.time = ms(1), .event = TrialStarted{}, .before = ready, .after = armed});
+      }),
+      1);
   EXPECT_GE(syncs_during([&] {
-              store.record_film_hash(session, 0, 1, {.frame = 0, .sha256 = std::string(64, '0')});
+              store.record(session, FrameChunk{.attempt = {}, .first = 0, .frames = {FrameRow{}}});
+            }),
+            1);
+  EXPECT_GE(syncs_during([&] {
+              store.record(session,
+                           GazeChunk{.attempt = {}, .first = 0, .samples = {GazeSample{}}});
+            }),
+            1);
+  EXPECT_GE(syncs_during([&] {
+              store.record(
+                  session,
+                  FilmEntry{.attempt = {}, .hash = {.frame = 0, .sha256 = std::string(64, '0')}});
             }),
             1);
 }
@@ -167,7 +181,9 @@ TEST(Durability, FailedWriteIsReportedAndLosesNothingBeforeIt) {
     session.choose_and_start(ms(20));
     const std::vector<FrameRow> frames = noisy_frames(frames_per_chunk);
     const auto record_chunk = [&] {
-      store.record_frames(session.id(), 0, 1, acknowledged * frames_per_chunk, frames);
+      store.record(
+          session.id(),
+          FrameChunk{.attempt = {}, .first = acknowledged * frames_per_chunk, .frames = frames});
       ++acknowledged;
     };
     {

@@ -125,23 +125,5 @@ TEST_F(Forgetting, WaitsForNoController) {
   EXPECT_THAT(refusal([&] { forget_participant(path_, code); }), HasSubstr("is being written by"));
 }
 
-TEST(ForgettingOlderSchemas, ReachesTheirCopies) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / "study.sqlite";
-  {
-    SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    for (const char* name : {"schema-3.sql", "schema-3-study.sql"}) {
-      database.exec(read_file(fs::path(TEST_DATA_DIR) / "records" / name));
-    }
-  }
-  { const StudyStore migrated(path, small_protocol()); }
-  EXPECT_EQ(forget_participant(path, "P01").files, 2U);
-  for (const auto& [name, bytes] : folder.content()) {
-    EXPECT_THAT(bytes, testing::Not(HasSubstr("11111111-1111-4111-8111-111111111111"))) << name;
-    EXPECT_EQ(read_study(folder / name).sessions.size(), 4U) << name;
-    EXPECT_THAT(verify_study(folder / name).faults, IsEmpty()) << name;
-  }
-}
-
 }  // namespace
 }  // namespace foveola::study

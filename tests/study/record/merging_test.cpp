@@ -24,7 +24,8 @@ class Merging : public testing::Test {
     PlayedSession session(store, facts_of(participant), small_plan(), thorough_protocol());
     session.begin_thoroughly();
     session.run_trial(ms(100), ms(2000), ms(3000), 2);
-    store.record_frames(session.id(), 0, 1, 0, plausible_frames(10));
+    store.record(session.id(),
+                 FrameChunk{.attempt = {}, .first = 0, .frames = plausible_frames(10)});
   }
 
   std::vector<std::string> participants(const fs::path& path) {
@@ -68,7 +69,7 @@ TEST_F(Merging, RefusesASessionThatDiffers) {
   fs::copy(a_, folder_ / "older.sqlite");
   {
     StudyStore store(a_, thorough_protocol());
-    store.record_frames(2, 0, 1, 10, plausible_frames(10));
+    store.record(2, FrameChunk{.attempt = {}, .first = 10, .frames = plausible_frames(10)});
   }
   EXPECT_THAT(refusal([&] {
                 merge_studies({a_, folder_ / "older.sqlite"}, all_);

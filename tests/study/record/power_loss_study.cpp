@@ -5,7 +5,7 @@
 #include <future>
 #include <random>
 
-#include "study/record/record_thread.h"
+#include "study/record/threaded_recorder.h"
 
 namespace foveola::study {
 namespace {
@@ -32,13 +32,13 @@ class Recorder {
     session_ = store_->begin_session(facts_of(participant), small_plan());
     remember(&Holdings::sessions);
     watch_->acknowledge();
-    RecordThread thread(*store_);
-    happen(thread, ms(0), SessionStarted{});
-    happen(thread, ms(10),
+    ThreadedRecorder recorder(*store_, session_);
+    happen(recorder, ms(0), SessionStarted{});
+    happen(recorder, ms(10),
            QuestionnaireAnswered{.questionnaire = "background",
                                  .answers = {{.question = "age", .value = 31.0}}});
     for (std::size_t trial = 0; trial < small_plan().size(); ++trial) {
-      run_trial(thread, trial, gaze_samples);
+      run_trial(recorder, trial, gaze_samples);
     }
     wait_for_all();
   }
@@ -49,30 +49,41 @@ class Recorder {
   const std::vector<ToldEvent>& events() const { return events_; }
 
  private:
-  void run_trial(RecordThread& thread, std::size_t trial, int gaze_samples) {
+  void run_trial(ThreadedRecorder& recorder, std::size_t trial, int gaze_samples) {
     const Nanoseconds start = ms(1000 * static_cast<std::int64_t>(trial + 1));
     if (state_.phase == Phase::choosing_object) {
-      happen(thread, start, ObjectChosen{"vase"});
+      happen(recorder, start, ObjectChosen{"vase"});
     }
-    happen(thread, start, TrialStarted{});
-    happen(thread, start, FirstFramePresented{start});
+    happen(recorder, start, TrialStarted{});
+    happen(recorder, start, FirstFramePresented{start});
     wait_for_all();  // as a person's session does
-    add(&Holdings::frame_chunks, thread.frames(session_, trial, 1, 0, plausible_frames(60)));
+    add(&Holdings::frame_chunks,
+        recorder.record(FrameChunk{.attempt = {.trial = trial, .attempt = 1},
+                                   .first = 0,
+                                   .frames = plausible_frames(60)}));
     add(&Holdings::gaze_chunks,
-        thread.gaze(session_, trial, 1, 0, noisy_gaze(gaze_samples, noise_)));
-    happen(thread, start + ms(100), Marked{start + ms(100)});
-    happen(thread, start + ms(200), Marked{start + ms(200)});
+        recorder.record(GazeChunk{.attempt = {.trial = trial, .attempt = 1},
+                                  .first = 0,
+                                  .samples = noisy_gaze(gaze_samples, noise_)}));
+    happen(recorder, start + ms(100), Marked{start + ms(100)});
+    happen(recorder, start + ms(200), Marked{start + ms(200)});
     wait_for_all();
-    add(&Holdings::frame_chunks, thread.frames(session_, trial, 1, 60, plausible_frames(20)));
+    add(&Holdings::frame_chunks,
+        recorder.record(FrameChunk{.attempt = {.trial = trial, .attempt = 1},
+                                   .first = 60,
+                                   .frames = plausible_frames(20)}));
     add(&Holdings::film_hashes,
-        thread.film_hash(session_, trial, 1, {.frame = 79, .sha256 = std::string(64, 'f')}));
-    happen(thread, start + ms(300), rated(3));
+        recorder.record(FilmEntry{.attempt = {.trial = trial, .attempt = 1},
+                                  .hash = {.frame = 79, .sha256 = std::string(64, 'f')}}));
+    happen(recorder, start + ms(300), rated(3));
   }
 
-  void happen(RecordThread& thread, Nanoseconds time, const Event& event) {
+  void happen(ThreadedRecorder& recorder, Nanoseconds time, const Event& event) {
     const Transition next = step(procedure_, state_, event).value();
     events_.push_back({time, std::string(name_of(event))});
-    add(&Holdings::events, thread.event(session_, time, event, state_, next.state));
+    add(&Holdings::events,
+        recorder.record(
+            EventEntry{.time = time, .event = event, .before = state_, .after = next.state}));
     state_ = next.state;
   }
 

@@ -14,7 +14,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/maintenance.h"
-#include "study/record/migration.h"
 
 namespace fs = std::filesystem;
 
@@ -113,8 +112,10 @@ std::string fault_of(const fs::path& path, const RecordedStudy& known, std::size
             step(procedure_of(small_protocol(), small_plan()), state, logged.event).value().state;
       }
       if (!state.is_over()) {
-        store.record_event(session.id, ms(100'000), NoteWritten{.text = "the power was lost"},
-                           state, state);
+        store.record(session.id, EventEntry{.time = ms(100'000),
+                                            .event = NoteWritten{.text = "the power was lost"},
+                                            .before = state,
+                                            .after = state});
       }
     }
     if (!std::equal(events.begin(), events.end(), known.events.begin())) {
@@ -241,22 +242,6 @@ TEST(PowerLoss, ARestoredBackupIsGoneOnWith) {
   expect_whole_session(folder, losses_or(30), [&] {
     const StudyStore store(path, thorough_protocol());
     return path;
-  });
-}
-
-TEST(PowerLoss, AStudyOfAnOlderSchemaIsMigrated) {
-  const TemporaryFolder folder;
-  const fs::path path = folder / study_name;
-  {
-    SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    for (const char* name : {"schema-3.sql", "schema-3-study.sql"}) {
-      database.exec(read_file(fs::path(TEST_DATA_DIR) / "records" / name));
-    }
-    database.exec("PRAGMA journal_mode = WAL");
-  }
-  expect_whole_session(folder, losses_or(10), [&] {
-    const StudyStore store(path, small_protocol());
-    return copy_of_schema(path, 3);
   });
 }
 

@@ -23,17 +23,24 @@ class RecordedGaze : public StudyFile {
     PlayedSession first(store, facts_of("P01"), small_plan());
     first.begin();
     first.choose_and_start(ms(20));
-    store.record_gaze(first.id(), 0, 1, 0, {{.time = ms(1)}, {.time = ms(2)}});
+    store.record(
+        first.id(),
+        GazeChunk{.attempt = {}, .first = 0, .samples = {{.time = ms(1)}, {.time = ms(2)}}});
     first.happen(ms(30), FirstFramePresented{ms(30)});
     first.happen(ms(40), Marked{ms(40)});
     first.happen(ms(50), RetimeRequested{});
     first.choose_and_start(ms(55));
-    store.record_gaze(first.id(), 0, 2, 0, {{.time = ms(60)}, {.time = ms(61)}});
-    store.record_gaze(first.id(), 0, 2, 2, {{.time = ms(62), .mark = GazeMark::saccade}});
+    store.record(first.id(), GazeChunk{.attempt = {.trial = 0, .attempt = 2},
+                                       .first = 0,
+                                       .samples = {{.time = ms(60)}, {.time = ms(61)}}});
+    store.record(first.id(), GazeChunk{.attempt = {.trial = 0, .attempt = 2},
+                                       .first = 2,
+                                       .samples = {{.time = ms(62), .mark = GazeMark::saccade}}});
     PlayedSession second(store, facts_of("P02"), small_plan());
     second.begin();
     second.choose_and_start(ms(20));
-    store.record_gaze(second.id(), 0, 1, 0, {{.time = ms(7), .valid = true}});
+    store.record(second.id(),
+                 GazeChunk{.attempt = {}, .first = 0, .samples = {{.time = ms(7), .valid = true}}});
   }
 };
 

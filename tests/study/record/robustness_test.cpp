@@ -51,8 +51,10 @@ TEST(Robustness, AFullDiskIsNamedAndLosesNothing) {
   std::size_t written = 0;
   const std::string message = refusal([&] {
     for (; written < 10'000; ++written) {
-      store.record_event(session.id(), ms(100), NoteWritten{.text = std::string(1000, 'n')},
-                         session.state(), session.state());
+      store.record(session.id(), EventEntry{.time = ms(100),
+                                            .event = NoteWritten{.text = std::string(1000, 'n')},
+                                            .before = session.state(),
+                                            .after = session.state()});
     }
   });
   EXPECT_THAT(message,
@@ -73,8 +75,7 @@ TEST(Robustness, AClockThatWasSetBackChangesNoTimes) {
     const Procedure procedure = procedure_of(small_protocol(), small_plan());
     const std::int64_t session = insert_session(
         database, facts_of("P01"),
-        {.uuid = random_uuid(), .started_utc = "2026-11-21T09:30:00.000Z", .migrated_from = {}},
-        small_plan(), agenda);
+        {.uuid = random_uuid(), .started_utc = "2026-11-21T09:30:00.000Z"}, small_plan(), agenda);
     const std::vector<LoggedEvent> events = {
         {ms(0), SessionStarted{}, "2026-11-21T09:30:00.100Z"},
         {ms(10), QuestionnaireAnswered{"background", {}}, "2026-11-21T09:30:00.200Z"},

@@ -134,7 +134,8 @@ PlayedSession::PlayedSession(StudyStore& store, const SessionFacts& facts, const
 void PlayedSession::happen(Nanoseconds time, const Event& event) {
   const std::optional<Transition> transition = step(procedure_, state_, event);
   ASSERT_TRUE(transition) << name_of(event) << " in " << name_of(state_.phase);
-  store_.record_event(id_, time, event, state_, transition->state);
+  store_.record(
+      id_, EventEntry{.time = time, .event = event, .before = state_, .after = transition->state});
   state_ = transition->state;
 }
 
@@ -187,8 +188,12 @@ void run_thorough_session(StudyStore& store, const std::string& participant, con
   session.happen(ms(2001), FirstFramePresented{ms(2001)});
   session.happen(ms(2100), TimedOut{ms(2100)});
   session.happen(ms(2200), RetimeRequested{});
-  store.record_frames(session.id(), 1, 1, 0, plausible_frames(50));
-  store.record_gaze(session.id(), 1, 1, 0, plausible_gaze(80));
+  store.record(session.id(), FrameChunk{.attempt = {.trial = 1, .attempt = 1},
+                                        .first = 0,
+                                        .frames = plausible_frames(50)});
+  store.record(
+      session.id(),
+      GazeChunk{.attempt = {.trial = 1, .attempt = 1}, .first = 0, .samples = plausible_gaze(80)});
   session.choose_and_start(ms(3000));
   session.happen(ms(3001), FirstFramePresented{ms(3001)});
   session.happen(ms(3100), PauseRequested{});
@@ -200,7 +205,8 @@ void run_thorough_session(StudyStore& store, const std::string& participant, con
   for (int trial = 2; trial < 6; ++trial) {
     session.run_trial(ms(5000 + 1000 * trial), ms(500), ms(600), 3);
   }
-  store.record_film_hash(session.id(), 5, 1, {.frame = 12, .sha256 = std::string(64, '2')});
+  store.record(session.id(), FilmEntry{.attempt = {.trial = 5, .attempt = 1},
+                                       .hash = {.frame = 12, .sha256 = std::string(64, '2')}});
   session.happen(ms(20'000), last);
 }
 

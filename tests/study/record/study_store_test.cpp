@@ -292,9 +292,13 @@ TEST_F(Store, KeepsFramesAndGazeCompressedWithTheirHashes) {
   PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.choose_and_start(ms(20));
-  store.record_frames(session.id(), 0, 1, 0, std::vector<FrameRow>(3));
-  store.record_frames(session.id(), 0, 1, 3, {FrameRow{.time = Nanoseconds(0x0304)}});
-  store.record_gaze(session.id(), 0, 1, 0, std::vector<GazeSample>(2));
+  store.record(session.id(),
+               FrameChunk{.attempt = {}, .first = 0, .frames = std::vector<FrameRow>(3)});
+  store.record(
+      session.id(),
+      FrameChunk{.attempt = {}, .first = 3, .frames = {FrameRow{.time = Nanoseconds(0x0304)}}});
+  store.record(session.id(),
+               GazeChunk{.attempt = {}, .first = 0, .samples = std::vector<GazeSample>(2)});
   EXPECT_THAT(column("SELECT first_frame || '+' || frame_count || ' ' || encoding"
                      " FROM frame_chunk ORDER BY first_frame"),
               ElementsAre("0+3 frames-3", "3+1 frames-3"));
@@ -312,7 +316,8 @@ TEST_F(Store, KeepsFilmHashes) {
   PlayedSession session(store, facts_of("P01"), small_plan());
   session.begin();
   session.choose_and_start(ms(20));
-  store.record_film_hash(session.id(), 0, 1, {.frame = 12, .sha256 = std::string(64, 'a')});
+  store.record(session.id(),
+               FilmEntry{.attempt = {}, .hash = {.frame = 12, .sha256 = std::string(64, 'a')}});
   EXPECT_EQ(stored("SELECT trial || attempt || ' ' || frame || film_sha256 FROM film_hash"),
             "01 12" + std::string(64, 'a'));
   // Python: hashlib.sha256(('[0,1,12,"' + 'a' * 64 + '"]').encode()).hexdigest()
@@ -339,7 +344,10 @@ TEST_F(Store, ChangesNothingWhenAnEventCannotBeRecorded) {
   const std::int64_t session = store.begin_session(facts_of("P01"), small_plan());
   const SessionState rating{.phase = Phase::rating, .step = 1};
   const SessionState next{.phase = Phase::ready, .step = 2};
-  refusal([&] { store.record_event(session, ms(1), rated(3), rating, next); });
+  refusal([&] {
+    store.record(session,
+                 EventEntry{.time = ms(1), .event = rated(3), .before = rating, .after = next});
+  });
   EXPECT_EQ(stored("SELECT count(*) FROM event"), "0");
   EXPECT_EQ(stored("SELECT state FROM session"), "created");
 }

@@ -31,10 +31,17 @@ class VerifiedStudy : public StudyFile {
     session.begin_thoroughly();
     for (std::size_t trial = 0; trial < small_plan().size(); ++trial) {
       session.run_trial(ms(1000 + 10'000 * static_cast<int>(trial)), ms(2000), ms(3000), 2);
-      store.record_frames(session.id(), trial, 1, 0, plausible_frames(60));
-      store.record_frames(session.id(), trial, 1, 60, plausible_frames(40));
-      store.record_gaze(session.id(), trial, 1, 0, plausible_gaze(100));
-      store.record_film_hash(session.id(), trial, 1, {.frame = 99, .sha256 = std::string(64, '1')});
+      store.record(session.id(), FrameChunk{.attempt = {.trial = trial, .attempt = 1},
+                                            .first = 0,
+                                            .frames = plausible_frames(60)});
+      store.record(session.id(), FrameChunk{.attempt = {.trial = trial, .attempt = 1},
+                                            .first = 60,
+                                            .frames = plausible_frames(40)});
+      store.record(session.id(), GazeChunk{.attempt = {.trial = trial, .attempt = 1},
+                                           .first = 0,
+                                           .samples = plausible_gaze(100)});
+      store.record(session.id(), FilmEntry{.attempt = {.trial = trial, .attempt = 1},
+                                           .hash = {.frame = 99, .sha256 = std::string(64, '1')}});
     }
     session.happen(ms(60'000),
                    QuestionnaireAnswered{.questionnaire = "debrief",

@@ -13,9 +13,13 @@ namespace {
 using testing::ElementsAre;
 
 SessionState after(const std::vector<Event>& events) {
-  const auto state = state_after(whole_procedure(), events);
-  EXPECT_TRUE(state) << "an event was refused";
-  return state.value_or(SessionState{});
+  SessionState state;
+  for (const Event& event : events) {
+    const std::optional<Transition> next = step(whole_procedure(), state, event);
+    EXPECT_TRUE(next) << name_of(event) << " was refused";
+    state = next ? next->state : state;
+  }
+  return state;
 }
 
 /// The first events of `all_events`, until the session is in this phase.

@@ -4,25 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "study/record/recorded_gaze.h"
+#include "study/record/store_recorder.h"
 #include "tests/study/record/small_study.h"
 
 namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
-
-/// To the disk at once.
-AttemptSink sink_to(StudyStore& store, std::int64_t session, std::size_t trial, int attempt) {
-  return {
-      .frames =
-          [&store, session, trial, attempt](std::uint64_t first, std::vector<FrameRow> frames) {
-            store.record_frames(session, trial, attempt, first, frames);
-          },
-      .gaze =
-          [&store, session, trial, attempt](std::uint64_t first, std::vector<GazeSample> samples) {
-            store.record_gaze(session, trial, attempt, first, samples);
-          }};
-}
 
 class AttemptLogTest : public testing::Test {
  protected:
@@ -35,11 +23,12 @@ class AttemptLogTest : public testing::Test {
   fs::path path_ = folder_ / "study.sqlite";
   StudyStore store_{path_, small_protocol()};
   PlayedSession session_{store_, facts_of("P01"), small_plan()};
+  StoreRecorder recorder_{store_, session_.id()};
 };
 
 // 70 frames and 120 samples a second for two minutes, one saccade in them.
 TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
-  AttemptLog log(sink_to(store_, session_.id(), 0, 1));
+  AttemptLog log(recorder_, {});
   constexpr int frame_count = 120 * 70;
   constexpr int samples_before_saccade = 6000;
   int samples = 0;
@@ -54,7 +43,7 @@ TEST_F(AttemptLogTest, EverySampleAndFrameIsKeptInOrder) {
     log.add({.time = frame * Nanoseconds(14'285'714)}, arrived);
   }
   EXPECT_EQ(log.frames(), static_cast<std::uint64_t>(frame_count));
-  log.finish();
+  log.finish(EquirectFilm(2, 1));
   const std::vector<GazeSample> kept = read_gaze(path_, "P01", 0);
   ASSERT_EQ(kept.size(), static_cast<std::size_t>(samples));
   for (int i = 0; i < samples; ++i) {
@@ -95,11 +84,11 @@ TEST_F(AttemptLogTest, AFrameIsKeptAsItWasUsed) {
 }
 
 TEST_F(AttemptLogTest, WithoutFramesNothingIsKept) {
-  AttemptLog log(sink_to(store_, session_.id(), 0, 1));
-  log.finish();
+  AttemptLog log(recorder_, {});
+  log.finish(EquirectFilm(2, 1));
   EXPECT_EQ(query(path_,
                   "SELECT (SELECT count(*) FROM frame_chunk) +"
-                  " (SELECT count(*) FROM gaze_chunk)"),
+                  " (SELECT count(*) FROM gaze_chunk) + (SELECT count(*) FROM film_hash)"),
             "0");
 }
 

@@ -1,0 +1,34 @@
+// What a participant's session was when its program stopped, from the record.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/driver/session_position.h"
+#include "study/record/study_store.h"
+
+namespace foveola::study {
+
+struct SessionSoFar {
+  KnownSession session;
+  Plan plan;
+  SessionPosition position;
+};
+
+struct Resumption {
+  bool resumes = false;          ///< whether the experimenter wants to go on with it
+  bool despite_changes = false;  ///< even by another version of the program
+};
+
+/// Of a session in `store`. Throws Error if its record makes no sense.
+SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
+                       const KnownSession& session);
+
+/// Empty if the participant has no session yet and none is to be resumed. Throws Error, with what
+/// can be done, if it is over, if it is unfinished but not to be resumed, if there is none to be
+/// resumed, or if another version of the program ran it.
+std::optional<SessionSoFar> session_so_far(const StudyStore& store, const Protocol& protocol,
+                                           const std::string& participant,
+                                           const Resumption& resumption);
+
+}  // namespace foveola::study

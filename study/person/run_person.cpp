@@ -1,0 +1,251 @@
+#include "study/person/run_person.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/commands/live_window.h"
+#include "renderer/gaze/gaze_source.h"
+#include "study/driver/session_so_far.h"
+#include "study/person/missing_letters.h"
+#include "study/person/person_session.h"
+#include "study/person/session_window.h"
+#include "study/person/words.h"
+#include "study/record/maintenance.h"
+#include "study/record/same_scenes.h"
+#include "study/record/threaded_recorder.h"
+#include "study/stage/analysable.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr const char* usual_tracker = "pointer";
+constexpr const char* usual_display = "desktop";
+
+DisplayProfile display_of(const RunSettings& settings, const Protocol& protocol) {
+  if (settings.display.empty() && protocol.display.profile) {
+    return *protocol.display.profile;
+  }
+  return read_display_profile(settings.display.empty() ? usual_display : settings.display);
+}
+
+TrackerProfile tracker_of(const RunSettings& settings, const Protocol& protocol) {
+  if (settings.tracker.empty() && protocol.tracker.profile) {
+    return *protocol.tracker.profile;
+  }
+  return read_tracker_profile(settings.tracker.empty() ? usual_tracker : settings.tracker);
+}
+
+/// A simulated eye is nobody's; but a rehearsal may have one.
+void require_real_gaze(const TrackerProfile& tracker, SessionKind kind) {
+  if (kind == SessionKind::human && tracker.source == TrackerSource::simulated) {
+    throw Error("--tracker", "the profile " + tracker.name + " is of a simulated eye",
+                "name the tracker that is there, or rehearse with --pilot");
+  }
+}
+
+/// Positive as SQLite's integers.
+std::uint64_t drawn_seed() {
+  std::random_device device;
+  const std::uint64_t high = device();
+  const std::uint64_t low = device();
+  return ((high << 32) | low) >> 1;
+}
+
+std::string devices_json(const SessionDisplay& display, const DisplayProfile& profile,
+                         const TrackerProfile& tracker, KeyTimeSource key_times) {
+  const nlohmann::ordered_json json = {{"display", display_json(display, profile)},
+                                       {"tracker", {{"profile", tracker.name}}},
+                                       {"keys", {{"time_source", name_of(key_times)}}}};
+  return json.dump();
+}
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+void say_if_keys_are_late(KeyTimeSource source) {
+  if (source == KeyTimeSource::arrival) {
+    say("The X server's clock is not this machine's: marks have the times at which their keys "
+        "arrived.");
+  }
+}
+
+/// Of the sessions of people that were completed or may still be.
+std::vector<int> used_rows(const StudyStore& store) {
+  std::vector<int> rows;
+  for (const KnownSession& session : store.sessions()) {
+    const bool counts = session.phase != Phase::withdrawn && session.phase != Phase::excluded &&
+                        session.phase != Phase::refused;
+    if (session.kind == SessionKind::human && counts) {
+      rows.push_back(session.design_row);
+    }
+  }
+  return rows;
+}
+
+/// The session counts with its pictures or without: it goes on to its backup.
+void say_if_pictures_are_lost(SessionDisplay& display) {
+  try {
+    display.finish_pictures();
+  } catch (const Error& error) {
+    say(fmt::format("Not every page became a picture: {}", error.what()));
+  }
+}
+
+/// All that one session takes, in the thread beside the window's.
+class PersonRun {
+ public:
+  PersonRun(const RunSettings& settings, const Protocol& protocol,
+            const std::vector<SceneSource>& sources, DisplayProfile profile, TrackerProfile tracker,
+            StudyStore& store, std::optional<SessionSoFar> so_far)
+      : settings_(settings),
+        protocol_(protocol),
+        sources_(sources),
+        profile_(std::move(profile)),
+        tracker_(std::move(tracker)),
+        store_(store),
+        so_far_(std::move(so_far)) {}
+
+  Phase run(Window& window, WindowEvents& events, const IVec2& framebuffer, const Clock& clock,
+            const std::stop_token& stop) {
+    const Workers workers(settings_.threads);
+    SessionDisplay display(window, profile_, framebuffer, clock);
+    display.show({.screen = notice_screen(Notice::loading, protocol_.texts)});
+    const SceneStages stages = load_stages(protocol_, sources_, workers);
+    check(stages);
+    const WindowEyeTracker gaze = open_window_eye_tracker(tracker_, screen_of(profile_), clock);
+    measure_refreshes(display, protocol_.texts);
+    const std::string devices = devices_json(display, profile_, tracker_, window.key_time_source());
+    say_if_keys_are_late(window.key_time_source());
+    const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
+    ThreadedRecorder recorder(store_, row_);
+    const SessionOutcome outcome =
+        PersonSession(session,
+                      {.protocol = protocol_, .plan = plan_, .stages = stages, .workers = workers},
+                      {.clock = clock,
+                       .events = events,
+                       .display = display,
+                       .tracker = *gaze.tracker,
+                       .pointer = gaze.pointer},
+                      recorder)
+            .run(stop);
+    say_if_pictures_are_lost(display);
+    return outcome.phase;
+  }
+
+ private:
+  void check(const SceneStages& stages) const {
+    print_scene_warnings(stages);
+    const std::vector<ShownScene> shown = shown_scenes(stages);
+    if (!settings_.despite_changes) {
+      require_same_scenes(settings_.database, shown);
+    }
+  }
+
+  PersonSessionSettings beginning(const SceneStages& stages, const std::string& devices) {
+    SessionFacts facts{.participant = settings_.participant,
+                       .kind = settings_.kind,
+                       .seed = settings_.seed ? *settings_.seed : drawn_seed(),
+                       .design_row = least_used_row(protocol_, used_rows(store_)),
+                       .build = build_info(),
+                       .machine = machine_info(),
+                       .devices = devices,
+                       .scenes = shown_scenes(stages)};
+    plan_ = make_plan(protocol_, facts.seed, facts.design_row);
+    say(
+        fmt::format("Participant {}, row {} of the design, seed {}, {} trials. help says what can "
+                    "be typed here.",
+                    facts.participant, facts.design_row, facts.seed, plan_.size()));
+    row_ = store_.begin_session(facts, plan_);
+    return settings_of({.seed = facts.seed, .design_row = facts.design_row}, {}, {});
+  }
+
+  PersonSessionSettings going_on(const std::string& devices) {
+    plan_ = so_far_->plan;
+    const KnownSession& known = so_far_->session;
+    say(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
+                    known.participant, seconds(so_far_->position.time)));
+    row_ = known.id;
+    return settings_of({.seed = known.seed, .design_row = known.design_row}, so_far_->position,
+                       {"goes on with " + devices});
+  }
+
+  PersonSessionSettings settings_of(const SessionSeed& seed, const SessionPosition& position,
+                                    std::vector<std::string> notes) const {
+    if (store_.amendment()) {
+      notes.push_back(note_of(*store_.amendment()));
+    }
+    return {.seed = seed,
+            .position = position,
+            .notes = std::move(notes),
+            .screens = settings_.screens,
+            .console = STDIN_FILENO,
+            .say = say};
+  }
+
+  const RunSettings& settings_;
+  const Protocol& protocol_;
+  const std::vector<SceneSource>& sources_;
+  DisplayProfile profile_;
+  TrackerProfile tracker_;
+  StudyStore& store_;
+  std::optional<SessionSoFar> so_far_;
+  Plan plan_;
+  std::int64_t row_ = 0;  ///< of the session in the store
+};
+
+fs::path back_up(const StudyStore& store, const fs::path& database) {
+  std::string name = utc_now();
+  std::replace(name.begin(), name.end(), ':', '-');
+  const fs::path folder = backup_folder(database);
+  fs::create_directories(folder);
+  const fs::path backup = folder / (name + ".sqlite");
+  store.back_up(backup);
+  return backup;
+}
+
+}  // namespace
+
+RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
+                     const std::stop_token& stop) {
+  const Protocol protocol = load_protocol(settings.protocol);
+  if (fs::exists(settings.database)) {
+    warn_of_unanalysable(protocol);
+  } else {
+    require_analysable(protocol);
+  }
+  warn_of_missing_letters(protocol);
+  const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
+  DisplayProfile display = display_of(settings, protocol);
+  const TrackerProfile tracker = tracker_of(settings, protocol);
+  require_real_gaze(tracker, settings.kind);
+  StudyStore store(settings.database, protocol, settings.other_protocol);
+  std::optional<SessionSoFar> so_far =
+      session_so_far(store, protocol, settings.participant,
+                     {.resumes = settings.resumes, .despite_changes = settings.despite_changes});
+  warn_of_recorded_only(protocol);
+  const SteadyClock clock;
+  WindowEvents events;
+  Window window({.size = settings.window, .monitor = settings.monitor}, events, clock);
+  display.refresh_rate_hz = said_refresh_rate_hz(window, settings.monitor.value_or(0), display);
+  PersonRun run(settings, protocol, sources, std::move(display), tracker, store, std::move(so_far));
+  RunReport report;
+  run_beside(window, stop, [&](const IVec2& framebuffer) {
+    report.phase = run.run(window, events, framebuffer, clock, stop);
+    report.backup = back_up(store, settings.database);
+  });
+  return report;
+}
+
+}  // namespace foveola::study

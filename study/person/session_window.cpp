@@ -1,0 +1,33 @@
+#include "study/person/session_window.h"
+
+#include <nlohmann/json.hpp>
+
+#include "study/person/words.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr int frames_to_measure = RefreshEstimator::enough_swaps + 8;
+
+}  // namespace
+
+void measure_refreshes(SessionDisplay& display, const Texts& texts) {
+  for (int i = 0; i < frames_to_measure; ++i) {
+    display.show({.screen = notice_screen(Notice::loading, texts)});
+  }
+}
+
+nlohmann::ordered_json display_json(const SessionDisplay& display, const DisplayProfile& profile) {
+  const ViewGeometry& geometry = display.geometry();
+  const RadialLens& lens = geometry.lens;
+  return {{"profile", profile.name},
+          {"framebuffer", {display.framebuffer().x, display.framebuffer().y}},
+          {"horizontal_fov_deg", geometry.horizontal_fov_deg},
+          {"vertical_fov_deg", geometry.vertical_fov_deg},
+          {"lens", {lens.axis.x, lens.axis.y, lens.k1, lens.k2}},
+          {"refresh_rate_hz", display.refresh().rate_hz()},
+          {"refresh_is_measured", display.refresh().is_measured()},
+          {"graphics", display.graphics()}};
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,116 @@
+#include "study/record/recorded_session.h"
+
+#include <algorithm>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "study/record/database.h"
+#include "study/record/event_log.h"
+#include "study/record/recorded_frames.h"
+#include "study/record/same_protocol.h"
+#include "study/record/session_rows.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+KnownSession session_of(SQLite::Database& database, const fs::path& path,
+                        const std::string& participant) {
+  const std::vector<KnownSession> sessions = sessions_of(database);
+  const auto found =
+      std::find_if(sessions.begin(), sessions.end(),
+                   [&](const KnownSession& session) { return session.participant == participant; });
+  if (found == sessions.end()) {
+    throw Error(path.string(), fmt::format("has no session of participant {}", participant),
+                "foveola study status says whose sessions there are");
+  }
+  return *found;
+}
+
+std::optional<RecordedDisplay> display_from(const std::string& devices) {
+  const nlohmann::json recorded = nlohmann::json::parse(devices);
+  if (!recorded.contains("display")) {
+    return std::nullopt;
+  }
+  const nlohmann::json& display = recorded.at("display");
+  const nlohmann::json& lens = display.at("lens");
+  return RecordedDisplay{.horizontal_fov_deg = display.at("horizontal_fov_deg").get<double>(),
+                         .vertical_fov_deg = display.at("vertical_fov_deg").get<double>(),
+                         .lens = {.axis = {lens.at(0).get<float>(), lens.at(1).get<float>()},
+                                  .k1 = lens.at(2).get<float>(),
+                                  .k2 = lens.at(3).get<float>()}};
+}
+
+void read_facts(SQLite::Database& database, RecordedSession& session) {
+  SQLite::Statement facts(database,
+                          "SELECT program_version, compiler, build_type, processor, devices"
+                          " FROM session WHERE id = ?");
+  facts.bind(1, session.known.id);
+  facts.executeStep();
+  session.build = {.version = facts.getColumn(0).getString(),
+                   .compiler = facts.getColumn(1).getString(),
+                   .build_type = facts.getColumn(2).getString()};
+  session.processor = facts.getColumn(3).getString();
+  session.display = display_from(facts.getColumn(4).getString());
+  session.simulation = simulation_kind_in(facts.getColumn(4).getString());
+}
+
+std::vector<RecordedAttempt> attempts_in(const std::string& whose, const Procedure& procedure,
+                                         const std::vector<LoggedEvent>& events) {
+  std::vector<RecordedAttempt> attempts;
+  for_each_step(
+      procedure, events, whose,
+      [&](const LoggedEvent& logged, const SessionState& /*before*/, const SessionState& after) {
+        if (std::holds_alternative<TrialStarted>(logged.event)) {
+          attempts.push_back({.trial = *trial_of(procedure, after),
+                              .attempt = after.attempt,
+                              .timing = after.timing});
+        }
+      });
+  return attempts;
+}
+
+}  // namespace
+
+RecordedSession read_session(const fs::path& path, const std::string& participant) {
+  RecordedSession session;
+  with_clear_errors(path, [&] {
+    SQLite::Database database = open_study_to_read(path);
+    session.known = session_of(database, path, participant);
+    read_facts(database, session);
+    session.plan = plan_of(database, session.known.id);
+    session.attempts = attempts_in(path.string(), recorded_procedure_of(database, session.known.id),
+                                   events_of(database, session.known.id));
+  });
+  return session;
+}
+
+RecordedFrames read_frames(const fs::path& path, const KnownSession& session,
+                           const RecordedAttempt& attempt) {
+  RecordedFrames recorded;
+  with_clear_errors(path, [&] {
+    SQLite::Database database = open_study_to_read(path);
+    recorded.frames = frames_of(database, session.id, attempt.trial, attempt.attempt);
+    recorded.hashes = film_hashes_of(database, session.id, attempt.trial, attempt.attempt);
+  });
+  return recorded;
+}
+
+Protocol read_recorded_protocol(const fs::path& path, const fs::path& folder) {
+  Protocol protocol;
+  with_clear_errors(path, [&] {
+    SQLite::Database database = open_study_to_read(path);
+    SQLite::Statement study(database, "SELECT protocol_name, protocol_text FROM study");
+    study.executeStep();
+    protocol = read_protocol(study.getColumn(1).getString(),
+                             folder / (study.getColumn(0).getString() + ".toml"));
+    require_same_protocol(database, path, protocol);
+  });
+  return protocol;
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,59 @@
+#include "study/record/simulation_kind.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/error.h"
+#include "study/record/shown_scene.h"
+
+namespace foveola::study {
+namespace {
+
+/// Earlier versions called it "plant".
+std::string injected_in(const nlohmann::json& simulation) {
+  return simulation.at(simulation.contains("injected") ? "injected" : "plant").get<std::string>();
+}
+
+}  // namespace
+
+std::string devices_of(const SimulationKind& kind) {
+  const nlohmann::json devices = {{"simulation",
+                                   {{"scale", kind.scale},
+                                    {"predicted", kind.predicted},
+                                    {"real_time", kind.real_time},
+                                    {"injected", kind.injected},
+                                    {"people_sha256", kind.people_sha256}}}};
+  return devices.dump();
+}
+
+std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
+  const nlohmann::json recorded = nlohmann::json::parse(devices);
+  if (!recorded.contains("simulation")) {
+    return std::nullopt;
+  }
+  const nlohmann::json& simulation = recorded.at("simulation");
+  return SimulationKind{.scale = simulation.at("scale").get<double>(),
+                        .predicted = simulation.at("predicted").get<bool>(),
+                        .real_time = simulation.value("real_time", false),
+                        .injected = injected_in(simulation),
+                        .people_sha256 = simulation.at("people_sha256").get<std::string>()};
+}
+
+void require_same_kind(const std::string& database, const std::vector<KnownSession>& sessions,
+                       const SimulationKind& kind) {
+  const std::string now = devices_of(kind);
+  for (const KnownSession& session : sessions) {
+    if (session.kind != SessionKind::simulated) {
+      continue;
+    }
+    const std::optional<SimulationKind> then = simulation_kind_in(session.devices);
+    const std::string other = difference(then ? devices_of(*then) : session.devices, now);
+    if (!other.empty()) {
+      throw Error(database,
+                  fmt::format("{} was simulated in another way ({})", session.participant, other),
+                  "simulate all in one way, or begin a new database");
+    }
+  }
+}
+
+}  // namespace foveola::study

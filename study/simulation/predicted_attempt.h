@@ -1,0 +1,53 @@
+// An attempt of which nothing is rendered: its looks follow from how many samples there would be.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "study/participant/simulated_observer.h"
+#include "study/prediction/predicted_sight.h"
+#include "study/simulation/trial_attempt.h"
+
+namespace foveola::study {
+
+/// Takes the steps of a RenderedAttempt from glance to glance, in the same times. Keeps no frames
+/// and no gaze. The tracker's noise and its losses are left out but for the time that they cost in
+/// the mean; its latency and bias are not.
+class PredictedAttempt final : public TrialAttempt {
+ public:
+  /// observer: who takes part in `setting`. trial, sampler: see PredictedSight; without a trial the
+  /// observer is one that does not look.
+  PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
+                   const PredictedTrial* trial, std::unique_ptr<ViewSampler> sampler);
+
+  std::optional<Nanoseconds> show(Nanoseconds until) override;
+  void begin(Task task) override { task_ = task; }
+  void keep() override {}
+  std::uint64_t samples() const override { return samples_after(frames_); }
+  std::uint64_t non_finite() const override { return 0; }
+
+ private:
+  std::uint64_t samples_after(std::uint64_t frames) const;
+  /// By the attempt's clock: the frame of this number, counted from 0, is on the display.
+  Nanoseconds presented(std::uint64_t frame) const;
+  /// The first frame that is presented at `time` or later.
+  std::uint64_t frame_at(Nanoseconds time) const;
+  /// Sends the frames' samples to where the observer then looks.
+  void render_until(std::uint64_t frames);
+  Evidence look(Nanoseconds now);
+  /// What the tracker tells at `time`, of what was a while ago.
+  Aim aim(Nanoseconds time) const;
+  Viewport viewport(Nanoseconds time) const;
+
+  TrialAttemptSetting setting_;
+  SimulatedObserver& observer_;
+  std::unique_ptr<ViewSampler> sampler_;
+  Nanoseconds start_;
+  Nanoseconds tracker_delay_;
+  double samples_per_frame_ = 0.0;
+  std::uint64_t frames_ = 0;
+  Task task_ = Task::mark_outline;
+  std::optional<PredictedSight> sight_;
+};
+
+}  // namespace foveola::study

@@ -1,0 +1,68 @@
+#include "study/simulation/predicted_study.h"
+
+#include "study/prediction/aim_dependence.h"
+#include "study/prediction/judged_view.h"
+
+namespace foveola::study {
+
+namespace {
+
+std::vector<Visibility> visibilities(const Vision& vision, double finest_cell_deg) {
+  std::vector<Visibility> of_scales;
+  for (const double cell_deg : scales_deg(vision, finest_cell_deg)) {
+    of_scales.emplace_back(vision, cell_deg);
+  }
+  return of_scales;
+}
+
+}  // namespace
+
+PredictedStudy::PredictedStudy(const Protocol& protocol, const SceneStages& stages,
+                               const Population& population, NoiseAtlas atlas)
+    : protocol_(protocol),
+      atlas_(std::move(atlas)),
+      vision_(population.vision),
+      material_visibilities_(visibilities(vision_, vision_.material_cell_deg)),
+      view_visibilities_(visibilities(vision_, vision_.view_cell_deg)) {
+  if (atlas_.objects.empty()) {
+    return;
+  }
+  for (const auto& [scene, stage] : stages) {
+    for (const OfferedObject& object : stage->objects()) {
+      add_object(scene, object, population);
+    }
+  }
+}
+
+void PredictedStudy::add_object(const std::string& scene, const OfferedObject& object,
+                                const Population& population) {
+  const double cell_deg =
+      outline_cells(population.vision, object.direction, object.radius_deg).cell_deg();
+  const Visibility& outline_visibility =
+      outline_visibilities_.try_emplace(cell_deg, population.vision, cell_deg).first->second;
+  for (const std::string& method : protocol_.methods) {
+    const auto sampler = make_sampler(protocol_, method);
+    const NoiseAtlas::Place place{scene, method, object.name};
+    trials_.emplace(
+        place,
+        PredictedTrial{
+            .vision = vision_,
+            .pictures = atlas_.objects.at(place),
+            .around = atlas_.around.at(scene),
+            .outline_visibility = outline_visibility,
+            .material_visibilities = material_visibilities_,
+            .view_visibilities = view_visibilities_,
+            .outline_signal_to_noise = population.decision.outline_signal_to_noise,
+            .follows_gaze = follows_gaze(*sampler, aim_at(object.direction, protocol_.display))});
+  }
+}
+
+std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting,
+                                                      SimulatedObserver& observer) const {
+  const auto known = trials_.find({setting.trial.scene, setting.trial.method, setting.object.name});
+  return std::make_unique<PredictedAttempt>(setting, observer,
+                                            known != trials_.end() ? &known->second : nullptr,
+                                            make_sampler(protocol_, setting.trial.method));
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,21 @@
+// A simulated study in real time: its participants sit before the real window, one after the other.
+#pragma once
+
+#include <stop_token>
+
+#include "study/record/simulation_kind.h"
+#include "study/simulation/study_simulation.h"
+
+namespace foveola::study {
+
+/// The protocol's view as a display: as many pixels and the same fields of view as in virtual time,
+/// seen by each eye of a headset, or on a monitor of that size.
+DisplayProfile shown_display(const Protocol& protocol);
+
+/// Runs in the program's first thread, whose is the window. study: its `sit` and its devices are
+/// left to this. When `stop` is requested, the session is recorded as interrupted. Throws Error if
+/// there is no display to open a window on.
+SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kind,
+                                const std::stop_token& stop);
+
+}  // namespace foveola::study

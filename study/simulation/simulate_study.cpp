@@ -1,0 +1,244 @@
+#include "study/simulation/simulate_study.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/digest.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/progress.h"
+#include "study/participant/judged_measures.h"
+#include "study/participant/make_observer.h"
+#include "study/participant/population_file.h"
+#include "study/protocol/scaled_protocol.h"
+#include "study/record/same_scenes.h"
+#include "study/record/simulation_kind.h"
+#include "study/simulation/predicted_study.h"
+#include "study/simulation/real_time_study.h"
+#include "study/simulation/rendered_attempt.h"
+#include "study/simulation/study_simulation.h"
+#include "study/stage/analysable.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::study {
+namespace {
+
+constexpr const char* no_injection = "none";
+
+std::vector<KnownSession> simulated_sessions(const StudyStore& store) {
+  std::vector<KnownSession> sessions = store.sessions();
+  std::erase_if(sessions,
+                [](const KnownSession& session) { return session.kind != SessionKind::simulated; });
+  return sessions;
+}
+
+/// Throws Error unless this program with this seed can go on with `session`.
+void require_resumable(const SimulateSettings& settings, const KnownSession& session) {
+  const auto refused = [&](const std::string& what, const std::string& remedy) {
+    return Error(
+        settings.database.string(),
+        fmt::format("the unfinished session of {} was begun with {}", session.participant, what),
+        remedy);
+  };
+  if (session.seed != settings.seed) {
+    throw refused(fmt::format("seed {}, not {}", session.seed, settings.seed),
+                  fmt::format("finish it with --seed {}", session.seed));
+  }
+  const std::string version = build_info().version;
+  if (session.program_version != version) {
+    throw refused(fmt::format("Foveola {}, which is now {}", session.program_version, version),
+                  "finish it with the program it was begun with");
+  }
+}
+
+/// Refuses a bad database before minutes of work instead of after them.
+void require_usable(const SimulateSettings& settings, const Protocol& protocol,
+                    const SimulationKind& kind) {
+  require_writable(settings.database);
+  if (!fs::exists(settings.database)) {
+    return;
+  }
+  const StudyStore checked(settings.database, protocol);
+  const std::vector<KnownSession> sessions = simulated_sessions(checked);
+  require_same_kind(settings.database.string(), sessions, kind);
+  for (const KnownSession& session : sessions) {
+    if (settings.resume && !has_ended(session)) {
+      require_resumable(settings, session);
+    }
+  }
+}
+
+void require_options(const SimulateSettings& settings) {
+  if (settings.participants < 1) {
+    throw UsageError("--participants", "must be at least 1");
+  }
+  if (settings.jobs < 1) {
+    throw UsageError("--jobs", "must be at least 1");
+  }
+  if (settings.real_time && settings.predicted) {
+    throw UsageError("--real-time", "shows every frame; leave --predicted out, or this");
+  }
+  if (settings.real_time && settings.jobs > 1) {
+    throw UsageError("--real-time",
+                     "there is one window, for one session at a time; leave --jobs out");
+  }
+}
+
+/// Who takes part, and what was injected in them.
+struct Simulated {
+  People people;
+  std::optional<InjectedEffect> effect;
+};
+
+Simulated simulated_people(const SimulateSettings& settings) {
+  Simulated simulated{.people = read_people(settings.people), .effect = std::nullopt};
+  simulated.people.population.vision.coarseness = std::round(std::sqrt(settings.scale));
+  if (settings.injected != no_injection) {
+    simulated.effect = parse_injected_effect(settings.injected);
+  }
+  return simulated;
+}
+
+/// The protocol as it is simulated.
+Protocol simulated_protocol(const SimulateSettings& settings, const Simulated& simulated) {
+  Protocol protocol = scaled_protocol(load_protocol(settings.protocol), settings.scale);
+  require_analysable(protocol);
+  if (!simulated.effect) {
+    require_judgements(protocol);
+  } else {
+    require_methods(*simulated.effect, protocol.methods);
+    if (simulated.effect->tracker_loss_part > 0.0) {
+      protocol.tracker.simulated.data_loss = simulated.effect->tracker_loss_part;
+    }
+  }
+  return protocol;
+}
+
+KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {
+  const SceneStage& stage = *stages.at(scene);
+  return {.panorama = &stage.reference(), .exposure_stops = stage.source().exposure_stops};
+}
+
+/// Renders what each scene converges to, until it is stopped.
+void render_references(const SceneStages& stages, const Protocol& protocol, const Workers& workers,
+                       const std::stop_token& stop) {
+  Progress progress("Reference images");
+  double stages_done = 0.0;
+  for (const auto& [name, stage] : stages) {
+    const std::string& scene = name;
+    const auto show = [&](double fraction) {
+      progress.update((stages_done + fraction) / static_cast<double>(stages.size()), scene);
+    };
+    try {
+      const TrialSettings baseline = settings_of(protocol, name, protocol.methods.front());
+      stage->render_reference(baseline.film, protocol.reference, workers, show, stop);
+    } catch (const Error&) {
+      if (stop.stop_requested()) {
+        return;
+      }
+      throw;
+    }
+    stages_done += 1.0;
+  }
+}
+
+SimulateReport run_rendered(SimulatedStudy& study, const SimulationKind& kind, bool looks,
+                            const std::stop_token& stop) {
+  if (looks) {
+    render_references(study.stages, study.protocol, study.workers, stop);
+  }
+  if (stop.stop_requested()) {
+    return {};
+  }
+  if (kind.real_time) {
+    return run_in_real_time(study, kind, stop);
+  }
+  study.make_attempts = [](SimulatedObserver& /*observer*/, const Workers& workers) {
+    return [&workers](const TrialAttemptSetting& setting) -> std::unique_ptr<TrialAttempt> {
+      return std::make_unique<RenderedAttempt>(setting, workers);
+    };
+  };
+  return StudySimulation(study).run(stop);
+}
+
+SimulateReport run_predicted(SimulatedStudy& study, const Population& population, bool looks,
+                             const std::stop_token& stop) {
+  NoiseAtlas atlas;
+  try {
+    if (looks) {
+      atlas = make_noise_atlas({.protocol = study.protocol,
+                                .stages = study.stages,
+                                .vision = population.vision,
+                                .workers = study.workers,
+                                .cache = cache_folder() / "pilots"},
+                               stop);
+    }
+  } catch (const Error&) {
+    if (stop.stop_requested()) {
+      return {};
+    }
+    throw;
+  }
+  const PredictedStudy predicted(study.protocol, study.stages, population, std::move(atlas));
+  study.make_attempts = [&predicted](SimulatedObserver& observer, const Workers& /*workers*/) {
+    return [&](const TrialAttemptSetting& setting) { return predicted.attempt(setting, observer); };
+  };
+  return StudySimulation(study).run(stop);
+}
+
+}  // namespace
+
+SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
+                              std::stop_token stop) {
+  require_options(settings);
+  const SteadyClock clock;
+  const Nanoseconds start = clock.now();
+  const Simulated simulated = simulated_people(settings);
+  const Protocol protocol = simulated_protocol(settings, simulated);
+  const SimulationKind kind{.scale = settings.scale,
+                            .predicted = settings.predicted,
+                            .real_time = settings.real_time,
+                            .injected = settings.injected,
+                            .people_sha256 = sha256(std::string_view(simulated.people.toml))};
+  const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
+  require_usable(settings, protocol, kind);
+  if (settings.warns) {
+    warn_of_recorded_only(protocol);
+  }
+  const Workers workers(settings.threads);
+  const SceneStages stages = load_stages(protocol, sources, workers);
+  print_scene_warnings(stages);
+  SimulatedStudy study{.settings = settings,
+                       .protocol = protocol,
+                       .stages = stages,
+                       .workers = workers,
+                       .make_observer = {},
+                       .make_attempts = {},
+                       .sit = {},
+                       .shown = shown_scenes(stages),
+                       .devices = devices_of(kind)};
+  if (fs::exists(settings.database)) {
+    require_same_scenes(settings.database, study.shown);
+  }
+  study.make_observer = [&](std::uint32_t seed, int design_row, const Plan& plan) {
+    return make_observer(
+        simulated.people.population, simulated.effect,
+        [&stages](const std::string& scene) { return knowledge_of(stages, scene); }, seed,
+        design_row, plan);
+  };
+  const bool looks = !simulated.effect;
+  SimulateReport report;
+  if (settings.predicted) {
+    report = run_predicted(study, simulated.people.population, looks, stop);
+  } else {
+    report = run_rendered(study, kind, looks, stop);
+  }
+  report.wall_s = seconds(clock.now() - start);
+  return report;
+}
+
+}  // namespace foveola::study

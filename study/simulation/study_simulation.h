@@ -1,0 +1,99 @@
+// The participants of a simulated study, one after the other or side by side.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <vector>
+
+#include "renderer/base/build_info.h"
+#include "renderer/base/progress.h"
+#include "study/participant/simulated_observer.h"
+#include "study/record/buffered_recorder.h"
+#include "study/record/study_store.h"
+#include "study/simulation/simulate_study.h"
+#include "study/simulation/virtual_session.h"
+
+namespace foveola::study {
+
+/// Whether nothing more can happen in it.
+bool has_ended(const KnownSession& session);
+
+/// A session that is to be taken part in, from its start or from where it broke off.
+struct BegunSession {
+  StudyStore& store;
+  std::int64_t id;  ///< its row in the store
+  const Plan& plan;
+  SimulatedObserver& observer;
+};
+
+/// What sessions are simulated with; it must outlive the simulation.
+struct SimulatedStudy {
+  const SimulateSettings& settings;
+  const Protocol& protocol;  ///< scaled as the settings say
+  const SceneStages& stages;
+  const Workers& workers;
+  /// Another person for each seed, of whom the session of `plan` is. Called from several threads.
+  std::function<std::unique_ptr<SimulatedObserver>(std::uint32_t seed, int design_row,
+                                                   const Plan& plan)>
+      make_observer;
+  /// The attempts of one session. Called from several threads.
+  std::function<MakeAttempt(SimulatedObserver& observer, const Workers& workers)> make_attempts;
+  /// In real time, instead of attempts: how a session goes on in the window.
+  std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)> sit;
+  std::vector<ShownScene> shown;
+  std::string devices;  ///< see SimulationKind
+};
+
+/// Runs sessions of full rendering one after the other, each event on the disk before it has its
+/// effects; with several jobs, and predicted ones, side by side, each session on the disk whole
+/// when it is over, in the participants' order.
+class StudySimulation {
+ public:
+  explicit StudySimulation(const SimulatedStudy& study);
+
+  SimulateReport run(const std::stop_token& stop);
+
+ private:
+  /// A session that is over, with what is to be written of it.
+  struct Simulated {
+    SessionFacts facts;
+    Plan plan;
+    BufferedRecorder record;
+    SessionOutcome outcome;
+  };
+
+  /// Returns how many sessions there are of this seed.
+  int finish_begun_sessions(const std::stop_token& stop);
+  /// Of so many participants who are not in the file yet: a study can be added to.
+  std::vector<int> new_design_rows(int count) const;
+  void run_durably(const std::vector<int>& design_rows, const std::stop_token& stop);
+  void run_side_by_side(const std::vector<int>& design_rows, const std::stop_token& stop);
+
+  /// From its start, or from where it broke off.
+  void run_session(std::int64_t session, int design_row, const Plan& plan,
+                   const std::stop_token& stop);
+  Simulated simulate(int design_row, const std::stop_token& stop);
+  SessionOutcome take_part(SessionRecorder& recorder, const SessionPosition& position,
+                           int design_row, const Plan& plan, const Workers& workers,
+                           const std::stop_token& stop);
+
+  std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
+  SessionFacts facts_of(int design_row) const;
+  /// Whether it takes sessions as whole ones.
+  bool is_buffered() const { return study_.settings.predicted || study_.settings.jobs > 1; }
+  void show(const std::string& scene);
+  void add(const SessionOutcome& outcome);
+
+  const SimulatedStudy& study_;
+  MachineInfo machine_ = machine_info();
+  double trials_in_session_;
+  StudyStore store_;
+  std::mutex progress_mutex_;  ///< guards what follows
+  Progress progress_{"Simulating"};
+  double trials_begun_ = 0.0;
+  SimulateReport report_;
+};
+
+}  // namespace foveola::study

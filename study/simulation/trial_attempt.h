@@ -1,0 +1,65 @@
+// One attempt at a trial of a simulated session, however it is made that something is seen.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "renderer/base/clock.h"
+#include "renderer/gaze/gaze_correction.h"
+#include "study/design/plan.h"
+#include "study/participant/participant.h"
+#include "study/protocol/protocol.h"
+#include "study/record/session_recorder.h"
+#include "study/stage/scene_stage.h"
+
+namespace foveola::study {
+
+/// The seeds of one timing of a trial.
+struct TrialSeeds {
+  std::uint32_t tracker = 0;
+  std::uint32_t rendering = 0;
+};
+
+/// What an attempt is made of; it refers to most of it.
+struct TrialAttemptSetting {
+  const SceneStage& stage;
+  const Protocol& protocol;
+  const PlannedTrial& trial;
+  const OfferedObject& object;  ///< that the participant looks at
+  TrialSeeds seeds;
+  Participant& participant;
+  std::optional<GazeCorrection> correction;
+  VirtualClock& clock;           ///< the attempt's; at its `now` rendering starts
+  Nanoseconds attempt_start{0};  ///< when that is 0, by the session's clock
+  SessionRecorder& recorder;
+  AttemptKey key;
+};
+
+class TrialAttempt {
+ public:
+  virtual ~TrialAttempt() = default;
+
+  /// Presents at least the next frame, and advances the clock to when the last one is on the
+  /// display; goes on at most until one is there at `until` (of the attempt) or later. Returns the
+  /// time of the key press that a glance at it led to.
+  virtual std::optional<Nanoseconds> show(Nanoseconds until) = 0;
+
+  /// From now on the participant looks at it for this.
+  virtual void begin(Task task) = 0;
+
+  /// Hands what is not yet there to the record.
+  virtual void keep() = 0;
+
+  /// So far.
+  virtual std::uint64_t samples() const = 0;
+  virtual std::uint64_t non_finite() const = 0;
+};
+
+using MakeAttempt = std::function<std::unique_ptr<TrialAttempt>(const TrialAttemptSetting&)>;
+
+/// How often a simulated participant looks (see glance_interval_s).
+std::uint64_t frames_per_glance(const MachineModel& machine);
+
+}  // namespace foveola::study

@@ -1,0 +1,170 @@
+#include "study/tables/protocol_tables.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/aligned_rows.h"
+#include "study/design/orders.h"
+
+namespace foveola::study {
+namespace {
+
+std::string objects_of(const SceneSource& source) {
+  std::vector<std::string> names;
+  names.reserve(source.objects.size());
+  for (const ObjectOfInterest& object : source.objects) {
+    names.push_back(object.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// " (NAME)" of a profile; empty if there is none.
+template <typename Profile>
+std::string in_brackets(const std::optional<Profile>& profile) {
+  return profile ? fmt::format(" ({})", profile->name) : "";
+}
+
+std::string text_of(const TrackerSettings& tracker) {
+  return fmt::format("{} Hz, {:.4g} ms, {} degrees of noise{}", tracker.simulated.rate_hz,
+                     1e3 * tracker.simulated.latency_s, tracker.simulated.precision_deg,
+                     in_brackets(tracker.profile));
+}
+
+std::string text_of(const ValidationSettings& validation) {
+  return fmt::format("{} points{}, {} attempts: accuracy {} degrees, precision {} degrees, loss {}",
+                     validation.points, validation.correct ? ", corrected" : "",
+                     validation.attempts, validation.gate.max_accuracy_deg,
+                     validation.gate.max_precision_deg, validation.gate.max_data_loss);
+}
+
+/// "random"; "williams, 6 rows".
+std::string orders_of(Order order, std::size_t things) {
+  const int rows = row_count(order, static_cast<int>(things));
+  return rows > 1 ? fmt::format("{}, {} rows", name_of(order), rows) : name_of(order);
+}
+
+std::string text_of(const PhaseEntry& phase) { return name_of(phase); }
+
+std::string text_of(const MarkEntry& mark) { return mark.id; }
+
+std::string text_of(const Question& question) {
+  switch (question.kind) {
+    case QuestionKind::likert:
+      return fmt::format("{} ({} to {})", question.id, question.minimum, question.maximum);
+    case QuestionKind::number:
+      return fmt::format("{} (a number from {} to {})", question.id, question.minimum,
+                         question.maximum);
+    case QuestionKind::choice:
+      return fmt::format("{} ({} options)", question.id, question.options.size());
+    case QuestionKind::text:
+      break;
+  }
+  return fmt::format("{} (words)", question.id);
+}
+
+/// The texts of all things, with commas between them.
+template <typename Things>
+std::string texts_of(const Things& things) {
+  std::vector<std::string> texts;
+  for (const auto& thing : things) {
+    texts.push_back(text_of(thing));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string text_of(const FilmSettings& film) {
+  return fmt::format("{} x {} pixels, {} surface vertices", film.width, film.height,
+                     film.max_depth);
+}
+
+std::string text_of(const TrialSettings& settings) {
+  return fmt::format("{}; marks within {} s, looking around for {} s{}", text_of(settings.film),
+                     settings.timing.mark_timeout_s, settings.timing.rating_s,
+                     settings.fill_unsampled ? "; holes filled" : "");
+}
+
+void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
+  rows.push_back({"phases", texts_of(protocol.phases)});
+  rows.push_back({"scene order", orders_of(protocol.scene_order, protocol.scenes.size())});
+  rows.push_back({"method order", orders_of(protocol.method_order, protocol.methods.size()) +
+                                      " within each scene"});
+  rows.push_back({"object", protocol.object_choice == ObjectChoice::per_scene
+                                ? "one for each scene"
+                                : "one for each trial"});
+  rows.push_back({"marks", texts_of(protocol.marks)});
+  rows.push_back({"ratings", texts_of(protocol.ratings)});
+  for (const PracticeEntry& entry : protocol.practice) {
+    rows.push_back({"practice", fmt::format("{} with {}", entry.scene, entry.method)});
+  }
+  if (const CatchTrials& trials = protocol.catch_trials; trials.count > 0) {
+    rows.push_back({"catch trials", fmt::format("{}, {} s each", trials.count, trials.timeout_s)});
+  }
+  if (const auto& reaction = protocol.reaction) {
+    rows.push_back({"reaction", fmt::format("{} presses after {} to {} s", reaction->presses,
+                                            reaction->shortest_wait_s, reaction->longest_wait_s)});
+  }
+  for (const Questionnaire& questionnaire : protocol.questionnaires) {
+    rows.push_back(
+        {"questions", fmt::format("{}: {}", questionnaire.id, texts_of(questionnaire.questions))});
+  }
+}
+
+void add_settings(std::vector<TextRow>& rows, const Protocol& protocol) {
+  rows.push_back({"trial", text_of(settings_of(protocol, "", ""))});
+  for (const auto& [cell, settings] : protocol.cells) {
+    rows.push_back({"", fmt::format("{} with {}: {}", cell.first, cell.second, text_of(settings))});
+  }
+}
+
+void add_analysis(std::vector<TextRow>& rows, const Protocol& protocol) {
+  const AnalysisPlan& plan = protocol.analysis;
+  if (plan.participants) {
+    rows.push_back({"planned", fmt::format("{} participants", *plan.participants)});
+  }
+  for (const PlannedComparison& comparison : plan.primary) {
+    rows.push_back({"primary", fmt::format("{}: {} against {}, alpha {}", comparison.measure,
+                                           comparison.method, comparison.baseline, plan.alpha)});
+  }
+  for (const auto& [measure, margin] : plan.equivalence_margins) {
+    rows.push_back({"equivalent", fmt::format("{} within {}", measure, margin)});
+  }
+}
+
+}  // namespace
+
+std::string protocol_table(const Protocol& protocol, const std::vector<SceneSource>& sources) {
+  std::vector<TextRow> rows = {
+      {"protocol", protocol.name},
+      {"title", protocol.title},
+      {"sha256", protocol.sha256},
+      {"language",
+       fmt::format("{}, {} screen texts of its own", protocol.language, protocol.texts.size())},
+      {"methods", fmt::format("{} (baseline {})", fmt::join(protocol.methods, ", "),
+                              protocol.methods.front())},
+      {"trials", fmt::format("{} per participant", sources.size() * protocol.methods.size())},
+      {"machine", fmt::format("{} samples per second at {} Hz", protocol.machine.samples_per_second,
+                              protocol.machine.frame_rate_hz)},
+      {"display",
+       fmt::format("{} x {} pixels, {:.4g} x {:.4g} degrees{}", protocol.display.view_width,
+                   protocol.display.view_height, protocol.display.horizontal_fov_deg,
+                   protocol.display.vertical_fov_deg, in_brackets(protocol.display.profile))},
+      {"tracker", text_of(protocol.tracker)},
+  };
+  add_settings(rows, protocol);
+  add_procedure(rows, protocol);
+  if (protocol.tracker.validation) {
+    rows.push_back({"validation", text_of(*protocol.tracker.validation)});
+  }
+  for (const MethodFile& file : protocol.method_files) {
+    rows.push_back({"file", fmt::format("{} of {}: {}", file.file, file.method, file.sha256)});
+  }
+  add_analysis(rows, protocol);
+  for (const SceneSource& source : sources) {
+    rows.push_back({"scene", fmt::format("{}: {}", source.name, objects_of(source))});
+  }
+  return aligned(rows);
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,136 @@
+#include "study/tables/record_tables.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/aligned_rows.h"
+
+namespace foveola::study {
+namespace {
+
+constexpr std::array ends = {"completed", "withdrawn", "excluded", "refused"};
+
+bool is_over(const SessionRow& session) {
+  return std::find(ends.begin(), ends.end(), session.state) != ends.end();
+}
+
+void add_session(const SessionRow& session, StudyStatus& status) {
+  KindStatus& kind = status.kinds[session.kind];
+  ++kind.sessions[session.state];
+  if (session.design_row && (session.state == "completed" || !is_over(session))) {
+    ++kind.design_rows[*session.design_row];
+  }
+  if (!is_over(session)) {
+    status.unfinished.push_back(session);
+  }
+  if (session.state == "excluded") {
+    status.excluded.push_back(session);
+  }
+}
+
+/// [participant] for those whose session is completed: its kind
+std::map<std::string, std::string> kinds_of_completed(const StudyRecords& records) {
+  std::map<std::string, std::string> kinds;
+  for (const SessionRow& session : records.sessions) {
+    if (session.state == "completed") {
+      kinds[session.participant] = session.kind;
+    }
+  }
+  return kinds;
+}
+
+void count_positions(const StudyRecords& records, StudyStatus& status) {
+  const std::map<std::string, std::string> kinds = kinds_of_completed(records);
+  for (const TrialRow& trial : records.trials) {
+    const auto kind = kinds.find(trial.participant);
+    if (kind != kinds.end()) {
+      std::vector<int>& counts = status.kinds[kind->second].method_positions[trial.method];
+      counts.resize(records.methods.size());
+      ++counts.at(static_cast<std::size_t>(trial.method_position));
+    }
+  }
+}
+
+void add_kind_rows(const StudyRecords& records, const std::string& name, const KindStatus& kind,
+                   std::vector<TextRow>& rows) {
+  for (const auto& [state, count] : kind.sessions) {
+    rows.push_back({"sessions", fmt::format("{} {} {}", count, name, state)});
+  }
+  if (!kind.design_rows.empty()) {
+    std::vector<std::string> uses;
+    for (const auto& [row, count] : kind.design_rows) {
+      uses.push_back(fmt::format("{} x {}", row, count));
+    }
+    rows.push_back(
+        {"orders", fmt::format("{}, by row of the design: {}", name, fmt::join(uses, ", "))});
+  }
+  for (const std::string& method : records.methods) {
+    const auto counts = kind.method_positions.find(method);
+    if (counts != kind.method_positions.end()) {
+      rows.push_back(
+          {"positions", fmt::format("{} {}: {}", name, method, fmt::join(counts->second, " / "))});
+    }
+  }
+}
+
+std::string words_for_changes(const Amendment& amendment) {
+  return amendment.changed.empty() ? "only comments changed"
+                                   : fmt::format("{} changed", fmt::join(amendment.changed, ", "));
+}
+
+}  // namespace
+
+StudyStatus status_of(const StudyRecords& records) {
+  StudyStatus status;
+  for (const SessionRow& session : records.sessions) {
+    add_session(session, status);
+  }
+  count_positions(records, status);
+  status.trials_done = static_cast<int>(
+      std::count_if(records.trials.begin(), records.trials.end(),
+                    [](const TrialRow& trial) { return trial.artifact_rating.has_value(); }));
+  return status;
+}
+
+std::string status_table(const StudyRecords& records, const StudyStatus& status) {
+  std::vector<TextRow> rows = {{"protocol", records.protocol_name},
+                               {"title", records.protocol_title},
+                               {"sha256", records.protocol_sha256}};
+  for (const auto& [name, kind] : status.kinds) {
+    add_kind_rows(records, name, kind, rows);
+  }
+  for (const SessionRow& session : status.unfinished) {
+    rows.push_back({"unfinished", fmt::format("{} {}", session.participant, session.state)});
+  }
+  for (const SessionRow& session : status.excluded) {
+    rows.push_back({"excluded", fmt::format("{}: {}", session.participant, session.reason)});
+  }
+  for (const AmendedSession& session : records.amended) {
+    rows.push_back(
+        {"amended", fmt::format("{} went by a protocol of SHA-256 {}: {}", session.participant,
+                                session.amendment.sha256, words_for_changes(session.amendment))});
+  }
+  rows.push_back({"trials", fmt::format("{} done", status.trials_done)});
+  return aligned(rows);
+}
+
+std::string verification_table(const Verification& found) {
+  std::vector<TextRow> rows = {{"sessions", std::to_string(found.sessions)},
+                               {"events", std::to_string(found.events)},
+                               {"chunks", std::to_string(found.chunks)},
+                               {"faults", std::to_string(found.faults.size())}};
+  for (const RecordFault& fault : found.faults) {
+    rows.push_back({"fault", fault.participant.empty()
+                                 ? fault.what
+                                 : fmt::format("{}: {}", fault.participant, fault.what)});
+  }
+  for (const RecordFault& gap : found.gaps) {
+    rows.push_back({"gap", fmt::format("{}: {}", gap.participant, gap.what)});
+  }
+  return aligned(rows);
+}
+
+}  // namespace foveola::study

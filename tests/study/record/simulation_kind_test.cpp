@@ -1,0 +1,74 @@
+#include "study/record/simulation_kind.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/base/error.h"
+
+namespace foveola::study {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const SimulationKind quick{
+    .scale = 8.0, .predicted = true, .injected = "order:1.1", .people_sha256 = "abc"};
+
+KnownSession session(SessionKind kind, const std::string& devices) {
+  return {.participant = "P001", .kind = kind, .devices = devices};
+}
+
+TEST(SimulationKind, ComesBackFromTheRecord) {
+  const std::optional<SimulationKind> kind = simulation_kind_in(devices_of(quick));
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(kind->scale, 8.0);
+  EXPECT_TRUE(kind->predicted);
+  EXPECT_EQ(kind->injected, "order:1.1");
+  EXPECT_EQ(kind->people_sha256, "abc");
+  EXPECT_FALSE(simulation_kind_in("{}"));
+  EXPECT_FALSE(simulation_kind_in(R"({"display": {}})"));
+}
+
+TEST(SimulationKind, ReadsWhatEarlierVersionsRecorded) {
+  const std::optional<SimulationKind> kind = simulation_kind_in(
+      R"({"simulation": {"scale": 8.0, "predicted": true, "plant": "order:1.1", )"
+      R"("people_sha256": "abc"}})");
+  ASSERT_TRUE(kind);
+  EXPECT_EQ(devices_of(*kind), devices_of(quick));
+}
+
+TEST(SimulationKind, OneFileHoldsOneKind) {
+  const std::vector<KnownSession> sessions = {session(SessionKind::human, "{}"),
+                                              session(SessionKind::simulated, devices_of(quick))};
+  EXPECT_NO_THROW(require_same_kind("study.sqlite", sessions, quick));
+  SimulationKind slow = quick;
+  slow.scale = 1.0;
+  EXPECT_THAT([&] { require_same_kind("study.sqlite", sessions, slow); },
+              testing::ThrowsMessage<Error>(
+                  AllOf(HasSubstr("study.sqlite"), HasSubstr("P001 was simulated in another way"),
+                        HasSubstr("simulation/scale: 8"), HasSubstr("now 1"))));
+  SimulationKind rendered = quick;
+  rendered.predicted = false;
+  EXPECT_THROW(require_same_kind("study.sqlite", sessions, rendered), Error);
+  SimulationKind timed = rendered;
+  timed.real_time = true;
+  EXPECT_THROW(require_same_kind("study.sqlite", sessions, timed), Error);
+}
+
+TEST(SimulationKind, WhatWindowsAndProgramsOfBeforeSayMakesNoOther) {
+  SimulationKind timed = quick;
+  timed.real_time = true;
+  std::string in_a_window = devices_of(timed);
+  in_a_window.insert(1, R"("display": {"refresh_rate_hz": 59.97}, )");
+  EXPECT_TRUE(simulation_kind_in(in_a_window)->real_time);
+  EXPECT_NO_THROW(
+      require_same_kind("study.sqlite", {session(SessionKind::simulated, in_a_window)}, timed));
+  const std::string before_real_time =
+      R"({"simulation": {"scale": 8.0, "predicted": true, "injected": "order:1.1",)"
+      R"( "people_sha256": "abc"}})";
+  EXPECT_NO_THROW(require_same_kind("study.sqlite",
+                                    {session(SessionKind::simulated, before_real_time)}, quick));
+}
+
+}  // namespace
+}  // namespace foveola::study
