@@ -21,8 +21,8 @@ void print_json(const CoverageSettings& settings, const std::vector<CoverageFigu
         {"name", figure.name},        {"claim", figure.claim},        {"percent", figure.percent},
         {"low", figure.interval.low}, {"high", figure.interval.high}, {"studies", figure.studies},
         {"asked", nullptr},           {"met", figure.is_met()}};
-    if (figure.asked) {
-      row["asked"] = {figure.asked->low, figure.asked->high};
+    if (figure.required) {
+      row["asked"] = {figure.required->low, figure.required->high};
     }
     rows.push_back(std::move(row));
   }
@@ -44,12 +44,13 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
       "shares themselves\n",
       settings.participants);
   for (const CoverageFigure& figure : figures) {
-    const std::string asked =
-        figure.asked ? fmt::format("asked {} to {} %", figure.asked->low, figure.asked->high)
-                     : "as measured";
+    const std::string required =
+        figure.required
+            ? fmt::format("required: {} to {} %", figure.required->low, figure.required->high)
+            : "reported only";
     fmt::print("{:<{}}  {:<26} {:6.2f} % [{:.2f}, {:.2f}] of {}; {}\n", figure.name, width,
                figure.claim, figure.percent, figure.interval.low, figure.interval.high,
-               figure.studies, asked);
+               figure.studies, required);
   }
 }
 
@@ -66,7 +67,7 @@ void run_bench_statistics(const CoverageSettings& settings, bool json,
     if (!figure.is_met()) {
       throw Error(figure.name,
                   fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim,
-                              figure.percent, figure.asked->low, figure.asked->high),
+                              figure.percent, figure.required->low, figure.required->high),
                   "fewer than 4000 studies may miss by chance; else the analysis is wrong");
     }
   }

@@ -55,7 +55,7 @@ std::vector<OrderedValue> residuals_of(std::vector<OrderedValue> values) {
 }
 
 struct Slope {
-  long double squares = 0.0L;   ///< of the residual positions
+  long double squares = 0.0L;   ///< Sum of squares of the residual positions.
   long double products = 0.0L;  ///< with the residual values
 };
 

@@ -1,7 +1,6 @@
 #include "analysis/statistics/wilcoxon.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -104,17 +103,6 @@ std::optional<SignedRankTest> signed_rank(std::span<const double> differences, Z
                       : approximate_p(ranks, test.w_plus, test.w_minus);
   test.rank_biserial = (test.w_plus - test.w_minus) / (test.w_plus + test.w_minus);
   return test;
-}
-
-std::optional<SignedRankTest> signed_rank(std::span<const double> a, std::span<const double> b,
-                                          ZeroRule zeros) {
-  assert(a.size() == b.size());
-  std::vector<double> differences;
-  differences.reserve(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    differences.push_back(a[i] - b[i]);
-  }
-  return signed_rank(differences, zeros);
 }
 
 }  // namespace foveola::analysis
