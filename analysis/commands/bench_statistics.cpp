@@ -40,8 +40,8 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
     width = std::max(width, figure.name.size());
   }
   fmt::print(
-      "Data-only studies of {} simulated participants; in brackets, 95 % intervals of the "
-      "shares themselves\n",
+      "Studies of {} simulated participants whose times are drawn from a model; in brackets, "
+      "95 % intervals of the shares\n",
       settings.participants);
   for (const CoverageFigure& figure : figures) {
     const std::string required =
@@ -65,10 +65,11 @@ void run_bench_statistics(const CoverageSettings& settings, bool json,
   json ? print_json(settings, figures) : print_table(settings, figures);
   for (const CoverageFigure& figure : figures) {
     if (!figure.is_met()) {
-      throw Error(figure.name,
-                  fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim,
-                              figure.percent, figure.required->low, figure.required->high),
-                  "fewer than 4000 studies may miss by chance; else the analysis is wrong");
+      throw Error(
+          figure.name,
+          fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim, figure.percent,
+                      figure.required->low, figure.required->high),
+          "with fewer than 4000 studies this may be chance; otherwise the analysis is wrong");
     }
   }
 }
@@ -79,18 +80,23 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
   const auto settings = std::make_shared<CoverageSettings>();
   const auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "statistics", "How often intervals and tests are right, over studies with injected effects");
-  command->add_option("--studies", settings->studies, "How many for each figure")
+      "statistics",
+      "Simulate studies with known effects; report how often intervals cover them and tests are "
+      "right");
+  command->add_option("--studies", settings->studies, "Studies to simulate for each figure")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command->add_option("--participants", settings->participants, "In each study")
+  command->add_option("--participants", settings->participants, "Participants in each study")
       ->check(CLI::Range(2, 10'000))
       ->capture_default_str();
-  command->add_option("--seed", settings->seed, "Same seed, same figures")->capture_default_str();
-  command->add_option("--resamples", settings->resamples, "Of each bootstrap interval")
+  command
+      ->add_option("--seed", settings->seed,
+                   "Seed of the simulation: the same seed gives the same figures")
+      ->capture_default_str();
+  command->add_option("--resamples", settings->resamples, "Resamples of each bootstrap interval")
       ->check(CLI::Range(99, 99'999))
       ->capture_default_str();
-  command->add_option("--threads", settings->threads, "0: every core")
+  command->add_option("--threads", settings->threads, "Threads to use; 0 takes every core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print the figures as JSON");

@@ -83,7 +83,7 @@ void add_ranks(const MethodComparison& row, RowBuilder& out) {
   out.add("rank_biserial", of([](const SignedRankTest& test) { return test.rank_biserial; }));
 }
 
-/// Columns of ratios in per cent and of differences in points, one of which are empty.
+/// Adds columns of ratios in per cent and of differences in points; one of the two are empty.
 void add_pseudo_median(const MethodComparison& row, RowBuilder& out) {
   const auto add = [&](const std::string& unit, bool is_of_it, double scale) {
     const auto scaled = [&](double tested) { return scale * row.in_unit(tested); };
@@ -104,7 +104,7 @@ void add_pseudo_median(const MethodComparison& row, RowBuilder& out) {
   add("points", row.is_of_ratings(), 1.0);
 }
 
-/// The interval is in the margin's unit: a factor of times, or points.
+/// Adds the equivalence test, whose interval is in the margin's unit: a factor of times, or points.
 void add_equivalence(const MethodComparison& row, RowBuilder& out) {
   const auto of = [&](const auto& value) { return number_in(row.equivalent, value); };
   out.add("equivalence_margin", row.margin);

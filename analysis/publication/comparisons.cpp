@@ -21,7 +21,7 @@ std::vector<double> without_rounding(std::vector<double> values) {
   return values;
 }
 
-/// 9999 for the studies that there are; fewer where thousands take part and would wait for it.
+/// 9999 for studies of the usual size; fewer where thousands of participants would take too long.
 int resamples_for(std::size_t participants) {
   constexpr std::size_t most_draws = 20'000'000;
   return static_cast<int>(
@@ -43,7 +43,7 @@ MethodComparison start_comparison(const AnalysisSet& set, const study::AnalysisP
   comparison.measure = measure;
   comparison.method = set.methods[method];
   comparison.reference = set.methods[reference];
-  // The same test, whichever of the two the plan names first.
+  // A comparison is planned whichever of its two methods the plan names first.
   comparison.primary = is_primary(plan, measure, comparison.method, comparison.reference) ||
                        is_primary(plan, measure, comparison.reference, comparison.method);
   comparison.margin = equivalence_margin(plan, measure);

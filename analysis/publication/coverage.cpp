@@ -22,7 +22,7 @@ namespace {
 constexpr Interval nominal_coverage = {93.5, 96.5};
 constexpr Interval nominal_rejection = {4.0, 6.0};
 
-/// Whether one study hits; empty where it has no such interval or test.
+/// Whether the criterion holds in one study; empty where it has no such interval or test.
 using Outcome = std::optional<bool>;
 
 Outcome covers(const std::optional<Interval>& interval, double value) {

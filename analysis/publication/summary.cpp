@@ -26,7 +26,7 @@ std::size_t width_of(const std::string& text) {
   }));
 }
 
-/// The first column to the left, the others to the right.
+/// Aligns the first column to the left, the others to the right.
 std::string aligned(const std::vector<TextRow>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const TextRow& row : rows) {
@@ -46,7 +46,7 @@ std::string aligned(const std::vector<TextRow>& rows) {
   return text;
 }
 
-/// Whose data a table shows, at the end of its title.
+/// The end of a table's title, which says whose data it shows.
 std::string notice(const StudyTables& tables) {
   const std::string text = data_notice(tables);
   return text.empty() ? "" : fmt::format(" ({})", text);
@@ -58,7 +58,7 @@ TextRow heading_row(const StudyTables& tables) {
     row.push_back(printable(method_label(tables.set.methods[method])) +
                   (method == baseline ? ", s" : ", %"));
   }
-  row.emplace_back("timed out");
+  row.emplace_back("censored");
   return row;
 }
 

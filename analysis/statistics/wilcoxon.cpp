@@ -71,7 +71,7 @@ double approximate_p(const SignedRanks& ranks, double w_plus, double w_minus) {
 
 }  // namespace
 
-// Probabilities, not counts: these would leave the range of a double.
+// Works with probabilities, since counts would leave the range of a double.
 std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks) {
   const std::size_t total = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
   std::vector<double> probability(total + 1, 0.0);

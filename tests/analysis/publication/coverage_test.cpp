@@ -50,7 +50,7 @@ TEST(InjectedStudies, AreSimulatedAndComplete) {
   EXPECT_TRUE(tabulate_study(records).set.exclusions.empty());
 }
 
-TEST(InjectedStudies, HoldTheEffectsThatWasInjected) {
+TEST(InjectedStudies, HoldTheEffectsThatWereInjected) {
   InjectedEffects effects{.participants = 400};
   const StudyTables tables = tabulate_study(study_with_injected_effects(effects, 11));
   // The standard error is a percent and a half of the value.

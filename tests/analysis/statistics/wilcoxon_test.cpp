@@ -65,7 +65,7 @@ TEST(Wilcoxon, ExactPValuesAreThoseOfAllSigns) {
   EXPECT_EQ(pratt.n, 9U);
 }
 
-TEST(Wilcoxon, FourOfAKindIsAsSureAsItGets) {
+TEST(Wilcoxon, FourDifferencesOfOneSignHaveTheSmallestPOfFour) {
   const SignedRankTest test = signed_rank(std::vector<double>{4, 3, 7, 1}).value();
   EXPECT_DOUBLE_EQ(test.p, 2.0 / 16.0);
   EXPECT_DOUBLE_EQ(test.rank_biserial, 1.0);
