@@ -1,4 +1,4 @@
-// The result of an analysis for machines.
+// The result of an analysis as JSON.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace foveola::analysis {
 
-/// The paths, the warnings and the main numbers as a JSON object, indented. What does not exist is
-/// null; text that is not UTF-8 is mended.
+/// The paths, the warnings and the main numbers as an indented JSON object. What does not exist is
+/// null; invalid UTF-8 in texts is replaced.
 std::string analysis_json(const AnalysisOutput& output);
 
 }  // namespace foveola::analysis

@@ -21,8 +21,8 @@ void print_json(const CoverageSettings& settings, const std::vector<CoverageFigu
         {"name", figure.name},        {"claim", figure.claim},        {"percent", figure.percent},
         {"low", figure.interval.low}, {"high", figure.interval.high}, {"studies", figure.studies},
         {"asked", nullptr},           {"met", figure.is_met()}};
-    if (figure.asked) {
-      row["asked"] = {figure.asked->low, figure.asked->high};
+    if (figure.required) {
+      row["asked"] = {figure.required->low, figure.required->high};
     }
     rows.push_back(std::move(row));
   }
@@ -40,16 +40,17 @@ void print_table(const CoverageSettings& settings, const std::vector<CoverageFig
     width = std::max(width, figure.name.size());
   }
   fmt::print(
-      "Data-only studies of {} simulated participants; in brackets, 95 % intervals of the "
-      "shares themselves\n",
+      "Studies of {} simulated participants whose times are drawn from a model; in brackets, "
+      "95 % intervals of the shares\n",
       settings.participants);
   for (const CoverageFigure& figure : figures) {
-    const std::string asked =
-        figure.asked ? fmt::format("asked {} to {} %", figure.asked->low, figure.asked->high)
-                     : "as measured";
+    const std::string required =
+        figure.required
+            ? fmt::format("required: {} to {} %", figure.required->low, figure.required->high)
+            : "reported only";
     fmt::print("{:<{}}  {:<26} {:6.2f} % [{:.2f}, {:.2f}] of {}; {}\n", figure.name, width,
                figure.claim, figure.percent, figure.interval.low, figure.interval.high,
-               figure.studies, asked);
+               figure.studies, required);
   }
 }
 
@@ -64,10 +65,11 @@ void run_bench_statistics(const CoverageSettings& settings, bool json,
   json ? print_json(settings, figures) : print_table(settings, figures);
   for (const CoverageFigure& figure : figures) {
     if (!figure.is_met()) {
-      throw Error(figure.name,
-                  fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim,
-                              figure.percent, figure.asked->low, figure.asked->high),
-                  "fewer than 4000 studies may miss by chance; else the analysis is wrong");
+      throw Error(
+          figure.name,
+          fmt::format("{} in {:.2f} % of studies, not in {} to {} %", figure.claim, figure.percent,
+                      figure.required->low, figure.required->high),
+          "with fewer than 4000 studies this may be chance; otherwise the analysis is wrong");
     }
   }
 }
@@ -78,18 +80,23 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
   const auto settings = std::make_shared<CoverageSettings>();
   const auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "statistics", "How often intervals and tests are right, over studies with injected effects");
-  command->add_option("--studies", settings->studies, "How many for each figure")
+      "statistics",
+      "Simulate studies with known effects; report how often intervals cover them and tests are "
+      "right");
+  command->add_option("--studies", settings->studies, "Studies to simulate for each figure")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command->add_option("--participants", settings->participants, "In each study")
+  command->add_option("--participants", settings->participants, "Participants in each study")
       ->check(CLI::Range(2, 10'000))
       ->capture_default_str();
-  command->add_option("--seed", settings->seed, "Same seed, same figures")->capture_default_str();
-  command->add_option("--resamples", settings->resamples, "Of each bootstrap interval")
+  command
+      ->add_option("--seed", settings->seed,
+                   "Seed of the simulation: the same seed gives the same figures")
+      ->capture_default_str();
+  command->add_option("--resamples", settings->resamples, "Resamples of each bootstrap interval")
       ->check(CLI::Range(99, 99'999))
       ->capture_default_str();
-  command->add_option("--threads", settings->threads, "0: every core")
+  command->add_option("--threads", settings->threads, "Threads to use; 0 takes every core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print the figures as JSON");

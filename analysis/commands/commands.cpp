@@ -53,18 +53,23 @@ void run_analyze(const AnalyzeArguments& arguments) {
 void add_planning(CLI::App& command, AnalyzeArguments& arguments) {
   PowerSettings& planning = arguments.planning;
   command.add_flag("--power", arguments.power,
-                   "Plan a study instead: participants and power, by formula and by simulation");
+                   "Plan a study instead of analysing one: the participants needed for a power, by "
+                   "formula and by simulation");
   const auto add = [&](const char* name, auto& value, const char* help) {
     return command.add_option(name, value, help)->needs("--power")->capture_default_str();
   };
-  add("--ratio", planning.ratio_percent, "Expected time, in per cent of the baseline's");
-  add("--spread", planning.spread, "Factor by which participants' own ratios spread, above 1");
-  add("--alpha", planning.alpha, "Level of the two-sided test")->check(CLI::Range(1e-6, 0.5));
-  add("--target", planning.power, "Power to be reached")->check(CLI::Range(0.06, 0.9999));
-  add("--participants", planning.participants, "Tell the power of so many instead")
+  add("--ratio", planning.ratio_percent,
+      "Expected time with the method, in per cent of that with the baseline");
+  add("--spread", planning.spread,
+      "Factor, above 1, by which participants' own ratios vary: two thirds lie within it");
+  add("--alpha", planning.alpha, "Significance level of the two-sided test")
+      ->check(CLI::Range(1e-6, 0.5));
+  add("--target", planning.power, "Power to reach")->check(CLI::Range(0.06, 0.9999));
+  add("--participants", planning.participants,
+      "Report the power with this many participants, instead of how many are needed")
       ->check(CLI::Range(2, 1'000'000));
-  add("--studies", planning.studies, "How many to simulate")->check(CLI::Range(1, 10'000'000));
-  add("--seed", planning.seed, "Of the simulation");
+  add("--studies", planning.studies, "Studies to simulate")->check(CLI::Range(1, 10'000'000));
+  add("--seed", planning.seed, "Seed of the simulation");
 }
 
 }  // namespace
@@ -73,17 +78,19 @@ void add_planning(CLI::App& command, AnalyzeArguments& arguments) {
 void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   const auto arguments = std::make_shared<AnalyzeArguments>();
   CLI::App* command =
-      app.add_subcommand("analyze", "Tables, figures and a report from a study's file");
-  command->add_option("STUDY", arguments->database, "A study's .sqlite file");
+      app.add_subcommand("analyze", "Write tables, figures and a report of a study");
+  command->add_option("STUDY", arguments->database,
+                      "The study's .sqlite file, as study run and study simulate write it");
   command->add_option("-o,--output", arguments->folder,
-                      "A folder for the results; made if its parent exists");
-  command->add_flag("--json", arguments->json, "Print paths and main numbers as JSON");
-  command->add_flag(
-      "--bids", arguments->options.bids,
-      "Also the behavioural data and the gaze as BIDS, a folder for each participant");
+                      "The folder to write the results to; made if its parent exists");
+  command->add_flag("--json", arguments->json,
+                    "Print the paths of the results and the main numbers as JSON");
+  command->add_flag("--bids", arguments->options.bids,
+                    "Also write the behavioural data and the gaze in the BIDS layout, a folder for "
+                    "each participant");
   command->add_flag("--unverified", arguments->options.unverified,
-                    "Analyse a file that is not what was written; the report says what is wrong "
-                    "with it");
+                    "Analyse a file even if it was changed or damaged since it was written; the "
+                    "report then says what is wrong with it");
   add_planning(*command, *arguments);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"

@@ -1,4 +1,4 @@
-// The analysis's part of the command line: analyze.
+// The command `foveola analyze`.
 #pragma once
 
 #include <stop_token>

@@ -31,22 +31,13 @@ OrderedJson ratio_json(const MethodComparison& row) {
           {"d_z", test.logs.d_z}};
 }
 
-/// Ratios of times, differences of ratings.
-double in_unit(const MethodComparison& row, double value) {
-  return row.measure == artifacts_measure ? value : std::exp(value);
-}
-
-Interval in_unit(const MethodComparison& row, const Interval& interval) {
-  return {in_unit(row, interval.low), in_unit(row, interval.high)};
-}
-
 OrderedJson pseudo_median_json(const MethodComparison& row) {
   if (!row.pseudo_median) {
     return nullptr;
   }
   const std::optional<Interval>& interval = row.pseudo_median->interval;
-  return {{"value", in_unit(row, row.pseudo_median->value)},
-          {"ci95", interval ? interval_json(in_unit(row, *interval)) : OrderedJson(nullptr)}};
+  return {{"value", row.in_unit(row.pseudo_median->value)},
+          {"ci95", interval ? interval_json(row.in_unit(*interval)) : OrderedJson(nullptr)}};
 }
 
 OrderedJson equivalence_json(const MethodComparison& row) {
@@ -55,7 +46,7 @@ OrderedJson equivalence_json(const MethodComparison& row) {
   }
   const EquivalenceTest& test = *row.equivalent;
   return {{"margin", optional_json(row.margin)},
-          {"interval", interval_json(in_unit(row, test.interval))},
+          {"interval", interval_json(row.in_unit(test.interval))},
           {"p_above_low", test.p_above_low},
           {"p_below_high", test.p_below_high},
           {"p", test.p}};

@@ -1,4 +1,4 @@
-// The tests of methods against methods, for machines.
+// The comparisons of methods as JSON.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@ nlohmann::ordered_json comparisons_json(const Comparisons& comparisons, const st
 /// An array with an object for each measure.
 nlohmann::ordered_json omnibus_json(const Comparisons& comparisons, const std::string& kind);
 
-/// Whether times change along the session; a change without a test is null.
+/// An array with the test of whether times change along the session for each mark and way of
+/// counting; null where it is not defined.
 nlohmann::ordered_json order_json(const Comparisons& comparisons, const std::string& kind);
 
 }  // namespace foveola::analysis

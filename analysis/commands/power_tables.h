@@ -9,16 +9,16 @@
 namespace foveola::analysis {
 
 struct PowerSettings {
-  double ratio_percent = 50.0;  ///< the expected time, in per cent of the baseline's; not 100
-  double spread = 2.0;          ///< the factor by which participants' own ratios spread, above 1
+  double ratio_percent = 50.0;  ///< Expected time, in per cent of the baseline's; not 100.
+  double spread = 2.0;          ///< Factor by which participants' own ratios vary, above 1.
   double alpha = 0.05;
-  double power = 0.9;                       ///< to be reached
-  std::optional<std::size_t> participants;  ///< instead of searching: the power of so many
-  std::size_t studies = 10'000;             ///< simulated
+  double power = 0.9;                       ///< The power to reach.
+  std::optional<std::size_t> participants;  ///< If given, their power is computed instead.
+  std::size_t studies = 10'000;             ///< The number of simulated studies.
   std::uint64_t seed = 1;
 };
 
-/// The plan: participants, power by formula and by simulation.
+/// The result: participants, power by formula and by simulation.
 struct PowerPlan {
   std::size_t participants = 0;
   double power = 0.0;
@@ -27,7 +27,7 @@ struct PowerPlan {
   double simulated_high = 0.0;
 };
 
-/// Throws Error if a million participants are too few, or for an effect or spread that is none.
+/// Throws Error if a million participants are too few, or for a ratio of 100 % or a spread of 1.
 PowerPlan plan_power(const PowerSettings& settings);
 
 /// Several lines for the terminal, ended by a line break.

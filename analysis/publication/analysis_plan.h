@@ -1,4 +1,4 @@
-// What the protocol planned to compare before there were data; anything else is exploratory.
+// The comparisons that the protocol planned before there were data; any other is exploratory.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,18 @@
 namespace foveola::analysis {
 
 /// The table [analysis] of a protocol's text, which was valid when the study began; an empty text
-/// has an empty plan. Throws Error, with its place, for what is no TOML or no plan.
+/// has an empty plan. Throws Error, with its place, for a text that is no TOML or has no valid
+/// plan.
 study::AnalysisPlan plan_of(const std::string& protocol_text);
 
 bool is_primary(const study::AnalysisPlan& plan, const std::string& measure,
                 const std::string& method, const std::string& reference);
 
-/// How many of the planned comparisons are of measures that nothing here compares. A study that
-/// plans them is not begun any more, but there are records of some.
+/// The number of planned comparisons of measures that the analysis does not compare. No study that
+/// plans them can be begun any more, but there are older records of some.
 std::size_t planned_without_tables(const study::AnalysisPlan& plan);
 
-/// Empty where the plan says nothing.
+/// The planned margin of the measure's equivalence test; empty where the plan has none.
 std::optional<double> equivalence_margin(const study::AnalysisPlan& plan,
                                          const std::string& measure);
 

@@ -43,7 +43,7 @@ void check_protocol(const StudyRecords& records) {
   }
 }
 
-/// The kind of sessions to analyse; people's data stand before pilots' and simulated ones.
+/// The kind of sessions to analyse: people's, else pilots', else simulated ones.
 std::string kind_to_analyse(const StudyRecords& records) {
   for (const char* kind : {"human", "pilot", "simulated"}) {
     const bool exists = std::any_of(
@@ -160,7 +160,7 @@ void list_gaps_of_cell(const Cell& cell, const Exclusion& place, const RatingSca
   };
   for (const Mark mark : marks) {
     if (cell.time(mark).state == MarkTime::State::censored) {
-      exclude(name_of(mark), "timed out: the time is only a lower bound");
+      exclude(name_of(mark), "right-censored: the time-out is only a lower bound of the time");
     } else if (cell.time(mark).state == MarkTime::State::missing) {
       exclude(name_of(mark), "no time recorded");
     }

@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-/// What `foveola study verify` finds. Throws Error if the file is broken, unless that is asked for.
+/// The findings of `foveola study verify`. Throws Error if the verification fails, unless
+/// unverified files are wanted.
 study::Verification verified(const fs::path& database, bool takes_broken) {
   study::Verification found = study::verify_study(database);
   if (!found.faults.empty() && !takes_broken) {
@@ -131,7 +132,7 @@ void write_output(const fs::path& folder, const std::string& name, const std::st
   output.files.push_back(folder / name);
 }
 
-/// The data, which may be large: one table in memory at a time.
+/// Writes the data, which may be large, with one table in memory at a time.
 void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path& folder,
                 AnalysisOutput& output) {
   const PsychDs shared = psych_ds(output.tables, answers);
@@ -146,7 +147,8 @@ void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path
   write_output(folder, shared.participants_name, participants, output);
 }
 
-/// The behavioural data, and the gaze of whoever is among them, an attempt in memory at a time.
+/// Writes the behavioural data, and the gaze of the participants in them, with one attempt in
+/// memory at a time.
 void write_bids(const std::vector<study::BackgroundRow>& answers,
                 const std::vector<study::GazeRunRow>& validations, const GazeReader& read_gaze,
                 const fs::path& folder, AnalysisOutput& output) {
@@ -179,7 +181,7 @@ AnalysisOutput analyze_records(study::StudyRecords records,
   AnalysisOutput output;
   output.record = std::move(record);
   output.tables = tabulate_study(records);
-  // The tables hold what the trials say, and there may be millions.
+  // Frees the trials, of which there may be millions: the tables hold their values.
   records.trials = std::vector<study::TrialRow>();
   output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
   output.checks = check_data_quality(output.tables, quality);

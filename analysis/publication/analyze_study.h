@@ -16,34 +16,35 @@
 namespace foveola::analysis {
 
 struct AnalysisOptions {
-  bool bids = false;        ///< also bids/, with a folder for each participant
-  bool unverified = false;  ///< analyse a study's file even if it is not what was written
+  bool bids = false;        ///< Also write bids/, with a folder for each participant.
+  bool unverified = false;  ///< Analyse a study's file even if its verification fails.
 };
 
-/// Calls its argument for every attempt's gaze, as study::visit_gaze does; empty: there is none.
+/// Calls its argument for every attempt's gaze, as study::visit_gaze does. An empty one stands for
+/// a study without gaze.
 using GazeReader = std::function<void(const std::function<void(const study::AttemptGaze&)>&)>;
 
 struct AnalysisOutput {
   std::filesystem::path report;              ///< report.html
-  std::vector<std::filesystem::path> files;  ///< everything that was written
-  std::string summary;  ///< a table for the terminal, several lines, ready to print
+  std::vector<std::filesystem::path> files;  ///< All files that were written.
+  std::string summary;                       ///< Several lines for the terminal, ready to print.
   std::vector<std::string> warnings;
   StudyTables tables;
   Comparisons comparisons;
   DataQualityReport checks;
-  std::optional<study::Verification> record;  ///< of the study's file, if one was read
+  std::optional<study::Verification> record;  ///< The verification of the study's file, if read.
 };
 
 /// Verifies the study's file, reads it and writes the published tables and figures to `folder`,
 /// which is made if its parent exists. Files of an earlier analysis are replaced, others left
-/// alone; nothing is written before everything is computed. Throws Error if the file is not what
-/// was written (unless options.unverified), there is nothing to analyse, or the folder cannot be
-/// written.
+/// alone; nothing is written before everything is computed. Throws Error if the verification fails
+/// (unless options.unverified), there is nothing to analyse, or the folder cannot be written.
 AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const std::filesystem::path& folder,
                              const AnalysisOptions& options = {});
 
-/// The same for records at hand; `record` is what verifying their file found, if they are of one.
+/// Analyses records that are in memory; `record` is the verification of their file, if there is
+/// one.
 AnalysisOutput analyze_records(study::StudyRecords records,
                                const study::DataQualityRecords& quality,
                                const std::filesystem::path& folder,

@@ -1,4 +1,4 @@
-// Whether participants' background goes with the time that a method saves them.
+// Whether participants' background is correlated with the time that a method saves them.
 #pragma once
 
 #include <cstddef>
@@ -15,25 +15,26 @@ namespace foveola::analysis {
 /// The answers that make up a participant's background.
 struct BackgroundScale {
   std::vector<std::string> questions;
-  bool as_published = false;  ///< experience with 3D graphics and with offline rendering
+  bool as_published = false;  ///< Experience with 3D graphics and with offline rendering.
 };
 
 /// One row of Table 1: what the analysed participants answered to one question.
 struct QuestionAnswers {
   std::string question;
   Description answers;
-  std::size_t missing = 0;  ///< participants without a number
+  std::size_t missing = 0;  ///< Participants without a number.
 };
 
-/// In the alphabetical order of the questions.
+/// Table 1, in the alphabetical order of the questions.
 std::vector<QuestionAnswers> describe_background(const AnalysisSet& set,
                                                  const std::vector<study::BackgroundRow>& answers);
 
-/// Whether background goes with speed-up: the mean over scenes of baseline minus method, seconds.
+/// The correlation of background with speed-up: the mean over scenes of baseline minus method, in
+/// seconds.
 struct BackgroundCorrelation {
   std::string method;
   Mark mark = Mark::outline;
-  std::size_t participants = 0;  ///< with an answer to every question and a complete scene
+  std::size_t participants = 0;  ///< Those with an answer to every question and a complete scene.
   std::optional<Correlation> pearson;
   std::optional<Correlation> spearman;
 };
@@ -50,7 +51,8 @@ std::vector<Exclusion> list_missing_answers(const AnalysisSet& set,
                                             const std::vector<study::BackgroundRow>& answers,
                                             const BackgroundScale& scale);
 
-/// For each mark and each method but the baseline. Throws Error if an answer is not finite.
+/// One correlation for each mark and each method but the baseline. Throws Error if an answer is not
+/// finite.
 std::vector<BackgroundCorrelation> correlate_background(
     const AnalysisSet& set, const std::vector<study::BackgroundRow>& answers,
     const BackgroundScale& scale);

@@ -24,7 +24,7 @@ std::string bids_json(const BidsJson& json) {
   return json.dump(2, ' ', false, BidsJson::error_handler_t::replace) + "\n";
 }
 
-/// A row of tab-separated values: BIDS knows no quotes, and calls what is missing "n/a".
+/// A row of tab-separated values: BIDS has no quotes, and writes missing values as "n/a".
 std::string tsv_row(const std::vector<std::string>& fields) {
   std::string row;
   for (const std::string& field : fields) {

@@ -22,7 +22,7 @@ std::string sidecar(const SidecarJson& json) {
   return json.dump(2, ' ', false, SidecarJson::error_handler_t::replace) + "\n";
 }
 
-/// In hertz, over the whole recording; empty if it lasts no time.
+/// The sampling frequency in hertz over the whole recording; empty if its duration is zero.
 std::optional<double> sampling_frequency(const std::vector<GazeSample>& samples) {
   const Nanoseconds lasting = samples.back().time - samples.front().time;
   if (lasting <= Nanoseconds(0)) {
@@ -70,7 +70,7 @@ std::string samples_json(const study::AttemptGaze& attempt, double frequency_hz,
   json["timestamp"] = timestamp_column();
   json["x_coordinate"] = column("Azimuth of the gaze, rightwards from straight ahead", "deg");
   json["y_coordinate"] = column("Elevation of the gaze, upwards from straight ahead", "deg");
-  // Beyond BIDS, which has no name for them.
+  // BIDS has no name for these keys.
   json["StartTimeReference"] = "the first presented frame of the trial";
   json["Trial"] = {{"Position", attempt.trial},  {"Kind", attempt.trial_kind},
                    {"Scene", attempt.scene},     {"Method", attempt.method},

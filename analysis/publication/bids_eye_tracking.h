@@ -15,23 +15,24 @@
 namespace foveola::analysis {
 
 /// Takes attempts one after the other, in the order of the session, and numbers a participant's
-/// recordings as BIDS's runs: gaze is only recorded while a trial is timed, and a file of BIDS is
-/// of one steady sampling frequency.
+/// recordings as BIDS's runs: gaze is only recorded while a trial is timed, and a BIDS file has one
+/// constant sampling frequency.
 class EyeTrackingExport {
  public:
-  /// Of the participants of `set`; the last of `validations` that saw anything tells how accurate a
-  /// participant's gaze is.
+  /// Exports the participants of `set`. A participant's accuracy is that of the last of
+  /// `validations` with any valid sample.
   EyeTrackingExport(const AnalysisSet& set, const std::vector<study::GazeRunRow>& validations);
 
   /// bids/sub-LABEL/beh/sub-LABEL_task-preview_run-RUN_recording-eye1 with _physio.tsv.gz,
   /// _physio.json, _physioevents.tsv.gz and _physioevents.json. A sample is its time by the
   /// session's clock in nanoseconds, then azimuth (rightwards) and elevation (upwards) in degrees
   /// from straight ahead, in the head's axes; "n/a" where the tracker saw no gaze. Events are the
-  /// first frame, the marks and the eye's movements, the last two files missing if there are none.
-  /// Nothing for who is not analysed, or if the samples are too few to have a frequency.
+  /// first frame, the marks and the eye's movements; without any, the last two files are left out.
+  /// Empty for a participant who is not analysed, or if the samples are too few to have a
+  /// frequency.
   std::vector<TextFile> files_of(const study::AttemptGaze& attempt);
 
-  /// How many of the analysed participants' recordings had too few samples.
+  /// The number of the analysed participants' recordings that had too few samples.
   std::size_t too_short() const { return too_short_; }
 
  private:
@@ -40,7 +41,7 @@ class EyeTrackingExport {
     int runs = 0;
     std::optional<double> accuracy_deg;
   };
-  std::map<std::string, Subject> subjects_;  ///< by the participant's code
+  std::map<std::string, Subject> subjects_;  ///< By the participant's code.
   std::size_t too_short_ = 0;
 };
 

@@ -83,10 +83,10 @@ void add_ranks(const MethodComparison& row, RowBuilder& out) {
   out.add("rank_biserial", of([](const SignedRankTest& test) { return test.rank_biserial; }));
 }
 
-/// Of ratios in per cent or of differences in points: one of the two is empty.
+/// Adds columns of ratios in per cent and of differences in points; one of the two are empty.
 void add_pseudo_median(const MethodComparison& row, RowBuilder& out) {
-  const bool is_rating = row.measure == artifacts_measure;
-  const auto add = [&](const std::string& unit, bool is_of_it, const auto& scaled) {
+  const auto add = [&](const std::string& unit, bool is_of_it, double scale) {
+    const auto scaled = [&](double tested) { return scale * row.in_unit(tested); };
     const auto of = [&](const auto& value) {
       return is_of_it ? number_in(row.pseudo_median, value) : std::nullopt;
     };
@@ -100,20 +100,18 @@ void add_pseudo_median(const MethodComparison& row, RowBuilder& out) {
     out.add("pseudo_median_low_" + unit, bound([](const Interval& ends) { return ends.low; }));
     out.add("pseudo_median_high_" + unit, bound([](const Interval& ends) { return ends.high; }));
   };
-  add("ratio_percent", !is_rating, [](double log_ratio) { return 100.0 * std::exp(log_ratio); });
-  add("points", is_rating, [](double points) { return points; });
+  add("ratio_percent", !row.is_of_ratings(), 100.0);
+  add("points", row.is_of_ratings(), 1.0);
 }
 
-/// The interval is in the margin's unit: a factor of times, or points.
+/// Adds the equivalence test, whose interval is in the margin's unit: a factor of times, or points.
 void add_equivalence(const MethodComparison& row, RowBuilder& out) {
-  const bool is_rating = row.measure == artifacts_measure;
   const auto of = [&](const auto& value) { return number_in(row.equivalent, value); };
-  const auto in_unit = [&](double bound) { return is_rating ? bound : std::exp(bound); };
   out.add("equivalence_margin", row.margin);
   out.add("equivalence_interval_low",
-          of([&](const EquivalenceTest& test) { return in_unit(test.interval.low); }));
+          of([&](const EquivalenceTest& test) { return row.in_unit(test.interval.low); }));
   out.add("equivalence_interval_high",
-          of([&](const EquivalenceTest& test) { return in_unit(test.interval.high); }));
+          of([&](const EquivalenceTest& test) { return row.in_unit(test.interval.high); }));
   out.add("p_above_low_margin", of([](const EquivalenceTest& test) { return test.p_above_low; }));
   out.add("p_below_high_margin", of([](const EquivalenceTest& test) { return test.p_below_high; }));
   out.add("p_equivalence", of([](const EquivalenceTest& test) { return test.p; }));

@@ -7,8 +7,8 @@
 
 namespace foveola::analysis {
 
-// Each as CSV with fixed columns that name their units; `kind` is who took part. What is not
-// defined is empty.
+// Each returns CSV with fixed columns that name their units; `kind` is "human", "pilot" or
+// "simulated". What is not defined is an empty field.
 
 std::string comparisons_csv(const Comparisons& comparisons, const std::string& kind);
 std::string omnibus_csv(const Comparisons& comparisons, const std::string& kind);

@@ -11,27 +11,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// The values of two methods, of the participants who have both.
-struct Pairs {
-  std::vector<double> method;
-  std::vector<double> reference;
-  std::vector<double> differences;
-};
-
-Pairs pairs_of(const ParticipantValues& values, std::size_t method, std::size_t reference) {
-  Pairs pairs;
-  for (const auto& row : values) {
-    if (row[method] && row[reference]) {
-      pairs.method.push_back(*row[method]);
-      pairs.reference.push_back(*row[reference]);
-      pairs.differences.push_back(*row[method] - *row[reference]);
-    }
-  }
-  return pairs;
-}
-
-/// Ranks tell values apart by their last bit, which is only the rounding of means of logarithms and
-/// of ratings: so it goes.
+/// Ranks depend on values' last bits, which are only the rounding errors of means of logarithms and
+/// of ratings, so these are rounded off.
 std::vector<double> without_rounding(std::vector<double> values) {
   constexpr double step = 1e12;
   for (double& value : values) {
@@ -40,15 +21,7 @@ std::vector<double> without_rounding(std::vector<double> values) {
   return values;
 }
 
-std::optional<RatioTest> ratio_of(const std::optional<TTest>& logs) {
-  return logs ? std::optional(
-                    RatioTest{*logs,
-                              std::exp(logs->mean),
-                              {std::exp(logs->interval.low), std::exp(logs->interval.high)}})
-              : std::nullopt;
-}
-
-/// 9999 for the studies that there are; fewer where thousands take part and would wait for it.
+/// 9999 for studies of the usual size; fewer where thousands of participants would take too long.
 int resamples_for(std::size_t participants) {
   constexpr std::size_t most_draws = 20'000'000;
   return static_cast<int>(
@@ -70,7 +43,7 @@ MethodComparison start_comparison(const AnalysisSet& set, const study::AnalysisP
   comparison.measure = measure;
   comparison.method = set.methods[method];
   comparison.reference = set.methods[reference];
-  // The same test, whichever of the two the plan names first.
+  // A comparison is planned whichever of its two methods the plan names first.
   comparison.primary = is_primary(plan, measure, comparison.method, comparison.reference) ||
                        is_primary(plan, measure, comparison.reference, comparison.method);
   comparison.margin = equivalence_margin(plan, measure);
@@ -83,15 +56,14 @@ MethodComparison compare_times(const AnalysisSet& set, const study::AnalysisPlan
                                std::size_t reference) {
   MethodComparison comparison =
       start_comparison(set, plan, std::string(name_of(mark)), method, reference);
-  const Pairs pairs = pairs_of(log_times, method, reference);
-  comparison.n = pairs.differences.size();
-  comparison.ratio = ratio_of(one_sample_t(pairs.differences));
-  comparison.ratio_bca = bca_of_ratio(pairs.differences);
-  comparison.ranks = signed_rank(without_rounding(pairs.differences));
-  comparison.pseudo_median = pseudo_median(pairs.differences);
+  const std::vector<double> differences = paired_differences(log_times, method, reference);
+  comparison.n = differences.size();
+  comparison.ratio = ratio_t(differences);
+  comparison.ratio_bca = bca_of_ratio(differences);
+  comparison.ranks = signed_rank(without_rounding(differences));
+  comparison.pseudo_median = pseudo_median(differences);
   if (comparison.margin) {
-    comparison.equivalent =
-        equivalence(pairs.differences, std::log(*comparison.margin), plan.alpha);
+    comparison.equivalent = equivalence(differences, std::log(*comparison.margin), plan.alpha);
   }
   return comparison;
 }
@@ -100,20 +72,20 @@ MethodComparison compare_ratings(const AnalysisSet& set, const study::AnalysisPl
                                  const ParticipantValues& ratings, std::size_t method,
                                  std::size_t reference) {
   MethodComparison comparison = start_comparison(set, plan, artifacts_measure, method, reference);
-  const Pairs pairs = pairs_of(ratings, method, reference);
-  comparison.n = pairs.differences.size();
-  comparison.points = one_sample_t(pairs.differences);
-  comparison.ranks = signed_rank(without_rounding(pairs.differences));
-  comparison.pseudo_median = pseudo_median(pairs.differences);
+  const std::vector<double> differences = paired_differences(ratings, method, reference);
+  comparison.n = differences.size();
+  comparison.points = one_sample_t(differences);
+  comparison.ranks = signed_rank(without_rounding(differences));
+  comparison.pseudo_median = pseudo_median(differences);
   if (comparison.margin) {
-    comparison.equivalent = equivalence(pairs.differences, *comparison.margin, plan.alpha);
+    comparison.equivalent = equivalence(differences, *comparison.margin, plan.alpha);
   }
   return comparison;
 }
 
 /// The P-value that Holm's method adjusts.
 std::optional<double> main_p(const MethodComparison& comparison) {
-  if (comparison.measure == artifacts_measure) {
+  if (comparison.is_of_ratings()) {
     return comparison.ranks ? std::optional(comparison.ranks->p) : std::nullopt;
   }
   return comparison.ratio ? std::optional(comparison.ratio->logs.p) : std::nullopt;

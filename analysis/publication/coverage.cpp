@@ -22,11 +22,11 @@ namespace {
 constexpr Interval nominal_coverage = {93.5, 96.5};
 constexpr Interval nominal_rejection = {4.0, 6.0};
 
-/// Whether one study hits; empty where it has no such interval or test.
+/// Whether the criterion holds in one study; empty where it has no such interval or test.
 using Outcome = std::optional<bool>;
 
-Outcome covers(const std::optional<Interval>& interval, double truth) {
-  return interval ? Outcome(interval->low <= truth && truth <= interval->high) : std::nullopt;
+Outcome covers(const std::optional<Interval>& interval, double value) {
+  return interval ? Outcome(interval->low <= value && value <= interval->high) : std::nullopt;
 }
 
 Outcome covers_percent(const StudyTables& tables, Mark mark, std::size_t method, double ratio) {
@@ -36,64 +36,60 @@ Outcome covers_percent(const StudyTables& tables, Mark mark, std::size_t method,
 
 /// The logarithms of all participants' ratios of the last method to the baseline.
 std::vector<double> log_ratios(const AnalysisSet& set) {
-  std::vector<double> ratios;
-  for (const auto& row : mean_log_times(set, Mark::outline)) {
-    if (row.front() && row.back()) {
-      ratios.push_back(*row.back() - *row.front());
-    }
-  }
-  return ratios;
+  return paired_differences(mean_log_times(set, Mark::outline), set.methods.size() - 1, baseline);
 }
 
-/// What is asked of one study, and what is said of the share that hits.
-struct Question {
+/// A property of intervals or tests that holds in a study or not, and the share of studies in which
+/// it must hold.
+struct Criterion {
   std::string_view name;
   std::string_view claim;
-  std::optional<Interval> asked;
-  InjectedEffects truth;
-  std::function<Outcome(const AnalysisSet&, const StudyTables&)> ask;
+  std::optional<Interval> required;
+  InjectedEffects effects;
+  std::function<Outcome(const AnalysisSet&, const StudyTables&)> holds;
 };
 
-std::vector<Question> injected_questions(const CoverageSettings& settings) {
-  const InjectedEffects truth{.participants = settings.participants};
-  InjectedEffects learning = truth;
+std::vector<Criterion> criteria_with_effects(const CoverageSettings& settings) {
+  const InjectedEffects effects{.participants = settings.participants};
+  InjectedEffects learning = effects;
   learning.change_per_trial = -0.02;
-  std::vector<Question> questions;
+  std::vector<Criterion> criteria;
   for (const Mark mark : marks) {
     for (const std::size_t method : {std::size_t{1}, std::size_t{2}}) {
-      const double ratio = truth.ratios[method];
-      // Only the outline's truth is injected; the material mark is some time after it, alike.
+      const double ratio = effects.ratios[method];
+      // Only the outline's ratio is injected; the material mark follows after a time that has the
+      // same ratio.
       const std::string_view name =
           mark == Mark::outline
               ? (method == 1 ? "t interval, VP 32 %, outline" : "t interval, FV 10 %, outline")
               : (method == 1 ? "t interval, VP 32 %, material" : "t interval, FV 10 %, material");
-      questions.push_back({name, "covers the injected ratio", nominal_coverage, truth,
-                           [=](const AnalysisSet&, const StudyTables& tables) {
-                             return covers_percent(tables, mark, method, ratio);
-                           }});
+      criteria.push_back({name, "covers the injected ratio", nominal_coverage, effects,
+                          [=](const AnalysisSet&, const StudyTables& tables) {
+                            return covers_percent(tables, mark, method, ratio);
+                          }});
     }
   }
-  questions.push_back({"BCa interval, FV 10 %, outline", "covers the injected ratio", std::nullopt,
-                       truth, [=](const AnalysisSet&, const StudyTables& tables) {
-                         const MethodTimes& times = tables.method_times_of(Mark::outline, 2);
-                         return covers(bca_geometric_mean(times.participant_percent,
-                                                          {.resamples = settings.resamples}),
-                                       100.0 * truth.ratios[2]);
-                       }});
-  questions.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the injected ratio",
-                       std::nullopt, truth, [=](const AnalysisSet& set, const StudyTables&) {
-                         const auto found = pseudo_median(log_ratios(set));
-                         return found && found->interval
-                                    ? covers(found->interval, std::log(truth.ratios[2]))
-                                    : std::nullopt;
-                       }});
-  questions.push_back(
+  criteria.push_back({"BCa interval, FV 10 %, outline", "covers the injected ratio", std::nullopt,
+                      effects, [=](const AnalysisSet&, const StudyTables& tables) {
+                        const MethodTimes& times = tables.method_times_of(Mark::outline, 2);
+                        return covers(bca_geometric_mean(times.participant_percent,
+                                                         {.resamples = settings.resamples}),
+                                      100.0 * effects.ratios[2]);
+                      }});
+  criteria.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the injected ratio",
+                      std::nullopt, effects, [=](const AnalysisSet& set, const StudyTables&) {
+                        const auto found = pseudo_median(log_ratios(set));
+                        return found && found->interval
+                                   ? covers(found->interval, std::log(effects.ratios[2]))
+                                   : std::nullopt;
+                      }});
+  criteria.push_back(
       {"t interval, learning 2 % per trial", "covers the injected change", nominal_coverage,
        learning, [=](const AnalysisSet& set, const StudyTables&) {
          const auto found = order_effect(ordered_log_times(set, Mark::outline, OrderOf::trials));
          return found ? covers(found->interval, learning.change_per_trial) : std::nullopt;
        }});
-  return questions;
+  return criteria;
 }
 
 Outcome below(std::optional<double> p) { return p ? Outcome(*p < 0.05) : std::nullopt; }
@@ -103,7 +99,7 @@ std::optional<double> p_of(const std::optional<Test>& test) {
   return test ? std::optional(test->p) : std::nullopt;
 }
 
-std::vector<Question> null_questions(const CoverageSettings& settings) {
+std::vector<Criterion> criteria_without_effect(const CoverageSettings& settings) {
   InjectedEffects null{.participants = settings.participants};
   null.ratios = {1.0, 1.0, 1.0};
   InjectedEffects at_margin = null;
@@ -133,25 +129,26 @@ std::vector<Question> null_questions(const CoverageSettings& settings) {
            [=](const AnalysisSet& set, const StudyTables&) {
              return below(p_of(friedman(measures(set))));
            }},
-          {"equivalence within 25 %, truth at the margin", "wrongly declared at 5 %", std::nullopt,
+          {"equivalence within 25 %, ratio at the margin", "wrongly declared at 5 %", std::nullopt,
            at_margin, [](const AnalysisSet& set, const StudyTables&) {
              return below(p_of(equivalence(log_ratios(set), std::log(1.25))));
            }}};
 }
 
-/// A study's number seeds it, whatever thread it runs on.
-CoverageFigure answer(const Question& question, const CoverageSettings& settings,
-                      std::uint64_t stream, const Workers& workers) {
+/// Each study is seeded by its number, whatever thread it runs on.
+CoverageFigure measure(const Criterion& criterion, const CoverageSettings& settings,
+                       std::uint64_t stream, const Workers& workers) {
   std::vector<Outcome> outcomes(static_cast<std::size_t>(settings.studies));
   workers.for_each_block(outcomes.size(), 50, [&](std::size_t begin, std::size_t end) {
     for (std::size_t study = begin; study < end; ++study) {
       const std::uint64_t seed = (settings.seed << 40U) + (stream << 32U) + study;
-      const StudyTables tables = tabulate_study(study_with_injected_effects(question.truth, seed));
-      outcomes[study] = question.ask(tables.set, tables);
+      const StudyTables tables =
+          tabulate_study(study_with_injected_effects(criterion.effects, seed));
+      outcomes[study] = criterion.holds(tables.set, tables);
     }
   });
-  CoverageFigure figure{std::string(question.name), std::string(question.claim)};
-  figure.asked = question.asked;
+  CoverageFigure figure{std::string(criterion.name), std::string(criterion.claim)};
+  figure.required = criterion.required;
   for (const Outcome& outcome : outcomes) {
     figure.studies += outcome ? 1 : 0;
     figure.hits += outcome.value_or(false) ? 1 : 0;
@@ -169,17 +166,17 @@ CoverageFigure answer(const Question& question, const CoverageSettings& settings
 std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,
                                              const std::stop_token& stop) {
-  std::vector<Question> questions = injected_questions(settings);
-  const std::vector<Question> nulls = null_questions(settings);
-  questions.insert(questions.end(), nulls.begin(), nulls.end());
+  std::vector<Criterion> criteria = criteria_with_effects(settings);
+  const std::vector<Criterion> nulls = criteria_without_effect(settings);
+  criteria.insert(criteria.end(), nulls.begin(), nulls.end());
   const Workers workers(settings.threads);
   std::vector<CoverageFigure> figures;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
+  for (std::size_t i = 0; i < criteria.size(); ++i) {
     if (stop.stop_requested()) {
       return {};
     }
-    figures.push_back(answer(questions[i], settings, i, workers));
-    on_progress(static_cast<double>(i + 1) / static_cast<double>(questions.size()));
+    figures.push_back(measure(criteria[i], settings, i, workers));
+    on_progress(static_cast<double>(i + 1) / static_cast<double>(criteria.size()));
   }
   return figures;
 }

@@ -1,5 +1,5 @@
-// How often the analysis is right: intervals and tests over thousands of studies with injected
-// effects.
+// How often the analysis is right: the coverage of its intervals and the error rates of its tests,
+// over thousands of studies with injected effects.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,29 @@ namespace foveola::analysis {
 /// A share of studies, in per cent.
 struct CoverageFigure {
   std::string name;
-  std::string claim;        ///< what the share is of
-  std::size_t studies = 0;  ///< in which it is defined
-  std::size_t hits = 0;
+  std::string claim;        ///< What holds in so many studies, as "rejects at 5 %".
+  std::size_t studies = 0;  ///< Studies in which it is defined.
+  std::size_t hits = 0;     ///< Studies in which it holds.
   double percent = 0.0;
-  Interval interval;              ///< of `percent`, Clopper and Pearson's
-  std::optional<Interval> asked;  ///< nothing where it is only reported
-  bool is_met() const { return !asked || (percent >= asked->low && percent <= asked->high); }
+  Interval interval;                 ///< Clopper and Pearson's interval of `percent`.
+  std::optional<Interval> required;  ///< Empty where the share is only reported.
+
+  bool is_met() const {
+    return !required || (percent >= required->low && percent <= required->high);
+  }
 };
 
 struct CoverageSettings {
   int studies = 4000;
   int participants = 16;
   std::uint64_t seed = 1;
-  int resamples = 1999;  ///< of each bootstrap
-  int threads = 0;       ///< 0: every core; the figures do not depend on it
+  int resamples = 1999;  ///< Resamples of each bootstrap interval.
+  int threads = 0;       ///< 0 takes every core; the figures do not depend on it.
 };
 
-/// Injected effects in t intervals on logs and order; null studies in every test.
-/// `on_progress` is told the share that is done. Empty when `stop` was requested.
+/// The coverage of intervals over studies with injected effects, and the rejections of every test
+/// over studies without an effect. Calls `on_progress` with the share that is done. Empty when
+/// `stop` was requested.
 std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,
                                              const std::stop_token& stop);

@@ -18,16 +18,16 @@ std::string file_word(const std::string& name) {
   return word.empty() ? "study" : word;
 }
 
-/// Every column of the data files once: Psych-DS lets no file have one that is not told of.
+/// Every column of the data files once: Psych-DS forbids columns that are not described.
 std::vector<Variable> all_variables(const StudyTables& tables,
                                     const std::vector<study::BackgroundRow>& answers) {
   std::vector<Variable> variables = trial_variables(tables.set.rating_scale);
-  std::set<std::string> told;
+  std::set<std::string> described;
   for (const Variable& variable : variables) {
-    told.insert(variable.name);
+    described.insert(variable.name);
   }
   for (Variable& variable : participant_variables(tables.set, answers)) {
-    if (told.insert(variable.name).second) {
+    if (described.insert(variable.name).second) {
       variables.push_back(std::move(variable));
     }
   }
@@ -63,9 +63,10 @@ constexpr const char* times_script =
     R"r(# Mixed models of log times: participants and scenes may have missing cells.
 # Rscript models_times.R, in the folder of this file; needs lme4, lmerTest and emmeans.
 #
-# Participants lean to a method in all scenes, and scenes suit one method better: a participant's
-# times with a method, and a scene's, are not independent. Without these random effects the model
-# would count every trial as one more participant, and its intervals would be too short.
+# Participants differ in their ratios between methods, and so do scenes: a participant's times with
+# a method, and a scene's, are not independent. Without these random effects (the interactions with
+# the method) the model would count every trial as one more participant, and its intervals would be
+# too short.
 library(lmerTest)
 library(emmeans)
 
@@ -76,18 +77,19 @@ if (any(trials$participant_kind != "human")) {
 trials$method <- relevel(trials$method, ref = as.character(trials$method[1]))
 
 for (mark in c("outline", "material")) {
-  # Times that ran out are only bounds; they are left out here and counted.
+  # Right-censored times are only lower bounds; they are left out here and counted.
   time <- trials[[paste0(mark, "_s")]]
   censored <- trials[[paste0(mark, "_censored")]] %in% c("true", TRUE)
   rows <- trials[!is.na(time) & !censored, ]
   rows$log_time <- log(time[!is.na(time) & !censored])
   rows <- droplevels(rows)
-  cat("\n", mark, ": ", nrow(rows), " times; ", sum(censored), " ran out\n", sep = "")
+  cat("\n", mark, ": ", nrow(rows), " times; ", sum(censored), " right-censored\n",
+      sep = "")
   if (nlevels(rows$participant) < 2 || nlevels(rows$method) < 2) {
     cat("No model: it needs two participants and two methods.\n")
     next
   }
-  # With one scene there is one time for each participant and method, and nothing to tell apart.
+  # With one scene there is one time for each participant and method: no interaction can be estimated.
   model <- if (nlevels(rows$scene) > 1) {
     lmer(log_time ~ method + trial_position + (1 | participant) + (1 | participant:method) +
            (1 | scene) + (1 | scene:method), data = rows)
@@ -125,7 +127,7 @@ if (nlevels(trials$participant) < 2 || nlevels(trials$method) < 2) {
   print(summary(clmm(rating ~ method + (1 | participant) + (1 | participant:method) +
                        (1 | scene) + (1 | scene:method), data = trials)))
 } else {
-  # With one scene there is one rating for each participant and method, and nothing to tell apart.
+  # With one scene there is one rating for each participant and method: no interaction can be estimated.
   print(summary(clmm(rating ~ method + (1 | participant), data = trials)))
 }
 )r";

@@ -14,8 +14,8 @@
 namespace foveola::analysis {
 namespace {
 
-// Limits that are ours, for want of published ones, but for the latency: at 50 to 70 ms people
-// begin to notice foveation (Albert, Patney, Luebke, Kim 2017).
+// These limits are Foveola's own, for want of published ones, except that of the latency: at 50 to
+// 70 ms people begin to notice foveation (Albert, Patney, Luebke, Kim 2017).
 constexpr double most_late_percent = 1.0;
 constexpr double most_untracked_percent = 10.0;
 constexpr double longest_latency_ms = 50.0;
@@ -103,8 +103,8 @@ DataQualityCheck check_validation(const StudyTables& tables,
   return check;
 }
 
-/// The places of the methods in one scene of one participant; empty unless each place is taken
-/// once: a trial that is missing from the record has no place of its own.
+/// The positions of the methods in one scene of one participant; empty unless each position is
+/// taken once: a trial that is missing from the record has no position of its own.
 std::vector<std::size_t> places_of_methods(std::span<const Cell> block) {
   std::vector<std::size_t> places;
   for (const Cell& cell : block) {
@@ -120,10 +120,10 @@ std::vector<std::size_t> places_of_methods(std::span<const Cell> block) {
   return places;
 }
 
-/// How often each method had each place, over the participants' scenes with all their trials.
+/// How often each method had each position, over the participants' scenes with all their trials.
 struct PlaceCounts {
-  std::vector<std::vector<double>> counts;  ///< [method][place]
-  double blocks = 0.0;                      ///< scenes of participants; a permutation each
+  std::vector<std::vector<double>> counts;  ///< [method][position]
+  double blocks = 0.0;  ///< Pairs of a participant and a scene, each with one permutation.
 };
 
 PlaceCounts count_places(const AnalysisSet& set) {

@@ -1,4 +1,4 @@
-// Whether the data are as good as the study needs: what the report raises a flag for.
+// Data-quality checks: whether frames, gaze, latency and orders were as good as the study needs.
 #pragma once
 
 #include <optional>
@@ -18,29 +18,29 @@ std::string_view name_of(Verdict verdict);
 
 struct DataQualityCheck {
   std::string name;
-  std::string found;  ///< in words, with units
-  std::string limit;  ///< what it is held against, and whose limit that is
+  std::string found;  ///< The value found, in words, with its unit.
+  std::string limit;  ///< The limit, and its source.
   Verdict verdict = Verdict::unknown;
 };
 
-/// One participant's reaction test, of presses that were no false starts.
+/// One participant's reaction test, and how many of the marks are as short as a reaction.
 struct ReactionFloor {
   std::string participant;
   std::size_t presses = 0;
   std::size_t false_starts = 0;
-  std::optional<double> median_s;
-  std::size_t marks = 0;         ///< measured times of the participant, both marks
-  std::size_t within_floor = 0;  ///< of them, no longer than the median reaction
+  std::optional<double> median_s;  ///< Median reaction time, without false starts.
+  std::size_t marks = 0;           ///< The participant's measured times, of both marks.
+  std::size_t within_floor = 0;    ///< Those no longer than the median reaction.
 };
 
 struct DataQualityReport {
   std::vector<DataQualityCheck> checks;
-  std::vector<study::FrameFigures> frames;  ///< of the analysed participants who have any
-  std::vector<ReactionFloor> reactions;     ///< of the participants who took the test
+  std::vector<study::FrameFigures> frames;  ///< One for each analysed participant with frames.
+  std::vector<ReactionFloor> reactions;     ///< One for each participant who took the test.
 };
 
-/// Dropped frames, gaze loss, latency, validation, marks against frames, order balance, and whose
-/// data these are; of the participants in `tables`.
+/// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, the
+/// balance of orders, and whether the data are people's; for the participants in `tables`.
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality);
 

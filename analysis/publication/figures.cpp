@@ -13,7 +13,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Whose data a figure shows, in its own corner, so that the file says so wherever it goes.
+/// Writes whose data a figure shows into its corner, so that the file says so wherever it goes.
 std::string data_mark(const StudyTables& tables) {
   const std::string notice = data_notice(tables);
   return notice.empty() ? ""
@@ -23,7 +23,7 @@ std::string data_mark(const StudyTables& tables) {
                               gnuplot_quoted(notice), palette::ink.rgb);
 }
 
-/// What all figures share: the frame and the type.
+/// The frame and the typeface that all figures share.
 std::string preamble(const StudyTables& tables) {
   return fmt::format(
              "set encoding utf8\n"

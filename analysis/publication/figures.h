@@ -8,26 +8,27 @@
 
 namespace foveola::analysis {
 
-/// Above so many participants the figures of times leave out the dots of single ones.
+/// Above this many participants the figures of times leave out the dots of single participants.
 inline constexpr std::size_t most_dots = 500;
 
 struct Figure {
-  std::string name;  ///< a file name without its extension
-  std::string svg;   ///< a file of its own, on white
-  // What pdf_of and png_of draw it from again.
-  int width = 0;       ///< SVG units, 1/96 inch
-  int height = 0;      ///< likewise
-  std::string script;  ///< gnuplot's, without its terminal
+  std::string name;  ///< A file name without its extension.
+  std::string svg;   ///< The content of an SVG file, on a white background.
+  // From these, pdf_of and png_of draw the figure again.
+  int width = 0;       ///< In SVG units, 1/96 inch.
+  int height = 0;      ///< In SVG units.
+  std::string script;  ///< The gnuplot script, without its terminal.
 };
 
-/// Fig. 5, relative and in seconds, and Fig. 6, as far as there are values. Throws Error if gnuplot
-/// is missing.
+/// Draws Fig. 5, relative and in seconds, and Fig. 6, as far as there are values. Throws Error if
+/// gnuplot is missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
-/// The same figure for print, without a date: same figure, same bytes. Throws Error likewise.
+/// The figure as a PDF without a date, so that the same figure gives the same bytes. Throws Error
+/// if gnuplot is missing.
 std::string pdf_of(const Figure& figure);
 
-/// The same figure for slides, of twice the size. Throws Error likewise.
+/// The figure as a PNG of twice the size, for slides. Throws Error if gnuplot is missing.
 std::string png_of(const Figure& figure);
 
 }  // namespace foveola::analysis

@@ -12,17 +12,17 @@ std::string escape_html(std::string_view text);
 
 struct HtmlHeading {
   std::string text;
-  int columns = 1;  ///< more than one: it stands over a group
+  int columns = 1;  ///< More than one for the heading of a group.
 };
 
 /// A data table. Texts are plain and are escaped; the caption is HTML. The first column names the
-/// rows. With `groups`, a row of headings above the columns' own.
+/// rows. `groups` adds a row of headings above the columns' own.
 struct HtmlTable {
   std::string caption_html;
   std::vector<HtmlHeading> groups;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
-  bool numeric = true;  ///< cells beside the first column are numbers: aligned to the right
+  bool numeric = true;  ///< All columns but the first are numbers, aligned to the right.
 };
 
 std::string render(const HtmlTable& table);

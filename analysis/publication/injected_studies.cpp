@@ -20,14 +20,14 @@ std::vector<int> random_order(std::size_t count, Pcg32& generator) {
 }
 
 /// A participant's trials, one after the other.
-class InjectedEffectParticipant {
+class DrawnParticipant {
  public:
-  InjectedEffectParticipant(const InjectedEffects& truth, std::string code, Pcg32& generator)
-      : truth_(truth), code_(std::move(code)), generator_(generator) {
-    speed_ = truth.speed_sd * generator.normal();
-    for (std::size_t method = 0; method < truth.ratios.size(); ++method) {
-      // Half of the variance of a ratio's leaning comes from each of its two methods.
-      leanings_.push_back(truth.leaning_sd / std::sqrt(2.0) * generator.normal());
+  DrawnParticipant(const InjectedEffects& effects, std::string code, Pcg32& generator)
+      : effects_(effects), code_(std::move(code)), generator_(generator) {
+    speed_ = effects.speed_sd * generator.normal();
+    for (std::size_t method = 0; method < effects.ratios.size(); ++method) {
+      // Each of a ratio's two methods gives half of the variance of its interaction.
+      interactions_.push_back(effects.interaction_sd / std::sqrt(2.0) * generator.normal());
     }
   }
 
@@ -50,15 +50,15 @@ class InjectedEffectParticipant {
     constexpr double first_scene_s = 5.0;
     const auto method_index = static_cast<std::size_t>(method);
     const double log_time = std::log(first_scene_s * (1.0 + scene)) + speed_ +
-                            std::log(truth_.ratios[method_index]) + leanings_[method_index] +
-                            truth_.change_per_trial * trial;
+                            std::log(effects_.ratios[method_index]) + interactions_[method_index] +
+                            effects_.change_per_trial * trial;
     study::TrialRow row;
     row.participant = code_;
     row.scene = records.scenes[static_cast<std::size_t>(scene)];
     row.method = records.methods[method_index];
     row.attempts = 1;
-    const double outline = std::exp(log_time + truth_.trial_sd * generator_.normal());
-    const double longer = 1.0 + std::exp(truth_.trial_sd * generator_.normal());
+    const double outline = std::exp(log_time + effects_.trial_sd * generator_.normal());
+    const double longer = 1.0 + std::exp(effects_.trial_sd * generator_.normal());
     row.outline_s = outline;
     row.material_s = outline * longer;
     row.artifact_rating =
@@ -66,36 +66,37 @@ class InjectedEffectParticipant {
     return row;
   }
 
-  const InjectedEffects& truth_;
+  const InjectedEffects& effects_;
   std::string code_;
   Pcg32& generator_;
   double speed_ = 0.0;
-  std::vector<double> leanings_;
+  std::vector<double> interactions_;
 };
 
 }  // namespace
 
-study::StudyRecords study_with_injected_effects(const InjectedEffects& truth, std::uint64_t seed) {
+study::StudyRecords study_with_injected_effects(const InjectedEffects& effects,
+                                                std::uint64_t seed) {
   Pcg32 generator(seed);
   study::StudyRecords records;
   records.protocol_name = "injected";
-  records.protocol_title = "A study whose truth is known";
-  for (int scene = 1; scene <= truth.scenes; ++scene) {
+  records.protocol_title = "A study with injected effects";
+  for (int scene = 1; scene <= effects.scenes; ++scene) {
     records.scenes.push_back(fmt::format("scene-{}", scene));
   }
   const std::vector<std::string> published = {"od", "vp", "fv"};
-  for (std::size_t method = 0; method < truth.ratios.size(); ++method) {
+  for (std::size_t method = 0; method < effects.ratios.size(); ++method) {
     records.methods.push_back(method < published.size() ? published[method]
                                                         : fmt::format("method-{}", method + 1));
   }
-  for (int i = 1; i <= truth.participants; ++i) {
+  for (int i = 1; i <= effects.participants; ++i) {
     const std::string code = fmt::format("S{:05}", i);
     study::SessionRow session;
     session.participant = code;
     session.kind = "simulated";
     session.state = "completed";
     records.sessions.push_back(session);
-    InjectedEffectParticipant(truth, code, generator).add_trials(records);
+    DrawnParticipant(effects, code, generator).add_trials(records);
   }
   return records;
 }

@@ -1,4 +1,4 @@
-// Making a gnuplot figure part of a page: its colours, its ids and its name for screen readers.
+// Makes a gnuplot figure part of a page: its colours, its ids and its name for screen readers.
 #pragma once
 
 #include <string>

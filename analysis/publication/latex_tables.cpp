@@ -7,7 +7,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Cells are LaTeX already.
+/// A table whose cells are LaTeX already.
 struct LatexTable {
   std::string label;
   std::string caption;
@@ -101,7 +101,7 @@ LatexTable ratings_latex(const StudyTables& tables) {
   return table;
 }
 
-/// Powers of ten as such: 3.3e-05 becomes $3.3 \times 10^{-5}$, and < 1e-300 $< 10^{-300}$.
+/// Typesets powers of ten: 3.3e-05 becomes $3.3 \times 10^{-5}$, and < 1e-300 $< 10^{-300}$.
 std::string latex_p(const std::optional<double>& p) {
   if (!p) {
     return "--";

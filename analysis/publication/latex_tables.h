@@ -11,7 +11,7 @@
 
 namespace foveola::analysis {
 
-/// `text` with the characters escaped that mean something to LaTeX.
+/// `text` with LaTeX's special characters escaped.
 std::string escape_latex(std::string_view text);
 
 /// table2_times.tex, figure5_geometric_means.tex, figure6_artifact_ratings.tex and comparisons.tex:

@@ -16,7 +16,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// What the paragraph needs of a protocol, as it stands there; empty where it says nothing.
+/// The parts of a protocol that the paragraph needs; empty where it says nothing.
 struct ProtocolFacts {
   std::string scene_order;
   std::string method_order;
@@ -66,7 +66,7 @@ ProtocolFacts facts_of(const std::string& protocol_text) {
   return facts;
 }
 
-/// What was marked and rated of what is analysed, to follow what was seen.
+/// The sentences on the analysed marks and ratings, which follow those on what was seen.
 std::string measures_in_words(const ProtocolFacts& facts, const RatingScale& scale) {
   const auto has = [&](const char* mark) {
     return std::find(facts.marks.begin(), facts.marks.end(), mark) != facts.marks.end();

@@ -58,6 +58,17 @@ ParticipantValues mean_ratings(const AnalysisSet& set) {
   });
 }
 
+std::vector<double> paired_differences(const ParticipantValues& values, std::size_t method,
+                                       std::size_t reference) {
+  std::vector<double> differences;
+  for (const auto& row : values) {
+    if (row[method] && row[reference]) {
+      differences.push_back(*row[method] - *row[reference]);
+    }
+  }
+  return differences;
+}
+
 std::vector<OrderedValue> ordered_log_times(const AnalysisSet& set, Mark mark, OrderOf order) {
   std::vector<OrderedValue> values;
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {

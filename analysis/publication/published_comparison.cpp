@@ -56,7 +56,7 @@ void compare_background(const StudyTables& tables, const std::vector<study::Back
   }
 }
 
-/// The study's scene in the place of a published one.
+/// The study's scene that is compared with a published one.
 std::optional<std::size_t> scene_of(const AnalysisSet& set, const PublishedTime& row) {
   for (const std::string& name : {row.scene, row.counterpart}) {
     const auto found = std::find(set.scenes.begin(), set.scenes.end(), name);
@@ -81,7 +81,8 @@ struct StudyNumbers {
   std::optional<double> standard_deviation;
 };
 
-/// One reading of the baseline's seconds, two of the others' percentages.
+/// The cells of one published time: one for the baseline's seconds, two readings of the others'
+/// percentages.
 std::vector<StudyNumbers> readings_of(const SceneTimes& times, bool is_baseline) {
   if (is_baseline) {
     return {{"", times.seconds.mean, times.seconds.standard_deviation}};
@@ -147,7 +148,7 @@ void compare_ranges(const StudyTables& tables, const std::vector<PublishedMean>&
   }
 }
 
-/// The study's records beside everything that is known of the published study.
+/// The study's records compared with everything that is known of the published study.
 struct Comparison {
   StudyTables tables;
   std::vector<ComparedCell> cells;

@@ -1,4 +1,4 @@
-// A study beside the published one, cell by cell: for `study simulate --report`.
+// Compares a study with the published one, cell by cell, for `study simulate --report`.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,17 @@ namespace foveola::analysis {
 
 /// One number of the paper's beside this study's.
 struct ComparedCell {
-  std::string source;    ///< "Table 1", "Table 2", or "text": the ranges of the mean times
-  std::string row;       ///< a question, a published scene, or "all scenes"
-  std::string own_row;   ///< the question or scene of this study that stands beside it; or empty
-  std::string mark;      ///< empty in Table 1
-  std::string method;    ///< empty in Table 1
-  std::string quantity;  ///< "mean" or "sd"
-  /// Of a percentage: "own ratios" or "ratio of means"; the paper does not say which is its own.
+  std::string source;    ///< "Table 1", "Table 2", or "text": the ranges of the mean times.
+  std::string row;       ///< A question, a published scene, or "all scenes".
+  std::string own_row;   ///< The question or scene of this study that is compared; may be empty.
+  std::string mark;      ///< Empty in Table 1.
+  std::string method;    ///< Empty in Table 1.
+  std::string quantity;  ///< "mean" or "sd".
+  /// A percentage is "own ratios" or "ratio of means"; the paper does not say which its own are.
   std::string reading;
   std::string unit;
-  std::optional<Interval> published;  ///< both ends alike for a number; empty if not at hand
-  std::optional<double> study;        ///< empty if this study has none
+  std::optional<Interval> published;  ///< Both ends equal for a number; empty if not at hand.
+  std::optional<double> study;        ///< Empty if this study has none.
 };
 
 /// Each cell of Tables 1 and 2 in each reading, and the ranges of the text. A published scene's row
@@ -34,11 +34,11 @@ std::vector<ComparedCell> compare_with_published(const StudyTables& tables,
                                                  const PublishedTables& published,
                                                  const std::vector<PublishedMean>& means);
 
-/// How far the study's number lies outside the published one, or outside its range: 0 within. Empty
-/// where one of the two is missing.
+/// The study's number less the published one, or less the nearer end of its range; 0 within it.
+/// Empty where one of the two is missing.
 std::optional<double> difference_of(const ComparedCell& cell);
 
-/// Why a cell has no difference, or "": "the published number is not at hand" and the like.
+/// The reason why a cell has no difference, as "the published number is not at hand"; or "".
 std::string what_is_missing(const ComparedCell& cell);
 
 /// The comparison as CSV with one row per cell.

@@ -1,4 +1,4 @@
-// The published study's results, to stand beside a study's own.
+// The published study's mean times, to compare a study's own with.
 #pragma once
 
 #include <filesystem>

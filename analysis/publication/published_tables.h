@@ -11,15 +11,16 @@
 namespace foveola::analysis {
 
 struct PublishedBackground {
-  std::string question;  ///< its id in protocols/koskela2018.toml
+  std::string question;  ///< The question's id in protocols/koskela2018.toml.
   std::optional<double> mean;
   std::optional<double> standard_deviation;
 };
 
-/// A cell of Table 2: the baseline "od" in seconds, the others in per cent and percentage points.
+/// A cell of Table 2: the baseline "od" in seconds, the others in per cent of it and percentage
+/// points.
 struct PublishedTime {
-  std::string scene;        ///< the published study's
-  std::string counterpart;  ///< Foveola's own scene in its place
+  std::string scene;        ///< The published study's scene.
+  std::string counterpart;  ///< Foveola's own scene in its place.
   Mark mark = Mark::outline;
   std::string method;
   std::optional<double> mean;

@@ -31,7 +31,7 @@ std::vector<std::string> labels_of(const std::optional<study::Question>& questio
   return question && study::is_analysed(*question) ? question->labels : std::vector<std::string>();
 }
 
-/// What participants went by whose labels were other ones than `labels`.
+/// The scales of the sessions whose labels were other ones than `labels`.
 std::vector<AmendedLabels> amended_labels(const study::StudyRecords& records,
                                           const std::vector<std::string>& participants,
                                           const std::vector<std::string>& labels) {

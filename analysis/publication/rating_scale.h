@@ -1,4 +1,4 @@
-// The words of the scale on which artifacts were rated, as the study's own protocol has them.
+// The scale on which artifacts were rated, with its labels as the study's own protocol has them.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,22 @@
 
 namespace foveola::analysis {
 
-/// Other words for the same points, in sessions by an amended protocol.
+/// Other labels of the same points, in sessions by an amended protocol.
 struct AmendedLabels {
   std::vector<std::string> labels;
-  std::size_t sessions = 0;  ///< analysed ones, or parts of them
+  std::size_t sessions = 0;  ///< Analysed sessions, or parts of sessions, with these labels.
 };
 
 /// The rating `artifacts`.
 struct RatingScale {
-  std::optional<study::Question> question;  ///< as the protocol asks it, if it does
+  std::optional<study::Question> question;  ///< As the protocol asks it, if it does.
   std::vector<AmendedLabels> amended;
-
-  /// Whether it has the five whole points that tables and figures have columns for.
+  /// Whether the scale has the five whole points that tables and figures have columns for.
   bool is_analysed() const;
 };
 
-/// Of the record's protocol, and of the amended ones by which `participants` went. Throws Error
-/// with its place for what is no protocol.
+/// The scale of the record's protocol, with the labels of the amended ones that the sessions of
+/// `participants` followed. Throws Error with its place for a text that is no protocol.
 RatingScale rating_scale_of(const study::StudyRecords& records,
                             const std::vector<std::string>& participants);
 
@@ -35,11 +34,11 @@ RatingScale rating_scale_of(const study::StudyRecords& records,
 /// has labels for its ends or for every point; "1 to 5" if it has none, or is not analysed.
 std::string points_in_words(const RatingScale& scale);
 
-/// The same with all labels in brackets: "1 (none) to 5 (all over)".
+/// The scale's points with all labels in brackets: "1 (none) to 5 (all over)".
 std::string points_in_brackets(const RatingScale& scale);
 
-/// What else is to be said of it, each sentence after a space: whose points had other words, and
-/// why there are no ratings if the protocol asks for none on this scale. Mostly empty.
+/// Further sentences on the scale, each after a space: in which sessions points had other labels,
+/// and why there are no ratings if the protocol asks for none on this scale. Usually empty.
 std::string notes_on(const RatingScale& scale);
 
 }  // namespace foveola::analysis

@@ -22,12 +22,12 @@ struct ReportContent {
   const DataQualityReport& checks;
   const std::vector<Figure>& figures;
   const std::vector<PublishedMean>& published;
-  const std::string& methods;                        ///< methods_paragraph
-  const std::optional<study::Verification>& record;  ///< what verifying it found, if it is a file
+  const std::string& methods;                        ///< The text of methods_paragraph.
+  const std::optional<study::Verification>& record;  ///< The verification, if there is a file.
 };
 
-/// The whole page. It says at its top and in each caption when its data are not people's, lists
-/// what was left out and why, and defines every number.
+/// The whole page. Its top and each caption say so when its data are not people's; it lists what
+/// was left out and why, and defines every number.
 std::string report_html(const ReportContent& content);
 
 }  // namespace foveola::analysis

@@ -50,20 +50,20 @@ std::string ratio_table(const StudyTables& tables, const Comparisons& comparison
   table.columns = {"Methods, mark", "n",   "ratio, % [95 %]", "BCa 95 %", "t (df)", "P",
                    "P, Holm",       "d_z", "P, Wilcoxon"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.measure != artifacts_measure && row.primary == primary) {
+    if (!row.is_of_ratings() && row.primary == primary) {
       table.rows.push_back(ratio_row(row));
     }
   }
   return table.rows.empty() ? "" : render(table);
 }
 
-/// A pseudo-median with its interval, both as `scaled` makes them of the values tested.
-template <typename Scaled>
-std::string pseudo_median_text(const MethodComparison& row, int decimals, const Scaled& scaled) {
+/// A pseudo-median with its interval, in the comparison's unit times `scale`.
+std::string pseudo_median_text(const MethodComparison& row, double scale, int decimals) {
   if (!row.pseudo_median) {
     return "–";
   }
   const PseudoMedian& found = *row.pseudo_median;
+  const auto scaled = [&](double tested) { return scale * row.in_unit(tested); };
   Estimate estimate{found.n, scaled(found.value), std::nullopt};
   if (found.interval) {
     estimate.interval = {scaled(found.interval->low), scaled(found.interval->high)};
@@ -83,7 +83,7 @@ std::string rank_table(const StudyTables& tables, const Comparisons& comparisons
   table.columns = {"Methods, mark", "n",       "of these zero",          "W+ / W−",
                    "P, Wilcoxon",   "r, rank", "pseudo-median, % [95 %]"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.measure == artifacts_measure) {
+    if (row.is_of_ratings()) {
       continue;
     }
     table.rows.push_back(
@@ -91,7 +91,7 @@ std::string rank_table(const StudyTables& tables, const Comparisons& comparisons
          row.ranks ? std::to_string(row.ranks->zeros) : "–", rank_sums(row),
          row.ranks ? p_value(row.ranks->p) + (row.ranks->exact ? "" : " (approximate)") : "–",
          fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2),
-         pseudo_median_text(row, 1, [](double value) { return 100.0 * std::exp(value); })});
+         pseudo_median_text(row, 100.0, 1)});
   }
   return table.rows.empty() ? "" : render(table);
 }
@@ -103,7 +103,7 @@ std::vector<std::string> rating_row(const MethodComparison& row) {
           row.points
               ? fmt::format("{:.2f} {}", row.points->mean, bracketed(row.points->interval, 1.0, 2))
               : "–",
-          pseudo_median_text(row, 2, [](double points) { return points; }),
+          pseudo_median_text(row, 1.0, 2),
           rank_sums(row),
           row.ranks ? p_value(row.ranks->p) : "–",
           p_or_dash(row.p_holm),
@@ -125,7 +125,7 @@ std::string rating_table(const StudyTables& tables, const Comparisons& compariso
                    "P, Holm",
                    "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.measure == artifacts_measure) {
+    if (row.is_of_ratings()) {
       table.rows.push_back(rating_row(row));
     }
   }
@@ -142,13 +142,10 @@ std::string equivalence_table(const StudyTables& tables, const Comparisons& comp
     if (!row.equivalent) {
       continue;
     }
-    const bool points = row.measure == artifacts_measure;
-    const Interval& found = row.equivalent->interval;
-    const Interval ratio = {std::exp(found.low), std::exp(found.high)};
     table.rows.push_back({pair_name(row),
-                          points ? fmt::format("± {:g} points", *row.margin)
-                                 : fmt::format("factor {:g}", *row.margin),
-                          points ? bracketed(found, 1.0, 2) : bracketed(ratio, 1.0, 2),
+                          row.is_of_ratings() ? fmt::format("± {:g} points", *row.margin)
+                                              : fmt::format("factor {:g}", *row.margin),
+                          bracketed(row.in_unit(row.equivalent->interval), 1.0, 2),
                           p_value(row.equivalent->p)});
   }
   return table.rows.empty() ? "" : render(table);

@@ -24,7 +24,7 @@ std::string checks_table(const StudyTables& tables, const DataQualityReport& rep
   return render(table);
 }
 
-/// Fig. 7: each session's mean frame, from the eye to the display.
+/// Fig. 7: the mean latency of each session's frames, from the eye to the display.
 std::string latency_table(const StudyTables& tables, const study::DataQualityRecords& quality) {
   constexpr std::size_t most_rows = 100;
   HtmlTable table;
@@ -64,7 +64,7 @@ std::string reactions_table(const StudyTables& tables, const DataQualityReport& 
                             : render(table);
 }
 
-/// How many trials were timed again, and how often at most.
+/// The number of trials that were timed again, and the most attempts.
 std::string attempts_in_words(const AnalysisSet& set) {
   std::size_t again = 0;
   int most = 0;
@@ -84,7 +84,7 @@ std::string attempts_in_words(const AnalysisSet& set) {
 std::string data_quality_flags(const StudyTables& tables, const DataQualityReport& report) {
   std::string items;
   for (const DataQualityCheck& check : report.checks) {
-    // That data are simulated or a pilot's stands above already.
+    // The top of the report says already that data are simulated or a pilot's.
     if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
       items += fmt::format("<li>⚑ {}: {} (limit: {})</li>\n", escape_html(check.name),
                            escape_html(check.found), escape_html(check.limit));

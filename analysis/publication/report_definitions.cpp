@@ -28,9 +28,10 @@ std::string definitions_section(const StudyTables& tables) {
                      "same scene, and their standard deviation divided by the same: of all "
                      "measured times, whether or not a participant has both.",
                      reference));
-  define("Timed out",
-         "The participant never marked: the time is only a lower bound (right-censored). It is in "
-         "no mean, which makes that method’s mean too small; the count stands beside it.");
+  define("Right-censored",
+         "The participant had not marked when the time-out came, which is only a lower bound of "
+         "the time. It is in no mean, which makes that method’s mean too small; the count stands "
+         "beside it.");
   define("Geometric mean over scenes",
          "exp of the mean logarithm, first over a participant’s scenes, then over participants. A "
          "scene counts for a participant only if every method’s time was measured in it, so that "
@@ -50,14 +51,15 @@ std::string definitions_section(const StudyTables& tables) {
       "the normal approximation with corrections for ties and continuity. r, rank: the "
       "matched-pairs rank-biserial correlation, (W+ − W−)/(W+ + W−).");
   define("Pseudo-median",
-         "Hodges and Lehmann’s: the median of the means of all pairs of participants’ values, each "
-         "with itself too, of log ratios or of rating differences. Its interval inverts the "
-         "signed-rank test, exact without ties up to 200 participants; of fewer than six "
-         "participants there is none of 95 %.");
+         "Hodges and Lehmann’s estimate: the median of the means of all pairs of participants’ "
+         "values, each with itself too, of log ratios or of rating differences. Its interval "
+         "inverts the signed-rank test, exact without ties up to 200 participants; with fewer than "
+         "six participants there is no 95 % interval.");
   define("ε",
-         "How far the analysis of variance is from its assumption that differences between methods "
-         "vary alike: 1 if they do. Greenhouse and Geisser’s (GG) is the one to rely on; Huynh and "
-         "Feldt’s (HF) is less strict. P is with both degrees of freedom times ε.");
+         "How far the data are from sphericity, the analysis of variance’s assumption that "
+         "differences between all pairs of methods have equal variances: 1 if they do. Greenhouse "
+         "and Geisser’s (GG) is the one to rely on; Huynh and Feldt’s (HF) is less strict. P is "
+         "computed with both degrees of freedom times ε.");
   define("BCa",
          "Bias-corrected and accelerated bootstrap over participants, 9999 resamples (fewer above "
          "2000 participants), a fixed seed. Of 16 participants it covers about 92 %, where the t "

@@ -47,7 +47,7 @@ std::string header_html(const StudyTables& tables, std::string_view page_name) {
   return html + "</dl>\n</header>\n";
 }
 
-/// What every printed page says of the data.
+/// The line about the data that every printed page has.
 std::string page_mark(const std::string& notice) {
   return notice.empty() ? ""
                         : fmt::format("<p class=\"page-mark\" aria-hidden=\"true\">{}</p>\n",

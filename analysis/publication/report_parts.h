@@ -1,4 +1,4 @@
-// What the sections of the report share: pages, captions, figures, the baseline's name.
+// Parts that the sections of the report share: pages, captions, figures, the baseline's name.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace foveola::analysis {
 /// The baseline as tables name it.
 std::string baseline_label(const StudyTables& tables);
 
-/// HTML for the start of every caption: what it is, and whose data it shows. `title` is plain.
+/// HTML for the start of every caption: its title, and whose data it shows. `title` is plain text.
 std::string caption_start(const StudyTables& tables, std::string_view title);
 
-/// The figure of this name inside the page; empty if there is none. Texts are plain.
+/// The figure of this name as a part of the page; empty if there is none. Texts are plain.
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,
                         std::string_view explanation);

@@ -14,7 +14,7 @@
 
 namespace foveola::analysis {
 
-// Each is the HTML of a section, with every text of the study's escaped.
+// Each function returns the HTML of a section, with every text from the study escaped.
 
 /// Table 2, in both readings of its percentages.
 std::string scenes_section(const StudyTables& tables);
@@ -26,32 +26,33 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
 /// Fig. 6.
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures);
 
-/// Planned and exploratory tests; empty for a single method.
+/// The planned and exploratory tests; empty for a single method.
 std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons);
 
-/// The P-value of background.
+/// The correlation of background with speed-up, and its P-value.
 std::string background_section(const StudyTables& tables);
 
-/// That the study's file is not what was written, for the top of the report; empty if it is.
+/// The warning that the study's file failed its verification, for the top of the report; empty if
+/// it passed.
 std::string record_flags(const std::optional<study::Verification>& record);
 
-/// How the study's file was verified, and what was found; no file: that there was none.
+/// How the study's file was verified, and the findings, or that there was no file.
 std::string record_section(const std::optional<study::Verification>& record);
 
-/// Which data-quality limits were missed, for the top of the report; empty if nothing.
+/// The data-quality limits that were missed, for the top of the report; empty if none.
 std::string data_quality_flags(const StudyTables& tables, const DataQualityReport& report);
 
 /// Checks, latency (Fig. 7), attempts, and the floor of reaction times.
 std::string data_quality_section(const StudyTables& tables, const DataQualityReport& report,
                                  const study::DataQualityRecords& quality);
 
-/// The sessions that went by an amended protocol, and which of its keys had changed.
+/// The sessions that followed an amended protocol, and which of its keys had changed.
 std::string amended_section(const StudyTables& tables);
 
-/// What no number uses, and why.
+/// The excluded sessions and values, with the reasons.
 std::string exclusions_section(const StudyTables& tables);
 
-/// What every number means.
+/// The definitions of all numbers.
 std::string definitions_section(const StudyTables& tables);
 
 }  // namespace foveola::analysis

@@ -54,7 +54,7 @@ std::string scene_times_table(const StudyTables& tables, Mark mark) {
     table.columns.insert(table.columns.end(), {"mean", "sd"});
   }
   table.groups.push_back({"Trials", 3});
-  table.columns.insert(table.columns.end(), {"n", "timed out", "missing"});
+  table.columns.insert(table.columns.end(), {"n", "right-censored", "missing"});
   for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
     table.rows.push_back(scene_cells(tables, mark, scene));
   }
@@ -115,7 +115,7 @@ std::string method_times_table(const StudyTables& tables,
   return render(table);
 }
 
-/// What the hollow points are, if there are any; ends the sentence.
+/// The end of a sentence: what the hollow points are, if there are any.
 std::string points_in_words(const StudyTables& tables) {
   return tables.set.participants.size() > most_dots ? "."
                                                     : "; each hollow point is one participant.";

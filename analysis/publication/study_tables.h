@@ -14,8 +14,8 @@
 namespace foveola::analysis {
 
 /// The other reading of Table 2's percentages, which the paper does not define: the mean time over
-/// the baseline's mean time, and the deviation of the times over it. Of all measured times of each
-/// method, whether or not the participant has both.
+/// the baseline's mean time, and the standard deviation of the times over it, from all measured
+/// times of each method, whether or not the participant has both.
 struct OfBaselineMean {
   std::optional<double> mean_percent;
   std::optional<double> sd_percent_points;
@@ -26,12 +26,12 @@ struct SceneTimes {
   std::string scene;
   std::string method;
   Mark mark = Mark::outline;
-  Description seconds;  ///< of the measured times
-  /// Of each participant's own ratio to the baseline in this scene, in per cent; n counts the
-  /// participants with both times. Empty for the baseline.
+  Description seconds;  ///< Describes the measured times.
+  /// Describes each participant's own ratio to the baseline in this scene, in per cent; n counts
+  /// the participants with both times. Empty for the baseline.
   Description percent_of_baseline;
-  OfBaselineMean of_baseline_mean;  ///< empty for the baseline
-  int censored = 0;                 ///< timed out, in no mean
+  OfBaselineMean of_baseline_mean;  ///< Empty for the baseline.
+  int censored = 0;                 ///< Number of right-censored times, which are in no mean.
   int missing = 0;
 };
 
@@ -41,8 +41,9 @@ struct SceneTimes {
 struct MethodTimes {
   std::string method;
   Mark mark = Mark::outline;
-  std::vector<double> participant_seconds;  ///< in the order of participants, who may be fewer
-  std::vector<double> participant_percent;  ///< of the baseline; empty for the baseline
+  std::vector<double>
+      participant_seconds;  ///< In the order of participants, of whom some may lack.
+  std::vector<double> participant_percent;  ///< In per cent of the baseline; empty for it.
   std::optional<Estimate> seconds;
   std::optional<Estimate> percent_of_baseline;
 };
@@ -51,35 +52,35 @@ struct MethodTimes {
 struct MethodRatings {
   std::string method;
   Description rating;
-  std::array<int, 5> counts{};  ///< of the answers 1 ... 5
+  std::array<int, 5> counts{};  ///< Counts of the answers 1 ... 5.
   int missing = 0;
 };
 
-/// A session of the file that went by other words or time-outs than the study's protocol has.
+/// A session of the file that followed an amended protocol, with other words or time-outs.
 struct AmendedSession {
   std::string participant;
-  std::string kind;                       ///< as AnalysisSet::kind
-  bool is_analysed = false;               ///< counts in the numbers here
-  std::string protocol_sha256;            ///< of the text that it went by
-  std::vector<std::string> changed_keys;  ///< none if only comments or spaces changed
+  std::string kind;                       ///< "human", "pilot" or "simulated".
+  bool is_analysed = false;               ///< Whether the session is in the analysis set.
+  std::string protocol_sha256;            ///< SHA-256 of the amended text.
+  std::vector<std::string> changed_keys;  ///< Empty if only comments or spaces changed.
 };
 
 struct StudyTables {
   std::string protocol_name;
   std::string protocol_title;
   std::string protocol_sha256;
-  bool has_simulated = false;                        ///< any session of the file, analysed or not
-  std::optional<study::SimulationFacts> simulation;  ///< of those, as far as it is known
+  bool has_simulated = false;  ///< Whether any session of the file is simulated, analysed or not.
+  std::optional<study::SimulationFacts> simulation;  ///< Facts on simulated sessions, if known.
 
   AnalysisSet set;
-  std::vector<SceneTimes> scene_times;    ///< mark by mark, scene by scene, method by method
-  std::vector<MethodTimes> method_times;  ///< mark by mark, method by method
-  std::vector<MethodRatings> ratings;     ///< method by method
-  std::vector<QuestionAnswers> background_answers;  ///< Table 1
+  std::vector<SceneTimes> scene_times;              ///< [mark][scene][method]
+  std::vector<MethodTimes> method_times;            ///< [mark][method]
+  std::vector<MethodRatings> ratings;               ///< [method]
+  std::vector<QuestionAnswers> background_answers;  ///< Table 1.
   BackgroundScale background;
-  std::vector<BackgroundCorrelation> background_correlations;  ///< mark by mark, without baseline
+  std::vector<BackgroundCorrelation> background_correlations;  ///< [mark][method but the baseline]
   std::vector<AmendedSession> amended;
-  std::size_t incomplete_scenes = 0;  ///< (participant, scene, mark) triples left out of Fig. 5
+  std::size_t incomplete_scenes = 0;  ///< (participant, scene, mark) triples left out of Fig. 5.
 
   const SceneTimes& scene_times_of(Mark mark, std::size_t scene, std::size_t method) const;
   const MethodTimes& method_times_of(Mark mark, std::size_t method) const;

@@ -18,12 +18,12 @@ std::string printable(const std::string& name) {
   return text;
 }
 
-/// Under a title, the first column to the left, the others to the right.
+/// Aligns the first column to the left, the others to the right, under a title.
 std::string aligned_numbers(const std::vector<TextRow>& rows) {
   return aligned(rows, {.indent = 2, .gap = 3, .numbers_to_the_right = true});
 }
 
-/// Whose data a table shows, at the end of its title.
+/// The end of a table's title, which says whose data it shows.
 std::string notice(const StudyTables& tables) {
   const std::string text = data_notice(tables);
   return text.empty() ? "" : fmt::format(" ({})", text);
@@ -35,7 +35,7 @@ TextRow heading_row(const StudyTables& tables) {
     row.push_back(printable(method_label(tables.set.methods[method])) +
                   (method == baseline ? ", s" : ", %"));
   }
-  row.emplace_back("timed out");
+  row.emplace_back("censored");
   return row;
 }
 

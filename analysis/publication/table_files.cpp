@@ -21,7 +21,7 @@ std::string value_of(const std::optional<Estimate>& estimate) {
   return estimate ? csv_number(estimate->value) : "";
 }
 
-/// Ends each row with who took part, so that no table passes for what it is not.
+/// Ends each row with the kind of participants, so that simulated data cannot pass for people's.
 std::string finished_csv(std::vector<CsvRow> rows, const StudyTables& tables) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].push_back(i == 0 ? "participant_kind" : tables.set.kind);

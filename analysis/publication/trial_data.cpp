@@ -10,7 +10,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// A time that ran out is the bound, marked as such.
+/// A measured time, or the lower bound of a right-censored one, which another column marks.
 std::string seconds_of(const MarkTime& time) {
   return time.state == MarkTime::State::missing || time.seconds <= 0.0 ? ""
                                                                        : csv_number(time.seconds);
@@ -94,10 +94,10 @@ std::vector<Variable> trial_variables(const RatingScale& scale) {
       {"attempts", "", "integer", "How often it was timed; the last time counts; 0: never begun"},
       {"outline_s", "s", "number",
        "From the first presented frame to the mark that the outline was visible"},
-      {"outline_censored", "", "boolean", "True: it timed out, and outline_s is a lower bound"},
+      {"outline_censored", "", "boolean", "True: right-censored, outline_s is a lower bound"},
       {"material_s", "s", "number",
        "From the first presented frame to the mark that the material was visible"},
-      {"material_censored", "", "boolean", "True: it timed out, and material_s is a lower bound"},
+      {"material_censored", "", "boolean", "True: right-censored, material_s is a lower bound"},
       {"artifacts_rating", "points", "integer", rating_in_words(scale)}};
 }
 

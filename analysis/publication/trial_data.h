@@ -1,5 +1,5 @@
-// The data behind the numbers, for other programs: a row per trial, a row per participant, what
-// each column means, and scripts that read them.
+// The data for other programs: a row per trial, a row per participant, what each column means, and
+// scripts that read them.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ namespace foveola::analysis {
 /// A column of the data files.
 struct Variable {
   std::string name;
-  std::string unit;  ///< "s", "points", or empty
-  std::string type;  ///< "string", "integer", "number" or "boolean"
+  std::string unit;  ///< "s", "points", or empty.
+  std::string type;  ///< "string", "integer", "number" or "boolean".
   std::string description;
 };
 
-/// The columns of the long table, in their order. scale: that of the rating.
+/// The columns of the long table, in their order; `scale` describes the rating's column.
 std::vector<Variable> trial_variables(const RatingScale& scale);
 
 /// One row of the long table; what is missing is empty.
@@ -41,7 +41,7 @@ std::vector<Variable> participant_variables(const AnalysisSet& set,
 std::string participants_wide_csv(const AnalysisSet& set,
                                   const std::vector<study::BackgroundRow>& answers);
 
-/// What each column of the long table is.
+/// A description of each column of the long table.
 std::string codebook_csv(const RatingScale& scale);
 
 /// A folder as Psych-DS 1 describes it: its description, and the names of its data files, which

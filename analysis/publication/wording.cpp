@@ -74,8 +74,8 @@ std::string with_interval(const std::optional<Estimate>& estimate, int decimals)
 }
 
 std::string p_value(double p) {
-  constexpr double smallest_told_apart = 1e-300;
-  return p < smallest_told_apart ? "< 1e-300" : fmt::format("{:#.2g}", p);
+  constexpr double smallest_printed = 1e-300;
+  return p < smallest_printed ? "< 1e-300" : fmt::format("{:#.2g}", p);
 }
 
 std::string counted(std::size_t count, std::string_view singular) {

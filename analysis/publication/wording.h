@@ -1,4 +1,4 @@
-// How names and numbers read, alike in the report, the figures and the terminal.
+// How names and numbers are written, the same in the report, the figures and the terminal.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ std::string method_label(const std::string& method);
 /// "omnidirectional preview" and so on; empty for a method that the published study did not have.
 std::string_view method_meaning(const std::string& method);
 
-/// With so many decimals; an en dash where there is no value.
+/// A value with this many decimals; an en dash where there is none.
 std::string fixed(std::optional<double> value, int decimals);
 
 /// "12.3 ± 4.5", or "12.3" for a single value, or an en dash.
@@ -25,7 +25,7 @@ std::string mean_and_deviation(const Description& description, int decimals);
 /// "12.3 [10.1, 14.9]", without the interval if there is none, or an en dash.
 std::string with_interval(const std::optional<Estimate>& estimate, int decimals);
 
-/// Two significant digits: "0.63", "3.2e-05"; "< 1e-300" of what doubles hardly tell from 0.
+/// A P-value with two significant digits: "0.63", "3.2e-05"; "< 1e-300" near the smallest doubles.
 std::string p_value(double p);
 
 /// "1 scene", "2 scenes".
@@ -37,7 +37,7 @@ std::string listed(const std::vector<std::string>& names);
 /// "1 participant", "16 simulated participants" and the like.
 std::string participants_in_words(const StudyTables& tables);
 
-/// "Simulated data" and the like: what every caption must say; empty for people's data alone.
+/// "Simulated data" and the like, which every caption must say; empty for people's data alone.
 std::string data_notice(const StudyTables& tables);
 
 /// data_notice as a sentence of its own for the top of a report.

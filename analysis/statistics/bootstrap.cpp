@@ -37,7 +37,7 @@ std::vector<double> without_each(std::span<const double> values, const Statistic
   return results;
 }
 
-/// A sixth of the skewness of the influence of each value, with its sign.
+/// The acceleration: a sixth of the skewness of the values' influence, with its sign.
 double acceleration(std::span<const double> jackknife) {
   const long double center = extended_mean(jackknife);
   long double squares = 0.0L;
@@ -66,7 +66,7 @@ double normal_scale_quantile(const std::vector<double>& sorted, double probabili
   return sorted[below - 1] + part * (sorted[below] - sorted[below - 1]);
 }
 
-/// The means without each value, from one sum: what without_each would take n times as long for.
+/// The means without each value, from one sum: without_each would take n times as long.
 std::vector<double> means_without_each(std::span<const double> values) {
   const auto others = static_cast<long double>(values.size() - 1);
   const long double sum = extended_mean(values) * (others + 1.0L);

@@ -1,4 +1,4 @@
-// The bootstrap: intervals without a shape for the values, by resampling participants.
+// The bootstrap: intervals that assume no distribution of the values, by resampling participants.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace foveola::analysis {
 
-/// A number of a sample; called with samples of one size, and one less for the jackknife.
+/// A statistic of a sample; called with samples of one size, and one less for the jackknife.
 using Statistic = std::function<double(std::span<const double>)>;
 
 struct BootstrapSettings {
   int resamples = 9999;
-  std::uint64_t seed = 1;  ///< of this module's own generator: same seed, same interval, everywhere
+  std::uint64_t seed = 1;  ///< Same seed, same interval, on every platform.
   double confidence = default_confidence;
 };
 
@@ -27,12 +27,12 @@ struct BootstrapSettings {
 std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
                                      const BootstrapSettings& settings = {});
 
-/// The same of the geometric mean: exp of the interval of the mean of logarithms, for which it
-/// takes a few milliseconds. Throws Error as logarithms does.
+/// The BCa interval of the geometric mean: exp of the interval of the mean of logarithms. It takes
+/// a few milliseconds. Throws Error as logarithms does.
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings = {});
 
-/// The interval from what was observed, the statistics of the resamples and those of the sample
+/// The BCa interval from the observed statistic, those of the resamples and those of the sample
 /// without each of its values; quantiles are interpolated on the normal scale (Davison and Hinkley
 /// 1997, section 5.2.1, and R's boot). Empty if all replicates lie on one side of `observed`.
 std::optional<Interval> bca_from_replicates(double observed, std::vector<double> replicates,

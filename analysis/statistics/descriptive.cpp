@@ -66,7 +66,7 @@ std::optional<Estimate> geometric_mean(std::span<const double> values, double co
   if (estimate) {
     estimate->value = std::exp(estimate->value);
     if (estimate->interval) {
-      estimate->interval = {std::exp(estimate->interval->low), std::exp(estimate->interval->high)};
+      estimate->interval = exp_of(*estimate->interval);
     }
   }
   return estimate;

@@ -12,7 +12,7 @@ namespace foveola::analysis {
 
 std::optional<double> mean(std::span<const double> values);
 
-/// With n - 1 in the denominator; needs two values.
+/// The sample's standard deviation, with n - 1 in the denominator; needs two values.
 std::optional<double> standard_deviation(std::span<const double> values);
 
 /// The middle value, or the mean of the two middle ones.
@@ -35,7 +35,7 @@ struct Interval {
 struct Estimate {
   std::size_t n = 0;
   double value = 0.0;
-  std::optional<Interval> interval;  ///< needs two values
+  std::optional<Interval> interval;  ///< Needs two values.
 };
 
 inline constexpr double default_confidence = 0.95;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <vector>
 
-#include "analysis/statistics/logarithms.h"
 #include "analysis/statistics/student_t.h"
 
 namespace foveola::analysis {
@@ -24,22 +22,6 @@ std::optional<EquivalenceTest> equivalence(std::span<const double> values, doubl
       student_t_one_sided((margin - test->mean) / error, test->degrees_of_freedom);
   result.p = std::max(result.p_above_low, result.p_below_high);
   result.interval = test->interval;
-  return result;
-}
-
-std::optional<EquivalenceTest> ratio_equivalence(std::span<const double> a,
-                                                 std::span<const double> b, double margin,
-                                                 double alpha) {
-  assert(a.size() == b.size() && margin > 1.0);
-  std::vector<double> differences = logarithms(a);
-  const std::vector<double> reference = logarithms(b);
-  for (std::size_t i = 0; i < differences.size(); ++i) {
-    differences[i] -= reference[i];
-  }
-  std::optional<EquivalenceTest> result = equivalence(differences, std::log(margin), alpha);
-  if (result) {
-    result->interval = {std::exp(result->interval.low), std::exp(result->interval.high)};
-  }
   return result;
 }
 

@@ -10,21 +10,17 @@ namespace foveola::analysis {
 
 /// Two one-sided tests (Schuirmann 1987).
 struct EquivalenceTest {
-  double p_above_low = 0.0;   ///< of the hypothesis that the mean is at or below -margin
-  double p_below_high = 0.0;  ///< of the hypothesis that the mean is at or above +margin
-  double p = 0.0;             ///< the larger one: below alpha, the mean lies within the margins
-  Interval interval;          ///< of the mean, with confidence 1 - 2 alpha: within iff p < alpha
+  double p_above_low = 0.0;   ///< P of the hypothesis that the mean is at or below -margin.
+  double p_below_high = 0.0;  ///< P of the hypothesis that the mean is at or above +margin.
+  double p = 0.0;             ///< The larger P: below alpha, the mean lies within the margins.
+  /// The mean's interval with confidence 1 - 2 alpha, which lies within the margins iff p < alpha.
+  Interval interval;
 };
 
-/// Whether the mean of values lies within -margin ... margin; margin above zero, alpha in (0, 0.5).
-/// Empty as one_sample_t is.
+/// Tests whether the mean of values lies within -margin ... margin; margin above zero, alpha in
+/// (0, 0.5). The ratios of times are tested by their logarithms and that of the margin. Empty where
+/// one_sample_t is.
 std::optional<EquivalenceTest> equivalence(std::span<const double> values, double margin,
                                            double alpha = 0.05);
-
-/// The same of ratios a[i] / b[i]: whether their geometric mean lies within 1 / margin ... margin,
-/// margin above 1. The interval is of the ratio. Throws Error as logarithms does.
-std::optional<EquivalenceTest> ratio_equivalence(std::span<const double> a,
-                                                 std::span<const double> b, double margin,
-                                                 double alpha = 0.05);
 
 }  // namespace foveola::analysis

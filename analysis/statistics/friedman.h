@@ -11,14 +11,14 @@ namespace foveola::analysis {
 struct FriedmanTest {
   std::size_t participants = 0;
   std::size_t conditions = 0;
-  double chi_squared = 0.0;  ///< corrected for ties within participants
+  double chi_squared = 0.0;  ///< Corrected for ties within participants.
   double degrees_of_freedom = 0.0;
-  double p = 0.0;           ///< from the chi-squared approximation
-  double kendalls_w = 0.0;  ///< agreement of the participants, 0 to 1
+  double p = 0.0;           ///< From the chi-squared approximation.
+  double kendalls_w = 0.0;  ///< Agreement of the participants, 0 to 1.
 };
 
-/// Empty where it is not defined: no participant, fewer than two conditions, or every participant's
-/// values all alike.
+/// Empty where the statistic is not defined: no participant, fewer than two conditions, or every
+/// participant's values all equal.
 std::optional<FriedmanTest> friedman(const RepeatedMeasures& data);
 
 }  // namespace foveola::analysis

@@ -4,9 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include <boost/math/distributions/normal.hpp>
-
 #include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/normal.h"
 #include "analysis/statistics/student_t.h"
 
 namespace foveola::analysis {
@@ -33,15 +32,12 @@ double correlation_coefficient(std::span<const double> x, std::span<const double
   return std::clamp(static_cast<double>(xy / std::sqrt(xx) / std::sqrt(yy)), -1.0, 1.0);
 }
 
-Interval fisher_interval(double r, std::size_t n, double confidence) {
+}  // namespace
+
+Interval fisher_interval(double r, double half_width) {
   const double z = std::atanh(r);
-  const double quantile = boost::math::quantile(
-      boost::math::complement(boost::math::normal(), (1.0 - confidence) / 2.0));
-  const double half_width = quantile / std::sqrt(static_cast<double>(n) - 3.0);
   return {std::tanh(z - half_width), std::tanh(z + half_width)};
 }
-
-}  // namespace
 
 std::optional<Correlation> pearson(std::span<const double> x, std::span<const double> y,
                                    double confidence) {
@@ -56,7 +52,8 @@ std::optional<Correlation> pearson(std::span<const double> x, std::span<const do
   result.t = result.r * std::sqrt(degrees_of_freedom / ((1.0 - result.r) * (1.0 + result.r)));
   result.p = student_t_two_sided(result.t, degrees_of_freedom);
   if (result.n > 3) {
-    result.interval = fisher_interval(result.r, result.n, confidence);
+    result.interval = fisher_interval(result.r, normal_two_sided_quantile(confidence) /
+                                                    std::sqrt(static_cast<double>(result.n) - 3.0));
   }
   return result;
 }

@@ -1,4 +1,4 @@
-// Inference: whether two measures of the same participants go together.
+// Pearson's correlation: whether two measures of the same participants go together.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,9 @@ struct Correlation {
   bool exact = false;  ///< p counts all orders that the ranks could have had
   std::optional<Interval> interval;  ///< Fisher's z transform; needs four pairs
 };
+
+/// The interval of a correlation: atanh(r) -+ half_width, transformed back (Fisher's z).
+Interval fisher_interval(double r, double half_width);
 
 /// Pearson's product-moment correlation of the pairs (x[i], y[i]), all finite. Empty where it is
 /// not defined: fewer than three pairs, or x or y constant.

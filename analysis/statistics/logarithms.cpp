@@ -22,4 +22,6 @@ std::vector<double> logarithms(std::span<const double> values) {
   return logs;
 }
 
+Interval exp_of(const Interval& logs) { return {std::exp(logs.low), std::exp(logs.high)}; }
+
 }  // namespace foveola::analysis

@@ -1,13 +1,18 @@
-// Logarithms of times and ratios, on which means, tests and intervals of them stand.
+// Logarithms of times and ratios, of which their means, tests and intervals are computed.
 #pragma once
 
 #include <span>
 #include <vector>
+
+#include "analysis/statistics/descriptive.h"
 
 namespace foveola::analysis {
 
 /// The natural logarithms, in the same order. Throws Error, naming the position from 1, if a value
 /// is not above zero or not finite.
 std::vector<double> logarithms(std::span<const double> values);
+
+/// An interval of logarithms as one of what they are logarithms of.
+Interval exp_of(const Interval& logs);
 
 }  // namespace foveola::analysis

@@ -1,4 +1,4 @@
-// P-values of several tests at once.
+// Multiplicity: P-values adjusted for how many tests are made.
 #pragma once
 
 #include <span>

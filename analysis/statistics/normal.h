@@ -12,7 +12,7 @@ double normal_two_sided_quantile(double confidence);
 /// The probability that a standard normal variable is at most z.
 double normal_cdf(double z);
 
-/// The probability that |Z| is at least |z|, right down to 1e-300.
+/// The probability that |Z| is at least |z|, accurate down to 1e-300.
 double normal_two_sided(double z);
 
 }  // namespace foveola::analysis

@@ -8,7 +8,7 @@
 namespace foveola::analysis {
 namespace {
 
-/// Which participant's or which condition's value it is.
+/// The index of the value's participant, or of its condition.
 using Grouping = std::function<std::size_t(const OrderedValue&)>;
 
 struct Group {
@@ -17,7 +17,7 @@ struct Group {
   long double value = 0.0L;
 };
 
-/// Takes the means of each group out of its values; returns the largest that it took.
+/// Subtracts the mean of each group from its values; returns the largest of these means.
 double take_out_means(std::vector<OrderedValue>& values, const Grouping& group_of) {
   std::map<std::size_t, Group> sums;
   for (const OrderedValue& value : values) {
@@ -55,8 +55,8 @@ std::vector<OrderedValue> residuals_of(std::vector<OrderedValue> values) {
 }
 
 struct Slope {
-  long double squares = 0.0L;   ///< of the residual positions
-  long double products = 0.0L;  ///< with the residual values
+  long double squares = 0.0L;   ///< Sum of squares of the residual positions.
+  long double products = 0.0L;  ///< Sum of their products with the residual values.
 };
 
 }  // namespace

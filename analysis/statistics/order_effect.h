@@ -1,4 +1,4 @@
-// Order and learning: whether times change with when in the session they were taken.
+// Order and learning: whether times change along the session.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace foveola::analysis {
 /// One value (the logarithm of a time) with what was shown and when.
 struct OrderedValue {
   std::size_t participant = 0;
-  std::size_t condition = 0;  ///< scene and method together
-  double position = 0.0;      ///< in the session, or within the scene, from 0
+  std::size_t condition = 0;  ///< Index of the scene and method together.
+  double position = 0.0;      ///< In the session, or within the scene, from 0.
   double value = 0.0;
 };
 
@@ -21,7 +21,7 @@ struct OrderedValue {
 /// least-squares slope, from values and positions less what participants and conditions have on
 /// average (the residuals of an additive model of both), so that neither is taken for an effect of
 /// order, also where cells are missing. The test is one_sample_t of the slopes. Participants whose
-/// positions do not vary beyond their conditions' have no slope. Empty as one_sample_t.
+/// positions do not vary beyond their conditions' have no slope. Empty where one_sample_t is.
 std::optional<TTest> order_effect(const std::vector<OrderedValue>& values,
                                   double confidence = default_confidence);
 

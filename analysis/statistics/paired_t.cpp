@@ -1,8 +1,6 @@
 #include "analysis/statistics/paired_t.h"
 
-#include <cassert>
 #include <cmath>
-#include <vector>
 
 #include "analysis/statistics/logarithms.h"
 #include "analysis/statistics/student_t.h"
@@ -28,25 +26,12 @@ std::optional<TTest> one_sample_t(std::span<const double> values, double hypothe
   return test;
 }
 
-std::optional<TTest> paired_t(std::span<const double> a, std::span<const double> b,
-                              double confidence) {
-  assert(a.size() == b.size());
-  std::vector<double> differences;
-  differences.reserve(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    differences.push_back(a[i] - b[i]);
-  }
-  return one_sample_t(differences, 0.0, confidence);
-}
-
-std::optional<RatioTest> paired_ratio_t(std::span<const double> a, std::span<const double> b,
-                                        double confidence) {
-  const std::optional<TTest> logs = paired_t(logarithms(a), logarithms(b), confidence);
+std::optional<RatioTest> ratio_t(std::span<const double> log_ratios, double confidence) {
+  const std::optional<TTest> logs = one_sample_t(log_ratios, 0.0, confidence);
   if (!logs) {
     return std::nullopt;
   }
-  return RatioTest{
-      *logs, std::exp(logs->mean), {std::exp(logs->interval.low), std::exp(logs->interval.high)}};
+  return RatioTest{*logs, std::exp(logs->mean), exp_of(logs->interval)};
 }
 
 }  // namespace foveola::analysis

@@ -1,4 +1,4 @@
-// Student's t test of differences within participants, in plain units or as ratios.
+// Student's t test of differences within participants, in their own unit or as ratios.
 #pragma once
 
 #include <cstddef>
@@ -11,33 +11,29 @@ namespace foveola::analysis {
 
 struct TTest {
   std::size_t n = 0;
-  double mean = 0.0;                ///< of the differences
-  double standard_deviation = 0.0;  ///< of the differences, above zero
-  Interval interval;                ///< of the mean
+  double mean = 0.0;                ///< Mean difference.
+  double standard_deviation = 0.0;  ///< Standard deviation of the differences, above zero.
+  Interval interval;                ///< Interval of the mean difference.
   double t = 0.0;
   double degrees_of_freedom = 0.0;
-  double p = 0.0;    ///< two-sided
-  double d_z = 0.0;  ///< Cohen's (1988) effect size of differences: mean / standard deviation
+  double p = 0.0;    ///< Two-sided.
+  double d_z = 0.0;  ///< Cohen's (1988) effect size of differences: mean / standard deviation.
 };
 
-/// Whether the mean of values is `hypothesis`. Empty where t is not defined: fewer than two values,
-/// or all alike.
+/// Tests whether the mean of values is `hypothesis`. Empty where t is not defined: fewer than two
+/// values, or all equal.
 std::optional<TTest> one_sample_t(std::span<const double> values, double hypothesis = 0.0,
                                   double confidence = default_confidence);
 
-/// The same of the differences a[i] - b[i], whose mean is zero by the hypothesis.
-std::optional<TTest> paired_t(std::span<const double> a, std::span<const double> b,
-                              double confidence = default_confidence);
-
-/// A paired t test on logarithms: of ratios a[i] / b[i].
+/// A paired t test of ratios, on their logarithms.
 struct RatioTest {
-  TTest logs;          ///< of the logarithms of the ratios
-  double ratio = 0.0;  ///< the geometric mean of the ratios
-  Interval interval;   ///< of `ratio`
+  TTest logs;          ///< The test of the logarithms of the ratios.
+  double ratio = 0.0;  ///< The geometric mean of the ratios.
+  Interval interval;   ///< Interval of `ratio`.
 };
 
-/// Throws Error as logarithms does. Empty as paired_t.
-std::optional<RatioTest> paired_ratio_t(std::span<const double> a, std::span<const double> b,
-                                        double confidence = default_confidence);
+/// Tests whether the geometric mean of ratios is 1. Empty where one_sample_t is.
+std::optional<RatioTest> ratio_t(std::span<const double> log_ratios,
+                                 double confidence = default_confidence);
 
 }  // namespace foveola::analysis

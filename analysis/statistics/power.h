@@ -9,19 +9,20 @@
 
 namespace foveola::analysis {
 
-/// What is expected of the differences within participants; of times, of the logarithms of ratios.
+/// The expected distribution of the differences within participants; for times, of the logarithms
+/// of ratios.
 struct ExpectedEffect {
   double mean = 0.0;
-  double standard_deviation = 1.0;  ///< above zero
+  double standard_deviation = 1.0;  ///< Above zero.
 };
 
-/// A method that takes `percent` of the other's time, when a participant's own ratio spreads around
-/// it by a factor of `spread` (above 1: two thirds of participants lie within percent / spread and
-/// percent * spread).
+/// The effect of a method that takes `percent` of the other's time, when a participant's own ratio
+/// varies around it by a factor of `spread` (above 1: two thirds of participants lie within
+/// percent / spread and percent * spread).
 ExpectedEffect effect_of_ratio(double percent, double spread);
 
-/// The power of the two-sided paired t test at level alpha, both tails counted, from the noncentral
-/// t distribution (as R's power.t.test with type = "paired" and strict = TRUE). n >= 2.
+/// The power of the two-sided paired t test at level alpha, counting both tails, from the
+/// noncentral t distribution (as R's power.t.test with type = "paired" and strict = TRUE). n >= 2.
 double paired_t_power(std::size_t n, const ExpectedEffect& effect, double alpha = 0.05);
 
 /// The fewest participants, from 2, with at least this power; empty if a million are too few.
@@ -33,7 +34,7 @@ std::optional<std::size_t> participants_for_power(double power, const ExpectedEf
 struct SimulatedPower {
   std::size_t studies = 0;
   double power = 0.0;
-  Interval interval;  ///< Clopper and Pearson's, of the simulation
+  Interval interval;  ///< The simulation's uncertainty, by Clopper and Pearson.
 };
 
 SimulatedPower simulate_power(std::size_t n, const ExpectedEffect& effect, double alpha,

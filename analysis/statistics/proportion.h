@@ -1,4 +1,4 @@
-// How often: a proportion and its exact interval.
+// The exact interval of a proportion.
 #pragma once
 
 #include <cstddef>

@@ -11,16 +11,17 @@ namespace foveola::analysis {
 
 struct PseudoMedian {
   std::size_t n = 0;
-  double value = 0.0;  ///< the median of all Walsh averages (x[i] + x[j]) / 2 with i <= j
-  /// Walsh averages in between which the truth lies with at least the confidence asked (Hollander
-  /// and Wolfe 1973, 3.4): the inversion of the signed-rank test, by its exact distribution without
-  /// ties up to largest_exact_signed_rank values, by the normal approximation above. Conservative
-  /// where there are ties. Empty where no such interval is: of 95 % with fewer than six values.
+  double value = 0.0;  ///< The median of all Walsh averages (x[i] + x[j]) / 2 with i <= j.
+  /// Two Walsh averages that cover the population's value with at least the confidence asked
+  /// (Hollander and Wolfe 1973, 3.4): the inversion of the signed-rank test, by its exact
+  /// distribution without ties up to largest_exact_signed_rank values, by the normal approximation
+  /// above. Conservative where there are ties. Empty where there is no such interval: at 95 %, with
+  /// fewer than six values.
   std::optional<Interval> interval;
 };
 
-/// All values finite, zeros counted as they are. In O(n log n): the averages are never listed.
-/// Empty without values.
+/// All values are finite; zeros count like any other. Takes O(n log n): the averages are never
+/// listed. Empty without values.
 std::optional<PseudoMedian> pseudo_median(std::span<const double> values,
                                           double confidence = default_confidence);
 

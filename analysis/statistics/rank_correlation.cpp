@@ -55,11 +55,9 @@ std::optional<Correlation> spearman(std::span<const double> x, std::span<const d
     result->p = exact_spearman_p(x, y);
   }
   if (result && result->interval) {
-    const double z = std::atanh(result->r);
     const double error =
         std::sqrt((1.0 + result->r * result->r / 2.0) / (static_cast<double>(result->n) - 3.0));
-    const double half_width = normal_two_sided_quantile(confidence) * error;
-    result->interval = {std::tanh(z - half_width), std::tanh(z + half_width)};
+    result->interval = fisher_interval(result->r, normal_two_sided_quantile(confidence) * error);
   }
   return result;
 }

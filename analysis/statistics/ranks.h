@@ -1,4 +1,4 @@
-// Ranks with ties, for the tests that look at nothing else.
+// Ranks with ties, for the rank tests.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 namespace foveola::analysis {
 
 struct Ranks {
-  /// Of each value, from 1; equal values share the mean of their ranks. Multiples of 1/2.
+  /// Each value's rank, from 1; equal values share the mean of their ranks. Multiples of 1/2.
   std::vector<double> ranks;
-  double tie_correction = 0.0;  ///< sum over groups of equal values, t of them, of t^3 - t
+  double tie_correction = 0.0;  ///< Sum of t^3 - t over groups of t equal values.
 };
 
-/// All values finite.
+/// All values are finite.
 Ranks rank(std::span<const double> values);
 
 }  // namespace foveola::analysis

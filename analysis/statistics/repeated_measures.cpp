@@ -11,8 +11,8 @@
 namespace foveola::analysis {
 namespace {
 
-/// The data without the participants' means: all that within-participant tests look at, and free of
-/// large common offsets.
+/// The data without the participants' means, which is all that within-participant tests depend on,
+/// and free of large common offsets.
 std::vector<long double> centered_by_participant(const RepeatedMeasures& data) {
   std::vector<long double> centered;
   centered.reserve(data.values.size());
@@ -70,7 +70,8 @@ double greenhouse_geisser_epsilon(const RepeatedMeasures& data, const SumsOfSqua
   return std::clamp(epsilon, 1.0 / degrees, 1.0);
 }
 
-/// For one group of n participants: (n (k - 1) e - 2) / ((k - 1) (n - 1 - (k - 1) e)).
+/// Huynh and Feldt's epsilon of one group of n participants, from Greenhouse and Geisser's e:
+/// (n (k - 1) e - 2) / ((k - 1) (n - 1 - (k - 1) e)).
 double huynh_feldt_epsilon(const RepeatedMeasures& data, double greenhouse_geisser) {
   if (data.participants == 2) {  // one direction of residuals, whose epsilon needs no correction
     return greenhouse_geisser;

@@ -23,29 +23,29 @@ struct RepeatedMeasures {
 };
 
 /// The participants who have a value under every condition, in their order; rows are
-/// [participant][condition] and equally long. Those with a gap are left out as a whole, as these
-/// tests need; how many is the difference to rows.size().
+/// [participant][condition] and equally long. Those with a missing value are left out as a whole,
+/// as these tests need; how many is the difference to rows.size().
 RepeatedMeasures complete_participants(const std::vector<std::vector<std::optional<double>>>& rows);
 
 struct VarianceAnalysis {
   std::size_t participants = 0;
   std::size_t conditions = 0;
   double f = 0.0;
-  double degrees_of_freedom = 0.0;  ///< of the conditions, uncorrected
+  double degrees_of_freedom = 0.0;  ///< Uncorrected degrees of freedom of the conditions.
   double residual_degrees_of_freedom = 0.0;
-  double p = 0.0;  ///< if the differences' variances were all alike (sphericity)
-  /// How far from sphericity: 1 down to 1 / (conditions - 1) (Box 1954; Greenhouse, Geisser 1959).
+  double p = 0.0;  ///< Assumes that all differences have equal variances (sphericity).
+  /// Epsilon, the departure from sphericity: 1 down to 1 / (conditions - 1) (Box 1954; Greenhouse,
+  /// Geisser 1959).
   double greenhouse_geisser = 1.0;
-  double p_greenhouse_geisser = 0.0;  ///< both degrees of freedom times epsilon
-  /// The same, corrected for being too small where differences are nearly alike (Huynh, Feldt
-  /// 1976), 1 where the correction leads above it.
+  double p_greenhouse_geisser = 0.0;  ///< With both degrees of freedom times epsilon.
+  /// Epsilon corrected for its bias near sphericity (Huynh, Feldt 1976), at most 1.
   double huynh_feldt = 1.0;
   double p_huynh_feldt = 0.0;
   double partial_eta_squared = 0.0;
 };
 
-/// One within-participant factor. Empty where F is not defined: fewer than two participants or
-/// conditions, or no residual variance.
+/// The analysis of one within-participant factor. Empty where F is not defined: fewer than two
+/// participants or conditions, or no residual variance.
 std::optional<VarianceAnalysis> repeated_measures_anova(const RepeatedMeasures& data);
 
 }  // namespace foveola::analysis

@@ -7,11 +7,11 @@ namespace foveola::analysis {
 /// 1 - confidence; confidence in (0, 1).
 double student_t_quantile(double confidence, double degrees_of_freedom);
 
-/// The probability that |T| is at least |t|: a two-sided P-value, right down to 1e-300. 0 for
+/// The probability that |T| is at least |t|: a two-sided P-value, accurate down to 1e-300. 0 for
 /// infinite t.
 double student_t_two_sided(double t, double degrees_of_freedom);
 
-/// The probability that T is at least t: a one-sided P-value, right down to 1e-300.
+/// The probability that T is at least t: a one-sided P-value, accurate down to 1e-300.
 double student_t_one_sided(double t, double degrees_of_freedom);
 
 }  // namespace foveola::analysis

@@ -1,7 +1,6 @@
 #include "analysis/statistics/wilcoxon.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -72,7 +71,7 @@ double approximate_p(const SignedRanks& ranks, double w_plus, double w_minus) {
 
 }  // namespace
 
-// Probabilities, not counts: these would leave the range of a double.
+// Works with probabilities, since counts would leave the range of a double.
 std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks) {
   const std::size_t total = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
   std::vector<double> probability(total + 1, 0.0);
@@ -104,17 +103,6 @@ std::optional<SignedRankTest> signed_rank(std::span<const double> differences, Z
                       : approximate_p(ranks, test.w_plus, test.w_minus);
   test.rank_biserial = (test.w_plus - test.w_minus) / (test.w_plus + test.w_minus);
   return test;
-}
-
-std::optional<SignedRankTest> signed_rank(std::span<const double> a, std::span<const double> b,
-                                          ZeroRule zeros) {
-  assert(a.size() == b.size());
-  std::vector<double> differences;
-  differences.reserve(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    differences.push_back(a[i] - b[i]);
-  }
-  return signed_rank(differences, zeros);
 }
 
 }  // namespace foveola::analysis

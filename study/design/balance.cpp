@@ -27,7 +27,7 @@ Plan tests_of(const Plan& plan) {
   return tests;
 }
 
-/// before: of the same session; nothing for its first trial.
+/// Counts a trial. `before` is the one before it in the same session; null for the first.
 void count_trial(const Protocol& protocol, const PlannedTrial& trial, const PlannedTrial* before,
                  Balance& balance) {
   const std::size_t scene = scene_index(protocol, trial.scene);

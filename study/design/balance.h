@@ -1,4 +1,4 @@
-// How evenly the orders of a study's participants came out.
+// The balance of the orders of a study's participants.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@ namespace foveola::study {
 /// One row for each method or scene, in the protocol's order; as many columns.
 using Counts = std::vector<std::vector<int>>;
 
-/// Of test trials only. How often ...
+/// How often methods and scenes came at each position and after each other, in test trials only.
 struct Balance {
-  Counts method_at;                  ///< [method][position in a scene], over all scenes
+  Counts method_at;                  ///< [method][position in a scene], over all scenes.
   std::vector<Counts> method_at_in;  ///< [scene][method][position]
   Counts method_after;               ///< [method][the one before it in the same scene]
   Counts scene_at;                   ///< [scene][position]
@@ -25,7 +25,8 @@ Balance balance_of(const Protocol& protocol, const std::vector<Plan>& plans);
 /// The largest count less the smallest.
 int largest_difference(const Counts& counts);
 
-/// Likewise of counts of what comes after what: nothing comes after itself.
+/// The largest count less the smallest of what comes after what, without the diagonal, since
+/// nothing comes after itself.
 int largest_difference_after(const Counts& counts);
 
 }  // namespace foveola::study

@@ -10,7 +10,7 @@ constexpr AssumedDuration consent{"reading the consent and agreeing", {20.0, 300
 constexpr AssumedDuration quick_answer{"an answer on a scale, in a number, by an option",
                                        {3.0, 20.0}};
 constexpr AssumedDuration written_answer{"an answer in words", {5.0, 120.0}};
-/// As CalibrationTiming has it: settling and collecting, or giving up.
+/// The time of a target as CalibrationTiming has it: settling and collecting, or giving up.
 constexpr AssumedDuration target{"a target of a validation", {1.7, 4.0}};
 constexpr AssumedDuration press{"a press at what appears", {0.2, 1.0}};
 constexpr AssumedDuration choice{"choosing an object", {5.0, 60.0}};
@@ -38,14 +38,14 @@ Duration answering(const std::vector<Question>& questions) {
   return sum;
 }
 
-/// From the first frame until the last mark.
+/// The time from the first frame until the last mark.
 Duration marking(const Protocol& protocol, const TrialSettings& settings) {
   const double marks = static_cast<double>(protocol.marks.size());
   const double timeout_s = settings.timing.mark_timeout_s;
   return {std::min(marks * soonest_mark.duration.least_s, timeout_s), timeout_s};
 }
 
-/// Without choosing the object.
+/// The duration of a trial without choosing the object.
 Duration trial_duration(const Protocol& protocol, const std::string& scene,
                         const std::string& method) {
   const TrialSettings settings = settings_of(protocol, scene, method);

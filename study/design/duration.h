@@ -1,4 +1,5 @@
-// How long a session takes: the protocol's own numbers, and what people are assumed to need.
+// The duration of a session, from the protocol's numbers and the times that people are assumed to
+// need.
 #pragma once
 
 #include <span>
@@ -15,7 +16,7 @@ struct Duration {
   double most_s = 0.0;
 };
 
-/// What the protocol does not say, and nobody has measured here.
+/// An assumed duration of something that the protocol does not state.
 struct AssumedDuration {
   std::string_view of;
   Duration duration;
@@ -25,12 +26,13 @@ std::span<const AssumedDuration> assumed_durations();
 /// One of a session's phases, or its practice, test or catch trials.
 struct SessionPart {
   std::string name;
-  int count = 1;  ///< of trials, questions, presses or targets
+  int count = 1;  ///< Number of trials, questions, presses or targets.
   Duration duration;
 };
 
-/// At least: every validation passes at once. At most: each mark times out and every validation but
-/// the last fails. Without pauses and without anything timed again.
+/// The parts of a session with their durations. At least: every validation passes at once. At most:
+/// each mark times out and every validation but the last fails. Pauses and retiming are not
+/// counted.
 std::vector<SessionPart> session_parts(const Protocol& protocol);
 
 Duration total_of(const std::vector<SessionPart>& parts);

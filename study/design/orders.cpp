@@ -13,7 +13,7 @@ Permutation counted_up(int n) {
   return row;
 }
 
-/// Modulo its length.
+/// The square's row, modulo their number.
 Permutation shifted(Permutation row, int by) {
   const int n = static_cast<int>(row.size());
   for (int& thing : row) {
@@ -39,7 +39,7 @@ Square shifts_of(const Permutation& first) {
   return square;
 }
 
-/// Without rows for random orders.
+/// The square of an order; without rows for random orders.
 Square square_of(Order order, int n) {
   switch (order) {
     case Order::fixed:

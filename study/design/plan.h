@@ -1,4 +1,4 @@
-// Who sees what in which order.
+// The plan of a session: its trials in their order, and all its steps.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ namespace foveola::study {
 
 enum class TrialKind {
   test,
-  practice,     ///< to get used to it; never analysed
-  catch_trial,  ///< nothing is rendered: whoever marks in it did not look; never analysed
+  practice,     ///< For practice; never analysed.
+  catch_trial,  ///< Nothing is rendered: a mark shows that nobody looked; never analysed.
 };
 
 /// The name that records use: "test", "practice", "catch".
@@ -24,29 +24,30 @@ const char* name_of(TrialKind kind);
 struct PlannedTrial {
   std::string scene;
   std::string method;
-  int scene_position = 0;   ///< 0 is the first scene; of test trials only
-  int method_position = 0;  ///< 0 is the first method within the scene; of test trials only
+  int scene_position = 0;   ///< 0 is the first scene; test trials only.
+  int method_position = 0;  ///< 0 is the first method within the scene; test trials only.
   TrialKind kind = TrialKind::test;
 };
 
 /// A session's trials in their order.
 using Plan = std::vector<PlannedTrial>;
 
-// What a session consists of, one after the other.
+// The kinds of steps that a session consists of.
 struct ConsentStep {};
 struct QuestionnaireStep {
-  std::string questionnaire;  ///< an id of Protocol::questionnaires
+  std::string questionnaire;  ///< An id of Protocol::questionnaires.
 };
 struct ValidationStep {
-  int attempts = 1;  ///< as often may the gaze be validated until it passes
+  int attempts = 1;  ///< The largest number of validations of the gaze until one passes.
 };
-/// Key presses at something that appears, to know how fast this participant's finger is.
+
+/// The reaction test: key presses at something that appears.
 struct ReactionStep {
   int presses = 1;
 };
 struct TrialStep {
-  std::size_t trial = 0;       ///< index into the plan
-  bool chooses_object = true;  ///< otherwise the one that was chosen last stays
+  std::size_t trial = 0;       ///< Index into the plan.
+  bool chooses_object = true;  ///< Otherwise the object that was chosen last is kept.
 };
 using AgendaStep =
     std::variant<ConsentStep, QuestionnaireStep, ValidationStep, ReactionStep, TrialStep>;
@@ -55,22 +56,24 @@ using AgendaStep =
 using Agenda = std::vector<AgendaStep>;
 
 /// The protocol's phases with the plan's trials in them. An object is chosen for each trial, or, if
-/// the protocol keeps it for a scene, when the trial before was in another one or one of the two is
-/// practice.
+/// the protocol keeps it for a scene, when the trial before was in another scene or one of the two
+/// trials is practice.
 Agenda agenda_of(const Protocol& protocol, const Plan& plan);
 
 /// The plan of row `row` of the protocol's design, with practice before and catch trials between
-/// its test trials. A catch trial is like the test trial before it. Orders that are no squares, and
-/// the places of catch trials, are drawn by seed and row. A function of its arguments alone, on
-/// every platform. row >= 0, beyond design_rows it begins anew, with other draws.
+/// its test trials. A catch trial has the scene and method of the test trial before it. Random
+/// orders, and the positions of catch trials, are drawn by seed and row. The plan depends on the
+/// arguments alone, on every platform. row >= 0; beyond design_rows the rows repeat, with other
+/// draws.
 Plan make_plan(const Protocol& protocol, std::uint64_t seed, int row);
 
-/// How many rows the protocol's design has until its squares repeat; 0 if all orders are drawn.
+/// The number of rows of the protocol's design until its squares repeat; 0 if all orders are
+/// random.
 int design_rows(const Protocol& protocol);
 
-/// The row for the next participant: of the design's row that was used least, the first of those,
-/// and among the rows that repeat it the first that is free. used: the rows of completed and active
-/// sessions of people, in any order.
+/// The row for the next participant: the first of the design's least used rows, and among the rows
+/// that repeat it the first that is free. `used` has the rows of completed and active sessions of
+/// people, in any order.
 int least_used_row(const Protocol& protocol, const std::vector<int>& used);
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// What simulated participants say about themselves.
+// Simulated participants' answers to questionnaires.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace foveola::study {
 
-/// An answer to each question that needs one, within its range. "age": normal with the background's
-/// mean and deviation; other numbers and points of a scale likewise, as parts of their range.
-/// Choices: any option, but for "gender" the first or the second alone, as published codings have
-/// it. Words: the same few, and none where none are required.
+/// Draws an answer to each question that needs one, within its range. "age" is normal with the
+/// background's mean and deviation; other numbers and points of a scale are normal with its mean
+/// and deviation as fractions of their range. A choice is any option with equal probability, but
+/// for "gender" only the first or the second, as published codings have it. Answers in words are
+/// always the same, and are given only where they are required.
 std::vector<Answer> draw_answers(const std::vector<Question>& questions,
                                  const Background& background, Pcg32& random);
 

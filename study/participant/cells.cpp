@@ -14,12 +14,12 @@ namespace {
 /// Beyond this a tangent plane is too far away.
 constexpr double widest_radius_deg = 75.0;
 
-/// Into how many parts of `size` a whole is best cut.
+/// The number of parts of about `size` that a whole is divided into, at least one.
 int parts_of(double whole, double size) {
   return std::max(1, static_cast<int>(std::lround(whole / size)));
 }
 
-/// The place of a block or a patch among others of its kind.
+/// The coordinates of a block or a patch among others of its kind.
 struct Place {
   int row = 0;
   int column = 0;
@@ -58,7 +58,7 @@ class Gathering {
   std::map<std::pair<Place, Place>, std::uint32_t> block_numbers_;
 };
 
-/// Which of `parts` equal parts of [0, 1) a position lies in.
+/// The index of the part, of `parts` equal parts of [0, 1), that a position lies in.
 int part_at(double position, int parts) {
   return std::clamp(static_cast<int>(position * parts), 0, parts - 1);
 }
@@ -111,7 +111,7 @@ Cells Cells::everywhere(double cell_deg, double patch_deg, int block) {
   const int rows = parts_of(180.0, cell_deg);
   const double height_deg = 180.0 / rows;
   const int rows_per_patch = block * parts_of(patch_deg, block * height_deg);
-  // How many squares of `side` rows go around in the band of such squares that the row lies in.
+  // The number of squares of `side` rows all around the band of such squares that the row lies in.
   const auto around_at = [&](int row, int side) {
     const int first = row / side * side;
     const int last = std::min(rows, first + side);

@@ -1,5 +1,6 @@
-// How a view is cut up for judging: pixels into cells that the eye sees as one, cells into blocks
-// whose noise is judged together (of one cell, but in scaled studies), blocks into patches.
+// Divides a view for judging: pixels into cells, each judged by its mean; cells into blocks whose
+// noise is judged together (of one cell, except in scaled studies); blocks into patches, each with
+// one eccentricity.
 //
 // Cells lie on the world, not on the display, so that a judgement does not depend on the display's
 // pixels, nor on the film's. A cell's value is the mean of its pixels' values in each channel.
@@ -15,7 +16,7 @@
 
 namespace foveola::study {
 
-/// A part of the sphere that is cut into square cells, and these into patches.
+/// A part of the sphere that is divided into square cells, and these into patches.
 class Cells {
  public:
   /// Within radius_deg of `center` (unit length, world): a square grid on the tangent plane there,
@@ -23,22 +24,23 @@ class Cells {
   /// whole number of blocks, of block x block cells each, but at least one.
   static Cells around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg,
                       int block = 1);
-  /// All directions: rows of equal elevation, each cut into equal azimuths about as wide as the
-  /// row is high. patch_deg, block: likewise, as nearly as rows of different lengths allow.
+  /// All directions: rows of equal elevation, each divided into equal azimuths about as wide as the
+  /// row is high. Patches and blocks are of patch_deg and block x block cells as nearly as rows of
+  /// different lengths allow.
   static Cells everywhere(double cell_deg, double patch_deg, int block = 1);
 
   struct Patch {
-    Vec3 direction{0.0F};     ///< of its middle; unit length, world
-    std::uint32_t cells = 0;  ///< how many it is made of
+    Vec3 direction{0.0F};     ///< Direction of its middle; unit length, world.
+    std::uint32_t cells = 0;  ///< Number of its cells.
   };
   const std::vector<Patch>& patches() const { return patches_; }
-  /// A block of cells in one patch; at edges some lack cells.
+  /// A block of cells in one patch; at edges it may have fewer cells.
   struct Block {
     std::uint32_t patch = 0;
     std::uint32_t cells = 0;
   };
   const std::vector<Block>& blocks() const { return blocks_; }
-  /// How many cells a block has that lacks none.
+  /// The number of cells of a complete block.
   int cells_of_whole_block() const { return block_ * block_; }
   double cell_deg() const { return cell_deg_; }
   std::size_t count() const { return block_of_cell_.size(); }
@@ -51,7 +53,7 @@ class Cells {
 
  private:
   Cells() = default;
-  /// patches: with the sums of their cells' directions.
+  /// Stores the blocks, and the patches, which come with the sums of their cells' directions.
   void take(std::vector<Patch> patches, std::vector<Block> blocks);
   std::uint32_t on_plane(const Vec3& direction) const;
   std::uint32_t on_sphere(const Vec3& direction) const;
@@ -61,14 +63,14 @@ class Cells {
   std::vector<Patch> patches_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> block_of_cell_;
-  // Of a tangent plane; across_ is 0 for the sphere.
+  // The grid on a tangent plane; across_ is 0 for the whole sphere.
   int across_ = 0;
-  double cell_size_ = 0.0;  ///< on the plane at distance 1
+  double cell_size_ = 0.0;  ///< On the plane at distance 1.
   Vec3 right_{0.0F};
   Vec3 up_{0.0F};
   Vec3 forward_{0.0F};
   std::vector<std::uint32_t> cell_of_square_;
-  // Of the sphere.
+  // The rows of the whole sphere.
   struct Row {
     std::uint32_t first_cell = 0;
     std::uint32_t cells = 0;
@@ -76,10 +78,10 @@ class Cells {
   std::vector<Row> rows_;
 };
 
-/// Which pixels of a view lie in which cells.
+/// The pixels of a view that lie in cells.
 struct CellPixels {
   struct Member {
-    std::uint32_t pixel = 0;  ///< index into the image
+    std::uint32_t pixel = 0;  ///< Index into the image.
     std::uint32_t cell = 0;
   };
   std::vector<Member> members;

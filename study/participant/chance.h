@@ -1,4 +1,4 @@
-// What is left to chance in a simulated participant: independent streams of one person's seed.
+// Independent streams of random numbers of one simulated participant's seed.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace foveola::study {
 
-/// What something is drawn for; keeps the streams apart.
+/// The purpose of a draw; each has streams of its own.
 enum class Chance : std::uint32_t {
   traits = 1,
   answers,
@@ -25,7 +25,7 @@ enum class Chance : std::uint32_t {
   injected_dropout,
 };
 
-/// A number for a text, the same everywhere.
+/// A hash of a text, the same on every platform.
 inline std::uint32_t key_of(const std::string& text) {
   std::uint32_t key = 0;
   for (const char character : text) {

@@ -40,7 +40,7 @@ void Decision::begin_attempt(const Attempt& attempt) {
   attempt_ = attempt;
   task_.reset();
   mark_ = 0;
-  regrets_ = false;
+  noticed_early_press_ = false;
 }
 
 void Decision::begin(Task task, Nanoseconds now) {
@@ -90,7 +90,7 @@ std::optional<Nanoseconds> Decision::consider(const Evidence& evidence, Nanoseco
   if (mean_ < enough || now - begun_ < nanoseconds_from_seconds(habits_.integration_s)) {
     return std::nullopt;
   }
-  regrets_ = regrets_ || (conduct_.early && conduct_.noticed);
+  noticed_early_press_ = noticed_early_press_ || (conduct_.early && conduct_.noticed);
   task_.reset();
   return now + conduct_.delay;
 }

@@ -7,7 +7,7 @@
 namespace foveola::study {
 namespace {
 
-/// ln of the factor that is injected in this trial's times.
+/// The logarithm of the injected factor on this trial's times.
 double injected_log(const InjectedEffect& effect, const DrawnTrial& trial) {
   double log = std::log(effect.order_factor) * trial.trials_before;
   if (const auto faster = effect.faster.find(trial.method); faster != effect.faster.end()) {

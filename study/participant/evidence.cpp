@@ -27,8 +27,8 @@ int block_of(const Vision& vision) {
   return std::max(1, static_cast<int>(std::lround(vision.coarseness)));
 }
 
-/// Of each block, in each channel: (presented - expected)^2 of its mean, times its pixels. Where a
-/// block lacks cells its noise is larger than a whole one's; it counts for so much less.
+/// (presented - expected)^2 of each block's mean in each channel, times its pixels. A block at an
+/// edge, with fewer cells, is noisier than a complete one, and weighs as much less.
 std::vector<ChannelValues> block_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,
                                           const std::vector<ChannelValues>& expected) {

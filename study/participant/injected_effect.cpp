@@ -20,7 +20,7 @@ constexpr double largest_factor = 1e3;
 [[noreturn]] void refuse(std::string_view part, const std::string& what) {
   throw UsageError(fmt::format("--inject {}", part), what,
                    "write none, faster:METHOD:FACTOR, order:FACTOR, outlier:PARTICIPANT:FACTOR, "
-                   "dropout:PART or tracker-loss:PART");
+                   "dropout:FRACTION or tracker-loss:FRACTION");
 }
 
 double number_from(std::string_view text, double minimum, double maximum, std::string_view part) {
@@ -37,10 +37,10 @@ double factor_from(std::string_view text, std::string_view part) {
   return number_from(text, 1.0 / largest_factor, largest_factor, part);
 }
 
-/// One effect, cut at its first and its last colon.
+/// The text of one effect, divided at its first and its last colon.
 struct Words {
   std::string_view kind;
-  std::string_view subject;  ///< between the two; empty if there is but one
+  std::string_view subject;  ///< Between the two; empty if there is only one.
   std::string_view amount;
 };
 

@@ -1,5 +1,5 @@
-// A participant with an injected effect: moves the eyes like any, but presses at times that are
-// drawn, whatever is on the display.
+// A participant with an injected effect, who moves the eyes like any other, but presses the key at
+// drawn times, whatever the display shows.
 #pragma once
 
 #include "study/design/plan.h"
@@ -10,8 +10,8 @@ namespace foveola::study {
 
 class InjectedEffectParticipant final : public SimulatedObserver {
  public:
-  /// person: answers forms, chooses objects and looks about. row: the participant's, from 0 on.
-  /// plan: the session's, by which it is known what is shown.
+  /// `person` answers forms, chooses objects and moves the eyes. `row` is the participant's, from 0
+  /// on. `plan` is the session's, from which the scene and method of a trial are known.
   InjectedEffectParticipant(const InjectedEffect& effect, const SimulatedParticipant& person,
                             const Background& background, std::uint64_t seed, int row,
                             const Plan& plan);
@@ -37,18 +37,18 @@ class InjectedEffectParticipant final : public SimulatedObserver {
     return consider({}, stimulus.presented);
   }
   bool wants_retime() const override { return false; }
-  /// With the effect's probability, from some trial after the first on.
+  /// True with the effect's probability, from some trial after the first on.
   bool wants_to_withdraw(int trials_before) const override;
-  /// Drawn like the answers to a form.
+  /// Draws ratings like the answers to a form.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
-  /// The first look of an attempt is taken for its first frame. No mark in a catch trial.
+  /// The first glance of an attempt counts as its first frame. There is no mark in a catch trial.
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
   bool looks() const override { return false; }
   ScanPath& path() override { return person_.path(); }
 
  private:
-  /// How many trials are sat through before withdrawing; none if that does not happen.
+  /// The number of trials before withdrawing; empty for a participant who stays.
   std::optional<int> draw_dropout() const;
 
   InjectedEffect effect_;
@@ -61,7 +61,7 @@ class InjectedEffectParticipant final : public SimulatedObserver {
   Attempt attempt_;
   std::optional<Nanoseconds> first_frame_;
   bool is_marking_ = false;
-  std::size_t marks_ = 0;  ///< made in this attempt
+  std::size_t marks_ = 0;  ///< Number of marks made in this attempt.
 };
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// What simulated participants know how to judge of all that a protocol may ask in a trial.
+// The measures of a protocol that simulated participants can judge.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace foveola::study {
 
-/// What they look for until they make this mark; nothing if no judgement of theirs is behind it.
+/// The task that leads to this mark; empty if simulated participants have no judgement for it.
 std::optional<Task> judgement_of(const MarkEntry& mark);
 
-/// Throws Error with file:line:column for a mark without a judgement, and for a rating but
-/// `artifacts` and words: what participants who look gave for it would be made up. Those whose
+/// Throws Error with file:line:column for a mark without a judgement, and for a rating other than
+/// `artifacts` and answers in words: simulated values of it would mean nothing. Participants whose
 /// times are drawn (see InjectedEffect) need no judgement.
 void require_judgements(const Protocol& protocol);
 

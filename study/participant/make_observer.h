@@ -1,4 +1,4 @@
-// Who takes part in a simulated session.
+// Makes the participant of a simulated session.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace foveola::study {
 
-/// One of the population, or of it with an effect. seed: who. row: which of the study's
-/// participants, from 0 on. plan: the session's.
+/// A member of the population, with the injected effect if there is one. `seed` determines the
+/// person, `row` is the number of the study's participant, from 0 on, `plan` is the session's.
 std::unique_ptr<SimulatedObserver> make_observer(const Population& population,
                                                  const std::optional<InjectedEffect>& effect,
                                                  SceneKnowledge knowledge, std::uint64_t seed,

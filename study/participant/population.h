@@ -1,4 +1,4 @@
-// Who the simulated participants are: the parameters of people. Their numbers, with units and
+// The population of simulated participants: the parameters of people. Their numbers, with units and
 // sources, are in data/participants/*.toml; read_people() reads them.
 #pragma once
 
@@ -21,10 +21,10 @@ struct GazeHabits {
   double head_elevation_deg = 0.0;
   double head_turn_s = 0.0;
   double eye_in_head_deg = 0.0;
-  double fixations_per_head_turn = 0.0;  ///< rounded
+  double fixations_per_head_turn = 0.0;  ///< Rounded to a whole number.
 };
 
-/// What eyes tell apart.
+/// Visual thresholds, and the cells and patches on which images are judged.
 struct Vision {
   /// A just noticeable difference, in units of CIELAB.
   double jnd_lab = 0.0;
@@ -32,41 +32,40 @@ struct Vision {
   /// exp(decay_deg f (e + half_resolution_deg) / half_resolution_deg) (Geisler and Perry 1998).
   double decay_deg = 0.0;
   double half_resolution_deg = 0.0;
-  /// At the gaze, those of chromatic differences rise so many times faster with the frequency.
+  /// At the gaze, chromatic thresholds rise this many times faster with the frequency.
   double chromatic_decay_factor = 0.0;
-  /// Those of red-green differences rise by so many powers of 10 more in each degree.
+  /// Red-green thresholds rise by this many more powers of 10 with each degree.
   double red_green_decades_per_deg = 0.0;
-  /// How many across an object let it be recognised.
+  /// The number of line pairs across an object at which it is recognised.
   double recognition_line_pairs = 0.0;
-  /// An outline is judged over the object and as much of its surroundings as this factor of its
-  /// radius takes in.
+  /// An outline is judged within this factor of the object's radius.
   double surround_factor = 0.0;
   /// A material and the whole view are looked at on several scales at once: in cells of these
   /// widths and, scale_count in all, in cells twice, four times ... as wide.
   double material_cell_deg = 0.0;
   double view_cell_deg = 0.0;
-  double scale_count = 1.0;  ///< rounded
-  /// What is noticed on all scales together is the root of the sum of these powers.
+  double scale_count = 1.0;  ///< Rounded to a whole number.
+  /// The exponent of the pooling over scales: the root of the sum of these powers.
   double pooling_exponent = 0.0;
-  /// Cells are grouped in patches of these sizes, which have one eccentricity.
+  /// Cells are grouped in patches of these sizes, each judged at one eccentricity.
   double object_patch_deg = 0.0;
   double view_patch_deg = 0.0;
-  /// Of no person, but of a study whose film and machine are scaled down by this factor squared: a
-  /// whole number, how many cells' width the noise is averaged over. So many cells hold as many
-  /// samples as one does at full size, and as large a part of them has none.
+  /// Not a person's parameter, but a scaled study's, whose film and machine are scaled down by this
+  /// factor squared: a whole number, the width in cells over which noise is averaged. That many
+  /// cells hold as many samples as one does at full size, and the same fraction of pixels is
+  /// unsampled.
   double coarseness = 1.0;
 };
 
-/// How decisions are made of what is seen, and how people differ in it.
+/// How decisions follow from evidence, and how people differ in it.
 struct DecisionHabits {
-  /// How many times stronger than noise stands out of it.
+  /// The signal-to-noise ratio at which an outline is detected.
   double outline_signal_to_noise = 0.0;
-  /// How many just noticeable differences still pass for "as it will look".
+  /// The visible difference, in just noticeable ones, at which a material looks finished.
   double material_jnd = 0.0;
-  /// The time constant over which the logarithm of the evidence is averaged; nothing is decided
-  /// sooner.
+  /// The time constant of the leaky mean of the logarithm of the evidence; no decision is sooner.
   double integration_s = 0.0;
-  /// Evidence is no stronger than this (natural logarithm of its ratio to the criterion).
+  /// Upper bound of the evidence (natural logarithm of its ratio to the criterion).
   double evidence_limit = 0.0;
   /// Standard deviation of the noise of each glance's logarithm of evidence.
   double glance_noise = 0.0;
@@ -80,11 +79,11 @@ struct DecisionHabits {
   double reaction_deviation_s = 0.0;
   double reaction_tail_s = 0.0;
   double reaction_spread = 0.0;
-  /// How many marks are made late for want of attention, and by how much in the mean.
+  /// The fraction of marks that are late for want of attention (lapses), and their mean delay.
   double lapse_part = 0.0;
   double lapse_s = 0.0;
-  /// How many marks are made early, when the evidence is by a factor short of the criterion, and
-  /// how many of these are noticed, so that the trial is timed again.
+  /// The fraction of marks that are made early, the factor by which the evidence is then short of
+  /// the criterion, and the fraction of these that are noticed, so that the trial is timed again.
   double early_part = 0.0;
   double early_factor = 0.0;
   double early_noticed_part = 0.0;
@@ -92,22 +91,22 @@ struct DecisionHabits {
 
 /// Ratings of artifacts.
 struct RatingHabits {
-  /// The just noticeable differences at which a five-point scale's second point begins, and the
-  /// factor to that of each next one.
+  /// The visible difference in JND at which a five-point scale's second point begins, and the
+  /// factor from each point's threshold to the next.
   double second_point_jnd = 0.0;
   double step_factor = 0.0;
-  /// Standard deviations of the natural logarithm of what is noticed: between people, and from
-  /// rating to rating.
+  /// Standard deviations of the natural logarithm of the noticed difference: between people, and
+  /// from rating to rating.
   double bias_spread = 0.0;
   double noise_spread = 0.0;
 };
 
-/// What people say of themselves.
+/// People's answers about themselves.
 struct Background {
   double age_mean_years = 0.0;
   double age_deviation_years = 0.0;
-  double first_gender_part = 0.0;  ///< that chooses the first option, not the second
-  /// Of answers on scales and other numbers, as parts of their range.
+  double first_gender_part = 0.0;  ///< Fraction that chooses the first option, not the second.
+  /// Mean and deviation of answers on scales and other numbers, as fractions of their range.
   double scale_mean_part = 0.0;
   double scale_deviation_part = 0.0;
 };

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// Where a number stands in a file and in a Population, and what it may be.
+/// The place of a number in a file and in a Population, and its range.
 struct Parameter {
   std::string_view table;
   std::string_view key;
@@ -87,7 +87,7 @@ constexpr std::array parameters{
               [](Population& p) -> double& { return p.decision.early_part; }},
     Parameter{"decision", "early_factor", 1.0, 1e6,
               [](Population& p) -> double& { return p.decision.early_factor; }},
-    // Not all, or a person who is always early would be timed for ever.
+    // Below 1, or a person who is always early would be timed for ever.
     Parameter{"decision", "early_noticed_part", 0.0, 0.9,
               [](Population& p) -> double& { return p.decision.early_noticed_part; }},
 

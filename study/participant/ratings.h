@@ -1,4 +1,4 @@
-// What simulated participants answer when they rate what they saw.
+// Simulated participants' ratings of artifacts.
 #pragma once
 
 #include "study/participant/population.h"
@@ -6,11 +6,12 @@
 
 namespace foveola::study {
 
-/// Whether it is the scale of artifacts, which is rated by what was noticed.
+/// Whether the rating is that of artifacts, which simulated participants can judge.
 bool is_judged(const Question& rating);
 
-/// A point of `scale` by ordinal thresholds: its lowest below second_point_jnd, one more from there
-/// on and from each step_factor as much. noticed_jnd: at least 0, as this person notices it.
+/// The point of `scale` by ordinal thresholds: the lowest below second_point_jnd, the next from
+/// there on, and one more with each step_factor. `noticed_jnd`, at least 0, is the difference that
+/// this person noticed.
 double rate_artifacts(const RatingHabits& habits, const Question& scale, double noticed_jnd);
 
 }  // namespace foveola::study

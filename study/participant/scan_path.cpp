@@ -9,7 +9,7 @@
 namespace foveola::study {
 namespace {
 
-/// 0 before `start`, 1 after `end`, and without a jerk between them.
+/// 0 before `start`, 1 after `end`, and smooth between them.
 double eased(Nanoseconds time, Nanoseconds start, Nanoseconds end) {
   if (time >= end) {
     return 1.0;

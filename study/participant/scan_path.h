@@ -1,4 +1,4 @@
-// Where a simulated participant looks: fixations, saccades and turns of the head over time.
+// The scan path of a simulated participant: fixations, saccades and turns of the head over time.
 #pragma once
 
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace foveola::study {
 
-/// The path is made up as time passes, and is the same for the same seed and calls, whatever the
-/// times it is asked for.
+/// The path is extended as time passes, and is the same for the same seed and calls, whatever times
+/// it is evaluated at.
 class ScanPath {
  public:
   ScanPath(const GazeHabits& habits, std::uint64_t seed);
 
-  /// Soon after `start` the eye goes to `target` (unit length, world) and stays; the head does not
-  /// move.
+  /// After the saccadic latency from `start` on the eye moves to `target` (unit length, world) and
+  /// stays; the head does not move.
   void fixate(const Vec3& target, Nanoseconds start);
   /// From `start` on the head faces `object` (unit length, world) and the eye wanders over it.
   void examine(const Vec3& object, double radius_deg, Nanoseconds start);
@@ -27,19 +27,19 @@ class ScanPath {
   void explore(const AzimuthElevation& around, Nanoseconds start);
 
   /// The eye's direction in world axes and the head's heading at `time`; before the last start,
-  /// those of the start.
+  /// those at the start.
   Vec3 gaze(Nanoseconds time);
   AzimuthElevation head(Nanoseconds time);
 
   /// A saccade and the fixation that it leads to.
   struct Fixation {
-    Nanoseconds begin{0};  ///< of the saccade
-    Nanoseconds landing{0};
-    Nanoseconds end{0};  ///< when the next saccade begins; the latest time there is if none will
-    Vec3 direction{0.0F, 0.0F, -1.0F};  ///< of the eye after landing; unit length, world
+    Nanoseconds begin{0};    ///< Start of the saccade.
+    Nanoseconds landing{0};  ///< End of the saccade.
+    Nanoseconds end{0};      ///< Start of the next saccade; the largest time if there is none.
+    Vec3 direction{0.0F, 0.0F, -1.0F};  ///< Direction of the eye after landing; unit length, world.
   };
-  /// The one with `time` in [begin, end), so that fixation(f.end) follows f; before the last start,
-  /// where the eye was at the start.
+  /// The fixation with `time` in [begin, end), so that fixation(f.end) follows f; before the last
+  /// start, that at the start.
   Fixation fixation(Nanoseconds time);
 
  private:
@@ -54,13 +54,13 @@ class ScanPath {
   };
 
   long fixations_per_turn() const { return std::lround(habits_.fixations_per_head_turn); }
-  /// Forgets everything but where head and eye are at `start`.
+  /// Discards the path but for the directions of head and eye at `start`.
   void begin(Nanoseconds start);
   void turn_head(const AzimuthElevation& heading, Nanoseconds start);
   bool wanders() const { return exploring_ || radius_deg_ > 0.0; }
   /// Adds saccades until the eye rests beyond `time`.
   void continue_to(Nanoseconds time);
-  /// Returns when it lands.
+  /// Returns the time at which the saccade lands.
   Nanoseconds add_saccade(const Vec3& target, Nanoseconds start);
   Vec3 next_target();
   Vec3 target_on_object();
@@ -68,8 +68,8 @@ class ScanPath {
 
   GazeHabits habits_;
   Pcg32 random_;
-  std::vector<Saccade> saccades_;  ///< the first is none: where the eye was at the start
-  std::vector<HeadTurn> turns_;    ///< likewise
+  std::vector<Saccade> saccades_;  ///< The first stands for the eye's direction at the start.
+  std::vector<HeadTurn> turns_;    ///< The first stands for the head's heading at the start.
   Nanoseconds next_saccade_{0};
   bool exploring_ = false;
   long fixations_since_turn_ = 0;

@@ -1,4 +1,4 @@
-// What all simulated participants have in common, whether they look or only pretend to.
+// The interface of all simulated participants, whether they judge images or press at drawn times.
 #pragma once
 
 #include "study/participant/evidence.h"
@@ -9,13 +9,14 @@ namespace foveola::study {
 
 class SimulatedObserver : public Participant {
  public:
-  /// What see() does once it is known what there is to see: for looks that were not made of pixels.
+  /// The part of see() after the evidence is known; used alone for predicted glances, which have no
+  /// pixels.
   virtual std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) = 0;
 
-  /// Whether anything that is shown makes a difference: otherwise evidence may be empty.
+  /// Whether the participant judges what is shown; otherwise evidence may be empty.
   virtual bool looks() const = 0;
 
-  /// What gaze() and head() follow, to be walked through fixation by fixation.
+  /// The scan path that gaze() and head() follow.
   virtual ScanPath& path() = 0;
 };
 

@@ -1,4 +1,4 @@
-// A participant made of numbers, who takes part by looking at the presented pixels.
+// A model of a person that judges the presented pixels.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace foveola::study {
 
-/// What a scene's image converges to. The simulation knows it; the study does not.
+/// The reference image that a scene converges to. The simulation knows it; the study does not.
 struct KnownScene {
-  const RgbImage* panorama = nullptr;  ///< linear radiance, equirect
+  const RgbImage* panorama = nullptr;  ///< Linear radiance, equirect.
   double exposure_stops = 0.0;
 };
 using SceneKnowledge = std::function<KnownScene(const std::string& scene)>;
 
-/// Marks an outline when it stands out of what differs from the picture that is expected, and a
-/// material when no such difference is noticed any more; then reacts. Rates by the difference
-/// noticed while looking around. Same seed, same person.
+/// Marks an outline when its contrast stands out of the noise, the difference from the expected
+/// image, and a material when that difference is no longer noticed; both after a reaction time.
+/// Rates by the difference noticed while looking around. The same seed is the same person.
 class SimulatedParticipant final : public SimulatedObserver {
  public:
   SimulatedParticipant(const Population& population, SceneKnowledge knowledge, std::uint64_t seed);
@@ -27,7 +27,7 @@ class SimulatedParticipant final : public SimulatedObserver {
   std::vector<Answer> answer(const std::string& form,
                              const std::vector<Question>& questions) override;
   Nanoseconds react(std::uint32_t attempt) override;
-  /// Stays with one object per scene, so that methods are compared on the same one.
+  /// Chooses the same object each time in a scene, so that methods are compared on the same one.
   std::size_t choose_object(const std::string& scene,
                             const std::vector<OfferedObject>& offered) override;
   void begin_attempt(const Attempt& attempt) override;
@@ -39,8 +39,8 @@ class SimulatedParticipant final : public SimulatedObserver {
   std::optional<Nanoseconds> see(const Stimulus& stimulus) override;
   bool wants_retime() const override { return decision_.wants_retime(); }
   bool wants_to_withdraw(int /*trials_before*/) const override { return false; }
-  /// See is_judged(); any other as if it were asked on a form, which require_judgements() lets be
-  /// only for words.
+  /// Judges ratings where is_judged() says so; answers the others as if they were asked on a form,
+  /// which require_judgements() allows only for answers in words.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
@@ -48,7 +48,7 @@ class SimulatedParticipant final : public SimulatedObserver {
   ScanPath& path() override { return path_; }
 
  private:
-  /// What a task is judged by on one scale, and how that should look in the view.
+  /// The cells that a task is judged by on one scale, and their expected values in the view.
   struct Scale {
     Cells cells;
     Visibility visibility;
@@ -64,9 +64,9 @@ class SimulatedParticipant final : public SimulatedObserver {
   double difference_jnd(const Stimulus& stimulus, const Area& area) const;
   std::vector<PatchEnergies> energies(const Stimulus& stimulus, const Scale& scale,
                                       bool with_contrast) const;
-  /// The cells that the task is judged by.
+  /// The cells that the task is judged by, on all scales.
   std::vector<Scale> judged_scales() const;
-  /// What they should look like in the stimulus's view; made anew only when view or task change.
+  /// The expected values in the stimulus's view, computed anew only when view or task change.
   const Area& expect(const Stimulus& stimulus);
   double noticed_jnd(Pcg32& random) const;
 
@@ -81,8 +81,8 @@ class SimulatedParticipant final : public SimulatedObserver {
   OfferedObject object_;
   std::optional<Area> area_;
   std::optional<Task> task_;
-  double artifacts_jnd_ = 0.0;  ///< sum over the looks around
-  int looks_ = 0;
+  double artifacts_jnd_ = 0.0;  ///< Sum over the glances while looking around.
+  int looks_ = 0;               ///< Number of these glances.
 };
 
 }  // namespace foveola::study

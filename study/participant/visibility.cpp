@@ -18,7 +18,7 @@ constexpr std::array<std::array<double, 3>, channel_count> lab_by_encoded{{
 }};
 
 constexpr std::size_t steps = 4096;
-constexpr double longest_chord = std::numbers::sqrt2;  // of 90 degrees
+constexpr double longest_chord = std::numbers::sqrt2;  // The chord of 90 degrees.
 
 }  // namespace
 

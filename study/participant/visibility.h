@@ -1,4 +1,4 @@
-// What an eye can tell apart, by where it is seen: channels of colour and their thresholds.
+// The eye's thresholds over eccentricity, in channels of lightness and colour.
 #pragma once
 
 #include <array>
@@ -10,20 +10,22 @@
 
 namespace foveola::study {
 
-/// Achromatic, red-green and blue-yellow: a value of each.
+/// The opponent channels.
 enum class Channel : std::size_t { achromatic, red_green, blue_yellow };
 inline constexpr std::size_t channel_count = 3;
 using ChannelValues = std::array<double, channel_count>;
 
-/// Of an sRGB-encoded colour, in just noticeable differences at the gaze: CIELAB (D65, whose L*, a*
-/// and b* are the three channels), linearised at middle grey (encoded 0.5), over jnd_lab. For greys
-/// from 0.2 to 1, CIELAB's derivatives by encoded values stay within 17 % of those.
+/// The channels of an sRGB-encoded colour, in just noticeable differences at the gaze: CIELAB (D65,
+/// whose L*, a* and b* are the three channels), linearised at middle grey (encoded 0.5), over
+/// jnd_lab. For greys from 0.2 to 1, CIELAB's derivatives by encoded values stay within 17 % of
+/// this linear map's.
 ChannelValues opponent_channels(const Rgb& encoded, double jnd_lab);
 
 /// The threshold of `channel` at eccentricity_deg over that of a large area at the gaze, for cells
 /// of cell_deg, of which two make a period: with f = 1 / (2 cell_deg) it is exp(decay f (e + e2) /
-/// e2), the contrast threshold of Geisler and Perry (1998, eq. 1) over its CT0. Chromatic channels
-/// have exp(decay f (chromatic_decay_factor + e / e2)); red-green times 10^(decades e).
+/// e2), the contrast threshold of Geisler and Perry (1998, eq. 1) over its CT0. For chromatic
+/// channels it is exp(decay f (chromatic_decay_factor + e / e2)), for red-green times 10^(decades
+/// e).
 double relative_threshold(const Vision& vision, Channel channel, double cell_deg,
                           double eccentricity_deg);
 

@@ -15,7 +15,7 @@
 namespace foveola::study {
 namespace {
 
-/// [key] what stands there. Empty tables and arrays stand there too.
+/// The values by key. Empty tables and arrays are values too.
 using Leaves = std::map<std::string, std::string>;
 
 void add_leaves(const toml::node& node, const std::string& key, Leaves& leaves) {
@@ -42,7 +42,7 @@ Leaves leaves_of(const std::string& text, const std::filesystem::path& path) {
   return leaves;
 }
 
-/// Patterns of keys whose places in arrays are left out.
+/// Patterns of keys, without the indices of arrays.
 constexpr std::array words_and_times = {
     "title",
     "language",

@@ -1,4 +1,4 @@
-// What may change in a protocol that has sessions already: words and time-outs, never the design.
+// The changes that a protocol with recorded sessions allows: words and time-outs, never the design.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +8,16 @@
 namespace foveola::study {
 
 /// The keys in which two texts of a protocol differ, as "timing.rating_s" or
-/// "mark[0].instruction", in alphabetical order. Comments and spaces are none.
+/// "mark[0].instruction", in alphabetical order. Comments and spaces make no difference.
 struct ProtocolChanges {
-  /// title, language, texts; instructions, questions, labels and titles of forms; [timing], of
-  /// overrides too, and the catch trials' time-out. An option's label only if the option has a
-  /// value: without, the label is what is recorded.
+  /// Keys among title, language and texts; instructions, questions, labels and titles of forms;
+  /// [timing], also in overrides, and the catch trials' time-out. An option's label is one of them
+  /// only if the option has a value, since otherwise the label is what is recorded.
   std::vector<std::string> of_words_and_times;
-  std::vector<std::string> of_design;  ///< all others
+  std::vector<std::string> of_design;  ///< All other keys.
 };
 
-/// path: of both, for messages. Throws Error if one of the texts is no TOML.
+/// `path` is that of both texts, for messages. Throws Error if one of the texts is no TOML.
 ProtocolChanges changes_between(const std::string& before, const std::string& after,
                                 const std::filesystem::path& path);
 

@@ -50,7 +50,7 @@ void add_unanalysable_ratings(const Protocol& protocol, const ProtocolPlaces& pl
   }
 }
 
-/// What a plan that names a measure without tables is told to do.
+/// The remedy for a plan that names a measure without tables.
 std::string remedy_for_plan(const std::vector<std::string>& analysed) {
   return analysed.empty() ? "leave it out, and compare it yourself in the record"
                           : fmt::format(
@@ -86,7 +86,7 @@ void add_unanalysable_plans(const Protocol& protocol, const ProtocolPlaces& plac
   }
 }
 
-/// Whether none of its answers is a number.
+/// Whether none of the question's answers is a number.
 bool is_answered_in_words(const Question& question) {
   return question.kind == QuestionKind::text ||
          (question.kind == QuestionKind::choice &&

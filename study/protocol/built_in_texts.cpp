@@ -36,7 +36,7 @@ constexpr std::array built_in{
     BuiltInText{"loading_title", "One moment"},
     BuiltInText{"loading", "The next scene is being prepared."},
     BuiltInText{"loading_keys", ""},
-    // Consent is the study's own matter: no built-in words could say what it is to.
+    // There are no built-in words for consent: only the study can say what participants agree to.
     BuiltInText{"consent_title", "Consent"},
     BuiltInText{"consent", ""},
     BuiltInText{"consent_confirm", "Do you agree to take part?"},

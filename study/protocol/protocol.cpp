@@ -32,7 +32,7 @@ void read_all_settings(TomlReader& reader, Protocol& protocol) {
   read_overrides(reader, protocol);
 }
 
-/// What protocols said before questionnaires had ids.
+/// Rejects keys that protocols had before questionnaires had ids.
 void refuse_old_tables(TomlReader& reader, const toml::table& table) {
   if (const toml::node* const background = table.get("background")) {
     reader.fail(background->source(),

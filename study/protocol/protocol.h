@@ -1,4 +1,4 @@
-// A study as its researcher wrote it down: TOML in, validated values out.
+// The protocol of a study: the researcher's TOML file as validated values.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@
 
 namespace foveola::study {
 
-/// A scene that the protocol names, and where it does.
+/// A scene that the protocol names, with the place in the file.
 struct SceneEntry {
   std::string name;
   int line = 0;
@@ -28,83 +28,85 @@ struct SceneEntry {
 
 /// A file that a method reads, as it was when the protocol was loaded.
 struct MethodFile {
-  std::string method;  ///< of Protocol::methods
-  std::string file;    ///< as the method's text names it, relative to the protocol's folder
+  std::string method;  ///< One of Protocol::methods.
+  std::string file;    ///< As the method's text names it, relative to the protocol's folder.
   std::string sha256;
   std::shared_ptr<const WeightImage> weights;
 };
 
 /// The machine whose speed a simulated study assumes, so that its times do not depend on the host.
 struct MachineModel {
-  double samples_per_second = 42725.0;  ///< the published 7 million, scaled with the film's area
+  double samples_per_second = 42725.0;  ///< The published 7 million, scaled by the film's area.
   double frame_rate_hz = 70.0;
 };
 
-/// What the protocol says itself stands over what its profile says, here and of the tracker.
+/// The display. The protocol's own values override its profile's, as with the tracker.
 struct DisplaySettings {
   std::optional<DisplayProfile> profile;
-  int view_width = 112;  ///< pixels
+  int view_width = 112;  ///< In pixels.
   int view_height = 112;
   /// Fields of view without the lens. If the protocol says only one, its pixels are square.
   double horizontal_fov_deg = 100.0;
   double vertical_fov_deg = 100.0;
-  RadialLens lens;              ///< of the eye that the protocol shows
-  bool fill_unsampled = false;  ///< from the film's pyramid; the published study left them black
+  RadialLens lens;              ///< The lens before the eye that the protocol shows.
+  bool fill_unsampled = false;  ///< From the film's pyramid; the published study left them black.
 };
 
 struct FilmSettings {
-  int width = 320;  ///< pixels of the 360-degree image
+  int width = 320;  ///< Pixels of the 360-degree image.
   int height = 160;
-  int max_depth = 4;  ///< surface vertices
-  /// VisibleNoise::contrast of pixels that get no more samples; 0, as published: all get them.
+  int max_depth = 4;  ///< Largest number of surface vertices of a path.
+  /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. At 0, as
+  /// published, all get them.
   double adaptive_contrast = 0.0;
 };
 
-/// Before anything else, participants look at targets, and the tracker has to see it well enough.
+/// Validation of the gaze: before the trials, participants look at targets, and the session goes on
+/// only if the tracker's accuracy, precision and loss of data are good enough.
 struct ValidationSettings {
-  int points = 9;  ///< or 5
+  int points = 9;  ///< 9 or 5 targets.
   GazeGate gate;
-  bool correct = false;  ///< calibrates first, and corrects the gaze by what that says
-  int attempts = 3;      ///< after as many that were not good enough, the session ends
+  bool correct = false;  ///< Calibrate first, and correct the gaze by the result.
+  int attempts = 3;      ///< After this many failed attempts the session ends.
 };
 
 struct TrackerSettings {
   std::optional<TrackerProfile> profile;
-  SimulatedTrackerSettings simulated;  ///< what simulated participants are watched with; seed 0
+  SimulatedTrackerSettings simulated;  ///< The tracker of simulated participants; seed 0.
   std::optional<ValidationSettings> validation;
 };
 
 struct Timing {
-  double mark_timeout_s = 120.0;  ///< from the first frame; marks that have not come are censored
-  double rating_s = 4.0;          ///< how long a participant looks around before rating, at least
+  double mark_timeout_s = 120.0;  ///< From the first frame; later marks are right-censored.
+  double rating_s = 4.0;          ///< The least time for looking around before rating.
 };
 
-/// How the rows of a design are made. Latin and Williams squares are as large as what they order.
+/// How participants' orders are made.
 enum class Order {
-  fixed,     ///< as the protocol lists it
-  random,    ///< drawn anew for every participant; as published
-  latin,     ///< the rows of a cyclic Latin square
-  williams,  ///< balanced for what precedes what
+  fixed,     ///< As the protocol lists it.
+  random,    ///< Drawn anew for every participant, as published.
+  latin,     ///< The rows of a cyclic Latin square.
+  williams,  ///< The rows of a Williams square, which is balanced for carry-over.
 };
 
 /// A moment that the participant marks while a trial is rendered; the marks come in the protocol's
 /// order.
 struct MarkEntry {
-  std::string id;           ///< "outline", "material"
-  std::string instruction;  ///< what the participant reads before the trial
+  std::string id;           ///< As "outline" or "material".
+  std::string instruction;  ///< The text that the participant reads before the trial.
 };
 
 /// For how long a trial's object is kept.
 enum class ObjectChoice { per_scene, per_method };
 
-/// What a trial is shown with.
+/// The settings of one trial.
 struct TrialSettings {
   FilmSettings film;
   Timing timing;
   bool fill_unsampled = false;
 };
 
-/// A trial to get used to it, in one of the study's scenes, with one of its methods.
+/// A practice trial, in one of the study's scenes, with one of its methods.
 struct PracticeEntry {
   std::string scene;
   std::string method;
@@ -112,13 +114,13 @@ struct PracticeEntry {
 
 /// Trials in which nothing is rendered.
 struct CatchTrials {
-  int count = 0;           ///< in a session, at places that the seed draws
-  double timeout_s = 8.0;  ///< after which each ends by itself
+  int count = 0;           ///< Number in a session, at random positions.
+  double timeout_s = 8.0;  ///< Time after which each ends by itself.
 };
 
 struct ReactionSettings {
   int presses = 10;
-  double shortest_wait_s = 1.0;  ///< drawn uniformly between these, so that nobody can guess
+  double shortest_wait_s = 1.0;  ///< Waits are drawn uniformly, so that nobody can anticipate them.
   double longest_wait_s = 3.0;
 };
 
@@ -127,27 +129,27 @@ struct ReactionSettings {
 struct PhaseEntry {
   enum class Kind { consent, questionnaire, validation, reaction, trials };
   Kind kind = Kind::trials;
-  std::string questionnaire;  ///< its id
+  std::string questionnaire;  ///< The questionnaire's id.
 };
 
 /// A comparison that the analysis plan names before there are data.
 struct PlannedComparison {
-  std::string measure;   ///< a mark's id, or that of a rating in numbers
-  std::string method;    ///< compared with `baseline`
-  std::string baseline;  ///< a method of the protocol
+  std::string measure;   ///< The id of a mark, or of a rating in numbers.
+  std::string method;    ///< Compared with `baseline`.
+  std::string baseline;  ///< A method of the protocol.
 };
 
-/// The preregistered part of the analysis: anything else is exploratory.
+/// The preregistered part of the analysis; any other comparison is exploratory.
 struct AnalysisPlan {
   std::vector<PlannedComparison> primary;
   double alpha = 0.05;
-  /// Of equivalence tests, per measure: the largest difference that does not matter. Times as a
-  /// ratio above 1, ratings in points.
+  /// The margin of equivalence tests by measure, the largest difference that does not matter: a
+  /// ratio above 1 for times, points for ratings.
   std::map<std::string, double> equivalence_margins;
-  std::optional<int> participants;  ///< as many are planned
+  std::optional<int> participants;  ///< The planned number.
 };
 
-/// How well a simulation knows what the image will converge to.
+/// The quality of the reference images that simulated participants expect.
 struct ReferenceQuality {
   int samples_per_pixel = 32;
   int samples_per_object = 3'000'000;
@@ -156,12 +158,12 @@ struct ReferenceQuality {
 struct Protocol {
   std::string name;
   std::string title;
-  std::string language = "en";     ///< BCP 47, of the texts
-  Texts texts;                     ///< screens' words over the built-in ones
-  std::vector<SceneEntry> scenes;  ///< at least one, none twice
-  std::vector<std::string>
-      methods;  ///< as make_view_sampler reads them, none twice; first: baseline
-  std::vector<MethodFile> method_files;  ///< in the methods' order; none twice for one method
+  std::string language = "en";     ///< BCP 47 tag of the texts.
+  Texts texts;                     ///< The words of screens that replace built-in ones.
+  std::vector<SceneEntry> scenes;  ///< At least one, without duplicates.
+  /// As make_view_sampler reads them, without duplicates; the first is the baseline.
+  std::vector<std::string> methods;
+  std::vector<MethodFile> method_files;  ///< In the methods' order, without duplicates.
   MachineModel machine;
   DisplaySettings display;
   FilmSettings film;
@@ -169,16 +171,16 @@ struct Protocol {
   Timing timing;
   ReferenceQuality reference;
   Order scene_order = Order::random;
-  Order method_order = Order::random;  ///< within each scene
+  Order method_order = Order::random;  ///< Within each scene.
   ObjectChoice object_choice = ObjectChoice::per_scene;
-  std::vector<MarkEntry> marks;   ///< at least one; default: outline, material
-  std::vector<Question> ratings;  ///< after the marks; default: "artifacts", 1 to 5
+  std::vector<MarkEntry> marks;   ///< At least one; default: outline, material.
+  std::vector<Question> ratings;  ///< After the marks; default: "artifacts", 1 to 5.
   std::vector<PracticeEntry> practice;
   CatchTrials catch_trials;
   std::optional<ReactionSettings> reaction;
   std::vector<Questionnaire> questionnaires;
-  std::vector<PhaseEntry> phases;  ///< in the session's order; exactly one is trials
-  /// By scene and method, where overrides say something else than film, timing and display.
+  std::vector<PhaseEntry> phases;  ///< In the session's order; exactly one is trials.
+  /// The settings by scene and method that overrides change.
   std::map<std::pair<std::string, std::string>, TrialSettings> cells;
   AnalysisPlan analysis;
 
@@ -186,8 +188,8 @@ struct Protocol {
   std::vector<std::string> notes;
 
   std::filesystem::path path;
-  std::string text;    ///< the file, to the letter
-  std::string sha256;  ///< of the text
+  std::string text;    ///< The exact content of the file.
+  std::string sha256;  ///< SHA-256 of the text.
 };
 
 /// A protocol's file: `name_or_path` itself if that is a file, else protocols/NAME.toml of the
@@ -200,27 +202,27 @@ std::filesystem::path find_protocol(const std::string& name_or_path);
 /// wrong type, an impossible value or a bad file.
 Protocol load_protocol(const std::filesystem::path& path);
 
-/// The same of a text that was kept; `path` says where it was, for messages and for the files that
-/// it names.
+/// Reads a protocol from a text that was kept; `path` is that of its file, for messages and for the
+/// files that it names.
 Protocol read_protocol(const std::string& text, const std::filesystem::path& path);
 
-/// Where the files lie that the protocol names by their paths.
+/// The folder of the files that the protocol names by their paths.
 std::filesystem::path folder_of(const Protocol& protocol);
 
-/// As the protocol writes them: "latin"; "trials", or a questionnaire's id.
+/// The names in a protocol: "latin"; "trials", or a questionnaire's id.
 std::string name_of(Order order);
 std::string name_of(const PhaseEntry& phase);
 
-/// What a trial of this scene and method is shown with: the protocol's settings, then the scene's,
-/// then the method's, then those of both, each of them only where it says something.
+/// The settings of a trial of this scene and method: the protocol's, overridden by the scene's,
+/// then the method's, then those of both, each only for the keys that it has.
 TrialSettings settings_of(const Protocol& protocol, const std::string& scene,
                           const std::string& method);
 
-/// The questionnaire of this id, which the protocol has.
+/// The questionnaire of this id, which must exist.
 const Questionnaire& questionnaire_of(const Protocol& protocol, const std::string& id);
 
-/// The TOML of the files that come with Foveola or lie beside the protocol, by what they are of:
-/// "display", "tracker", "questionnaire".
+/// A file that the protocol names, which comes with Foveola or lies in the protocol's folder, as
+/// TOML. `device` is "display", "tracker" or "questionnaire".
 struct NamedProfile {
   std::string device;
   std::string name;
@@ -228,8 +230,8 @@ struct NamedProfile {
 };
 std::vector<NamedProfile> named_profiles(const Protocol& protocol);
 
-/// The sampler of one of the protocol's methods, from the files as they were loaded: what changes
-/// on the disk while a study runs changes nothing.
+/// The sampler of one of the protocol's methods, from the files as they were loaded: changes on the
+/// disk while a study runs have no effect.
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method);
 
 /// Finds every scene of the protocol, in its order. Throws Error with file:line:column for one that

@@ -1,4 +1,4 @@
-// Where things of a protocol stand in its file, for messages about what they mean together.
+// The places of a protocol's keys in its file, for messages about several keys together.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ class ProtocolPlaces {
  public:
   explicit ProtocolPlaces(const Protocol& protocol);
 
-  /// FILE:LINE:COLUMN of what stands at a path of TOML, as "rating[1].maximum" or
-  /// "analysis.primary[0].measure"; of the protocol's file alone if nothing does.
+  /// FILE:LINE:COLUMN of the value at a TOML path, as "rating[1].maximum" or
+  /// "analysis.primary[0].measure"; FILE alone if there is none.
   std::string of(const std::string& toml_path) const;
 
  private:

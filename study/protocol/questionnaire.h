@@ -1,4 +1,4 @@
-// Questions that a participant answers on a form, and the forms.
+// Questionnaires: the forms that participants fill in, their questions and answers.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 namespace foveola::study {
 
 enum class QuestionKind {
-  likert,  ///< a whole number of a scale whose points may have labels
-  number,  ///< a number in a range
-  choice,  ///< one of some options
-  text,    ///< free words
+  likert,  ///< A whole number on a scale whose points may have labels.
+  number,  ///< A number in a range.
+  choice,  ///< One of several options.
+  text,    ///< Free text.
 };
 
-/// One of a choice's options. value is what is recorded as a number; without, its label is
+/// One of a choice's options. Its value is recorded as a number; without one, its label is
 /// recorded.
 struct Option {
   std::string label;
@@ -25,25 +25,25 @@ struct Option {
 };
 
 struct Question {
-  std::string id;    ///< none twice in a form
-  std::string text;  ///< as it is asked
+  std::string id;    ///< Unique in a form.
+  std::string text;  ///< The question's words.
   QuestionKind kind = QuestionKind::likert;
-  double minimum = 1.0;  ///< of a scale or a number
+  double minimum = 1.0;  ///< The range of a scale or a number.
   double maximum = 5.0;
-  /// Of a scale: none, two (its ends), or one for each of its points.
+  /// The labels of a scale: none, two for its ends, or one for each of its points.
   std::vector<std::string> labels;
-  std::vector<Option> options;  ///< of a choice
-  bool required = true;         ///< otherwise it may be left without an answer
+  std::vector<Option> options;  ///< The options of a choice.
+  bool required = true;         ///< Otherwise it may be left without an answer.
 };
 
 struct Questionnaire {
   std::string id;
   std::string title;
-  std::string intro;   ///< above the questions; may be empty
-  std::string source;  ///< of a published questionnaire; empty for the study's own
+  std::string intro;   ///< Text above the questions; may be empty.
+  std::string source;  ///< Where it was published; empty for the study's own.
   std::vector<Question> questions;
-  std::string file;  ///< as the protocol names it; empty if it is written in the protocol
-  std::string toml;  ///< the file's content, for the record
+  std::string file;  ///< As the protocol names it; empty if it is written in the protocol.
+  std::string toml;  ///< The file's content, for the record.
 };
 
 struct Answer {
@@ -53,9 +53,9 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// Why `answer` is none to `question`, in a few words for who typed it; empty if it is one. An
-/// empty text is no answer, which is a fault only if the question is required. texts: the
-/// protocol's.
+/// Why `answer` is not valid for `question`, in a few words for the participant who typed it, from
+/// the protocol's texts; empty if it is valid. An empty text is no answer, which is a fault only if
+/// the question is required.
 std::string fault_of(const Question& question, const std::variant<double, std::string>& answer,
                      const Texts& texts = {});
 

@@ -1,4 +1,4 @@
-// What a protocol plans to compare before there are data.
+// Reads the part of a protocol that plans the analysis before there are data.
 #pragma once
 
 #include "renderer/base/toml_reader.h"
@@ -6,7 +6,7 @@
 
 namespace foveola::study {
 
-/// The table [analysis]. The protocol's methods, marks and ratings must have been read.
+/// Reads the table [analysis]. The protocol's methods, marks and ratings must have been read.
 AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol);
 
 }  // namespace foveola::study

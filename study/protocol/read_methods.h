@@ -1,4 +1,4 @@
-// What a protocol compares: its scenes, its methods and the files that these read.
+// Reads what a protocol compares: its scenes, its methods and the files that these read.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,8 @@ std::vector<SceneEntry> read_scenes(TomlReader& reader);
 /// Fills the protocol's methods and their files.
 void read_methods(TomlReader& reader, Protocol& protocol);
 
-/// Nothing if the method reads no such file.
+/// The loaded file of a method; null if the method reads no such file.
 const MethodFile* find_method_file(const std::vector<MethodFile>& files, const std::string& method,
                                    const std::string& file);
-
-/// Where the files lie that a protocol names.
-std::filesystem::path folder_of(const Protocol& protocol);
 
 }  // namespace foveola::study

@@ -106,8 +106,8 @@ bool has_questionnaire(const Protocol& protocol, const std::string& id) {
                      [&](const Questionnaire& known) { return known.id == id; });
 }
 
-/// All that may be phases of this protocol, in the order that they have if it does not say:
-/// questionnaires come last but for "background", which precedes the trials.
+/// All possible phases of this protocol in their default order: questionnaires come last except
+/// "background", which precedes the trials.
 std::vector<PhaseEntry> possible_phases(const Protocol& protocol) {
   using Kind = PhaseEntry::Kind;
   std::vector<PhaseEntry> phases;
@@ -160,7 +160,7 @@ PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
   return *found;
 }
 
-/// Throws Error for what the protocol describes and no phase uses.
+/// Throws Error if the protocol describes something that no phase uses.
 void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::Text>& chosen,
                         const std::vector<PhaseEntry>& possible) {
   for (const std::string& name : names_of(possible)) {

@@ -1,4 +1,4 @@
-// How a session goes: orders, marks, ratings, practice, phases.
+// Reads a session's procedure: orders, marks, ratings, practice, phases.
 #pragma once
 
 #include <vector>
@@ -14,14 +14,15 @@ void read_texts(TomlReader& reader, Protocol& protocol);
 /// The protocol's marks; the published ones if it has none of its own.
 std::vector<MarkEntry> read_marks(TomlReader& reader);
 
-/// Its ratings, whose ids are none of the marks'; the published one if it has none of its own.
+/// The protocol's ratings, whose ids must differ from the marks'; the published one if it has none
+/// of its own.
 std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks);
 
 /// Fills the protocol's orders, marks, ratings, practice, catch trials and reaction. Its scenes and
 /// methods must have been read.
 void read_procedure(TomlReader& reader, Protocol& protocol);
 
-/// Fills the protocol's phases. All that they are about must have been read.
+/// Fills the protocol's phases. Everything that they refer to must have been read.
 void read_phases(TomlReader& reader, Protocol& protocol);
 
 }  // namespace foveola::study

@@ -21,7 +21,7 @@ namespace foveola::study {
 namespace {
 
 constexpr double largest_number = 1e6;
-constexpr int most_points = 101;  // of a scale: 0 to 100
+constexpr int most_points = 101;  // A scale from 0 to 100.
 
 bool is_id_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -142,7 +142,7 @@ Question read_question(TomlReader reader, const std::vector<std::string>& taken)
   return question;
 }
 
-/// A questionnaire but for its id, over `questionnaire`; with its questions, if it has any.
+/// Reads all of a questionnaire but its id over `questionnaire`, with its questions, if it has any.
 void read_content(TomlReader& reader, Questionnaire& questionnaire) {
   reader.read("title", questionnaire.title);
   reader.read("intro", questionnaire.intro);
@@ -189,7 +189,7 @@ Questionnaire read_file_of(const fs::path& file) {
   return questionnaire;
 }
 
-/// Of the file that the table names; an empty one if it names none.
+/// The questionnaire of the file that the table names; an empty one if it names none.
 Questionnaire read_ready_one(TomlReader& reader, const fs::path& folder) {
   std::string name;
   reader.read("file", name);

@@ -1,4 +1,4 @@
-// What participants answer: ratings, and questionnaires of the protocol's own or of files.
+// Reads questions: ratings, and questionnaires from the protocol or from files.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@
 
 namespace foveola::study {
 
-/// An id: letters, digits, - and _, since records, tables and columns are called by it. Throws
-/// Error for another one, and for one of `taken`.
+/// Reads an id: letters, digits, - and _, since records, tables and columns are named by it. Throws
+/// Error for other characters, and for one of `taken`.
 std::string read_new_id(TomlReader& reader, const std::vector<std::string>& taken);
 
-/// The questions of the array of tables `key`, which may be absent. `taken`: ids that they may not
-/// have.
+/// The questions of the array of tables `key`, which may be absent. Their ids may be none of
+/// `taken`.
 std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
                                      const std::vector<std::string>& taken);
 
-/// The protocol's [[questionnaire]] entries. folder: where files lie that are named by a path.
+/// The protocol's [[questionnaire]] entries. `folder` is that of files that are named by a path.
 std::vector<Questionnaire> read_questionnaires(TomlReader& reader,
                                                const std::filesystem::path& folder);
 

@@ -39,7 +39,7 @@ std::optional<Profile> read_profile(TomlReader& reader, const fs::path& folder,
   }
 }
 
-/// Of the eye that is shown, over the left eye's of the profile.
+/// Reads the lens of the eye that is shown, over the profile's lens, which is the left eye's.
 RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
   const RadialLens lens = read_lens(reader, profile);
   constexpr std::array eyes{Word<bool>{"left", false}, Word<bool>{"right", true}};
@@ -101,10 +101,10 @@ ValidationSettings read_validation(TomlReader reader) {
   return validation;
 }
 
-/// Where an [[override]] holds, and what it says.
+/// Where an [[override]] applies, and its settings.
 struct Override {
-  std::string scene;   ///< empty: in all
-  std::string method;  ///< empty: with all
+  std::string scene;   ///< Empty for all scenes.
+  std::string method;  ///< Empty for all methods.
   TomlReader reader;
 
   bool holds_for(const std::string& a_scene, const std::string& a_method) const {
@@ -139,7 +139,7 @@ std::vector<Override> read_places(TomlReader& reader, const Protocol& protocol) 
   return overrides;
 }
 
-/// What the override says over `settings`.
+/// The settings with the override's keys replaced.
 TrialSettings overridden(TomlReader& reader, TrialSettings settings) {
   settings.film = read_film(reader.table("film"), settings.film);
   settings.timing = read_timing(reader.table("timing"), settings.timing);

@@ -1,4 +1,4 @@
-// What a protocol's trials are shown with: machine, display, film, tracker, timing.
+// Reads the settings of a protocol's trials: machine, display, film, tracker, timing.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace foveola::study {
 
-// Each takes a table and gives what it says over the defaults, or over `film` or `timing`. folder:
-// where profiles lie that are named by a path.
+// Each reads a table over the defaults, or over `film` or `timing`. `folder` is that of profiles
+// that are named by a path.
 MachineModel read_machine(TomlReader reader);
 DisplaySettings read_display(TomlReader reader, const std::filesystem::path& folder);
 FilmSettings read_film(TomlReader reader, FilmSettings film);
@@ -25,7 +25,7 @@ std::string read_scene_name(TomlReader& reader, std::string_view key, const Prot
 /// One of the protocol's methods; empty if the key is absent.
 std::string read_method_name(TomlReader& reader, std::string_view key, const Protocol& protocol);
 
-/// Fills the protocol's cells. All else of its settings must have been read.
+/// Fills the protocol's cells. All its other settings must have been read.
 void read_overrides(TomlReader& reader, Protocol& protocol);
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// The words of the participant's screens: the built-in ones, and the protocol's over them.
+// The words of the participant's screens: the built-in ones, which a protocol may replace.
 #pragma once
 
 #include <map>
@@ -9,17 +9,17 @@
 
 namespace foveola::study {
 
-/// What a protocol may replace, none twice.
+/// The ids of texts that a protocol may set, without duplicates.
 std::vector<std::string> known_text_ids();
 
-/// Words by their id, over the built-in ones. A name in braces, as in "{trial} of {trials}", is
-/// filled in when they are shown.
+/// The protocol's words by their ids. A name in braces, as in "{trial} of {trials}", is filled in
+/// when they are shown.
 using Texts = std::map<std::string, std::string>;
 
 /// The words of `id`, which must be known: those of `texts`, else the built-in ones.
 std::string text_of(const Texts& texts, std::string_view id);
 
-/// The names in braces in a text, in its order.
+/// The names in braces in a text, in their order.
 std::vector<std::string> names_in(std::string_view text);
 
 /// The text with its names in braces replaced. Names that `values` lacks stay as they are.

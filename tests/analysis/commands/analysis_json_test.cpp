@@ -102,7 +102,7 @@ TEST(AnalysisJson, HasOrderEffectsAndEffectSizes) {
                    std::exp(fv.pseudo_median->value));
 }
 
-TEST(AnalysisJson, HasNoEstimateFromTimesThatRanOutButTheirCount) {
+TEST(AnalysisJson, HasNoEstimateFromRightCensoredTimesButTheirCount) {
   study::StudyRecords records = complete_study(6);
   trial_of(records, "P1", "aula", "od").outline_censored = true;
   const nlohmann::json json = json_of(records);

@@ -46,11 +46,12 @@ TEST(AnalysisSet, ACompleteStudyExcludesNothing) {
 TEST(AnalysisSet, EveryGapIsListed) {
   EXPECT_THAT(
       exclusions_of(golden_study_records()),
-      ElementsAre("P02/aula/vp/: no trial recorded",
-                  "P03/aula/od/outline: timed out: the time is only a lower bound",
-                  "P03/aula/od/material: timed out: the time is only a lower bound",
-                  "P04/barn/fv/material: no time recorded",
-                  "P05/cave/od/artifacts: no rating recorded", "P09///: session interrupted"));
+      ElementsAre(
+          "P02/aula/vp/: no trial recorded",
+          "P03/aula/od/outline: right-censored: the time-out is only a lower bound of the time",
+          "P03/aula/od/material: right-censored: the time-out is only a lower bound of the time",
+          "P04/barn/fv/material: no time recorded", "P05/cave/od/artifacts: no rating recorded",
+          "P09///: session interrupted"));
 }
 
 TEST(AnalysisSet, TimesKnowWhetherTheyWereMeasured) {
@@ -91,15 +92,15 @@ TEST(AnalysisSet, SessionsThatAreNotCompletedAreListedWithWhy) {
                           "P3///: session excluded: asleep", "P4///: session withdrawn"));
 }
 
-TEST(AnalysisSet, WhatIsAnalysedIsWhatProtocolsAreToldIsAnalysed) {
+TEST(AnalysisSet, AnalysedMeasuresAreThoseThatProtocolChecksName) {
   const AnalysisSet set = select_for_analysis(complete_study(3));
   std::set<std::string> compared;
   for (const MethodComparison& row : compare_methods(set, {}).methods) {
     compared.insert(row.measure);
   }
-  std::set<std::string> told(study::analysed_marks.begin(), study::analysed_marks.end());
-  told.insert(study::analysed_rating);
-  EXPECT_EQ(compared, told);
+  std::set<std::string> analysed(study::analysed_marks.begin(), study::analysed_marks.end());
+  analysed.insert(study::analysed_rating);
+  EXPECT_EQ(compared, analysed);
 }
 
 TEST(AnalysisSet, RatingsOnAnotherScaleAreLeftOutAndTimesAreNot) {

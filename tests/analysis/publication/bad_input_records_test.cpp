@@ -1,5 +1,5 @@
-// Studies with holes: what can be computed is, and what cannot says why, everywhere that it would
-// have stood.
+// Studies with missing data: what can be computed is, and what cannot says why, everywhere that it
+// would have stood.
 #include <functional>
 #include <regex>
 #include <string>
@@ -81,7 +81,7 @@ TEST_F(BadInputRecords, OneSceneIsEnough) {
   EXPECT_TRUE(output.tables.set.exclusions.empty());
 }
 
-TEST_F(BadInputRecords, TimesThatAllRanOutAreCountedAndNotAveraged) {
+TEST_F(BadInputRecords, TimesThatAreAllRightCensoredAreCountedAndNotAveraged) {
   study::StudyRecords records = complete_study(4);
   for_each_trial(records, [](study::TrialRow& row) {
     row.outline_censored = true;
@@ -91,8 +91,9 @@ TEST_F(BadInputRecords, TimesThatAllRanOutAreCountedAndNotAveraged) {
   EXPECT_EQ(output.tables.scene_times.at(0).censored, 4);
   EXPECT_FALSE(output.tables.scene_times.at(0).seconds.mean);
   EXPECT_FALSE(output.tables.method_times.at(0).seconds);
-  EXPECT_THAT(written("report.html"), HasSubstr("48 × timed out"));
-  EXPECT_THAT(written("exclusions.csv"), HasSubstr("timed out: the time is only a lower bound"));
+  EXPECT_THAT(written("report.html"), HasSubstr("48 × right-censored"));
+  EXPECT_THAT(written("exclusions.csv"),
+              HasSubstr("right-censored: the time-out is only a lower bound of the time"));
 }
 
 TEST_F(BadInputRecords, MissingCellsAreListedOneByOne) {

@@ -153,7 +153,7 @@ TEST(BidsEyeTracking, RecordingsWithoutAFrequencyAreCounted) {
   EXPECT_EQ(eyes.too_short(), 1U);
 }
 
-TEST(BidsEyeTracking, TheLastValidationThatSawAnythingTellsTheError) {
+TEST(BidsEyeTracking, HasTheAccuracyOfTheLastValidationWithValidSamples) {
   const std::vector<study::GazeRunRow> validations = {
       {.participant = "P1", .run = 1, .accuracy_deg = 2.5},
       {.participant = "P1", .run = 2, .accuracy_deg = 0.5},

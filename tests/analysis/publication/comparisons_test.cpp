@@ -88,8 +88,8 @@ TEST(Comparisons, APlanMayNameThePairTheOtherWayRound) {
   EXPECT_TRUE(find(comparisons, "material", "vp", "od").primary);
 }
 
-// An estimate from bounds of the times that ran out was biased, and its intervals far too short.
-TEST(Comparisons, AreOfTheScenesInWhichNoTimeRanOut) {
+// An estimate from bounds of right-censored times was biased, and its intervals far too short.
+TEST(Comparisons, AreOfTheScenesWithoutRightCensoredTimes) {
   StudyRecords records = complete_study(6);
   trial_of(records, "P3", "aula", "od").outline_censored = true;
   const Comparisons with_one_run_out = compare(records);

@@ -50,9 +50,9 @@ TEST(InjectedStudies, AreSimulatedAndComplete) {
   EXPECT_TRUE(tabulate_study(records).set.exclusions.empty());
 }
 
-TEST(InjectedStudies, HoldTheEffectsThatWasInjected) {
-  InjectedEffects truth{.participants = 400};
-  const StudyTables tables = tabulate_study(study_with_injected_effects(truth, 11));
+TEST(InjectedStudies, HoldTheEffectsThatWereInjected) {
+  InjectedEffects effects{.participants = 400};
+  const StudyTables tables = tabulate_study(study_with_injected_effects(effects, 11));
   // The standard error is a percent and a half of the value.
   EXPECT_NEAR(tables.method_times_of(Mark::outline, 2).percent_of_baseline->value, 10.0, 0.6);
   EXPECT_NEAR(tables.method_times_of(Mark::outline, 1).percent_of_baseline->value, 32.0, 2.0);

@@ -52,7 +52,7 @@ TEST(Figures, EveryFileSaysWhoseDataItShows) {
   }
 }
 
-TEST(Figures, ACrowdIsDrawnWithoutItsDots) {
+TEST(Figures, ManyParticipantsAreDrawnWithoutDots) {
   const auto length_of = [](int participants) {
     const std::vector<Figure> figures = draw_figures(tabulate_study(complete_study(participants)));
     return figures.at(0).svg.size();

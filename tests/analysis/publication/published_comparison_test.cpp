@@ -54,7 +54,7 @@ const ComparedCell& cell_of(const Compared& compared, const std::string& row,
   return *found;
 }
 
-TEST(PublishedComparison, ASceneStandsBesideItsOwnOrItsCounterpart) {
+TEST(PublishedComparison, ASceneIsComparedWithItselfOrItsCounterpart) {
   const Compared compared = compare(complete_study(5));
   const ComparedCell& own = cell_of(compared, "aula", "mean");
   EXPECT_EQ(own.own_row, "aula");
@@ -108,7 +108,7 @@ TEST(PublishedComparison, InsideARangeThereIsNoDifference) {
   EXPECT_EQ(difference_of(cell), -0.5);
 }
 
-TEST(PublishedComparison, TheRangesOfTheTextStandBesideGeometricMeans) {
+TEST(PublishedComparison, TheRangesOfTheTextAreComparedWithGeometricMeans) {
   const Compared compared = compare(complete_study(5));
   const ComparedCell& fv =
       cell_of(compared, "all scenes", "mean", "geometric mean", "material", "fv");

@@ -26,7 +26,7 @@ TEST(PublishedMeans, AreThoseOfThePaper) {
   EXPECT_EQ(published_mean_of(means, "od", "fv")->high, 12.0);
 }
 
-TEST(PublishedMeans, StandOnlyBesideWhatThePaperCompared) {
+TEST(PublishedMeans, AreShownOnlyForWhatThePaperCompared) {
   const auto means = read_published_means(data_file);
   EXPECT_FALSE(published_mean_of(means, "od", "hybrid"));
   EXPECT_FALSE(published_mean_of(means, "vp", "fv"));

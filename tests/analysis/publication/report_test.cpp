@@ -87,7 +87,7 @@ TEST(Report, NamesTheProtocolAndThePaper) {
   EXPECT_THAT(html, HasSubstr("10.1007/s41095-018-0113-0"));
 }
 
-TEST(Report, PublishedValuesStandBesideOurs) {
+TEST(Report, PublishedValuesAreShownWithTheStudys) {
   EXPECT_THAT(report_of(golden_study_records()), HasSubstr("<td>9–12</td>"));
 }
 
@@ -134,11 +134,12 @@ TEST(Report, RaisesAFlagWhereAGateWasMissed) {
   EXPECT_THAT(html, HasSubstr("⚑ Validation of the gaze: 0 of 3 participants passed"));
 }
 
-TEST(Report, CountsTimesThatRanOutWithoutEstimatingFromTheirBounds) {
+TEST(Report, CountsRightCensoredTimesWithoutEstimatingFromTheirBounds) {
   const std::string html = report_of(golden_study_records());
   EXPECT_THAT(html, Not(HasSubstr("as bounds")));
   EXPECT_THAT(html, Not(HasSubstr("Ratio with bounds")));
-  EXPECT_THAT(html, HasSubstr("2 × timed out: the time is only a lower bound"));
+  EXPECT_THAT(html,
+              HasSubstr("2 × right-censored: the time-out is only a lower bound of the time"));
 }
 
 TEST(Report, WhatWasPlannedStandsApart) {
@@ -164,7 +165,9 @@ TEST(Report, ShowsTheFloorOfReactionTimes) {
 
 TEST(Report, ListsWhatWasLeftOut) {
   const std::string html = report_of(golden_study_records());
-  EXPECT_THAT(html, HasSubstr("<li>2 × timed out: the time is only a lower bound</li>"));
+  EXPECT_THAT(
+      html,
+      HasSubstr("<li>2 × right-censored: the time-out is only a lower bound of the time</li>"));
   EXPECT_THAT(html, HasSubstr("<li>1 × session interrupted</li>"));
   EXPECT_THAT(report_of(complete_study(2)), HasSubstr("Nothing: every session was completed"));
 }

@@ -32,7 +32,7 @@ TEST(TrialData, TheLongTableHasARowForEveryPlannedTrial) {
                                    "12.0567", "false", "2"));
 }
 
-TEST(TrialData, WhatRanOutIsABoundAndWhatIsMissingIsEmpty) {
+TEST(TrialData, RightCensoredTimesAreBoundsAndMissingOnesAreEmpty) {
   const StudyTables tables = tabulate_study(golden_study_records());
   const std::vector<CsvRow> rows = parse_csv(trials_long_csv(tables.set), "long");
   const CsvRow& ran_out = rows.at(1 + 2 * 9);
@@ -74,9 +74,9 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
   const PsychDs shared = psych_ds(tabulate_study(records), records.background);
   const nlohmann::json json = nlohmann::json::parse(shared.description.content);
   EXPECT_EQ(json["@type"], "Dataset");
-  std::set<std::string> told;
+  std::set<std::string> described;
   for (const nlohmann::json& variable : json["variableMeasured"]) {
-    EXPECT_TRUE(told.insert(variable["name"]).second) << variable["name"];
+    EXPECT_TRUE(described.insert(variable["name"]).second) << variable["name"];
     EXPECT_FALSE(variable["description"].get<std::string>().empty());
   }
   std::set<std::string> columns;
@@ -86,7 +86,7 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
     const CsvRow heading = parse_csv(file, "data").at(0);
     columns.insert(heading.begin(), heading.end());
   }
-  EXPECT_EQ(told, columns);
+  EXPECT_EQ(described, columns);
   EXPECT_TRUE(columns.contains("material_s.barn.fv"));
   EXPECT_TRUE(columns.contains("background.graphics_3d"));
   EXPECT_THAT(json["description"].get<std::string>(), HasSubstr("Simulated data"));

@@ -5,6 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "tests/analysis/golden.h"
+#include "tests/analysis/pairs.h"
 
 namespace foveola::analysis {
 namespace {
@@ -20,7 +21,8 @@ TEST(PairedT, TestsIntervalsAndEffectSizesAreThoseOfR) {
       continue;
     }
     SCOPED_TRACE(name);
-    const TTest test = paired_t(golden_column(matrix, 0), golden_column(matrix, 1)).value();
+    const TTest test =
+        one_sample_t(differences(golden_column(matrix, 0), golden_column(matrix, 1))).value();
     EXPECT_EQ(test.n, matrix.size());
     EXPECT_GOLDEN(test.t, golden.at(name + ".t"));
     EXPECT_GOLDEN(test.p, golden.at(name + ".p"));
@@ -41,7 +43,7 @@ TEST(PairedT, RatiosAreThoseOfR) {
     }
     SCOPED_TRACE(name);
     const RatioTest test =
-        paired_ratio_t(golden_column(matrix, 0), golden_column(matrix, 1)).value();
+        ratio_t(log_ratios(golden_column(matrix, 0), golden_column(matrix, 1))).value();
     EXPECT_GOLDEN(test.ratio, golden.at(name + ".ratio"));
     EXPECT_GOLDEN(test.interval.low, golden.at(name + ".ratio_low"));
     EXPECT_GOLDEN(test.interval.high, golden.at(name + ".ratio_high"));
@@ -55,16 +57,16 @@ TEST(PairedT, RatiosAreThoseOfR) {
 }
 
 TEST(PairedT, WhatDoesNotVaryHasNoT) {
-  EXPECT_FALSE(paired_t(std::vector<double>{3, 4, 5}, std::vector<double>{1, 2, 3}));
-  EXPECT_FALSE(paired_t(std::vector<double>{3}, std::vector<double>{1}));
-  EXPECT_FALSE(paired_t(std::vector<double>{}, std::vector<double>{}));
+  EXPECT_FALSE(one_sample_t(std::vector<double>{2, 2, 2}));
+  EXPECT_FALSE(one_sample_t(std::vector<double>{2}));
+  EXPECT_FALSE(one_sample_t(std::vector<double>{}));
 }
 
-TEST(PairedT, ARatioTurnsOverWithItsSides) {
+TEST(PairedT, SwappingTheSidesInvertsTheRatio) {
   const std::vector<double> a = {1.5, 2.5, 9, 4};
   const std::vector<double> b = {7, 5, 12, 4.5};
-  const RatioTest forward = paired_ratio_t(a, b).value();
-  const RatioTest backward = paired_ratio_t(b, a).value();
+  const RatioTest forward = ratio_t(log_ratios(a, b)).value();
+  const RatioTest backward = ratio_t(log_ratios(b, a)).value();
   EXPECT_DOUBLE_EQ(forward.ratio, 1.0 / backward.ratio);
   EXPECT_DOUBLE_EQ(forward.interval.low, 1.0 / backward.interval.high);
   EXPECT_DOUBLE_EQ(forward.logs.p, backward.logs.p);
@@ -79,13 +81,14 @@ TEST(PairedT, UnitsDoNotMatterToRatios) {
     ms[i] *= 1000.0;
     baseline_ms[i] *= 1000.0;
   }
-  EXPECT_GOLDEN(paired_ratio_t(ms, baseline_ms)->logs.p, paired_ratio_t(seconds, baseline)->logs.p);
+  EXPECT_GOLDEN(ratio_t(log_ratios(ms, baseline_ms))->logs.p,
+                ratio_t(log_ratios(seconds, baseline))->logs.p);
 }
 
 TEST(PairedT, ATimeWithoutALogarithmIsNamed) {
   EXPECT_THAT(
       [] {
-        (void)paired_ratio_t(std::vector<double>{1, 0}, std::vector<double>{1, 2});
+        (void)logarithms(std::vector<double>{1, 0});
       },
       ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
 }

@@ -9,19 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/analysis/golden.h"
+#include "tests/analysis/pairs.h"
 
 namespace foveola::analysis {
 namespace {
 
-std::vector<double> differences_of(const GoldenMatrix& matrix) {
-  std::vector<double> differences;
-  for (const auto& row : matrix) {
-    differences.push_back(row[0].value() - row[1].value());
-  }
-  return differences;
-}
-
-/// All of them, in their order: what pseudo_median does without listing them.
+/// All Walsh averages in increasing order, which pseudo_median never lists.
 std::vector<double> walsh_averages(const std::vector<double>& values) {
   std::vector<double> averages;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -42,7 +35,8 @@ TEST(PseudoMedian, IsThatOfR) {
       continue;
     }
     SCOPED_TRACE(name);
-    const PseudoMedian found = pseudo_median(differences_of(matrix)).value();
+    const PseudoMedian found =
+        pseudo_median(differences(golden_column(matrix, 0), golden_column(matrix, 1))).value();
     EXPECT_GOLDEN(found.value, golden.at(name + ".pseudo_median"));
     ++values;
     if (golden.contains(name + ".pseudo_median_low")) {

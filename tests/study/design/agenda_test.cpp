@@ -47,7 +47,7 @@ TEST(Agenda, AnObjectIsChosenOnceASceneOrForEachTrial) {
   EXPECT_EQ(choices_of(agenda_of(protocol, plan)), "!!!!!!");
 }
 
-TEST(Agenda, NothingTellsACatchTrialFromATest) {
+TEST(Agenda, ACatchTrialHasTheStepsOfATest) {
   const Protocol protocol = test::small_protocol(2, 2, Order::fixed, Order::fixed);
   const auto test = [](const char* scene) { return PlannedTrial{.scene = scene, .method = "x"}; };
   const auto practice = [](const char* scene) {

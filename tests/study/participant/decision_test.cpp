@@ -75,7 +75,7 @@ TEST(Decision, FollowsEvidenceWithALeakyMean) {
   EXPECT_FALSE(press(plain, Task::mark_outline, flash));
 }
 
-TEST(Decision, IsMadeByOnesOwnCriteria) {
+TEST(Decision, IsMadeByThePersonsOwnCriteria) {
   const Traits strict{.outline_criterion = 2.0, .material_criterion = 0.5};
   EXPECT_FALSE(press(plain, Task::mark_outline, always(outline(9.9)), {}, strict));
   EXPECT_TRUE(press(plain, Task::mark_outline, always(outline(10.1)), {}, strict));
@@ -160,7 +160,7 @@ TEST(Decision, LapsesComeAsOftenAndAreAsLongAsTheyShould) {
   EXPECT_NEAR(of_delays.mean, 0.5, mean_tolerance(std::sqrt(2.0 - 0.25)));
 }
 
-TEST(Decision, EarlyPressesAreMadeOnLessEvidenceAndSomeAreRegretted) {
+TEST(Decision, EarlyPressesAreMadeOnLessEvidenceAndSomeAreNoticed) {
   DecisionHabits habits = plain;
   habits.early_part = 0.3;
   habits.early_noticed_part = 0.6;

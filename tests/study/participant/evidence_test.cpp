@@ -68,7 +68,7 @@ TEST(PooledDifference, IsTheRootOfTheSumOfPowers) {
 }
 
 // The threshold of cells of 1 degree at the gaze is exp(0.106 / 2) of a large area's.
-TEST(OutlineSignalToNoise, OfOneJndWithoutNoiseIsJustWhatTells) {
+TEST(OutlineSignalToNoise, OfOneJndWithoutNoiseIsRosesCriterion) {
   const Visibility visibility(vision, 1.0);
   const double jnd_squared = std::exp(0.106);
   const std::vector<PatchEnergies> contour{patch(0.0, 10.0, 0.0, jnd_squared)};

@@ -17,7 +17,7 @@ TEST_F(SimulatedParticipantTest, MarksAFinishedImageAfterLookingAndReacting) {
   }
 }
 
-TEST_F(SimulatedParticipantTest, NeverMarksBlackness) {
+TEST_F(SimulatedParticipantTest, NeverMarksABlackImage) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     EXPECT_EQ(marks(participant(seed), black), Marks{});
   }
@@ -65,7 +65,7 @@ TEST_F(SimulatedParticipantTest, LooksAtTheChosenObjectOnly) {
   EXPECT_TRUE(marks(person, finished_at_object).material_s);
 }
 
-TEST_F(SimulatedParticipantTest, LosesInterestAfterAMark) {
+TEST_F(SimulatedParticipantTest, PressesOnceForEachTask) {
   SimulatedParticipant person = participant(4);
   sit_down(person, 0);
   Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
