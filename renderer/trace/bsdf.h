@@ -35,7 +35,8 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
-  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
+  OpaqueLayersOf<float> layers_of(const Reflectance& reflectance,
+                                  const ScatteringTables& tables) const;
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
   float choose_probabilities();
   BsdfValue eval_reflection(const Vec3& incoming) const;

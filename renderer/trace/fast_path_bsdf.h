@@ -2,6 +2,8 @@
 // time.
 #pragma once
 
+#include <optional>
+
 #include "renderer/base/lanes.h"
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/ggx_albedo.h"
@@ -57,10 +59,13 @@ class FastPathBsdfs {
   Samples sample(const Floats& u_lobe, const Vec2s& u) const;
 
  private:
+  OpaqueLayersOf<Floats> shiny_layers(const FastPathLayersLanes& layers,
+                                      const GgxAlbedo& albedo) const;
+
   bool any_shiny_;
   Vec3s outgoing_;
   OpaqueLayersOf<Floats> layers_;
-  MicrofacetLobeOf<Floats> microfacets_;  ///< only if any is shiny
+  std::optional<MicrofacetLobeOf<Floats>> microfacets_;  ///< only if any is shiny
   Floats specular_probability_, diffuse_probability_;
 };
 
