@@ -17,7 +17,7 @@ struct FastPathLayers {
   Rgb base_color;
   float metallic;
   float roughness;
-  CoatReflectance coat;  ///< of the material's dielectric part
+  CoatReflectance coat;  ///< reflectance of the dielectric part's coat
 
   /// The microfacets reflect.
   bool is_shiny;
@@ -26,7 +26,7 @@ FastPathLayers fast_path_layers(const Reflectance& reflectance);
 
 /// Whether FastPathBsdfs can take a surface: it is opaque and has no covers.
 bool is_on_fast_path(const Reflectance& reflectance);
-/// Whether they can take its roughness too: in single precision.
+/// Whether FastPathBsdfs can take its roughness too, for which single precision is enough.
 bool is_on_fast_path(const FastPathLayers& layers);
 
 /// Gathers the layers of eight surfaces; black where nothing was put.
@@ -41,7 +41,7 @@ class FastPathLayersLanes {
   bool any_shiny_ = false;
 };
 
-/// As Bsdf, with its directions, of eight surfaces.
+/// The same BSDF as Bsdf's for eight surfaces, with the same local directions.
 class FastPathBsdfs {
  public:
   /// outgoing: unit length, z > 0. albedo must outlive this object.

@@ -30,7 +30,7 @@ struct SchlickAlbedoOf {
 using SchlickAlbedo = SchlickAlbedoOf<float>;
 using SchlickAlbedos = SchlickAlbedoOf<Floats>;
 
-/// From least to most, perceptual, in [0, 1].
+/// Perceptual roughnesses, in [0, 1].
 struct RoughnessInterval {
   float least = 0.0F;
   float most = 1.0F;
@@ -58,7 +58,7 @@ class GgxAlbedo {
     const Vec2* nodes_ = nullptr;
     const SchlickAlbedo* means_ = nullptr;
     IntOf<Number> smoother_{};    ///< number of the table's row below the roughness
-    IntOf<Number> first_node_{};  ///< of that row
+    IntOf<Number> first_node_{};  ///< index of that row's first node
     Number alpha_{};
     Number rougher_weight_{};
   };

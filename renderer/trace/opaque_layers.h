@@ -130,12 +130,12 @@ class OpaqueLayersOf {
   /// not reflect.
   static constexpr float darkest_below_coat = 0.02F;
 
-  bool has_coat_ = false;  ///< of any lane
+  bool has_coat_ = false;  ///< any lane has one
   GgxAlbedo::RowOf<Number> albedo_;
   SchlickAlbedoOf<Number> lobe_;
   Number coat_albedo_{};
   Vector specular_normal_{}, specular_grazing_{};
-  Number layer_f0_{}, layer_f90_{};  ///< of the coat over the Lambertian layer, strongest channel
+  Number layer_f0_{}, layer_f90_{};  ///< the coat's strongest channel, over the Lambertian layer
   Vector diffuse_{};                 ///< the Lambertian layer's BSDF but for (1 - E(incoming))
   Number specular_albedo_{}, diffuse_albedo_{};
 };
