@@ -12,7 +12,7 @@
 
 namespace foveola::scenes {
 
-/// In alphabetical order.
+/// The names of the built-in scenes, in alphabetical order.
 std::vector<std::string> builtin_names();
 
 /// Where the cache keeps the scene's .glb. The file's name carries a digest of the generators'

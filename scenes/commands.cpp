@@ -35,7 +35,7 @@ void warn(const std::string& text) { fmt::print(stderr, "foveola: warning: {}\n"
 struct State {
   const char* word;  ///< "built-in", "real", "another file", "unreadable" or "missing"
   std::string file;  ///< empty if there is none
-  std::vector<std::string> obstacles;  ///< of a missing one: see FileSearch
+  std::vector<std::string> obstacles;  ///< to finding a missing one: see FileSearch
 };
 
 State state_of_builtin(const std::string& name) {
@@ -130,7 +130,8 @@ void list_scenes(bool as_json) {
 
 void add_list(CLI::App& app) {
   const auto as_json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("list", "The scenes known by name, and their state");
+  CLI::App* command = app.add_subcommand(
+      "list", "List the scenes known by name, and whether their files are there");
   command->add_flag("--json", *as_json, "Print the list as JSON");
   command->footer("Example: FOVEOLA_SCENE_PATH=~/scenes foveola scene list");
   command->callback([as_json] { list_scenes(*as_json); });
@@ -165,15 +166,15 @@ void make_scene(const std::string& name, const MakeArguments& arguments) {
 void add_make(CLI::App& app, const std::stop_token& stop) {
   const auto arguments = std::make_shared<MakeArguments>();
   CLI::App* command = app.add_subcommand("make", "Make built-in scenes as .glb files");
-  command->add_option("NAME", arguments->names, "Which (default: all)")
+  command->add_option("NAME", arguments->names, "The scenes to make (default: all)")
       ->check(CLI::IsMember(builtin_names()));
   command->add_option("-o,--output", arguments->folder,
                       "The folder to put them in (default: the cache)");
   command
       ->add_option(
           "--seed", arguments->seed,
-          "Of a variant, with other stones, cloths and leaves in the same places; its file "
-          "bears the seed in its name")
+          "Makes a variant with other stones, cloths and leaves in the same places; its file "
+          "has the seed in its name")
       ->capture_default_str();
   command->footer("Example: foveola scene make arcade -o scenes/");
   command->callback([arguments, stop] {
@@ -236,8 +237,9 @@ fs::path fetch(const Descriptor& descriptor, const FetchArguments& arguments,
 
 void add_fetch(CLI::App& app, const std::stop_token& stop) {
   const auto arguments = std::make_shared<FetchArguments>();
-  CLI::App* command = app.add_subcommand("fetch", "Get a real scene's file, and check it");
-  command->add_option("NAME", arguments->name, "Which; see 'foveola scene list'")->required();
+  CLI::App* command =
+      app.add_subcommand("fetch", "Get the file of a scene that is not built in, and check it");
+  command->add_option("NAME", arguments->name, "The scene; see 'foveola scene list'")->required();
   CLI::Option* from = command->add_option("--from", arguments->from,
                                           "A file or folder to take it from, in place of the web");
   command
@@ -255,7 +257,8 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
 }  // namespace
 
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop) {
-  CLI::App* scene = app.add_subcommand("scene", "The scenes: what there is, and making it");
+  CLI::App* scene =
+      app.add_subcommand("scene", "List the scenes, make built-in ones, fetch others");
   scene->require_subcommand(1);
   add_list(*scene);
   add_make(*scene, stop);

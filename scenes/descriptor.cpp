@@ -106,7 +106,7 @@ ObjectOfInterest read_object(TomlReader table, double metres_per_unit) {
   return object;
 }
 
-/// Throws Error if the last object cannot be told from another, or lies in no direction.
+/// Throws Error if the last object cannot be distinguished from another, or lies in no direction.
 void require_choosable(const TomlReader& table, const SceneSource& source) {
   constexpr double least_distance = 1e-3;  // in the file's units
   const ObjectOfInterest& object = source.objects.back();

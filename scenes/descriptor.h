@@ -12,14 +12,14 @@
 namespace foveola::scenes {
 
 struct Descriptor {
-  std::string name;  ///< the file's, without .toml
+  std::string name;  ///< the name of its file, without .toml
   std::string author;
   std::string licence;
   std::string origin;       ///< the page of a real scene; empty for a built-in one
   std::string counterpart;  ///< the built-in scene that stands in for a real one; may be empty
   bool is_builtin = false;
-  std::string file_name;  ///< of a real scene: a .glb, which has all in it
-  /// Of the file that the descriptor was written for; empty and 0 if not stated.
+  std::string file_name;  ///< name of a real scene's .glb, which has all in it
+  /// SHA-256 and size of the file that the descriptor was written for; empty and 0 if not stated.
   std::string sha256;
   std::uint64_t size_bytes = 0;
   std::string address;  ///< where this file can be downloaded; empty if nowhere
@@ -38,7 +38,7 @@ struct DescriptorList {
   std::vector<std::string> faults;      ///< what is wrong with those that cannot be read
 };
 
-/// All of the program's own.
+/// All descriptors of the program's own.
 DescriptorList all_descriptors();
 
 /// Whether `file` is the one that the descriptor was written for, by its size and SHA-256. Throws

@@ -22,7 +22,8 @@ enum class Accept {
   any_glb,         ///< a person's own conversion too, in its place and under its name
 };
 
-/// The same from a file, or from a folder that holds one of that name, there or one folder below.
+/// Copies the descriptor's file into fetched_folder() from a file, or from a folder that holds one
+/// of that name, there or one folder below.
 std::filesystem::path fetch_from_disk(const Descriptor& descriptor,
                                       const std::filesystem::path& file_or_folder, Accept accept);
 

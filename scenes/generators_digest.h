@@ -8,7 +8,7 @@ namespace foveola::scenes {
 /// the laboratory, which asks for them.
 const char* generators_digest();
 
-/// With what the program that makes scenes refuses to make those of other generators.
+/// The exit code of the program that makes scenes when asked for those of other generators.
 constexpr int refusal_exit_code = 2;
 
 }  // namespace foveola::scenes

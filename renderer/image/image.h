@@ -1,4 +1,4 @@
-// Plain images: rows of linear colours, first row at the top.
+// Images in memory: rows of linear colours, first row at the top.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ struct RgbImage {
 struct FilmImage {
   RgbImage color;
   std::vector<std::uint32_t> samples;
-  /// Of each pixel's samples' luminances; 0 where there are fewer than two. Empty: not known.
+  /// Variance of the luminances of each pixel's samples; 0 where there are fewer than two. Empty if
+  /// not known.
   std::vector<float> variances;
 };
 

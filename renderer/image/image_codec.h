@@ -12,7 +12,8 @@
 
 namespace foveola {
 
-/// What the header of an image file says. From strangers: nothing of it has been checked.
+/// What the header of an image file says. Files come from strangers: nothing of it has been
+/// checked.
 struct ImageHeader {
   int width = 0;
   int height = 0;
@@ -20,8 +21,8 @@ struct ImageHeader {
   std::vector<std::string> channel_names;
   bool is_flat = true;  ///< neither a volume nor with several values to a pixel and channel
   bool has_bytes = false;
-  bool has_floats = false;     ///< of any length; neither: integers of more than 8 bits
-  std::size_t tile_bytes = 0;  ///< of a tile, which is read as a whole; 0 without
+  bool has_floats = false;     ///< 16 or 32 bits; if neither, integers of more than 8 bits
+  std::size_t tile_bytes = 0;  ///< size of a tile, which is read as a whole; 0 without tiles
 };
 
 /// An image whose pixels have not been read yet.
@@ -47,7 +48,7 @@ struct EncodableImage {
   int height = 0;
   std::vector<std::string> channel_names;
   std::vector<std::pair<std::string, std::string>> attributes;  ///< for the file's header
-  std::span<const std::uint8_t> bytes;                          ///< interleaved; or
+  std::span<const std::uint8_t> bytes;  ///< interleaved; empty if there are floats
   std::span<const float> floats;
 };
 

@@ -1,4 +1,4 @@
-// Images in files, through OpenImageIO.
+// Reads and writes image files, through OpenImageIO.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace foveola {
 /// Throws UsageError unless the extension is .exr or .png.
 void require_image_extension(const std::filesystem::path& path);
 
-/// What an .exr says of itself: names and values of its header.
+/// Names and values in the header of an .exr.
 using ImageFacts = std::map<std::string, std::string>;
 
 /// .exr: float channels R, G, B, `samples` and, if they are known, `variance`, with `facts` in its

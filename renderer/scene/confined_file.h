@@ -13,7 +13,7 @@ namespace foveola {
 /// file.
 std::filesystem::path confined_file(const std::filesystem::path& folder, std::string_view uri);
 
-/// Likewise, but nothing if `uri` stays in the folder and names what is not there.
+/// The same file, or nothing if `uri` stays in the folder and names a file that does not exist.
 std::optional<std::filesystem::path> confined_file_if_there(const std::filesystem::path& folder,
                                                             std::string_view uri);
 

@@ -11,13 +11,13 @@ namespace foveola {
 
 enum class ImageFormats : std::uint8_t {
   texture,      ///< PNG and JPEG, which glTF has
-  environment,  ///< those, EXR and HDR
+  environment,  ///< PNG, JPEG, EXR and HDR
 };
 
-/// Opens an image of one of the formats, told by its first bytes; alpha will not be premultiplied.
-/// `encoded` must outlive the result. Throws std::runtime_error that says what is wrong if it is of
-/// another format, cut off or damaged, not flat, larger than 16384 pixels on a side, or announces
-/// more pixels than so many bytes can hold.
+/// Opens an image of one of the formats, recognised by its first bytes; alpha will not be
+/// premultiplied. `encoded` must outlive the result. Throws std::runtime_error that says what is
+/// wrong if it is of another format, cut off or damaged, not flat, larger than 16384 pixels on a
+/// side, or announces more pixels than so many bytes can hold.
 std::unique_ptr<ImageReader> open_image(std::span<const unsigned char> encoded,
                                         ImageFormats allowed);
 

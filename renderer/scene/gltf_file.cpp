@@ -90,7 +90,7 @@ struct References {
   std::filesystem::path folder;
   std::size_t next = 0;
   std::uintmax_t total_size = 0;
-  FileHashes hashes;  ///< of the files that were read
+  FileHashes hashes;  ///< SHA-256s of the files that were read
 };
 
 /// A scene whose unused images are missing can be shown, but one that names a file outside its

@@ -19,12 +19,12 @@ struct GltfFile {
   /// those in a buffer view are left there.
   std::shared_ptr<const tinygltf::Model> model;
   std::filesystem::path folder;  ///< where uris begin; those of images do not lead out of it
-  std::string sha256;            ///< of the file itself
-  FileHashes buffer_hashes;      ///< of the files of buffers
+  std::string sha256;            ///< SHA-256 of the file itself
+  FileHashes buffer_hashes;      ///< SHA-256s of the files that hold buffers
 };
 
-/// Reads a .glb or .gltf file (told apart by content) and the buffers in its folder that it refers
-/// to. Throws Error if the file itself cannot be read, GltfFault if its content is wrong.
+/// Reads a .glb or .gltf file (distinguished by content) and the buffers in its folder that it
+/// refers to. Throws Error if the file itself cannot be read, GltfFault if its content is wrong.
 GltfFile read_gltf_file(const std::filesystem::path& path);
 
 }  // namespace foveola

@@ -25,10 +25,11 @@ class GltfImages {
   /// The PNG or JPEG bytes, or whatever they are, of an image that has been loaded.
   std::span<const unsigned char> encoded(int image) const;
 
-  /// Of what the images that have been loaded lie in: buffers, data: uris and files, each once.
+  /// The size of the buffers, data: uris and files that the loaded images lie in, each counted
+  /// once.
   std::size_t encoded_bytes() const { return encoded_bytes_; }
 
-  /// Of the files that were read.
+  /// SHA-256s of the files that were read.
   FileHashes hashes() const;
 
  private:
@@ -36,10 +37,10 @@ class GltfImages {
 
   const GltfFile& file_;
   std::set<int> loaded_;
-  std::set<int> buffers_;  ///< that hold images
+  std::set<int> buffers_;  ///< indices of the buffers that hold images
   std::size_t encoded_bytes_ = 0;
-  std::map<int, std::filesystem::path> paths_;             ///< of images in files of their own
-  std::map<std::filesystem::path, std::string> contents_;  ///< of those files
+  std::map<int, std::filesystem::path> paths_;  ///< by image, where it has a file of its own
+  std::map<std::filesystem::path, std::string> contents_;  ///< by path
 };
 
 }  // namespace foveola

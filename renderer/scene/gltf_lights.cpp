@@ -122,7 +122,7 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
   if (!units && meant == LightUnits::photometric && !result.empty()) {
     warnings.add(
         "the lights are divided by 683 lm/W, since Blender's exporter writes them in lux and "
-        "candela, unlike emission; if it was told \"Unitless\" or \"Raw\", give --light-units "
+        "candela, unlike emission; if it was set to \"Unitless\" or \"Raw\", give --light-units "
         "radiometric");
   }
   return result;

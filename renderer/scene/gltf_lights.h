@@ -15,7 +15,7 @@ namespace foveola {
 
 /// What the lights of a file with this `asset.generator` are given in, as far as that says it.
 /// Blender's exporter ("Khronos glTF Blender I/O v3.4.50") multiplies them by 683 lm/W since its
-/// version 3.4.40, the first after its pull request 1760, unless it is told to export "Unitless" or
+/// version 3.4.40, the first after its pull request 1760, unless it is set to export "Unitless" or
 /// "Raw", which leaves no trace in the file. Whatever else wrote a file: radiometric.
 LightUnits light_units_of(std::string_view generator);
 

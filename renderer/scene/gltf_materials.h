@@ -15,8 +15,8 @@ struct GltfMaterials {
   /// As in the file, then the default material if there is a primitive without one.
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<VertexNeeds> needs;  ///< of the meshes with each material
-  FileHashes image_hashes;         ///< of the files of the images in use
+  std::vector<VertexNeeds> needs;  ///< what the meshes with each material need
+  FileHashes image_hashes;         ///< SHA-256s of the image files in use
 
   /// The index into both of what a primitive calls `material`.
   std::size_t index_of(int material) const {

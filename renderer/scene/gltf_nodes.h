@@ -29,7 +29,7 @@ struct PlacedItem {
 struct PlacedNodes {
   std::vector<std::vector<Placement>> meshes;  ///< by index of the glTF mesh
   std::vector<PlacedItem> cameras;             ///< in the order of the nodes
-  std::vector<PlacedItem> lights;              ///< likewise
+  std::vector<PlacedItem> lights;              ///< in the order of the nodes
 };
 
 /// Visits the nodes of the default scene (else the first; else, where a file has no scenes, all

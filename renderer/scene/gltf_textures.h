@@ -32,7 +32,7 @@ class TextureSet {
   /// take more memory than require_modest_memory grants.
   std::vector<Texture> decode() const;
 
-  /// Of the files of the images that are used.
+  /// SHA-256s of the files of the images that are used.
   FileHashes image_hashes() const { return images_.hashes(); }
 
  private:

@@ -13,7 +13,7 @@ namespace foveola {
 DecodedImage with_alpha(const std::optional<DecodedImage>& color, const DecodedImage& mask);
 
 /// Roughness in green and metalness in blue, from the greys or reds of the two; 255 for what is
-/// missing. Size as above; one of the two must be there.
+/// missing. As large as with_alpha() would be; one of the two must be there.
 DecodedImage roughness_metallic(const std::optional<DecodedImage>& roughness,
                                 const std::optional<DecodedImage>& metallic);
 

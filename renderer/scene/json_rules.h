@@ -15,8 +15,8 @@ namespace foveola::json_rules {
 /// A value's place in the document, spelled out as "meshes[3].name" only when something is wrong.
 struct Place {
   const Place* parent = nullptr;
-  std::string_view key;   ///< of an object's member; empty for an array's element
-  std::size_t index = 0;  ///< of an array's element
+  std::string_view key;   ///< name of an object's member; empty for an array's element
+  std::size_t index = 0;  ///< position of an array's element
 
   std::string path() const;
 };

@@ -67,8 +67,9 @@ std::vector<std::string> library_names(const fs::path& folder, const std::string
 /// A material of some library.
 struct LibraryMaterial {
   MtlMaterial values;
-  std::string folder;  ///< of the library, as it is named from the OBJ file's: "" or "sub/folder/"
-  std::string place;   ///< for messages
+  std::string
+      folder;  ///< folder of the library, as it is named from the OBJ file's: "" or "sub/folder/"
+  std::string place;  ///< for messages
 };
 
 struct Library {

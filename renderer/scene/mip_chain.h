@@ -11,11 +11,11 @@ namespace foveola {
 struct MipLevel {
   int width = 0;
   int height = 0;
-  std::size_t offset = 0;  ///< of its first byte
+  std::size_t offset = 0;  ///< position of its first byte
 };
 
-/// A coarser level has at least as many texels. The mean of fewer could not be told exactly enough
-/// in 8 bits: half a code is a tenth of a dark colour.
+/// A coarser level has at least as many texels. The mean of fewer could not be stated exactly
+/// enough in 8 bits: half a code is a tenth of a dark colour.
 inline constexpr std::size_t least_mip_texels = 16;
 
 /// Appends to `texels`, an image of 1 to 4 interleaved channels, its averages and returns all

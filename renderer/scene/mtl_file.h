@@ -19,9 +19,10 @@ struct MtlMaterial {
   /// The statements that stand in the file, such as "Kd": what is left out has no value of its own
   /// in `values`.
   std::set<std::string, std::less<>> statements;
-  /// The statements of maps that name no file, which are in neither of the above.
+  /// The statements of maps that name no file, which are neither in `values` nor in `statements`.
   std::size_t maps_without_file = 0;
-  /// Those with words in place of numbers, such as "Kd spectral file.rfl" or "Ns nan", likewise.
+  /// The statements with words in place of numbers, such as "Kd spectral file.rfl" or "Ns nan",
+  /// which are not in `statements` either.
   std::set<std::string, std::less<>> without_numbers;
   /// "d -halo", whose number is read as if it stood alone.
   bool has_halo = false;

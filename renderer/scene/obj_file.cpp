@@ -26,7 +26,7 @@ constexpr std::size_t largest_file = std::size_t{1} << 32;
 constexpr std::size_t most_parts = std::size_t{1} << 20;
 
 /// Takes what tinyobjloader finds, line by line. Its own reader of whole files is not used: it
-/// loses polygons whose ears it cannot find, and cannot be told to stop at a bad index.
+/// loses polygons whose ears it cannot find, and cannot be made to stop at a bad index.
 class Collector {
  public:
   Collector(std::string file_name, ObjFile& obj, Warnings& warnings)

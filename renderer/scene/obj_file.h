@@ -26,17 +26,17 @@ struct ObjCorner {
 struct ObjPart {
   std::string object;               ///< the last "o", or, as long as there was none, "g"
   std::string material;             ///< the last "usemtl"; may be empty
-  std::vector<ObjCorner> corners;   ///< of one face after the other
-  std::vector<std::size_t> begins;  ///< of each face, its first element in `corners`
+  std::vector<ObjCorner> corners;   ///< one face after the other
+  std::vector<std::size_t> begins;  ///< for each face, the index of its first corner
 };
 
 struct ObjFile {
   std::vector<Vec3> positions;
-  std::vector<Vec2> uvs;  ///< as in the file: v runs upwards
+  std::vector<Vec2> uvs;  ///< as the file has them: v runs upwards
   std::vector<Vec3> normals;
   std::vector<ObjPart> parts;                   ///< in the order of their first face
   std::vector<std::string> material_libraries;  ///< what follows each "mtllib"
-  std::string sha256;                           ///< of the file
+  std::string sha256;                           ///< SHA-256 of the file
 };
 
 /// Reads the file at `path`: faces with their indices resolved and in range. Lines, points, curves

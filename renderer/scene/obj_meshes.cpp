@@ -106,7 +106,7 @@ class MeshBuilder {
   bool has_uvs_;
   int first_plane_ = static_cast<int>(obj_.normals.size());
   int planes_ = 0;
-  Vec3 plane_normal_{0.0F};  ///< of the last of them
+  Vec3 plane_normal_{0.0F};  ///< normal of the last face
   Mesh mesh_;
   std::unordered_map<ObjCorner, std::uint32_t, CornerHash> vertices_;
 };

@@ -40,7 +40,7 @@ DecodedImage content_of(const ObjTexture& texture) {
       return with_alpha(decode(texture.first), decode(texture.second).value());
     case ObjTexture::Content::roughness_metallic:
       return roughness_metallic(decode(texture.first), decode(texture.second));
-    case ObjTexture::Content::plain:
+    case ObjTexture::Content::unchanged:
       break;
   }
   return decode(texture.first).value();
@@ -48,7 +48,7 @@ DecodedImage content_of(const ObjTexture& texture) {
 
 /// A texture of two images is as large as the larger of them, and has up to four channels.
 std::size_t most_bytes_of(const ObjTexture& texture, const std::map<fs::path, ImageSize>& sizes) {
-  if (texture.content == ObjTexture::Content::plain) {
+  if (texture.content == ObjTexture::Content::unchanged) {
     return sizes.at(texture.first).bytes();
   }
   std::size_t pixels = 0;

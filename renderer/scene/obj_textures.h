@@ -17,11 +17,11 @@ namespace foveola {
 /// What a texture's texels are made of.
 struct ObjTexture {
   enum class Content : std::uint8_t {
-    plain,               ///< `first` as it is
+    unchanged,           ///< `first` as it is
     color_alpha,         ///< colour of `first`, or white, and alpha of `second`
     roughness_metallic,  ///< `first` in green and `second` in blue, where there are any
   };
-  Content content = Content::plain;
+  Content content = Content::unchanged;
   std::filesystem::path first;  ///< empty: none
   std::filesystem::path second;
   bool is_srgb = false;

@@ -38,7 +38,7 @@ struct Material {
   Rgb base_color{1.0F};  ///< linear reflectance in [0, 1]
   float alpha = 1.0F;    ///< multiplies the base colour texture's alpha
   AlphaMode alpha_mode = AlphaMode::opaque;
-  float alpha_cutoff = 0.5F;  ///< of AlphaMode::mask
+  float alpha_cutoff = 0.5F;  ///< for AlphaMode::mask
   float metallic = 0.0F;
   float roughness = 1.0F;     ///< perceptual; GGX alpha is its square
   float normal_scale = 1.0F;  ///< multiplies x and y of the normal texture
@@ -51,7 +51,7 @@ struct Material {
   Rgb specular_color{1.0F};     ///< its colour at normal incidence, >= 0
   float transmission = 0.0F;    ///< share of the light entering the dielectric that is let through
   bool is_solid = false;        ///< the mesh bounds a volume that refracts; else it is a thin wall
-  Rgb attenuation_color{1.0F};  ///< of a solid: what is left after the attenuation distance
+  Rgb attenuation_color{1.0F};  ///< what a solid leaves of light after the attenuation distance
   float attenuation_distance_m = std::numeric_limits<float>::infinity();
   float clearcoat = 0.0F;
   float clearcoat_roughness = 0.0F;
@@ -111,15 +111,16 @@ struct PunctualLight {
 
   std::string name;
   Kind kind = Kind::point;
-  Vec3 position{0.0F};                ///< of points and spots
+  Vec3 position{0.0F};                ///< where points and spots stand
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< where spots and directional lights shine, unit length
-  /// Radiant intensity of points and spots; irradiance across its direction of a directional light.
+  /// Points and spots: radiant intensity. Directional lights: irradiance across their direction.
   Rgb intensity{1.0F};
-  float inner_cone_rad = 0.0F;          ///< of spots, from the axis: full intensity inside
-  float outer_cone_rad = 0.785398163F;  ///< nothing outside
-  float radius_m =
-      0.0F;  ///< of points and spots: a sphere of this size, seen by no ray; 0: a point
-  /// Of directional lights: a disc in the sky, which rays do see; 0: none of them does.
+  float inner_cone_rad = 0.0F;          ///< half angle of a spot's full intensity
+  float outer_cone_rad = 0.785398163F;  ///< half angle beyond which a spot gives nothing
+  /// Points and spots are spheres of this size, which no ray sees; 0: they have no size.
+  float radius_m = 0.0F;
+  /// Directional lights are discs of this size in the sky, which rays see; 0: they have no size and
+  /// no ray sees them.
   float angular_radius_rad = 0.0F;
 };
 
@@ -146,7 +147,7 @@ struct Scene {
   std::vector<PunctualLight> lights;
   std::vector<CameraView> cameras;
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
-  std::string sha256;                 ///< of all files it was loaded from: see scene_hash.h
+  std::string sha256;                 ///< covers all files it was loaded from: see scene_hash.h
   /// Where this scene's (0, 0, 0) lies in the file's world, in metres. Not zero for scenes far from
   /// the file's own origin, where floats would be too coarse.
   DVec3 origin{0.0};
@@ -161,9 +162,9 @@ struct Scene {
   const Instance* instance_of(std::uint32_t object) const;
   const std::string& object_name(std::uint32_t object) const;
 
-  /// Of all objects, each instance counted.
+  /// The triangles of all objects, each instance counted.
   std::size_t triangle_count() const;
-  /// Of all objects' vertices; both zero for an empty scene.
+  /// The bounds of all objects' vertices; both zero for an empty scene.
   Bounds bounds() const;
 };
 

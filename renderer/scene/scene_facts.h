@@ -18,7 +18,7 @@ struct SceneFacts {
   std::size_t lights = 0;  ///< points, spots and directional ones
   std::size_t materials = 0;
   std::size_t textures = 0;
-  std::size_t geometry_bytes = 0;  ///< of the loaded arrays; the tracer's hierarchy comes on top
+  std::size_t geometry_bytes = 0;  ///< the loaded arrays, without the tracer's hierarchy
   std::size_t texture_bytes = 0;   ///< with their mip levels; shared texels once
   std::size_t environment_bytes = 0;
   Bounds bounds;

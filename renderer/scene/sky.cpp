@@ -129,7 +129,7 @@ DVec3 cie_xyz(double wavelength_nm) {
           1.217 * lobe(437.0, 11.8, 36.0) + 0.681 * lobe(459.0, 26.0, 13.8)};
 }
 
-constexpr int bands = 38;  ///< of 10 nm, from 380 nm
+constexpr int bands = 38;  ///< each 10 nm wide, from 380 nm on
 
 /// Outside the atmosphere, in 100 W m^-2 sr^-1 nm^-1 (table 2).
 constexpr std::array<double, bands> sun_radiance = {

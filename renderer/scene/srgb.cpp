@@ -20,7 +20,7 @@ ByteTable make_table(double (*decode)(double)) {
 /// most two codes too low: the codes are closest together near black, 3294 to the unit.
 struct SrgbEncoder {
   static constexpr std::size_t buckets = 4096;
-  std::array<float, 256> upper_end{};  ///< of the linear values nearest to each code
+  std::array<float, 256> upper_end{};  ///< for each code, the largest linear value nearest to it
   std::array<std::uint8_t, buckets + 1> first_code{};
 
   SrgbEncoder() {

@@ -21,7 +21,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// How the texture lies on a triangle.
 struct Layout {
-  DVec3 direction;  ///< of the texture's horizontal axis; not of unit length
+  DVec3 direction;  ///< the texture's horizontal axis, not of unit length
   bool mirrored;
 };
 

@@ -46,8 +46,7 @@ class Texture {
 
   int width() const { return levels_[0].width; }
   int height() const { return levels_[0].height; }
-  bool has_alpha() const { return channels_ % 2 == 0; }
-  /// Which other textures may show too.
+  /// The image, which other textures may share.
   const Texels& texels() const { return *texels_; }
 
   /// The linear value at `uv`, whatever its magnitude, in the finest level and with the filter for
@@ -56,7 +55,7 @@ class Texture {
 
   /// The linear value of a footprint around `uv` that is `uv_width` wide, in the unit of uv. In the
   /// level used a texel is as wide as the footprint along the image's longer side. A width that
-  /// is zero, negative or not finite reads as above.
+  /// is zero, negative or not finite reads the finest level.
   Vec4 sample(const Vec2& uv, float uv_width) const;
 
  private:

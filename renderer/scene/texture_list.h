@@ -60,7 +60,7 @@ class TextureList {
 
   std::vector<Content> contents_;
   std::vector<bool> with_mips_;  ///< whether a sampler reads a content's coarser levels
-  std::map<Content, std::size_t> number_of_;  ///< into both
+  std::map<Content, std::size_t> number_of_;  ///< index into both
   std::vector<std::pair<std::size_t, Sampler>>
       textures_;  ///< a content's number, and how it is seen
   std::map<std::pair<std::size_t, Sampler>, int> index_of_;  ///< into textures_

@@ -23,7 +23,7 @@ class Warnings {
     std::size_t count;
   };
   std::vector<Kind> kinds_;
-  std::unordered_map<std::string, std::size_t> index_of_;  ///< of a kind, by what it says
+  std::unordered_map<std::string, std::size_t> index_of_;  ///< index of each kind, by its text
 };
 
 }  // namespace foveola

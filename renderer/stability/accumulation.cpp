@@ -55,10 +55,10 @@ std::vector<StabilityFigure> check_accumulation(const StabilityRun& run) {
   EquirectFilm film(1, 1);
   NumberedBatch batch;
   film.number(std::vector<ViewSample>(batch_samples), batch, run.workers);
-  const std::uint64_t rounds = std::max<std::uint64_t>(1, run.effort.film_samples / batch_samples);
-  for (std::uint64_t i = 0; i < rounds && !run.stop.stop_requested(); ++i) {
+  const std::uint64_t batches = std::max<std::uint64_t>(1, run.effort.film_samples / batch_samples);
+  for (std::uint64_t i = 0; i < batches && !run.stop.stop_requested(); ++i) {
     film.add(batch, known.radiance, run.workers);
-    run.progress(static_cast<double>(i + 1) / static_cast<double>(rounds));
+    run.progress(static_cast<double>(i + 1) / static_cast<double>(batches));
   }
   const FilmPixel pixel = film.pixel(0, 0);
   double worst = 0.0;

@@ -25,11 +25,11 @@ double fresnel_reflectance(double cosine, double eta);
 struct GlassSlab {
   double ior = 1.5;
   double thickness_m = 1.0;
-  double attenuation_per_m = 0.0;  ///< of Beer and Lambert
+  double attenuation_per_m = 0.0;  ///< coefficient of Beer and Lambert's law
 };
 
-/// What passes and what returns, all reflections between the two faces included: the geometric
-/// series of Stokes (1862). cosine: of the angle of incidence in air.
+/// What a slab transmits and reflects, all reflections between the two faces included: the
+/// geometric series of Stokes (1862). cosine: of the angle of incidence in air.
 struct SlabShares {
   double transmitted = 0.0;
   double reflected = 0.0;

@@ -11,15 +11,15 @@ namespace foveola {
 
 /// The sizes of all stress tests. The defaults are for a minute or two on two cores.
 struct StabilityEffort {
-  /// Relative, of radiance with a known answer: it is sampled until five of its standard errors
-  /// are below this.
+  /// Relative tolerance of radiance with a known answer, which is sampled until five of its
+  /// standard errors are below this.
   double tolerance = 0.01;
-  std::uint64_t most_samples = 1 << 22;  ///< of one such radiance
-  int picture_width = 64;  ///< of the pictures that are compared; half as high; multiple of 32
-  int picture_samples_per_pixel = 64;        ///< of the pictures that are compared with each other
+  std::uint64_t most_samples = 1 << 22;  ///< most samples for one such radiance
+  int picture_width = 64;  ///< width of compared pictures, twice their height; multiple of 32
+  int picture_samples_per_pixel = 64;        ///< in pictures that are compared with each other
   std::uint64_t leak_paths = 1'000'000;      ///< in each of the closed rooms
   std::uint64_t scene_paths = 1'000'000;     ///< over all given scenes
-  std::uint32_t scene_seed = 1;              ///< of these paths
+  std::uint32_t scene_seed = 1;              ///< seed of these paths
   std::uint64_t film_samples = 100'000'000;  ///< into one pixel
 };
 

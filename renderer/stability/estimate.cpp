@@ -16,12 +16,12 @@ namespace foveola {
 namespace {
 
 constexpr std::uint32_t batches = 64;
-constexpr std::uint32_t smallest_round = 16;   ///< samples of each batch
-constexpr std::uint32_t largest_round = 8192;  ///< so many that a round's jobs stay in memory
+constexpr std::uint32_t smallest_batch = 16;   ///< samples of each batch
+constexpr std::uint32_t largest_batch = 8192;  ///< so many that a batch's jobs stay in memory
 
 constexpr double percent = 100.0;
 
-/// Sums of radiance that can be continued round after round.
+/// Sums of radiance that can be continued batch after batch.
 class Batches {
  public:
   Batches(const PathTracer& tracer, const Measurement& measurement, const Workers& workers)
@@ -130,8 +130,8 @@ RadianceEstimate measure(const PathTracer& tracer, const Measurement& measuremen
                          const StabilityRun& run) {
   Batches sums(tracer, measurement, run.workers);
   const double target = run.effort.tolerance * measurement.expected / standard_errors_allowed;
-  for (std::uint32_t round = smallest_round;;
-       round = std::min(sums.samples_each(), largest_round)) {
+  for (std::uint32_t round = smallest_batch;;
+       round = std::min(sums.samples_each(), largest_batch)) {
     sums.add(round);
     const RadianceEstimate estimate = sums.estimate();
     const bool is_done = !is_number(estimate.mean) || largest(estimate.standard_error) < target ||

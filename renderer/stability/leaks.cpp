@@ -72,8 +72,8 @@ Room tetrahedron_of_sharp_edges() {
 }
 
 /// The sheet sticks out of the box, so that it meets the walls without a gap; behind it is a lamp.
-/// What is nearer to the line where they meet than floats can tell, a ten-millionth of the room's
-/// size, may be taken for a point behind the sheet.
+/// What is nearer to the line where they meet than floats can distinguish, a ten-millionth of the
+/// room's size, may be taken for a point behind the sheet.
 Room room_behind_a_sheet() {
   Room room{.name = "room behind a sheet without thickness",
             .scene = under_blue_sky(),
@@ -174,7 +174,7 @@ class PlacedRoom {
     const auto jobs = jobs_all_around(static_cast<std::uint32_t>(paths), seed);
     std::vector<Rgb> radiance(jobs.size());
     tracer_->trace(viewpoint, jobs, radiance, {.max_depth = 16, .seed = seed}, workers);
-    // Also what is not a number is no room of darkness.
+    // A radiance that is not a number is no darkness either.
     return static_cast<std::uint64_t>(std::count_if(
         radiance.begin(), radiance.end(), [](const Rgb& value) { return !(value.b == 0.0F); }));
   }

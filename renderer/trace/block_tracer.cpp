@@ -80,24 +80,24 @@ void BlockTracer::count(const Ray& ray) {
 
 LaneMask BlockTracer::advance(const Group& group) {
   prefetch_group(group.first + lane_count);
-  LaneMask plain{};
-  LaneMask other{};
+  LaneMask on_fast_path{};
+  LaneMask on_general_path{};
   for (std::size_t lane = 0; lane < group.size; ++lane) {
     const Arrival arrival = arrive(group.first + lane);
-    plain[lane] = arrival == Arrival::fast_path ? -1 : 0;
-    other[lane] = arrival == Arrival::general_path ? -1 : 0;
+    on_fast_path[lane] = arrival == Arrival::fast_path ? -1 : 0;
+    on_general_path[lane] = arrival == Arrival::general_path ? -1 : 0;
   }
-  if (!any_lane(plain | other)) {
+  if (!any_lane(on_fast_path | on_general_path)) {
     return LaneMask{};
   }
   const GroupNumbers numbers(std::span(paths_->random).subspan(group.first, group.size),
                              needed_numbers());
   LaneMask goes_on{};
-  if (any_lane(other)) {
-    goes_on = advance_alone(group, other, numbers);
+  if (any_lane(on_general_path)) {
+    goes_on = advance_alone(group, on_general_path, numbers);
   }
-  if (any_lane(plain)) {
-    goes_on |= advance_on_fast_path(group, plain, numbers);
+  if (any_lane(on_fast_path)) {
+    goes_on |= advance_on_fast_path(group, on_fast_path, numbers);
   }
   return goes_on;
 }

@@ -1,5 +1,5 @@
 // The transport of light: paths from the camera, one vertex of all of a block's paths after the
-// other, and of plain surfaces' vertices eight at a time.
+// other, and of surfaces on the fast path eight vertices at a time.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace foveola {
 
-/// Where to note what was traced; null for what need not be noted.
+/// Where to note what was traced; null: it is not noted.
 struct TraceNotes {
   std::vector<PathVertex>* vertices = nullptr;
   RayLog* rays = nullptr;
@@ -74,7 +74,7 @@ class BlockTracer {
   Arrival arrive(std::size_t index);
   /// Adds what shines where a path has arrived. False if the path ends there.
   bool gather(Path& path, const Hit& hit);
-  /// There is no vertex any more after the one on the object.
+  /// Whether no vertex follows the one on the object.
   bool is_last(const TracedObject& object) const;
   void add_environment(const Path& path);
   void add_emission(const Path& path, const Hit& hit);
@@ -91,13 +91,13 @@ class BlockTracer {
   /// side of the surface, or something of it is not finite.
   bool send(Path& path, const SurfacePoint& point, const Frame& frame, const BsdfSample& sample,
             const TracedObject& object);
-  /// Whether a job's new values are; if not, its radiance tells of it.
+  /// Whether a job's new values are finite; if not, its radiance becomes not_a_number.
   bool finite(std::uint32_t job, const Rgb& radiance, const Vec3& direction);
   bool survives_roulette(Path& path, float u) const;
 
-  /// The same for plain surfaces, all at once.
+  /// Sends the paths at surfaces on the fast path on, all at once.
   LaneMask advance_on_fast_path(const Group& group, LaneMask lanes, const GroupNumbers& numbers);
-  /// others: where the surface turns out not to be plain.
+  /// others: lanes whose surface turns out to need the general path.
   FastPathLayersLanes layers_of(const Group& group, const SurfacePoints& points,
                                 const LaneMask& lanes, LaneMask& others) const;
   MeshPoint mesh_point(std::size_t index, const SurfacePoints& points, std::size_t lane) const;
@@ -108,14 +108,14 @@ class BlockTracer {
   LaneMask send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
                 const Frames& frames, const FastPathBsdfs& bsdfs, const GroupNumbers& numbers);
 
-  /// Those of the lanes for which finite() is true.
+  /// The lanes whose new values are finite, as above.
   LaneMask finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
                   const Vec3s& direction);
 
   /// Fills the places of the paths that ended with those from the end.
   void close_gaps();
   void add_unblocked_light();
-  /// The tint of the windows on an unblocked shadow ray.
+  /// What the thin transmissive surfaces on an unblocked shadow ray let through.
   Rgb thin_transmittance(Ray ray);
   void note(const Path& path, const Hit& hit) const;
 

@@ -36,28 +36,16 @@ bool is_matte(const Reflectance& reflectance) {
 }  // namespace
 
 Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
-    : outgoing_(raised_above_grazing(outgoing)) {
+    : outgoing_(raised_above_grazing(outgoing)),
+      layers_(is_matte(reflectance) ? OpaqueLayersOf<float>(reflectance.base_color)
+                                    : layers_of(reflectance, tables)),
+      microfacets_(is_matte(reflectance) ? MicrofacetLobe()
+                                         : MicrofacetLobe(reflectance.roughness, outgoing_)) {
   if (is_matte(reflectance)) {
-    layers_ = OpaqueLayersOf<float>(reflectance.base_color);
-    choose_probabilities();
-  } else {
-    set_layers(reflectance, tables);
+    diffuse_probability_ = layers_.diffuse_albedo();
+    return;
   }
-}
-
-void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables) {
-  microfacets_ = MicrofacetLobe(reflectance.roughness, outgoing_);
-  const float dielectric = 1.0F - reflectance.metallic;
-  const float opaque = dielectric * (1.0F - reflectance.transmission);
-  const CoatReflectance coat = coat_reflectance(reflectance);
-  layers_ = OpaqueLayersOf<float>({.base_color = reflectance.base_color,
-                                   .metallic = reflectance.metallic,
-                                   .coat_normal = coat.normal,
-                                   .coat_grazing = coat.grazing,
-                                   .coated = reflectance.is_solid ? opaque : dielectric,
-                                   .opaque = opaque},
-                                  tables.ggx().row(reflectance.roughness), outgoing_.z);
-  if (dielectric * reflectance.transmission > 0.0F) {
+  if ((1.0F - reflectance.metallic) * reflectance.transmission > 0.0F) {
     add_transmission(reflectance, tables);
   }
   const float base_albedo = choose_probabilities();
@@ -66,6 +54,20 @@ void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& ta
     base_scale_ = covers_->base_scale();
     base_probability_ = covers_->base_probability();
   }
+}
+
+OpaqueLayersOf<float> Bsdf::layers_of(const Reflectance& reflectance,
+                                      const ScatteringTables& tables) const {
+  const float dielectric = 1.0F - reflectance.metallic;
+  const float opaque = dielectric * (1.0F - reflectance.transmission);
+  const CoatReflectance coat = coat_reflectance(reflectance);
+  return OpaqueLayersOf<float>({.base_color = reflectance.base_color,
+                                .metallic = reflectance.metallic,
+                                .coat_normal = coat.normal,
+                                .coat_grazing = coat.grazing,
+                                .coated = reflectance.is_solid ? opaque : dielectric,
+                                .opaque = opaque},
+                               tables.ggx().row(reflectance.roughness), outgoing_.z);
 }
 
 void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTables& tables) {

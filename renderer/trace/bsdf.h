@@ -35,7 +35,8 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
-  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
+  OpaqueLayersOf<float> layers_of(const Reflectance& reflectance,
+                                  const ScatteringTables& tables) const;
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
   float choose_probabilities();
   BsdfValue eval_reflection(const Vec3& incoming) const;
@@ -54,11 +55,11 @@ class Bsdf {
   std::optional<ThinWall> wall_;
   std::optional<GlassInterface> glass_;
   bool is_glass_smooth_ = false;
-  float glass_share_ = 0.0F;  ///< of the glass in the mixture
+  float glass_share_ = 0.0F;  ///< the glass's share of the mixture
   Rgb transmitted_{
       0.0F};  ///< share in the mixture and tint of what thin walls or glass let through
   std::optional<CoverLayers> covers_;
-  // Of the lobes, given that the base is sampled, which has a probability itself.
+  // The lobes' probabilities if the base is sampled, and the base's own.
   float specular_probability_ = 0.0F;
   float diffuse_probability_ = 0.0F;
   float transmission_probability_ = 0.0F;

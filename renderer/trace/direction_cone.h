@@ -12,19 +12,19 @@ namespace foveola {
 
 struct DirectionCone {
   Vec3 axis;               ///< unit length
-  float one_minus_cosine;  ///< of the half angle: exact where the cosine is next to 1
+  float one_minus_cosine;  ///< 1 - cos(half angle), exact where the cosine is next to 1
 
   /// sine_squared: of the half angle, which is at most a right one.
   static DirectionCone with_sine_squared(const Vec3& axis, float sine_squared) {
     return {axis, sine_squared / (1.0F + std::sqrt(std::max(0.0F, 1.0F - sine_squared)))};
   }
 
-  /// In steradians.
+  /// The cone's solid angle in steradians.
   float solid_angle() const { return 2.0F * std::numbers::pi_v<float> * one_minus_cosine; }
 
   struct Sample {
     Vec3 direction;  ///< unit length
-    float cosine;    ///< of its angle with the axis
+    float cosine;    ///< cosine of its angle with the axis
     float sine_squared;
   };
   /// u: in the unit square.

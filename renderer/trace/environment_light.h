@@ -34,9 +34,9 @@ class EnvironmentLight {
   double total_luminance() const { return total_luminance_; }
 
  private:
-  /// Of each cell in a row.
+  /// The solid angle of each cell in a row.
   double cell_solid_angle(std::size_t row) const;
-  /// In a cell, `within` it.
+  /// The radiance at the place `within` a cell.
   Rgb radiance_in(std::size_t column, std::size_t row, const Vec2& within) const;
   float pdf_in(std::size_t row, float probability) const;
 
@@ -47,7 +47,7 @@ class EnvironmentLight {
   float rotation_cosine_;
   float rotation_sine_;
   std::optional<PiecewiseConstant2D> cells_;  ///< empty: constant
-  std::vector<double> border_sines_;          ///< of the elevations between the rows of cells
+  std::vector<double> border_sines_;          ///< sines of the elevations between the rows of cells
   std::vector<float> cells_per_sr_;           ///< in each row
   double total_luminance_;
 };

@@ -32,22 +32,13 @@ void FastPathLayersLanes::put(std::size_t lane, const FastPathLayers& layers) {
 
 FastPathBsdfs::FastPathBsdfs(const FastPathLayersLanes& layers, const Vec3s& outgoing,
                              const GgxAlbedo& albedo)
-    : any_shiny_(layers.any_shiny_), outgoing_(raised_above_grazing(outgoing)) {
-  const Vec3s base_color = layers.base_color_.load();
+    : any_shiny_(layers.any_shiny_),
+      outgoing_(raised_above_grazing(outgoing)),
+      layers_(any_shiny_ ? shiny_layers(layers, albedo)
+                         : OpaqueLayersOf<Floats>(layers.base_color_.load())) {
   if (any_shiny_) {
     const Floats roughness = layers.roughness_.load();
-    const Floats metallic = layers.metallic_.load();
-    const Floats dielectric = 1.0F - metallic;
-    microfacets_ = MicrofacetLobeOf<Floats>({.alpha = roughness * roughness}, outgoing_);
-    layers_ = OpaqueLayersOf<Floats>({.base_color = base_color,
-                                      .metallic = metallic,
-                                      .coat_normal = layers.coat_normal_.load(),
-                                      .coat_grazing = layers.coat_grazing_.load(),
-                                      .coated = dielectric,
-                                      .opaque = dielectric},
-                                     albedo.row(roughness), outgoing_.z);
-  } else {
-    layers_ = OpaqueLayersOf<Floats>(base_color);
+    microfacets_.emplace(GgxOf<Floats>{.alpha = roughness * roughness}, outgoing_);
   }
   const Floats total = layers_.specular_albedo() + layers_.diffuse_albedo();
   const LaneMask is_black = total == 0.0F;
@@ -55,12 +46,25 @@ FastPathBsdfs::FastPathBsdfs(const FastPathLayersLanes& layers, const Vec3s& out
   diffuse_probability_ = is_black ? Floats{} : layers_.diffuse_albedo() / total;
 }
 
+OpaqueLayersOf<Floats> FastPathBsdfs::shiny_layers(const FastPathLayersLanes& layers,
+                                                   const GgxAlbedo& albedo) const {
+  const Floats metallic = layers.metallic_.load();
+  const Floats dielectric = 1.0F - metallic;
+  return OpaqueLayersOf<Floats>({.base_color = layers.base_color_.load(),
+                                 .metallic = metallic,
+                                 .coat_normal = layers.coat_normal_.load(),
+                                 .coat_grazing = layers.coat_grazing_.load(),
+                                 .coated = dielectric,
+                                 .opaque = dielectric},
+                                albedo.row(layers.roughness_.load()), outgoing_.z);
+}
+
 FastPathBsdfs::Values FastPathBsdfs::eval(const Vec3s& incoming) const {
   const LaneMask is_above = incoming.z > 0.0F;
   Values values = layers_.diffuse(is_above ? incoming.z : Floats{}, diffuse_probability_);
   if (any_shiny_) {
     auto facets =
-        microfacets_.facets({incoming.x, incoming.y, is_above ? incoming.z : all_lanes(1.0F)});
+        microfacets_->facets({incoming.x, incoming.y, is_above ? incoming.z : all_lanes(1.0F)});
     const LaneMask is_seen = is_above & (specular_probability_ > 0.0F);
     facets.times_cosine = is_seen ? facets.times_cosine : Floats{};
     facets.pdf = is_seen ? facets.pdf : Floats{};
@@ -74,7 +78,7 @@ FastPathBsdfs::Samples FastPathBsdfs::sample(const Floats& u_lobe, const Vec2s& 
   Vec3s incoming = sample_cosine_hemisphere(azimuth, u.y);
   if (any_shiny_) {
     const LaneMask is_specular = u_lobe < specular_probability_;
-    incoming = chosen(is_specular, microfacets_.sample(azimuth, u.y), incoming);
+    incoming = chosen(is_specular, microfacets_->sample(azimuth, u.y), incoming);
   }
   const Values values = eval(incoming);
   const LaneMask is_found = values.pdf != 0.0F;

@@ -2,6 +2,8 @@
 // time.
 #pragma once
 
+#include <optional>
+
 #include "renderer/base/lanes.h"
 #include "renderer/trace/bsdf_value.h"
 #include "renderer/trace/ggx_albedo.h"
@@ -15,7 +17,7 @@ struct FastPathLayers {
   Rgb base_color;
   float metallic;
   float roughness;
-  CoatReflectance coat;  ///< of the material's dielectric part
+  CoatReflectance coat;  ///< reflectance of the dielectric part's coat
 
   /// The microfacets reflect.
   bool is_shiny;
@@ -24,7 +26,7 @@ FastPathLayers fast_path_layers(const Reflectance& reflectance);
 
 /// Whether FastPathBsdfs can take a surface: it is opaque and has no covers.
 bool is_on_fast_path(const Reflectance& reflectance);
-/// Whether they can take its roughness too: in single precision.
+/// Whether FastPathBsdfs can take its roughness too, for which single precision is enough.
 bool is_on_fast_path(const FastPathLayers& layers);
 
 /// Gathers the layers of eight surfaces; black where nothing was put.
@@ -39,7 +41,7 @@ class FastPathLayersLanes {
   bool any_shiny_ = false;
 };
 
-/// As Bsdf, with its directions, of eight surfaces.
+/// The same BSDF as Bsdf's for eight surfaces, with the same local directions.
 class FastPathBsdfs {
  public:
   /// outgoing: unit length, z > 0. albedo must outlive this object.
@@ -57,10 +59,13 @@ class FastPathBsdfs {
   Samples sample(const Floats& u_lobe, const Vec2s& u) const;
 
  private:
+  OpaqueLayersOf<Floats> shiny_layers(const FastPathLayersLanes& layers,
+                                      const GgxAlbedo& albedo) const;
+
   bool any_shiny_;
   Vec3s outgoing_;
   OpaqueLayersOf<Floats> layers_;
-  MicrofacetLobeOf<Floats> microfacets_;  ///< only if any is shiny
+  std::optional<MicrofacetLobeOf<Floats>> microfacets_;  ///< only if any is shiny
   Floats specular_probability_, diffuse_probability_;
 };
 

@@ -1,4 +1,4 @@
-// The part of BlockTracer that works on the vertices of plain surfaces, eight at a time.
+// The part of BlockTracer that works on the vertices on the fast path, eight at a time.
 #include "renderer/trace/block_tracer.h"
 #include "renderer/trace/surface.h"
 #include "renderer/trace/vertex_rules.h"

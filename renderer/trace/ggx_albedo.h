@@ -30,7 +30,7 @@ struct SchlickAlbedoOf {
 using SchlickAlbedo = SchlickAlbedoOf<float>;
 using SchlickAlbedos = SchlickAlbedoOf<Floats>;
 
-/// From least to most, perceptual, in [0, 1].
+/// Perceptual roughnesses, in [0, 1].
 struct RoughnessInterval {
   float least = 0.0F;
   float most = 1.0F;
@@ -55,8 +55,10 @@ class GgxAlbedo {
 
    private:
     friend class GgxAlbedo;
-    const GgxAlbedo* albedo_ = nullptr;
-    IntOf<Number> smoother_{};  ///< number of the table's row below the roughness
+    const Vec2* nodes_ = nullptr;
+    const SchlickAlbedo* means_ = nullptr;
+    IntOf<Number> smoother_{};    ///< number of the table's row below the roughness
+    IntOf<Number> first_node_{};  ///< index of that row's first node
     Number alpha_{};
     Number rougher_weight_{};
   };
@@ -99,15 +101,15 @@ class GgxAlbedo {
     Vec2Of<Number> rougher[2];
   };
   /// index: of the smoother node below the cosine.
-  Cell<float> cell(std::int32_t index) const {
-    const Vec2* smoother = &nodes_[static_cast<std::size_t>(index)];
+  static Cell<float> cell(const Vec2* nodes, std::int32_t index) {
+    const Vec2* smoother = nodes + index;
     const Vec2* rougher = smoother + nodes_in_row;
     return {{smoother[0], smoother[1]}, {rougher[0], rougher[1]}};
   }
-  Cell<Floats> cell(const Ints& index) const {
+  static Cell<Floats> cell(const Vec2* nodes, const Ints& index) {
     Cell<Floats> cells;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const Cell<float> one = cell(index[lane]);
+      const Cell<float> one = cell(nodes, index[lane]);
       for (std::size_t next = 0; next < 2; ++next) {
         cells.smoother[next].x[lane] = one.smoother[next].x;
         cells.smoother[next].y[lane] = one.smoother[next].y;
@@ -118,17 +120,16 @@ class GgxAlbedo {
     return cells;
   }
 
-  const SchlickAlbedo& mean_of_row(std::int32_t number) const {
-    return means_[static_cast<std::size_t>(number)];
+  static SchlickAlbedo mean_of_row(const SchlickAlbedo* means, std::int32_t number) {
+    return means[number];
   }
-  SchlickAlbedos mean_of_row(const Ints& number) const {
-    SchlickAlbedos means;
+  static SchlickAlbedos mean_of_row(const SchlickAlbedo* means, const Ints& number) {
+    SchlickAlbedos of_lanes;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      const SchlickAlbedo& one = mean_of_row(number[lane]);
-      means.white[lane] = one.white;
-      means.grazing[lane] = one.grazing;
+      of_lanes.white[lane] = means[number[lane]].white;
+      of_lanes.grazing[lane] = means[number[lane]].grazing;
     }
-    return means;
+    return of_lanes;
   }
 
   /// Row-major: first a mirror's row, then the roughnesses from 0 on, each over the position of the
@@ -140,8 +141,7 @@ class GgxAlbedo {
 template <typename Number>
 SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
   const NodePositionOf<Number> place(albedo_position(cosine, alpha_), cosine_steps);
-  const auto cell =
-      albedo_->cell(smoother_ * static_cast<std::int32_t>(nodes_in_row) + place.below);
+  const auto cell = GgxAlbedo::cell(nodes_, first_node_ + place.below);
   const auto between = [&](Number Vec2Of<Number>::*value) {
     const auto at_roughness = [&](std::size_t node) {
       const Number smoother = cell.smoother[node].*value;
@@ -155,8 +155,8 @@ SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const
 
 template <typename Number>
 SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
-  const SchlickAlbedoOf<Number> smoother = albedo_->mean_of_row(smoother_);
-  const SchlickAlbedoOf<Number> rougher = albedo_->mean_of_row(smoother_ + 1);
+  const SchlickAlbedoOf<Number> smoother = mean_of_row(means_, smoother_);
+  const SchlickAlbedoOf<Number> rougher = mean_of_row(means_, smoother_ + 1);
   return {.white = smoother.white + rougher_weight_ * (rougher.white - smoother.white),
           .grazing = smoother.grazing + rougher_weight_ * (rougher.grazing - smoother.grazing)};
 }
@@ -165,8 +165,10 @@ template <typename Number>
 GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
   const NodePositionOf<Number> place(roughness, roughness_steps);
   RowOf<Number> row;
-  row.albedo_ = this;
+  row.nodes_ = nodes_.data();
+  row.means_ = means_.data();
   row.smoother_ = place.below + 1;  // after the mirror's
+  row.first_node_ = row.smoother_ * static_cast<std::int32_t>(nodes_in_row);
   row.alpha_ = roughness * roughness;
   row.rougher_weight_ = place.fraction;
   return row;
@@ -174,7 +176,8 @@ GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
 
 inline GgxAlbedo::Row GgxAlbedo::mirror_row() const {
   Row row;
-  row.albedo_ = this;
+  row.nodes_ = nodes_.data();
+  row.means_ = means_.data();
   return row;
 }
 

@@ -1,5 +1,5 @@
-// What is known of one light, or of several together, without asking each: where they are, whereto
-// they shine, and how much.
+// What is known of one light, or of several together, without asking each: where they are, where
+// they shine to, and how much.
 #pragma once
 
 #include "renderer/base/vec.h"
@@ -20,7 +20,7 @@ struct LightBounds {
   double intensity = 0.0;
 
   DVec3 centre() const { return 0.5 * (DVec3(box.lower) + DVec3(box.upper)); }
-  /// Of the sphere around the box.
+  /// The radius of the sphere around the box.
   double radius() const { return 0.5 * glm::length(DVec3(box.upper) - DVec3(box.lower)); }
 };
 

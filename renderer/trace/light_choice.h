@@ -16,8 +16,9 @@ namespace foveola {
 /// point, from a tree.
 class LightChoice {
  public:
-  /// Up to so many lights are few. Measured in a room lit by lamps of two triangles each: the tree
-  /// halves the product of time and variance with two lamps, and quarters it with eight.
+  /// The most lights that are drawn from the table. Measured in a room lit by lamps of two
+  /// triangles each: the tree halves the product of time and variance with two lamps, and quarters
+  /// it with eight.
   static constexpr std::size_t usual_most_in_table = 2;
 
   /// One power and one element of bounds a light; without power there is no intensity. Not all

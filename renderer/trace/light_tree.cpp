@@ -216,7 +216,7 @@ class LightTree::Builder {
           bins[static_cast<std::size_t>(bin_of(light, axis, lower, best.bins_per_metre))];
       bin = merge(bin, lights_[light]);
     }
-    std::array<double, most_bins> cost_above{};  ///< of all bins above this one
+    std::array<double, most_bins> cost_above{};  ///< cost of all bins above this one
     LightBounds above;
     for (std::size_t i = most_bins - 1; i > 0; --i) {
       above = merge(above, bins[i]);

@@ -10,9 +10,8 @@ namespace foveola {
 template <typename Number>
 struct LocalLightSampleOf {
   Vec3Of<Number> to_light{};  ///< from the place to the point, not of unit length
-  Number
-      pdf{};  ///< per steradian; of a light without size the probability of its choice; 0: no light
-  Vec3Of<Number> radiance{};  ///< of a light without size the irradiance that it gives head-on
+  Number pdf{};               ///< per steradian; without size: a probability; 0: no light
+  Vec3Of<Number> radiance{};  ///< without size: the irradiance that it gives head-on
   /// The light has no size, or no ray sees it.
   MaskOf<Number> is_delta{};
 };

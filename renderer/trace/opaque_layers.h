@@ -48,9 +48,6 @@ class OpaqueLayersOf {
  public:
   using Vector = Vec3Of<Number>;
 
-  /// To be assigned to.
-  OpaqueLayersOf() = default;
-
   /// The Lambertian layer alone.
   explicit OpaqueLayersOf(const Vector& base_color)
       : diffuse_(white_diffuse * base_color),
@@ -61,29 +58,35 @@ class OpaqueLayersOf {
   /// albedo: of the microfacets. cosine: of the outgoing direction.
   OpaqueLayersOf(const OpaqueValuesOf<Number>& values, const GgxAlbedo::RowOf<Number>& albedo,
                  const Number& cosine)
-      : has_coat_(true), albedo_(albedo), lobe_(albedo.at(cosine)) {
-    const Number coat_f0 = max_component(values.coat_normal);
-    coat_albedo_ = smaller(lobe_.with(coat_f0, values.coat_grazing), 1.0F);
-    const Number below_coat = 1.0F - albedo.mean().with(coat_f0, values.coat_grazing);
-    const auto is_seen = below_coat > darkest_below_coat;
-    layer_f0_ = chosen(is_seen, coat_f0, Number{});
-    layer_f90_ = chosen(is_seen, values.coat_grazing, Number{});
-    const Number layer =
-        white_diffuse * (1.0F - coat_albedo_) / chosen(is_seen, below_coat, Number{} + 1.0F);
-    diffuse_ = (values.opaque * layer) * values.base_color;
-
-    // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
-    const Number lost = (1.0F - lobe_.white) / lobe_.white;
-    const Vector white{Number{} + 1.0F, Number{} + 1.0F, Number{} + 1.0F};
-    const Vector metal = values.metallic * (white + lost * values.base_color);
-    const Number coat = values.coated * values.coat_grazing;
-    specular_normal_ = values.coated * values.coat_normal + metal * values.base_color;
-    specular_grazing_ = Vector{coat, coat, coat} + metal;
-
+      : albedo_(albedo), lobe_(albedo.at(cosine)) {
     const Number base_luminance = luminance(values.base_color);
-    const Number metal_albedo = base_luminance * (1.0F - lobe_.grazing) + lobe_.grazing;
-    specular_albedo_ = values.coated * coat_albedo_ + values.metallic * metal_albedo;
-    diffuse_albedo_ = values.opaque * (1.0F - coat_albedo_) * base_luminance;
+    if (any_lane(values.metallic < 1.0F)) {
+      const Number coat_f0 = max_component(values.coat_normal);
+      coat_albedo_ = smaller(lobe_.with(coat_f0, values.coat_grazing), 1.0F);
+      const Number below_coat = 1.0F - albedo.mean().with(coat_f0, values.coat_grazing);
+      const auto is_seen = below_coat > darkest_below_coat;
+      layer_f0_ = chosen(is_seen, coat_f0, Number{});
+      layer_f90_ = chosen(is_seen, values.coat_grazing, Number{});
+      has_coat_ = any_lane((layer_f0_ > 0.0F) | (layer_f90_ > 0.0F));
+      const Number layer =
+          white_diffuse * (1.0F - coat_albedo_) / chosen(is_seen, below_coat, Number{} + 1.0F);
+      diffuse_ = (values.opaque * layer) * values.base_color;
+      diffuse_albedo_ = values.opaque * (1.0F - coat_albedo_) * base_luminance;
+      const Number grazing = values.coated * values.coat_grazing;
+      specular_normal_ = values.coated * values.coat_normal;
+      specular_grazing_ = {grazing, grazing, grazing};
+      specular_albedo_ = values.coated * coat_albedo_;
+    }
+    if (any_lane(values.metallic > 0.0F)) {
+      // Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models".
+      const Number lost = (1.0F - lobe_.white) / lobe_.white;
+      const Vector white{Number{} + 1.0F, Number{} + 1.0F, Number{} + 1.0F};
+      const Vector metal = values.metallic * (white + lost * values.base_color);
+      specular_normal_ = specular_normal_ + metal * values.base_color;
+      specular_grazing_ = specular_grazing_ + metal;
+      const Number metal_albedo = base_luminance * (1.0F - lobe_.grazing) + lobe_.grazing;
+      specular_albedo_ = specular_albedo_ + values.metallic * metal_albedo;
+    }
   }
 
   /// Of the outgoing direction, the share of light that the coat reflects.
@@ -127,12 +130,12 @@ class OpaqueLayersOf {
   /// not reflect.
   static constexpr float darkest_below_coat = 0.02F;
 
-  bool has_coat_ = false;
+  bool has_coat_ = false;  ///< any lane has one
   GgxAlbedo::RowOf<Number> albedo_;
   SchlickAlbedoOf<Number> lobe_;
   Number coat_albedo_{};
   Vector specular_normal_{}, specular_grazing_{};
-  Number layer_f0_{}, layer_f90_{};  ///< of the coat over the Lambertian layer, strongest channel
+  Number layer_f0_{}, layer_f90_{};  ///< the coat's strongest channel, over the Lambertian layer
   Vector diffuse_{};                 ///< the Lambertian layer's BSDF but for (1 - E(incoming))
   Number specular_albedo_{}, diffuse_albedo_{};
 };

@@ -19,11 +19,11 @@ struct Path {
   Ray ray;
   Rgb throughput{1.0F};
   float pdf = 0.0F;             ///< per steradian, with which the last vertex gave the direction
-  ShadingPoint shading_point;   ///< the last vertex; of no matter before the first
+  ShadingPoint shading_point;   ///< the last vertex; unused before the first
   float radiance_scale = 1.0F;  ///< what refraction has scaled the throughput by
-  Rgb absorption_per_m{0.0F};   ///< of the solid that the path is in
-  float width_m = 0.0F;         ///< of the ray at its origin
-  float spread_rad = 0.0F;      ///< by which the ray widens
+  Rgb absorption_per_m{0.0F};   ///< in the solid that the path is in
+  float width_m = 0.0F;         ///< the ray's width at its origin
+  float spread_rad = 0.0F;      ///< the angle by which the ray widens
   SampleStream random;
   std::uint32_t job = 0;  ///< that the path is for
 };

@@ -18,12 +18,12 @@ namespace foveola {
 struct TraceSettings {
   int max_depth = 8;  ///< surface vertices with next-event estimation; 1 is direct light only
   std::uint32_t seed = 0;
-  /// Of a pixel of the film, over part of which textures are averaged; 0 reads them at their
-  /// finest.
+  /// The angle of a pixel of the film, over part of which textures are averaged; 0 reads them at
+  /// their finest.
   float pixel_angle_rad = 0.0F;
   /// Each channel of a sample is cut to this. Anything but infinity makes pictures too dark.
   float largest_radiance = std::numeric_limits<float>::infinity();
-  /// Every vertex goes the way that can do everything: for measuring what the other ways gain.
+  /// Every vertex takes the general path: for measuring what the fast path gains.
   bool uses_general_path = false;
 };
 
@@ -56,7 +56,7 @@ struct Picked {
 struct PathVertex {
   int number = 0;  ///< counted from 1; thin transmissive surfaces passed on the way repeat it
   std::optional<std::uint32_t> object;  ///< empty: the ray left the scene
-  Vec3 direction{0.0F};                 ///< of the ray that led here
+  Vec3 direction{0.0F};                 ///< direction of the ray that led here
   float distance_m = 0.0F;
   Vec3 position{0.0F};
   Vec3 normal{0.0F};  ///< shading normal
@@ -73,7 +73,7 @@ struct PathRecord {
 /// How a light is drawn where there are several.
 enum class LightSelection : std::uint8_t {
   usual,           ///< many lights by what they may give to the shading point
-  by_power_alone,  ///< for measuring what that gains
+  by_power_alone,  ///< for measuring what the usual selection gains
 };
 
 /// A scene ready to be traced. It refers to the Scene it was built from, which must outlive it.

@@ -9,11 +9,10 @@ namespace foveola {
 
 /// Every query goes with one of these: the filters rely on it.
 struct RayQueryContext : RTCIntersectContext {
-  /// By the rays' ids; null: a ray's id is its key itself.
+  /// Keys by the rays' ids; null: a ray's id is its key.
   const std::uint32_t* keys = nullptr;
-  std::uint32_t* met_thin_surface =
-      nullptr;                     ///< by the rays' ids, set where a ray met one; or null
-  bool meets_any_opacity = false;  ///< rays meet all that is not fully transparent
+  std::uint32_t* met_thin_surface = nullptr;  ///< flags by the rays' ids, or null
+  bool meets_any_opacity = false;             ///< rays meet all that is not fully transparent
 
   explicit RayQueryContext(RTCIntersectContextFlags wanted = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT)
       : RTCIntersectContext{} {

@@ -44,7 +44,7 @@ struct Release {
 template <typename Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
-/// What the filters are told of a mesh that does not stop every ray.
+/// What the filters know of a mesh that does not stop every ray.
 struct Sieve {
   const Scene* scene = nullptr;
   const Mesh* mesh = nullptr;
@@ -94,7 +94,8 @@ void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
   });
 }
 
-/// Of a window with holes too: what it tints is found out later, by closest hits.
+/// Also for thin transmissive surfaces with cut-outs: what they tint is found later, by closest
+/// hits.
 void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
   std::uint32_t* met_thin_surface = context_of(arguments).met_thin_surface;
   take_back_hits(arguments, [met_thin_surface](const Sieve&, std::uint32_t id, const Hit&) {
@@ -157,8 +158,8 @@ struct RayScene::Embree {
 
   void set_filters(RTCGeometry geometry, const Scene& source, const Mesh& mesh) {
     const bool is_sieve = has_opacity(source, mesh);
-    const bool window = is_thin_transmissive(material_of(source, mesh));
-    if (is_sieve || window) {
+    const bool is_thin = is_thin_transmissive(material_of(source, mesh));
+    if (is_sieve || is_thin) {
       sieves.push_back(std::make_unique<Sieve>(Sieve{&source, &mesh}));
       rtcSetGeometryUserData(geometry, sieves.back().get());
     }
@@ -167,7 +168,7 @@ struct RayScene::Embree {
       rtcSetGeometryIntersectFilterFunction(geometry, filter_by_opacity);
       rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);
     }
-    if (window) {
+    if (is_thin) {
       rtcSetGeometryOccludedFilterFunction(geometry, filter_thin_surfaces);
       has_thin_surfaces = true;
     }
@@ -284,7 +285,7 @@ void RayScene::find_blocked(std::span<Ray> rays) const {
     embree_->find_blocked(rays, context);
     return;
   }
-  // The filters note windows by the ray's number, so that takes the place of its key.
+  // The filters note thin transmissive surfaces by the ray's number, which takes the key's place.
   constexpr std::size_t most = 512;
   std::array<std::uint32_t, most> keys;
   for (; !rays.empty(); rays = rays.subspan(std::min(most, rays.size()))) {

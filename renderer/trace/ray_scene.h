@@ -25,7 +25,7 @@ struct alignas(16) Ray {
   float t_max = std::numeric_limits<float>::infinity();
   std::uint32_t mask = ~0U;
   std::uint32_t key = 0;    ///< random; decides which blended surfaces the ray meets
-  std::uint32_t flags = 0;  ///< of find_blocked(): whether it met a window
+  std::uint32_t flags = 0;  ///< set by find_blocked(): it met a thin transmissive surface
 
   bool is_blocked() const { return t_max < 0.0F; }
   bool met_thin_surface() const { return flags != 0; }
@@ -102,17 +102,17 @@ class RayScene {
   /// The first triangle on the ray where the opacity is above 0, whatever the ray's key.
   Hit closest_hit_of_any_opacity(const Ray& ray) const;
 
-  /// Marks the rays that meet a triangle as blocked. Windows (see opacity.h) do not block but tint,
-  /// so the rays that met one are marked too. Their order is of no importance.
+  /// Marks the rays that meet a triangle as blocked. Thin transmissive surfaces (see opacity.h) do
+  /// not block but tint, so the rays that met one are marked too. The rays' order does not matter.
   void find_blocked(std::span<Ray> rays) const;
 
-  /// Rays' keys decide something: there are surfaces that only some rays meet.
+  /// Whether rays' keys decide something: there are surfaces that only some rays meet.
   bool asks_for_keys() const;
 
   /// What Embree keeps: its hierarchy and its copy of the vertices.
   std::size_t memory_bytes() const;
 
-  /// Embree's own, for measuring it alone.
+  /// Embree's own scene, for measuring Embree alone.
   RTCSceneTy* embree_scene() const;
 
  private:

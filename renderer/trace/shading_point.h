@@ -1,4 +1,4 @@
-// The place that light is gathered at, as far as drawing lights needs to know it.
+// The point whose incoming light is sampled, as far as drawing lights needs to know it.
 #pragma once
 
 #include "renderer/base/lanes.h"

@@ -19,7 +19,7 @@ class CharlieSheen {
   /// BSDF times the incoming direction's cosine; for the sheen colour 1.
   float times_cosine(const Vec3& incoming) const;
 
-  /// The part of it that does not hang on the incoming direction: 1 / (4 cosine (1 + Lambda)).
+  /// The factor that does not depend on the incoming direction: 1 / (4 cosine (1 + Lambda)).
   float outgoing_factor() const { return 0.25F / (outgoing_.z * (1.0F + lambda_outgoing_)); }
 
   /// Finer fibres would reflect nowhere but within 4 degrees of the surface.

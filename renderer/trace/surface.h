@@ -44,7 +44,7 @@ float relative_width(float ray_width_m, float facing, float double_area);
 /// What the surface emits against the ray that hit it.
 struct SurfaceEmission {
   Rgb radiance{0.0F};
-  float cosine = 0.0F;  ///< of the angle between the ray and the surface's normal, in [0, 1]
+  float cosine = 0.0F;  ///< between the ray and the surface's normal, in [0, 1]
 };
 SurfaceEmission surface_emission(const Scene& scene, const Hit& hit, const Vec3& direction);
 

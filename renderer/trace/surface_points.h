@@ -21,12 +21,13 @@ struct ObjectView {
 
 /// What SurfacePoint says, without the material's textures.
 struct SurfacePoints : SurfaceGeometryOf<Floats> {
-  Floats double_area;  ///< of the triangle, in square metres
+  Floats double_area;  ///< twice the triangle's area, in square metres
 
   Vec3 smooth_normal_at(std::size_t lane) const {
     return {smooth_normal.x[lane], smooth_normal.y[lane], smooth_normal.z[lane]};
   }
-  /// To what a normal map makes of the smooth normal, if that is not turned away from the ray.
+  /// Turns it to what a normal map makes of the smooth normal, unless that is turned away from the
+  /// ray.
   void turn_shading_normal(std::size_t lane, const Vec3s& direction, const Vec3& mapped);
 };
 

@@ -9,7 +9,7 @@
 namespace foveola {
 namespace {
 
-/// Any of what the layers of a plain surface read.
+/// Whether there is a texture that the layers of a surface on the fast path read.
 bool has_reflectance_texture(const Material& material) {
   return material.base_color_texture.exists() || material.metallic_roughness_texture.exists() ||
          material.specular_texture.exists() || material.specular_color_texture.exists();

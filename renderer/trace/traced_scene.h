@@ -34,7 +34,7 @@ struct TracedScene {
   Lights lights;
   ScatteringTables tables;
   std::vector<TracedObject> objects;
-  bool has_absorption;  ///< of some solid
+  bool has_absorption;  ///< some solid absorbs
   bool is_dark;         ///< nothing shines: every radiance is zero
 
   /// most_lights_in_table: see LightChoice.

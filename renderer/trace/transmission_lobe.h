@@ -9,7 +9,7 @@ namespace foveola {
 
 /// Light that a direction and its density got, per steradian.
 struct TransmissionValue {
-  float times_cosine = 0.0F;  ///< of a colourless surface
+  float times_cosine = 0.0F;  ///< for a colourless surface
   float pdf = 0.0F;
 };
 

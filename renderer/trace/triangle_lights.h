@@ -74,7 +74,7 @@ class TriangleLights {
     bool is_uniform;  ///< shines with `radiance` everywhere
     Rgb radiance;
     std::uint32_t object;
-    std::uint32_t index;  ///< of the triangle in its mesh
+    std::uint32_t index;  ///< the triangle's index in its mesh
   };
 
   /// The triangle seen from `place`, if it is to be sampled by its solid angle.

@@ -39,11 +39,11 @@ struct VertexNumbers {
     next_key = random.next_bits();
   }
 
-  /// Those of a lane in a group.
+  /// The numbers of a lane in a group.
   VertexNumbers(const GroupNumbers& group, std::size_t lane);
 };
 
-/// The same for a group of paths; those that are not needed are 0.
+/// The random numbers of a group of paths; those that are not needed are 0.
 struct GroupNumbers {
   LightNumbers light{};
   FloatLanes lobe, roulette{};

@@ -77,7 +77,7 @@ Number scattered_spread_rad(const Number& pdf) {
   return smaller(0.005F / square_root(pdf), widest_rad);
 }
 
-/// The radiance that tells of a path with values that are not finite.
+/// The radiance of a path with values that are not finite.
 inline constexpr Rgb not_a_number(std::numeric_limits<float>::quiet_NaN());
 
 /// What is left of light after some metres, which may be infinitely many.

@@ -18,7 +18,7 @@ struct Drapery {
   double fold_depth = 0.09;
   double hem = 0.07;        ///< height of the doubled cloth at its foot
   double gather = 0.0;      ///< how far a tie draws the cloth together, relative to its width
-  double tie_height = 0.4;  ///< of that tie, as a fraction of the drop from below
+  double tie_height = 0.4;  ///< height of that tie, as a fraction of the drop from below
 };
 
 /// Cloth that hangs from y = 0, its middle at x = 0, facing +Z; uvs over [0, 1]. Its folds start at

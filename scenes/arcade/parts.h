@@ -1,4 +1,5 @@
-// What the parts of the arcade share: its measures, its materials, and who makes which part.
+// What the parts of the arcade share: its measures, its materials, and the functions that make
+// them.
 //
 // The court lies about the origin. Every bay and column is made facing +Z, from the walk into the
 // court, and then turned to its place.
@@ -26,7 +27,7 @@ constexpr double upper_walk = upper_floor + 0.02;
 constexpr double upper_springing = 7.2;
 constexpr double upper_ceiling = 8.8;
 constexpr double roof_top = 9.2;
-constexpr double pier_half = 0.31;  ///< of the piers in the court's corners
+constexpr double pier_half = 0.31;  ///< half width of the piers in the court's corners
 
 struct Materials {
   int limestone = 0;

@@ -8,7 +8,7 @@ namespace foveola::scenes::church {
 
 constexpr double bay = 4.0;
 constexpr int bays = 6;
-constexpr double half_length = 0.5 * bays * bay;  ///< of nave and aisles, inside
+constexpr double half_length = 0.5 * bays * bay;  ///< half length of nave and aisles, inside
 constexpr double arcade_z = 3.5;                  ///< the columns' middles
 constexpr double aisle_z = 7.0;                   ///< the outer walls' inner faces
 constexpr double wall = 0.7;                      ///< thickness
@@ -24,8 +24,8 @@ constexpr double apse_radius = 3.1;  ///< to the corners of the half decagon
 constexpr double choir_springing = 5.0;
 constexpr double choir_rise = 3.4;
 constexpr double rose_radius = 1.55;
-constexpr double rose_height = 8.5;  ///< of its middle
-constexpr double loft_floor = 4.0;   ///< of the organ loft at the west end
+constexpr double rose_height = 8.5;  ///< height of the rose window's middle
+constexpr double loft_floor = 4.0;   ///< height of the organ loft at the west end
 constexpr double loft_edge_x = -9.6;
 
 struct Materials {
@@ -87,7 +87,7 @@ void add_candles(Model& model, const Materials& m);
 struct WindowPlace {
   DVec3 sill{0.0};        ///< in the middle of the wall's thickness
   double turn_deg = 0.0;  ///< +Z towards +X
-  double width = 1.2;     ///< of the opening
+  double width = 1.2;     ///< width of the opening
   double jamb = 2.0;      ///< height at which the arch begins
   double wall_width = bay;
   double wall_height = 4.0;  ///< above the sill

@@ -14,7 +14,7 @@ constexpr double window_wall = 0.7;  ///< thickness of the apse's walls too
 constexpr double rosette_x = -4.0;
 constexpr double rosette_half = 1.9;
 constexpr double band_half = 0.5;
-constexpr double end_height = 7.5;  ///< of the walls that end the aisles
+constexpr double end_height = 7.5;  ///< height of the walls that end the aisles
 
 /// A horizontal piece of floor between two corners.
 Shape floor_piece(const DVec2& lower, const DVec2& upper) {

@@ -1,4 +1,5 @@
-// What the parts of the meeting room share: its measures, its materials, and who makes which part.
+// What the parts of the meeting room share: its measures, its materials, and the functions that
+// make them.
 //
 // The whiteboard hangs on the wall at +X, the windows look towards +Z, the door is at -X.
 #pragma once

@@ -17,7 +17,7 @@ struct LaptopPlace {
   double x;
   double z;
   double turn_deg;
-  double port_x;  ///< of the plug that its cable runs to
+  double port_x;  ///< where the plug of its cable is
 };
 constexpr std::array<LaptopPlace, 4> laptop_places = {{{-2.35, 0.1, -60.0, -1.88},
                                                        {-0.85, -0.5, 185.0, -0.4},

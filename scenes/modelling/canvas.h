@@ -23,7 +23,7 @@ struct Pen {
 
 struct TextStyle {
   Pen pen;
-  double height = 24.0;   ///< of capital letters, in pixels
+  double height = 24.0;   ///< height of capital letters in pixels
   double slant = 0.0;     ///< sideways lean of upright strokes, relative to their height
   DVec2 along{1.0, 0.0};  ///< unit vector in which the line runs; y points down
 };

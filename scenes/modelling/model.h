@@ -12,7 +12,7 @@
 
 namespace foveola::scenes {
 
-/// Of the scenes that the descriptors describe.
+/// The seed of the scenes that the descriptors describe.
 constexpr std::uint32_t default_seed = 0;
 static_assert(mix(default_seed) == 0);
 
@@ -66,7 +66,8 @@ struct Model {
   std::vector<Camera> cameras;
 
   std::size_t triangle_count() const;
-  /// Of the random thing that has this number in the scene. By default it is the number itself.
+  /// The seed of the random thing that has this number in the scene. By default it is the number
+  /// itself.
   Seed stream(std::uint32_t number) const { return Seed(number ^ mix(seed)); }
 };
 

@@ -44,7 +44,7 @@ class SrgbEncoder {
   }
 
   std::array<double, 255> thresholds_{};  ///< the linear value from which on a byte is one more
-  std::array<std::uint8_t, bins + 1> bytes_{};  ///< of linear values in equal steps
+  std::array<std::uint8_t, bins + 1> bytes_{};  ///< for linear values in equal steps
 };
 
 /// Where along the line from a to b the point nearest to p lies, in [0, 1].

@@ -20,7 +20,7 @@ struct Texel {
 };
 using TexelFunction = std::function<Texel(double u, double v)>;
 
-/// The same for what has holes.
+/// The same for images that are transparent in places.
 Image cut_out(int width, int height, const TexelFunction& texel);
 
 double smooth_step(double low, double high, double x);

@@ -23,7 +23,7 @@ std::vector<Part> potted_palm(const PalmSize& size, const PlantMaterials& materi
 struct TreeSize {
   double pot_radius = 0.3;
   double pot_height = 0.5;
-  double stem_height = 0.9;  ///< of the crown's middle above the pot
+  double stem_height = 0.9;  ///< height of the crown's middle above the pot
   double crown_radius = 0.5;
   int leaves = 460;
   int fruits = 14;

@@ -16,7 +16,7 @@ struct Masonry {
   int courses = 8;
   int stones = 4;          ///< in a course
   double joint = 0.04;     ///< width in courses
-  double variation = 0.2;  ///< of the stones' brightness, relative
+  double variation = 0.2;  ///< relative variation of the stones' brightness
   Rgb stone{0.5F};         ///< linear
   Rgb mortar{0.4F};        ///< linear
 };

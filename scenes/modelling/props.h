@@ -10,7 +10,7 @@ namespace foveola::scenes {
 
 /// A round column with a square base and top slab, standing on the origin.
 struct ColumnSize {
-  double radius = 0.2;  ///< of the shaft at its foot
+  double radius = 0.2;  ///< radius of the shaft at its foot
   double height = 3.0;
   double slab = 0.6;  ///< side of the top slab
 };
@@ -33,7 +33,7 @@ Shape hanging_cloth(const ClothSize& size, const Seed& seed);
 struct PlantSize {
   double pot_radius = 0.25;
   double pot_height = 0.4;
-  double stem_height = 0.5;  ///< of the tallest stems, above the pot
+  double stem_height = 0.5;  ///< height of the tallest stems above the pot
   double leaf_length = 0.35;
   int stems = 9;
   int leaves_per_stem = 5;

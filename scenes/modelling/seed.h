@@ -7,8 +7,8 @@
 
 namespace foveola::scenes {
 
-/// Of one random thing: a texture, a plant, a shelf of books. Not a plain number, so that none can
-/// be made up where the scene's own is wanted: Model::stream gives them.
+/// The seed of one random thing: a texture, a plant, a shelf of books. It is a type of its own, so
+/// that no number can be made up where the scene's is wanted: Model::stream gives them.
 class Seed {
  public:
   explicit constexpr Seed(std::uint32_t bits) : bits_(bits) {}
@@ -20,7 +20,7 @@ class Seed {
 
 using foveola::mix;
 
-/// Of a part of the thing.
+/// The seed of a part of the thing.
 constexpr Seed mix(const Seed& seed, std::uint32_t part) { return Seed(mix(seed.bits(), part)); }
 
 inline Pcg32 generator(const Seed& seed) { return Pcg32(seed.bits()); }

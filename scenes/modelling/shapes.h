@@ -85,7 +85,7 @@ struct ArchBay {
   double bay_width = 3.0;
   double opening_width = 2.4;
   double springing_height = 0.0;  ///< where the semicircle begins; below it the jambs are straight
-  double height = 2.0;            ///< of the wall's top
+  double height = 2.0;            ///< height of the wall's top
   double thickness = 0.4;
 };
 Shape arch(const ArchBay& bay, int segments);

@@ -1,4 +1,5 @@
-// What the parts of the school room share: its size, its materials, and who makes which part.
+// What the parts of the school room share: its size, its materials, and the functions that make
+// them.
 //
 // The board hangs on the wall at +X, the windows look towards -Z, the door is at +Z.
 #pragma once

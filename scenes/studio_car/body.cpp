@@ -127,7 +127,7 @@ Sheet make_bonnet() {
   return sheet_between(front, back, right, left);
 }
 
-constexpr double bumper_foot = 0.2;  ///< of the strip between wheel and bumper
+constexpr double bumper_foot = 0.2;  ///< foot of the strip between wheel and bumper
 
 /// The side's lower edge: the arch within the wheel's reach, the sill between the wheels, the
 /// bumpers' lower edge beyond them.

@@ -5,7 +5,7 @@
 
 namespace foveola::scenes::car {
 
-/// Of the sides, these are the ones at +Z.
+/// The sheets of the sides are those at +Z.
 struct Body {
   Sheet nose;    ///< around the front: columns towards +Z, rows upwards
   Sheet bonnet;  ///< columns towards +Z, rows backwards

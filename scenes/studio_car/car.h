@@ -19,7 +19,7 @@ struct CarMaterials {
   int gloss_black = 0;
   int lamp = 0;      ///< shines white
   int red_lamp = 0;  ///< shines red
-  int screen = 0;    ///< of the dashboard
+  int screen = 0;    ///< the dashboard's screen
   int leather = 0;
   int stitched_leather = 0;
   int lining = 0;

@@ -11,7 +11,7 @@ namespace foveola::scenes::studio {
 constexpr double half_room = 8.0;
 constexpr double ceiling = 5.5;
 constexpr double turntable_height = 0.06;
-constexpr double lower_chord = ceiling - 0.55;  ///< of the trusses, from which lights hang
+constexpr double lower_chord = ceiling - 0.55;  ///< height of the trusses from which lights hang
 
 struct Materials {
   int concrete = 0;

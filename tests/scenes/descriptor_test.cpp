@@ -175,7 +175,7 @@ TEST(Descriptor, WrongTypesAndValuesAreNamedWithTheirPlace) {
               HasSubstr("hall.toml:19:17"));
 }
 
-TEST(Descriptor, FilesArePlainNamesOfGlbs) {
+TEST(Descriptor, FilesAreNamesOfGlbsWithoutFolders) {
   for (const char* const name : {"../hall.glb", "halls/hall.glb", "/hall.glb", "..", "hall.obj"}) {
     EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", fmt::format("file = \"{}\"", name))),
                 AllOf(HasSubstr("hall.toml:4:8"), HasSubstr("plain name")))
@@ -221,7 +221,7 @@ TEST(Descriptor, OneThatCannotBeReadDoesNotHideTheOthers) {
   EXPECT_THROW(find_descriptor("broken"), Error);
 }
 
-TEST(Descriptor, TheDescribedFileIsToldFromOthers) {
+TEST(Descriptor, TheDescribedFileIsDistinguishedFromOthers) {
   const TemporaryFolder folder;
   Descriptor hall;
   hall.size_bytes = 3;

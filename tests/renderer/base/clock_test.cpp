@@ -8,7 +8,7 @@
 namespace foveola {
 namespace {
 
-TEST(VirtualClock, MovesOnlyWhenTold) {
+TEST(VirtualClock, MovesOnlyWhenAdvanced) {
   VirtualClock clock;
   EXPECT_EQ(clock.now(), Nanoseconds(0));
   clock.advance(std::chrono::milliseconds(14));

@@ -39,7 +39,7 @@ TEST(Utf8Test, CountsCharacters) {
   EXPECT_EQ(count_characters("aä€𝄞"), 4U);
 }
 
-TEST(Utf8Test, TellsTheBytesOfTheFirstCharacters) {
+TEST(Utf8Test, CountsTheBytesOfTheFirstCharacters) {
   const std::string text = "aä€𝄞";
   EXPECT_EQ(bytes_of_first(text, 0), 0U);
   EXPECT_EQ(bytes_of_first(text, 1), 1U);

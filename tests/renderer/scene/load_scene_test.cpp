@@ -155,7 +155,7 @@ TEST_F(LoadScene, RefusesEnvironmentsThatMakeNoSense) {
 TEST_F(LoadScene, LightsAreRectanglesThatFaceTheirNormal) {
   struct Case {
     Vec3 normal;
-    Vec3 extent;  ///< of a light of size (2, 6)
+    Vec3 extent;  ///< the extent of a light of size (2, 6)
   };
   const std::vector<Case> cases = {{{1, 0, 0}, {0, 2, 6}}, {{-1, 0, 0}, {0, 2, 6}},
                                    {{0, 1, 0}, {2, 0, 6}}, {{0, -1, 0}, {2, 0, 6}},

@@ -157,8 +157,8 @@ TEST(Texture, OnlyTheSecondOfTwoAndTheFourthOfFourAreAlpha) {
     const Vec4 value = texture.sample({0.5F, 0.5F});
     EXPECT_NEAR(value.r, decoded, 1e-5F);
     EXPECT_NEAR(value.b, decoded, 1e-5F);
-    EXPECT_EQ(texture.has_alpha(), channels == 2 || channels == 4);
-    EXPECT_NEAR(value.a, texture.has_alpha() ? alpha : 1.0F, 1e-6F);
+    const bool has_alpha = channels == 2 || channels == 4;
+    EXPECT_NEAR(value.a, has_alpha ? alpha : 1.0F, 1e-6F);
   }
 }
 

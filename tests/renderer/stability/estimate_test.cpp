@@ -92,7 +92,7 @@ TEST(EstimateTest, MeasuresUntilItIsPreciseEnough) {
   EXPECT_EQ(measure(tracer, bundle, run).samples, 1U << 20);
 }
 
-TEST(EstimateTest, StopsWhenToldTo) {
+TEST(EstimateTest, StopsWhenRequested) {
   Scene scene;
   scene.materials = {matte(Rgb(0.5F))};
   scene.meshes = {quad(Vec3(-9, -1, 9), Vec3(18, 0, 0), Vec3(0, 0, -18), 0)};

@@ -1,4 +1,4 @@
-// Worlds for both renderers: as the plain one takes them, and as a Scene.
+// Worlds for both renderers: as the reference renderer takes them, and as a Scene.
 #pragma once
 
 #include "reference_renderer.h"

@@ -105,7 +105,7 @@ TEST(DirectShading, WhatIsMaskedIsNotThere) {
   expect_near(color_along(scene, {1e-3F, -2e-3F, -1}), Rgb(1.0F), 1e-4);
 }
 
-TEST(DirectShading, WindowsAreSeenThroughInTheirColour) {
+TEST(DirectShading, ThinSurfacesAreSeenThroughInTheirColour) {
   Material window = matte({0.8F, 0.6F, 0.4F});
   window.transmission = 0.75F;
   window.roughness = 0.0F;
@@ -131,7 +131,7 @@ TEST(DirectShading, WithoutASurfaceThereIsTheBackground) {
 }
 
 /// More sheets than anybody looks through.
-TEST(DirectShading, EndsAmongManyVeils) {
+TEST(DirectShading, EndsAmongManyTransparentLayers) {
   Material veil = matte(Rgb(1.0F));
   veil.alpha_mode = AlphaMode::blend;
   veil.alpha = 0.01F;

@@ -91,7 +91,7 @@ TEST(EnvironmentLightTest, PolesAreFinite) {
 struct DirectionHistograms {
   std::vector<double> observed;
   std::vector<double> expected;
-  double integral = 0.0;  ///< of the density over all directions
+  double integral = 0.0;  ///< the density's integral over all directions
 };
 
 DirectionHistograms histograms_of(const EnvironmentLight& light, int draws) {

@@ -248,7 +248,7 @@ TEST(KnownAnswerTest, LightPassesThroughCutOuts) {
   EXPECT_EQ(mean_radiance(scene, Vec3(-1, 0.4F, 0), Vec3(1, -0.4F, 0), 1, 2000).mean(), 0.0);
 }
 
-TEST(KnownAnswerTest, HolesOfAnEmitterDoNotShine) {
+TEST(KnownAnswerTest, CutOutsOfAnEmitterDoNotShine) {
   Scene scene = floor_and_light(dielectric(0.8F));
   scene.materials[1].base_color_texture.texture = 0;
   scene.materials[1].alpha_mode = AlphaMode::mask;

@@ -98,7 +98,7 @@ TEST(PathTracerTest, TheLoggedRaysAreThoseThatWereTraced) {
   EXPECT_EQ(log.shadow.size(), counts.shadow);
   EXPECT_EQ(log.transmittance.size(), counts.transmittance);
   EXPECT_GT(counts.transmittance, 0U);
-  // A job's ray comes again behind each window that it passes.
+  // A job's ray comes again behind each thin transmissive surface that it passes.
   std::size_t seen = 0;
   for (const Ray& ray : log.primary) {
     seen += seen < jobs.size() && ray.direction == jobs[seen].direction ? 1 : 0;

@@ -152,7 +152,7 @@ TEST(RaySceneTest, BlendedSurfacesInLineDecideApart) {
   EXPECT_NEAR(static_cast<double>(blocked), 0.75 * count, 5.0 * std::sqrt(count * 0.75 * 0.25));
 }
 
-TEST(RaySceneTest, WindowsAreMetButDoNotBlock) {
+TEST(RaySceneTest, ThinSurfacesAreMetButDoNotBlock) {
   Scene scene = one_quad();
   scene.materials[0].transmission = 1.0F;
   scene.materials[0].roughness = 0.0F;
@@ -167,7 +167,7 @@ TEST(RaySceneTest, WindowsAreMetButDoNotBlock) {
   EXPECT_FALSE(stream[1].met_thin_surface());
 }
 
-TEST(RaySceneTest, BehindAWindowTheRaysOwnKeysDecide) {
+TEST(RaySceneTest, BehindAThinSurfaceTheRaysOwnKeysDecide) {
   Scene scene = one_quad();
   scene.materials[0].alpha_mode = AlphaMode::blend;
   scene.materials[0].alpha = 0.5F;
