@@ -23,7 +23,7 @@ class PointerEyeTracker final : public EyeTracker {
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
  private:
-  std::mutex mutex_;  ///< of the rest
+  std::mutex mutex_;  ///< guards the members below
   std::optional<GazeSample> last_event_;
 };
 

@@ -1,4 +1,4 @@
-// What a film tells those who keep a copy of it.
+// What a film reports to those who keep a copy of it.
 #include <cmath>
 #include <map>
 #include <tuple>
