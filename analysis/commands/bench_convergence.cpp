@@ -241,7 +241,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                            const std::stop_token& stop) {
   const auto arguments = std::make_shared<ConvergenceArguments>();
   CLI::App* command = bench.add_subcommand(
-      "convergence", "Measure how much sooner each method reaches an error than the first one");
+      "convergence", "Measure how much faster each method reaches the error of the first one");
   command->add_option("SCENE", arguments->scenes, "Scenes' names, or .glb, .gltf or .obj files")
       ->required();
   command

@@ -48,11 +48,11 @@ struct GeneralFigures {
 struct TracingFigures {
   int threads = 0;
   std::vector<std::string> warnings;  ///< what loading the scene warned of
-  Median seconds;                     ///< for all paths: sampled, traced and filmed
+  Median seconds;                     ///< seconds for all paths: sampled, traced and filmed
   double sampling_seconds = 0.0;      ///< seconds for points and directions alone, on one thread
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
-  Median embree_seconds;   ///< for the same rays, each kind by its fastest entry point
+  Median embree_seconds;   ///< seconds for the same rays, each kind by its fastest entry point
   Median ratio_to_embree;  ///< median over the repetitions, both measured in the same one
   std::optional<GeneralFigures> general;
 

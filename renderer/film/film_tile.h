@@ -29,8 +29,9 @@ void for_each_bit(std::uint32_t word, const Visit& visit) {
 /// touch little of it.
 class FilmTile {
  public:
-  static constexpr int size = 32;   ///< pixels along a side
-  static constexpr int levels = 5;  ///< of the pyramid above the pixels; the last is one cell
+  static constexpr int size = 32;  ///< pixels along a side
+  static constexpr int levels =
+      5;  ///< levels of the pyramid above the pixels; the last is one cell
 
   struct Pixel {
     DVec3 sum;

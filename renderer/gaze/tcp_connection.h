@@ -1,5 +1,5 @@
 // A TCP connection to a program that may be slow, silent or gone: no call blocks for longer than it
-// is told to.
+// may.
 #pragma once
 
 #include <chrono>
