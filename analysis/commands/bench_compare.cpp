@@ -64,10 +64,11 @@ void print_table(const BenchComparison& comparison) {
 void add_bench_compare(CLI::App& bench) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
-      bench.add_subcommand("compare", "Ratios of two runs of a benchmark, with intervals");
+      bench.add_subcommand("compare", "Compare two runs of a benchmark: ratios with intervals");
   command->add_option("BEFORE", arguments->before, "What a bench command printed with --json")
       ->required();
-  command->add_option("AFTER", arguments->after, "The same command's at another time")->required();
+  command->add_option("AFTER", arguments->after, "What the same command printed at another time")
+      ->required();
   command->add_flag("--json", arguments->json, "Print the ratios as JSON");
   command->footer("Example: foveola bench compare before.json after.json");
   command->callback([arguments] {

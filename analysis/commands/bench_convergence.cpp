@@ -47,7 +47,7 @@ struct ConvergenceArguments {
   bool json = false;
 };
 
-/// What `--quick` does: as much as two minutes hold, over all scenes together.
+/// The limit of `--quick`, for all scenes together: references and crops fill the two minutes.
 constexpr double quick_limit_s = 100.0;
 
 ConvergencePlan quick_plan() {
@@ -99,7 +99,7 @@ class ProgressLines {
 
 struct Results {
   std::vector<GazeMeasurement> measurements;
-  std::vector<RgbImage> crops;  ///< of each measurement
+  std::vector<RgbImage> crops;  ///< one strip for each measurement
   std::vector<double> exposure_stops;
 };
 
@@ -177,7 +177,7 @@ class ConvergenceBench {
     --gazes_left_;
   }
 
-  /// For the repetitions of the next gaze; 0: no limit.
+  /// The time that the repetitions of the next gaze may take; 0: no limit.
   double limit_s() const {
     constexpr double least_s = 1.0;
     if (!arguments_.quick) {
@@ -240,9 +240,9 @@ void run(const ConvergenceArguments& arguments, const SceneFinder& find_scene,
 void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                            const std::stop_token& stop) {
   const auto arguments = std::make_shared<ConvergenceArguments>();
-  CLI::App* command =
-      bench.add_subcommand("convergence", "Run time against error, method against method");
-  command->add_option("SCENE", arguments->scenes, "Names, or .glb, .gltf or .obj files")
+  CLI::App* command = bench.add_subcommand(
+      "convergence", "Measure how much faster each method reaches the error of the first one");
+  command->add_option("SCENE", arguments->scenes, "Scenes' names, or .glb, .gltf or .obj files")
       ->required();
   command
       ->add_option("-o,--output", arguments->folder,
@@ -250,15 +250,18 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                    "parent exists")
       ->required();
   command
-      ->add_option("--methods", arguments->methods,
-                   "As render's --method, separated by commas; the first is what the others are "
-                   "compared with")
+      ->add_option(
+          "--methods", arguments->methods,
+          "Methods as render's --method, separated by commas; the others are compared with "
+          "the first, the baseline")
       ->capture_default_str();
   command
       ->add_option("--options", arguments->options,
-                   "What to change of the first method, each for a row of its own: independent "
-                   "(random numbers instead of low-discrepancy sequences), clamp (samples are cut "
-                   "at a radiance of 10), adaptive (as render's, at 0.01); or none")
+                   "What to change of the first method, each in a configuration of its own: "
+                   "independent (random numbers instead of low-discrepancy sequences), clamp "
+                   "(samples are cut at a radiance of 10), adaptive (sampling as render's "
+                   "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
+                   "drawn by their power alone); or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
@@ -267,7 +270,8 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                    "Gaze points around the horizon, the first ahead of the scene's camera")
       ->check(CLI::Range(1, 360))
       ->capture_default_str();
-  command->add_option("--size", arguments->size, "Of the film (default: 1024x512; quick: 192x96)");
+  command->add_option("--size", arguments->size,
+                      "Size of the film in pixels (default: 1024x512; quick: 192x96)");
   command
       ->add_option("--spp", arguments->samples_per_pixel,
                    "Samples of each render per pixel of the film (default: 32; quick: 16)")
@@ -278,10 +282,11 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                        "Renders of each method with other seeds (default: 4; quick: 3 to 8)")
           ->check(CLI::Range(2, 1000));
   accept_former_name(*command, *repetitions, "--rounds");
-  command->add_option("--threads", arguments->threads, "0: every core")
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command->add_flag("--quick", arguments->quick, "Smaller and coarser, in about two minutes");
+  command->add_flag("--quick", arguments->quick,
+                    "Measure a smaller and coarser plan, in about two minutes");
   command->add_flag("--json", arguments->json, "Print the tables as JSON");
   command->footer("Example: foveola bench convergence arcade church -o convergence --quick");
   command->callback([arguments, find = with_light_units(*command, find_scene), stop] {

@@ -15,7 +15,7 @@ namespace {
 
 using BenchJson = nlohmann::ordered_json;
 
-/// What tells the elements of an array apart.
+/// The keys that distinguish the elements of an array.
 constexpr std::array<std::string_view, 12> identities = {
     "name",   "kind",  "scene", "gaze",   "configuration", "region",
     "metric", "level", "unit",  "method", "option",        "threads"};
@@ -30,7 +30,7 @@ struct BenchFigure {
   std::optional<Interval> interval;
 };
 
-/// "threads=2", or the position where nothing tells it apart.
+/// "threads=2", or the position where no key distinguishes it.
 std::string identity_of(const BenchJson& element, std::size_t position) {
   std::string identity;
   if (element.is_object()) {
@@ -122,7 +122,7 @@ std::vector<std::string> differing_settings(const BenchJson& before, const Bench
   return differing;
 }
 
-/// The figure without its sign, its interval turned accordingly.
+/// The figure's absolute value, with the ends of its interval exchanged where needed.
 BenchFigure magnitude(BenchFigure figure) {
   if (figure.value < 0.0) {
     figure.value = -figure.value;

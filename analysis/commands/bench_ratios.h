@@ -15,11 +15,11 @@ struct BenchRatio {
   double before = 0.0;
   double after = 0.0;
   double ratio = 0.0;                ///< after / before
-  std::optional<Interval> interval;  ///< of the ratio, where both figures have one of their own
+  std::optional<Interval> interval;  ///< the ratio's, where both figures have one of their own
 };
 
 struct BenchComparison {
-  std::vector<BenchRatio> ratios;      ///< in the order of the run before
+  std::vector<BenchRatio> ratios;      ///< in the order of the earlier run's figures
   std::vector<std::string> differing;  ///< settings, "width: 1024, now 2048"
   std::vector<std::string> unmatched;  ///< figures that only one run has, or that have no ratio
 };

@@ -25,10 +25,12 @@ constexpr std::array kinds = {
     FigureKind{"sphere", Metric::mse, "rmse-sphere", "RMSE over the sphere"},
     FigureKind{"viewport", Metric::flip, "flip-viewport", "FLIP in the viewport"}};
 
-/// Told apart by people who see few colours too (Okabe and Ito 2008, "Color Universal Design").
+/// Colours that people with colour-vision deficiencies distinguish too (Okabe and Ito 2008, "Color
+/// Universal Design").
 constexpr std::array line_colors = {"#000000", "#0072b2", "#d55e00", "#009e73",
                                     "#cc79a7", "#e69f00", "#56b4e9"};
-/// And by people who see none: gnuplot's disc, square, triangles, diamond and their outlines.
+/// Symbols that people who see no colours distinguish: gnuplot's disc, square, triangles, diamond
+/// and their outlines.
 constexpr std::array point_types = {7, 5, 9, 11, 13, 6, 4};
 
 /// What is drawn of an error: mean squared errors as their roots.

@@ -181,7 +181,7 @@ json measured_json(const std::vector<GazeMeasurement>& measurements) {
   return list;
 }
 
-/// describe(row) for each of the rows.
+/// An array of describe(row) for each of the rows.
 template <typename Row, typename Describe>
 json list_of(const std::vector<Row>& rows, const Describe& describe) {
   json list = json::array();

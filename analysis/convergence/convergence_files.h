@@ -20,7 +20,8 @@ std::string convergence_json(const ConvergencePlan& plan,
                              const std::vector<GazeMeasurement>& measurements,
                              const ConvergenceTables& tables);
 
-/// For the terminal: speed-ups in mean squared error at equal error, by region, with costs.
+/// The summary for the terminal: speed-ups in mean squared error at equal error, by region, with
+/// costs.
 std::string convergence_summary(const ConvergenceTables& tables);
 
 }  // namespace foveola::analysis

@@ -29,7 +29,7 @@ std::optional<CurvePoint> point_of(Level level, const ErrorCurve& curve,
   return found != curve.end() ? std::optional(*found) : std::nullopt;
 }
 
-/// How far the slower curve has come, over what the faster one needed for the same error.
+/// How far the slower curve had come over how far the faster one had, at the same error.
 std::optional<double> speed_up(const ErrorCurve& method, const ErrorCurve& base,
                                const GazeMeasurement& measurement, Level level, Axis axis) {
   const std::optional<CurvePoint> method_end = point_of(level, method, measurement);

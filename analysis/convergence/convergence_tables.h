@@ -12,7 +12,7 @@
 namespace foveola::analysis {
 
 /// At which error a method is compared with the baseline: at the lowest that both reach with all of
-/// their samples, or with a quarter of them, which should tell the same.
+/// their samples, or with a quarter of them, which should give the same.
 enum class Level { all, quarter };
 inline constexpr std::array levels = {Level::all, Level::quarter};
 std::string_view name_of(Level level);
@@ -26,8 +26,9 @@ struct SpeedUp {
   Metric metric = Metric::mse;
   Level level = Level::all;
   std::optional<Estimate> samples;  ///< the baseline's samples over this method's, at equal error
-  std::optional<Estimate> time;     ///< likewise of seconds
-  std::optional<double> predicted;  ///< by density alone, of mean squared error in samples
+  std::optional<Estimate> time;     ///< the speed-up in seconds
+  std::optional<double> predicted;  ///< predicted by density alone: the speed-up in mean squared
+                                    ///< error at equal samples
 };
 
 /// What a path costs, over a render's whole length.
@@ -35,8 +36,8 @@ struct PathCost {
   std::string scene;
   std::string gaze;
   std::string configuration;
-  std::optional<Estimate> ns_per_path;  ///< on all threads together
-  std::optional<Estimate> ratio;        ///< to the baseline's
+  std::optional<Estimate> ns_per_path;  ///< nanoseconds, all threads working together
+  std::optional<Estimate> ratio;        ///< relative to the baseline's
 };
 
 /// Root mean squared error, and 1 / (mean squared error x seconds) at a render's end.
@@ -46,10 +47,10 @@ struct Convergence {
   std::string configuration;
   std::string region;
   std::optional<Estimate>
-      slope_in_samples;  ///< of the logarithm of RMSE; -0.5 for independent noise
+      slope_in_samples;  ///< slope of the logarithm of RMSE; -0.5 for independent noise
   std::optional<Estimate> slope_in_time;
   std::optional<Estimate> efficiency;
-  std::optional<Estimate> efficiency_ratio;  ///< to the baseline's
+  std::optional<Estimate> efficiency_ratio;  ///< relative to the baseline's
 };
 
 /// Geometric means over all scenes and gazes, their intervals from these (Student's t).
@@ -64,7 +65,7 @@ struct OverallSpeedUp {
 };
 
 struct ConvergenceTables {
-  std::vector<SpeedUp> speed_ups;  ///< of all configurations but the baseline
+  std::vector<SpeedUp> speed_ups;  ///< one for each configuration but the baseline
   std::vector<PathCost> costs;
   std::vector<Convergence> convergence;
   std::vector<OverallSpeedUp> overall;

@@ -22,13 +22,13 @@ struct CurvePoint {
   double samples = 0.0;
   double seconds = 0.0;
   double error = 0.0;
-  double samples_per_pixel = 0.0;  ///< of the region
-  double empty_share = 0.0;        ///< of the region
+  double samples_per_pixel = 0.0;  ///< weighted mean over the region
+  double empty_share = 0.0;        ///< weight of the region's pixels without samples, of all weight
 
   double along(Axis axis) const { return axis == Axis::samples ? samples : seconds; }
 };
 
-/// In the order of samples.
+/// Points in the order of their samples.
 using ErrorCurve = std::vector<CurvePoint>;
 
 /// Where a curve is taken from: its positions in a GazeMeasurement.

@@ -20,7 +20,7 @@ using RepetitionStatistic = std::function<std::optional<double>(std::span<const 
 /// some v_i is not defined; empty if the statistic is not.
 std::optional<Estimate> jackknife(std::size_t repetitions, const RepetitionStatistic& statistic);
 
-/// The same for a ratio (> 0), on its logarithm.
+/// The jackknife of a ratio (> 0), made on its logarithm.
 std::optional<Estimate> jackknife_ratio(std::size_t repetitions, const RepetitionStatistic& ratio);
 
 }  // namespace foveola::analysis

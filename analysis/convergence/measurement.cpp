@@ -15,7 +15,7 @@ namespace {
 
 /// Samples after which it is the next configuration's turn: a batch of a progressive render.
 constexpr std::uint64_t turn_samples = 1 << 17;
-/// The same where renders end after a time.
+/// The turn's samples where renders end after a time.
 constexpr std::uint64_t short_turn_samples = 1 << 14;
 
 Aim aim_at(const ConvergencePlan& plan, const AzimuthElevation& gaze) {
@@ -30,7 +30,8 @@ bool has_time_for_another(double limit_s, std::size_t repetitions, double elapse
                                limit_s * static_cast<double>(repetitions);
 }
 
-/// Of a measurement that ends with its most repetitions, or by the limit but for its least.
+/// The fraction done of a measurement that ends with its most repetitions, or at the time limit
+/// once it has its least.
 double fraction_done(const ConvergencePlan& plan, double repetitions, double limit_s,
                      double elapsed_s) {
   const double of_most = repetitions / plan.most_repetitions;
@@ -39,8 +40,8 @@ double fraction_done(const ConvergencePlan& plan, double repetitions, double lim
                                    repetitions / plan.least_repetitions);
 }
 
-/// From left to right, with a gap between them. There is at least one image, and all are of one
-/// size.
+/// Sets images from left to right, with a gap between them. There is at least one image, and all
+/// are of one size.
 RgbImage side_by_side(const std::vector<RgbImage>& images) {
   constexpr int gap = 8;
   const int pitch = images.front().width + gap;

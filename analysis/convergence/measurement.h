@@ -17,7 +17,7 @@ namespace foveola::analysis {
 /// A render's state when it had taken some number of samples.
 struct Checkpoint {
   std::uint64_t samples = 0;
-  double seconds = 0.0;       ///< of sampling, tracing and filming
+  double seconds = 0.0;       ///< time of sampling, tracing and filming
   std::vector<Score> scores;  ///< one a region
 };
 
@@ -33,7 +33,7 @@ using Repetition = std::vector<RenderLog>;
 /// Everything that was measured at one gaze in one scene.
 struct GazeMeasurement {
   std::string scene;
-  std::string gaze;                         ///< as gaze_name
+  std::string gaze;                         ///< "azimuth,elevation", as gaze_name() writes it
   std::vector<std::string> configurations;  ///< the first is the baseline
   std::vector<std::string> regions;
   /// By configuration and region: what density alone predicts of the speed-up, if it does.

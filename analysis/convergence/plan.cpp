@@ -69,7 +69,7 @@ const std::vector<OptionRow>& option_rows() {
        .suffix = ", adaptive",
        .apply = [](Configuration& configuration) { configuration.adaptive_contrast = 0.01; }},
       {.name = "no-fast-path",
-       .suffix = ", nothing skipped",
+       .suffix = ", general path",
        .apply = [](Configuration& configuration) { configuration.uses_general_path = true; }},
       {.name = "no-hierarchy",
        .suffix = ", lights by power alone",
@@ -124,7 +124,7 @@ std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan) {
 std::string gaze_name(const AzimuthElevation& gaze) {
   const auto rounded = [](double angle_rad) {
     constexpr double per_degree = 1e3;
-    // Adding zero makes nought of a negative one.
+    // Adding zero turns -0 into 0.
     return std::round(per_degree * degrees(angle_rad)) / per_degree + 0.0;
   };
   return fmt::format("{},{}", rounded(gaze.azimuth_rad), rounded(gaze.elevation_rad));

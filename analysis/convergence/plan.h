@@ -22,8 +22,8 @@ struct Configuration {
   RandomNumbers numbers = RandomNumbers::low_discrepancy;
   /// Each channel of a sample is cut to this: less noise, and a bias that counts as error.
   float largest_radiance = std::numeric_limits<float>::infinity();
-  /// As VisibleNoise::contrast, with low-discrepancy numbers only: samples of pixels that are done
-  /// go to others nearby, or are left out though they count as taken.
+  /// VisibleNoise::contrast of adaptive sampling, with low-discrepancy numbers only: samples of
+  /// pixels that are done go to others nearby, or are left out though they count as taken.
   std::optional<double> adaptive_contrast;
   bool uses_general_path = false;  ///< see TraceSettings
   LightSelection light_selection = LightSelection::usual;
@@ -31,7 +31,7 @@ struct Configuration {
 
 /// A row of the quality-speed options: what it is called and what it changes of a configuration.
 struct OptionRow {
-  std::string name;    ///< on the command line
+  std::string name;    ///< what it is called on the command line
   std::string suffix;  ///< behind the method's name in tables
   void (*apply)(Configuration& configuration);
 };
@@ -51,19 +51,20 @@ std::vector<Configuration> make_configurations(const std::vector<std::string>& m
 
 struct ConvergencePlan {
   std::vector<Configuration> configurations;
-  IVec2 size{1024, 512};       ///< of the film, pixels
-  int samples_per_pixel = 32;  ///< of every render, on average over the film; at least 16
+  IVec2 size{1024, 512};       ///< film size in pixels
+  int samples_per_pixel = 32;  ///< samples of every render, on average over the film; at least 16
   int least_repetitions = 4;   ///< renders of each configuration, each with another seed
   int most_repetitions = 4;
   double seconds =
       0.0;  ///< no repetition is begun that would probably not end by then; 0: no limit
-  /// Of the viewport, both ways; the head points at the gaze.
+  /// The viewport's field of view, both ways; the head points at the gaze.
   double fov_deg = FieldOfView{}.horizontal_deg;
   int view_size = usual_view_size.x;  ///< pixels of the display along each side
   int max_depth = TraceSettings{}.max_depth;
-  int reference_samples_per_pixel = 64;  ///< of each of both halves
-  int reference_foveated_per_pixel = 8;  ///< the same number, but around the gaze
-  double crop_seconds = 1.0;             ///< of rendering, for the crops side by side
+  int reference_samples_per_pixel = 64;  ///< uniform samples of each of the two halves
+  int reference_foveated_per_pixel =
+      8;  ///< further samples, foveated around the gaze, for each pixel of the film
+  double crop_seconds = 1.0;  ///< rendering time of the crops that stand side by side
   double crop_fov_deg = 30.0;
   int crop_size = 320;  ///< pixels of a crop along each side
 };
@@ -74,8 +75,8 @@ std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
 /// A scene that is measured.
 struct Subject {
   const LoadedScene& loaded;
-  std::string key;  ///< of all that the radiance depends on, as reference_image
-  const PathTracer* tracer_by_power_alone = nullptr;  ///< where a configuration asks for it
+  std::string key;  ///< reference_image()'s scene_key: all that the radiance depends on
+  const PathTracer* tracer_by_power_alone = nullptr;  ///< null unless a configuration asks for it
 };
 
 /// "azimuth,elevation" in degrees: how a gaze is called in tables.

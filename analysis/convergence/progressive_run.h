@@ -1,4 +1,4 @@
-// One progressive render whose time is taken: nothing but directions, paths and film counts.
+// One progressive render whose time is taken: only sampling, tracing and filming count.
 #pragma once
 
 #include <cstdint>

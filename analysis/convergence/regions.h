@@ -12,7 +12,7 @@ namespace foveola::analysis {
 
 struct Region {
   std::string name;
-  /// Of a direction of unit length, per steradian: 0 outside, 1 inside, or in between.
+  /// The weight of a direction (unit length) per steradian: 0 outside, 1 inside, or in between.
   std::function<double(const Vec3&)> weight;
   bool is_in_view = false;  ///< the display shows all of it
 };
@@ -24,7 +24,8 @@ std::vector<Region> regions_around(const Vec3& gaze, const Viewport& viewport);
 /// The pixels of an equirect film whose middles lie in the region, weighted by their steradians.
 PixelRegion region_on_film(const Region& region, const IVec2& size);
 
-/// The same for a display of size x size pixels that shows `viewport`.
+/// The region's pixels on a display of size x size pixels that shows `viewport`, weighted by their
+/// steradians.
 PixelRegion region_on_view(const Region& region, const Viewport& viewport, int size);
 
 }  // namespace foveola::analysis

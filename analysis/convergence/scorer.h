@@ -23,7 +23,7 @@ struct Score {
 
 class Scorer {
  public:
-  /// regions must outlive it. workers likewise.
+  /// regions and workers must outlive it.
   Scorer(const ConvergencePlan& plan, const Viewport& viewport, double exposure_stops,
          const std::vector<Region>& regions, ReferenceHalves reference, const Workers& workers);
 
@@ -48,9 +48,10 @@ class Scorer {
   RgbImage reference_view_;  ///< as the display shows it
 };
 
-/// Both halves, rendered or taken from `cache`: more samples around the gaze, noise independent of
-/// each other's and of all renders', textures filtered as in those, so that noise is all that is
-/// left between them. progress is called with the fraction done. Throws Error as reference_image.
+/// Both halves of the reference, rendered or taken from `cache`: more samples around the gaze,
+/// noise independent of each other's and of all renders', textures filtered as in those, so that
+/// noise is all that is left between them. progress is called with the fraction done. Throws Error
+/// as reference_image.
 ReferenceHalves reference_halves(const Subject& subject, const ConvergencePlan& plan,
                                  const Vec3& gaze, const Workers& workers,
                                  const std::filesystem::path& cache,

@@ -1,4 +1,4 @@
-// The small notations of the command line: "2048x1024", "1,2,3", "-30,10".
+// The notations of the command line: "2048x1024", "1,2,3", "-30,10".
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ void require_method(const std::string& method);
 /// "WIDTHxHEIGHT" in pixels, each in [1, 65536]. option names the argument in the UsageError.
 IVec2 parse_size(const std::string& option, const std::string& text);
 
-/// The notation of a size.
+/// A size in the notation of parse_size().
 std::string size_text(const IVec2& size);
 
 /// Pixels of the film of a preview that is shown live.
@@ -34,10 +34,11 @@ FieldsOfView parse_fields_of_view(const std::string& option, const std::string& 
 /// "axis x,axis y,k1,k2", the axis in [0, 1].
 RadialLens parse_lens(const std::string& option, const std::string& text);
 
-/// What --camera's help says of its value.
+/// The help text of --camera.
 inline constexpr const char* camera_help =
-    "x,y,z in metres (default: the scene's; without one in the middle, or in front of a closed "
-    "object)";
+    "Where the camera stands: x,y,z in metres (default: where the scene says, else in its middle "
+    "or "
+    "in front of a closed object)";
 
 /// "x,y,z", all finite.
 DVec3 parse_vec3(const std::string& option, const std::string& text);

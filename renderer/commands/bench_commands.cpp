@@ -65,8 +65,8 @@ std::vector<StabilityCheck> chosen_checks(const std::vector<SceneSource>& scenes
   return checks;
 }
 
-/// Four at least unless asked otherwise, also on fewer cores: bits must be equal on four threads,
-/// and TBB starts no more than the first of its users allows.
+/// The number of threads: at least four unless asked otherwise, also on fewer cores: bits must be
+/// equal on four threads, and TBB starts no more than the first of its users allows.
 int thread_count(const StabilityArguments& arguments) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   return arguments.threads > 0 ? arguments.threads : std::max(4, cores);
@@ -153,17 +153,21 @@ void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
   CLI::App* command = bench.add_subcommand(
       "stability", "Stress tests of numerical stability: furnaces, known answers, leaks, bits");
   CLI::Option* quick =
-      command->add_flag("--quick", arguments->quick, "Smaller, in a minute or two");
-  command->add_flag("--full", arguments->full, "Larger: 10^9 paths over the scenes, hours")
+      command->add_flag("--quick", arguments->quick, "Run smaller tests, in a minute or two");
+  command
+      ->add_flag("--full", arguments->full,
+                 "Run larger tests: 10^9 paths over the scenes, for hours")
       ->excludes(quick);
-  command->add_option("--only", arguments->only, "Run the stress tests whose name has this in it");
-  command->add_option("--threads", arguments->threads, "0: every core")
+  command->add_option("--only", arguments->only,
+                      "Run only the stress tests whose name contains this");
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->add_option("--paths", arguments->scene_paths,
-                      "Over the scenes, instead of what --quick or --full say");
-  command->add_option("--seed", arguments->scene_seed,
-                      "Of these paths: many can be traced in several goes, each with its own");
+                      "Number of paths over the scenes, instead of what --quick or --full say");
+  command->add_option(
+      "--seed", arguments->scene_seed,
+      "Seed of these paths: many can be traced in several runs, each with its own seed");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench stability --quick");
   command->callback([arguments, scenes, find_scene, stop] {
@@ -175,7 +179,7 @@ void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
 
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
                              const SceneFinder& find_scene, const std::stop_token& stop) {
-  CLI::App* bench = app.add_subcommand("bench", "What the renderer measures of itself");
+  CLI::App* bench = app.add_subcommand("bench", "Benchmarks and stress tests of the renderer");
   bench->require_subcommand(1);
   add_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);

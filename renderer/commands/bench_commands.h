@@ -1,4 +1,4 @@
-// `foveola bench`: what the renderer measures of itself.
+// `foveola bench`: benchmarks and stress tests of the renderer.
 #pragma once
 
 #include <stop_token>

@@ -26,7 +26,7 @@ struct Ring {
   double end_deg = 0.0;
   double square_degrees = 0.0;
   double counted = 0.0;
-  double stated = 0.0;  ///< by the method's density, of as many samples
+  double stated = 0.0;  ///< samples expected by the method's stated density
 };
 
 /// Midpoints along a side of a pixel by which a density is integrated: many where it is steep.
@@ -91,10 +91,9 @@ std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
 }  // namespace
 
 void print_density(const std::string& method, bool as_json) {
-  constexpr double fov_rad = radians(100.0);
   const Vec3 gaze = direction_from({.azimuth_rad = 0.2, .elevation_rad = -0.1});
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
-  sampler->aim({.viewport = Viewport(head_orientation({}), fov_rad, fov_rad), .gaze = gaze});
+  sampler->aim({.viewport = Viewport({}, FieldOfView{}), .gaze = gaze});
   nlohmann::json list = nlohmann::json::array();
   if (!as_json) {
     fmt::print("{}: {} samples on a film of {}x{}\n", method, samples_in_all, width, height);

@@ -1,4 +1,4 @@
-// bench sampling --density: where a method's samples really fall.
+// `foveola bench sampling --density`: where a method's samples really fall.
 #pragma once
 
 #include <string>

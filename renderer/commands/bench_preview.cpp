@@ -52,7 +52,7 @@ RenderSettings settings_of(const PreviewArguments& arguments) {
   return settings;
 }
 
-/// Before its first frame.
+/// A run without frames yet.
 PreviewRun run_of(const PreviewArguments& arguments, const RenderSettings& settings) {
   PreviewRun run{.frames = {},
                  .tracker = read_tracker_profile(arguments.tracker),
@@ -109,7 +109,7 @@ PreviewRun run_frames(const PreviewArguments& arguments, const SceneSource& sour
   return run;
 }
 
-/// With what the run was asked for, and on what it ran.
+/// The run's figures, with what was asked for and the machine it ran on.
 Json json_of(const PreviewRun& run, const PreviewArguments& arguments) {
   Json json = {{"version", build_info().version},
                {"compiler", build_info().compiler},
@@ -143,31 +143,35 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
   const auto arguments = std::make_shared<PreviewArguments>();
   CLI::App* command = bench.add_subcommand(
       "preview",
-      "Whether a live preview's frames are in time, and how long it takes from the eye to "
-      "light, without a window");
+      "Measure without a window whether a live preview's frames are in time, and the latency from "
+      "the eye to the display's light");
   command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
-  command->add_option("--method", arguments->method, "As render's")->capture_default_str();
-  command->add_option("--size", arguments->size, "Of the film, WIDTHxHEIGHT")
+  command->add_option("--method", arguments->method, "The method, as render's --method")
       ->capture_default_str();
-  command->add_option("--view", arguments->view,
-                      "Resample every frame to so many pixels, WIDTHxHEIGHT (default: do not; a "
-                      "window's graphics card does)");
-  command->add_option("--tracker", arguments->tracker, "A profile's name or file")
+  command->add_option("--size", arguments->size, "Size of the film in pixels, WIDTHxHEIGHT")
       ->capture_default_str();
-  command->add_option("--display", arguments->display, "A profile's name or file")
+  command->add_option(
+      "--view", arguments->view,
+      "Resample every frame to a view of so many pixels, WIDTHxHEIGHT (default: do not; "
+      "in a window the graphics card does it)");
+  command->add_option("--tracker", arguments->tracker, "The tracker: a profile's name or file")
+      ->capture_default_str();
+  command->add_option("--display", arguments->display, "The display: a profile's name or file")
       ->capture_default_str();
   command
       ->add_option("--rate", arguments->rate_hz,
-                   "Of the display's refreshes, in Hz (default: as its profile says)")
+                   "The display's refresh rate in Hz (default: as its profile says)")
       ->check(CLI::Range(1.0, 1000.0));
-  command->add_option("--frames", arguments->frames, "How many")
+  command->add_option("--frames", arguments->frames, "Number of frames")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
-  command->add_option("--restart-every", arguments->restart_every, "Frames")
+  command
+      ->add_option("--restart-every", arguments->restart_every,
+                   "Begin a new picture after so many frames")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: every core")
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the figures as JSON");

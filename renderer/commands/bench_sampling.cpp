@@ -25,8 +25,6 @@
 namespace foveola {
 namespace {
 
-constexpr double field_of_view_deg = 100.0;
-
 /// Writes an image of weights for the methods that read one.
 void write_weights(const std::filesystem::path& path) {
   RgbImage image(1024, 512);
@@ -67,9 +65,7 @@ std::vector<Vec2> points(std::uint64_t first, std::size_t count) {
 }
 
 void aim_at(const AzimuthElevation& gaze, ViewSampler& sampler) {
-  const double fov_rad = radians(field_of_view_deg);
-  sampler.aim(
-      {.viewport = Viewport(head_orientation({}), fov_rad, fov_rad), .gaze = direction_from(gaze)});
+  sampler.aim({.viewport = Viewport({}, FieldOfView{}), .gaze = direction_from(gaze)});
 }
 
 std::unique_ptr<ViewSampler> aimed(const std::string& method) {
@@ -88,7 +84,7 @@ Measured sampler_cost(const std::string& method) {
           "ns a sample, one core"};
 }
 
-/// Looked at on and on, or cleared after every batch, when the person looks elsewhere too.
+/// Whether a film goes on, or is cleared before every batch, where the person looks elsewhere too.
 enum class FilmUse { continued, cleared_first };
 
 /// Numbering and adding a batch of FV's samples, pyramid included. No two batches have a point in
@@ -180,12 +176,13 @@ void add_bench_sampling(CLI::App& bench) {
   const auto methods = std::make_shared<std::vector<std::string>>();
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "sampling", "What view samples cost before they are traced, and the film after: medians");
+      "sampling", "Measure what drawing view samples and adding them to the film cost: medians");
   const auto density = std::make_shared<std::string>();
   command->add_option("--density", *density,
                       "Print where this method's samples fall instead: counted and stated, in "
                       "rings around the gaze");
-  command->add_option("METHOD", *methods, "As render's --method (default: one of each)");
+  command->add_option("METHOD", *methods,
+                      "Methods, as render's --method (default: one of each kind)");
   command->add_flag("--json", *as_json, "Print the figures as JSON");
   command->footer("Example: foveola bench sampling fv fv:acuity=guenter,cutoff=60");
   command->callback([methods, density, as_json] {

@@ -1,4 +1,4 @@
-// bench sampling: what a view sample costs before it is traced, and the film after.
+// `foveola bench sampling`: what drawing view samples and adding them to the film cost.
 #pragma once
 
 namespace CLI {

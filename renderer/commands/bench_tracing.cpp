@@ -81,7 +81,7 @@ EmbreeFigure figure_of(const char* kind, const EmbreeRepetitions& repetitions) {
   return figure;
 }
 
-/// Of each repetition, all kinds of rays together, each by its fastest entry point.
+/// The seconds of each repetition for all kinds of rays, each kind by its fastest entry point.
 template <std::size_t kinds>
 std::vector<double> embree_seconds(const std::array<EmbreeRepetitions, kinds>& embree) {
   std::vector<double> sums;
@@ -93,7 +93,7 @@ std::vector<double> embree_seconds(const std::array<EmbreeRepetitions, kinds>& e
   return sums;
 }
 
-/// Element by element.
+/// The quotients, element by element.
 std::vector<double> ratios(const std::vector<double>& numerators,
                            const std::vector<double>& denominators) {
   std::vector<double> result(numerators.size());
@@ -102,10 +102,10 @@ std::vector<double> ratios(const std::vector<double>& numerators,
   return result;
 }
 
-/// The paths of a render, over and over.
-class Course {
+/// The paths of one render, which is repeated.
+class RepeatedRender {
  public:
-  Course(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers)
+  RepeatedRender(const LoadedScene& loaded, const RenderSettings& settings, const Workers& workers)
       : loaded_(loaded),
         settings_(settings),
         workers_(workers),
@@ -127,7 +127,7 @@ class Course {
     return render.film().resolve().color;
   }
 
-  /// What of that it takes to draw the directions, on one thread. Returns the seconds.
+  /// What drawing the directions takes of that, on one thread. Returns the seconds.
   double draw_directions() const {
     std::vector<Vec2> points(pass_points);
     std::vector<ViewSample> samples(pass_points);
@@ -143,7 +143,7 @@ class Course {
     return seconds(clock.now() - start);
   }
 
-  /// The rays of all that.
+  /// All rays of that render.
   RayLog log_rays() const {
     RayLog log;
     ProgressiveRender render = begin();
@@ -192,7 +192,8 @@ class Course {
 };
 
 /// How the general path's picture differs; both have the same samples.
-void compare_pictures(const Course& usual, const Course& general, GeneralFigures& figures) {
+void compare_pictures(const RepeatedRender& usual, const RepeatedRender& general,
+                      GeneralFigures& figures) {
   const RgbImage a = usual.picture();
   const RgbImage b = general.picture();
   std::size_t differing = 0;
@@ -213,11 +214,11 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
                        bool with_general) {
   const Workers workers(settings.threads);
   const LoadedScene loaded(source, workers, settings.scene);
-  const Course course(loaded, settings, workers);
+  const RepeatedRender usual(loaded, settings, workers);
   RenderSettings general_settings = settings;
   general_settings.progressive.trace.uses_general_path = true;
-  const Course general(loaded, general_settings, workers);
-  const RayLog log = course.log_rays();
+  const RepeatedRender general(loaded, general_settings, workers);
+  const RayLog log = usual.log_rays();
   TracingFigures figures{
       .threads = workers.threads(), .warnings = loaded.warnings, .rays = {}, .embree = {}};
   std::vector<double> render_s;
@@ -225,12 +226,12 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   std::vector<double> general_s;
   std::array<EmbreeRepetitions, ray_kinds.size()> embree;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
-    render_s.push_back(course.render(figures.rays));
+    render_s.push_back(usual.render(figures.rays));
     if (with_general) {
       RayCounts rays;
       general_s.push_back(general.render(rays));
     }
-    sampling_s.push_back(course.draw_directions());
+    sampling_s.push_back(usual.draw_directions());
     for (std::size_t i = 0; i < ray_kinds.size(); ++i) {
       embree[i].add(time_embree(loaded.tracer.ray_scene(), log.*ray_kinds[i].rays,
                                 ray_kinds[i].query, workers));
@@ -247,7 +248,7 @@ TracingFigures measure(const SceneSource& source, const RenderSettings& settings
   if (with_general) {
     figures.general.emplace().gain = median_of(ratios(general_s, render_s));
     figures.general->seconds = median_of(general_s);
-    compare_pictures(course, general, *figures.general);
+    compare_pictures(usual, general, *figures.general);
   }
   return figures;
 }
@@ -286,7 +287,7 @@ RenderSettings settings_from(const TracingArguments& arguments) {
   return settings;
 }
 
-/// One thread, and all cores.
+/// The numbers of threads that are measured by default: one, and all cores.
 std::vector<int> usual_threads() {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   return cores == 1 ? std::vector{1} : std::vector{1, cores};
@@ -310,31 +311,36 @@ void run(const TracingArguments& arguments, const SceneFinder& find_scene) {
 void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
   const auto arguments = std::make_shared<TracingArguments>();
   CLI::App* command = bench.add_subcommand(
-      "tracing", "What a path costs, beside what Embree alone takes for the same rays");
+      "tracing", "Measure what a path costs, beside what Embree alone takes for the same rays");
   command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
-  command->add_option("--method", arguments->method, "As render's")->capture_default_str();
-  command->add_option("--size", arguments->size, "Of the film, WIDTHxHEIGHT")
+  command->add_option("--method", arguments->method, "The method, as render's --method")
+      ->capture_default_str();
+  command->add_option("--size", arguments->size, "Size of the film in pixels, WIDTHxHEIGHT")
       ->capture_default_str();
   command->add_option("--camera", arguments->camera, camera_help);
-  command->add_option("--threads", arguments->threads, "One measurement each (default: 1 and all)")
+  command
+      ->add_option("--threads", arguments->threads,
+                   "Numbers of threads, each measured (default: 1 and all cores)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
-  command->add_option("--paths", arguments->paths, "Paths a repetition")
+  command->add_option("--paths", arguments->paths, "Paths of each repetition")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 22))
       ->capture_default_str();
-  CLI::Option* const repetitions =
-      command->add_option("--repetitions", arguments->repetitions, "Of which the median counts")
-          ->check(CLI::Range(1, 1000))
-          ->capture_default_str();
+  CLI::Option* const repetitions = command
+                                       ->add_option("--repetitions", arguments->repetitions,
+                                                    "Number of repetitions, whose median counts")
+                                       ->check(CLI::Range(1, 1000))
+                                       ->capture_default_str();
   accept_former_name(*command, *repetitions, "--rounds");
-  command->add_option("--max-depth", arguments->max_depth, "Surface vertices of a path")
+  command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  command->add_flag("--diffuse", arguments->diffuse, "Every material Lambertian, as render's");
+  command->add_flag("--diffuse", arguments->diffuse,
+                    "Show every material as Lambertian, as render's --diffuse");
   CLI::Option* const no_fast_path =
       command->add_flag("--no-fast-path", arguments->no_fast_path,
-                        "Measure the general path too, and say what the fast path gains");
+                        "Measure the general path too, and what the fast path gains over it");
   accept_former_name(*command, *no_fast_path, "--no-skip");
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");

@@ -47,11 +47,12 @@ void run_compare(const CompareArguments& arguments) {
 
 void add_compare(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", "How far an image is from a reference");
-  command->add_option("IMAGE", arguments->image)->required();
-  command->add_option("REFERENCE", arguments->reference)->required();
+  CLI::App* command = app.add_subcommand("compare", "Measure how far an image is from a reference");
+  command->add_option("IMAGE", arguments->image, "An image file")->required();
+  command->add_option("REFERENCE", arguments->reference, "An image file of the same size")
+      ->required();
   command->add_flag("--solid-angle", arguments->solid_angle,
-                    "Weight pixels by the cosine of their latitude");
+                    "Weight pixels by their solid angle: the cosine of their latitude");
   command->add_flag("--json", arguments->json, "Print the result as JSON");
   command->footer("Example: foveola compare preview.exr reference.exr --solid-angle");
   command->callback([arguments] { run_compare(*arguments); });

@@ -7,11 +7,10 @@
 
 namespace foveola {
 
-/// What --environment's help says of its value.
+/// The help text of --environment.
 inline constexpr const char* environment_help =
-    "A lat-long image file, r,g,b for a constant radiance, or sky:AZIMUTH,ELEVATION[,TURBIDITY] "
-    "for "
-    "daylight with the sun there";
+    "What surrounds the scene: a lat-long image file, r,g,b for a constant radiance, or "
+    "sky:AZIMUTH,ELEVATION[,TURBIDITY] for daylight with the sun there (degrees)";
 
 /// Gives `source` the environment that `text` names in place of its own: "r,g,b" is a constant
 /// radiance, "sky:..." daylight, anything else a file, which is not read yet. What a descriptor

@@ -1,4 +1,4 @@
-// Medians of repeated measurements, with intervals that assume nothing of how these are spread.
+// Medians of repeated measurements, with distribution-free confidence intervals.
 #pragma once
 
 #include <optional>

@@ -60,7 +60,7 @@ struct PreviewCommand {
   bool json = false;
 };
 
-/// What the keys go through: the method that was asked for first.
+/// The methods that a key goes through, the one that was asked for first.
 std::vector<std::string> methods_from(const std::string& first) {
   std::vector<std::string> methods = {first};
   for (const char* method : {"od", "vp", "fv", "hybrid"}) {
@@ -110,8 +110,8 @@ WindowEyeTracker open_gaze_source(const PreviewCommand& command, const DisplayPr
   return open_window_eye_tracker(read_tracker_profile(command.tracker), screen_of(display), clock);
 }
 
-/// Beside the report, which JSON's readers want alone.
-void tell_user(const std::string& line) { fmt::print(stderr, "{}\n", line); }
+/// Prints on standard error: standard output holds the report alone, for JSON's readers.
+void print_notice(const std::string& line) { fmt::print(stderr, "{}\n", line); }
 
 /// Loads the scene and shows it, in a thread of its own beside the window's.
 LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& source,
@@ -145,7 +145,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .framebuffer = framebuffer,
                            .keeps_last_picture = !command.screenshot.empty(),
                            .corrects_gaze = command.correct_gaze,
-                           .tell = tell_user};
+                           .notify = print_notice};
   live.choices.look.exposure_stops = source.exposure_stops + command.exposure_stops;
   if (command.frames > 0) {
     live.frames = command.frames;
@@ -299,12 +299,13 @@ void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
 
 void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<PreviewCommand>();
-  CLI::App* command = app.add_subcommand("preview", "A window that renders where you look");
+  CLI::App* command = app.add_subcommand("preview", "Open a window that renders where you look");
   command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
-  command->add_option("--method", arguments->method, "To begin with; as render's")
+  command
+      ->add_option("--method", arguments->method, "The method to begin with, as render's --method")
       ->capture_default_str();
-  command->add_option("--size", arguments->size, "Of the film, WIDTHxHEIGHT")
+  command->add_option("--size", arguments->size, "Size of the film in pixels, WIDTHxHEIGHT")
       ->capture_default_str();
   command
       ->add_option("--display", arguments->display,
@@ -313,49 +314,64 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->capture_default_str();
   CLI::Option* tracker =
       command
-          ->add_option("--tracker", arguments->tracker,
-                       "What the gaze is: pointer, or a tracker's profile (see tracker list)")
+          ->add_option(
+              "--tracker", arguments->tracker,
+              "Where the gaze comes from: pointer, or a tracker's profile (see tracker list)")
           ->capture_default_str();
-  command->add_option("--gaze-file", arguments->gaze_file, "Replay a recorded gaze instead")
+  command
+      ->add_option("--gaze-file", arguments->gaze_file,
+                   "Replay a recorded gaze from this file instead")
       ->excludes(tracker);
   command->add_flag("--correct-gaze", arguments->correct_gaze,
                     "Correct the gaze by what each check of the tracker (key c) finds");
   command->add_option("--camera", arguments->camera, camera_help);
-  CLI::Option* head =
-      command->add_option("--head", arguments->head,
-                          "azimuth,elevation in degrees to begin with (default: the scene's)");
-  command->add_option("--head-file", arguments->head_file, "Replay a recorded head instead")
+  CLI::Option* head = command->add_option(
+      "--head", arguments->head,
+      "Where the head points to begin with: azimuth,elevation in degrees (default: the "
+      "scene's heading)");
+  command
+      ->add_option("--head-file", arguments->head_file,
+                   "Replay recorded head poses from this file instead")
       ->excludes(head);
-  command->add_option("--window", arguments->window, "Its size, WIDTHxHEIGHT")
+  command->add_option("--window", arguments->window, "Size of the window, WIDTHxHEIGHT")
       ->capture_default_str();
-  CLI::Option* full_screen =
-      command->add_flag("--full-screen", arguments->full_screen, "Fill a monitor");
-  command->add_option("--monitor", arguments->monitor, "Which one, from 0 on")
+  CLI::Option* full_screen = command->add_flag("--full-screen", arguments->full_screen,
+                                               "Fill a monitor instead of a window");
+  command->add_option("--monitor", arguments->monitor, "Which monitor to fill, counted from 0")
       ->check(CLI::Range(0, 100))
       ->needs(full_screen)
       ->capture_default_str();
   command->add_option("--environment", arguments->environment, environment_help);
-  command->add_option("--exposure", arguments->exposure_stops, "Brighter by so many stops")
+  command
+      ->add_option("--exposure", arguments->exposure_stops, "Brighten the picture by so many stops")
       ->check(CLI::Range(-20.0, 20.0));
-  command->add_flag("--fill-unsampled", arguments->fill_unsampled,
-                    "Fill holes from what is known around them; they are black otherwise");
-  command->add_option("--show", arguments->shown, "Overlays to begin with")
+  command->add_flag(
+      "--fill-unsampled", arguments->fill_unsampled,
+      "Fill unsampled pixels from what is known around them; they are black otherwise");
+  command->add_option("--show", arguments->shown, "Overlays to show to begin with")
       ->delimiter(',')
       ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "help"}));
   CLI::Option* frames =
-      command->add_option("--frames", arguments->frames, "End after so many (default: when closed)")
+      command
+          ->add_option("--frames", arguments->frames,
+                       "End after so many frames (default: when the window is closed)")
           ->check(CLI::Range(1, 1'000'000'000));
-  command->add_option("--screenshot", arguments->screenshot, "Write the last one, as .png or .exr")
+  command
+      ->add_option("--screenshot", arguments->screenshot,
+                   "Write the last frame's picture, as .png or .exr")
       ->needs(frames);
-  command->add_option("--max-depth", arguments->trace.max_depth, "Surface vertices")
+  command
+      ->add_option("--max-depth", arguments->trace.max_depth, "The most surface vertices of a path")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->trace.seed, "Another seed gives other noise")
+  command
+      ->add_option("--seed", arguments->trace.seed,
+                   "Seed of the random numbers; another seed gives other noise")
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: every core")
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print how it went as JSON");
+  command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer("Example: foveola preview arcade --method fv (? shows the keys)");
   command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
     run_preview(*arguments, find, stop);

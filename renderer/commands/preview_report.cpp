@@ -75,7 +75,7 @@ std::pair<std::size_t, std::size_t> restarts_seen(const PreviewRun& run) {
 
 // --- Latency ---
 
-/// Of the frames that follow the eye.
+/// The latencies of the frames that follow the eye.
 struct EyeFrames {
   std::vector<LatencyStages> stages;  ///< a frame each
   std::size_t with_fresh_gaze = 0;    ///< whose gaze was no older than it should be

@@ -1,4 +1,4 @@
-// What the frames of a live preview were like: as text, and as JSON.
+// Summary of a live preview's frames, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ struct PreviewRun {
   std::vector<LiveFrame> frames;  ///< at least one
   TrackerProfile tracker;
   DisplayProfile display;
-  double refresh_rate_hz = 0.0;  ///< that frames aimed at
+  double refresh_rate_hz = 0.0;  ///< the rate that frames aimed at
   bool is_resampled = false;     ///< whether frames were made into images for the display
   int threads = 0;
 };
 
-/// Tables, several lines.
+/// Tables over several lines.
 std::string preview_text(const PreviewRun& run);
 
-/// The same numbers, under "figures" in the units that they say, and under "latency" in ms.
+/// The numbers of preview_text: under "figures" in the units that they name, under "latency" in ms.
 nlohmann::ordered_json preview_json(const PreviewRun& run);
 
 }  // namespace foveola

@@ -233,79 +233,93 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
   command->add_option("-o,--output", arguments->output,
-                      "An .exr (R, G, B, samples) or .png file to write");
+                      "The image to write, as .exr (R, G, B, samples) or .png");
   command
       ->add_option("--method", arguments->settings.method,
                    "Where the samples go: od, vp, vp-rect, fv, fv-map, mask, pointer, crop or a "
                    "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
                    "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
       ->capture_default_str();
-  command->add_option("--size", arguments->size, "Of the image, in pixels")->capture_default_str();
+  command->add_option("--size", arguments->size, "Size of the image in pixels, WIDTHxHEIGHT")
+      ->capture_default_str();
   command->add_option("--camera", arguments->camera, camera_help);
-  command->add_option("--head", arguments->head,
-                      "azimuth,elevation in degrees; azimuth from -Z towards +X");
-  command->add_option("--gaze", arguments->gaze,
-                      "azimuth,elevation in degrees, world (default: the head's)");
+  command->add_option(
+      "--head", arguments->head,
+      "Where the head points: azimuth,elevation in degrees, azimuth from -Z towards +X "
+      "(default: the scene's heading)");
+  command->add_option(
+      "--gaze", arguments->gaze,
+      "Where the eye looks: azimuth,elevation in degrees in the world (default: where the "
+      "head points)");
   command->add_option("--pointer", arguments->pointer,
-                      "azimuth,elevation in degrees, world: where the method pointer points "
+                      "Where the method pointer points: azimuth,elevation in degrees in the world "
                       "(default: the gaze)");
   command
       ->add_option("--fov", arguments->fov,
-                   "The viewport's field of view in degrees, or WIDTHxHEIGHT")
+                   "The viewport's field of view in degrees: WIDTH for both ways, or WIDTHxHEIGHT")
       ->capture_default_str();
   command->add_option("--lens", arguments->lens,
-                      "AXIS_X,AXIS_Y,K1,K2 of a headset's lens (see a protocol's [display.lens])");
+                      "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]");
   CLI::Option* view = command->add_option("--view", arguments->view,
-                                          "Write what the display shows too, as .exr or .png");
-  command->add_option("--view-size", arguments->view_size, "Of that image, in pixels")
+                                          "Also write what the display shows, as .exr or .png");
+  command
+      ->add_option("--view-size", arguments->view_size,
+                   "Size of the display's image in pixels, WIDTHxHEIGHT")
       ->needs(view)
       ->capture_default_str();
   command
-      ->add_flag("--fill-unsampled", arguments->fill_unsampled,
-                 "Fill its holes from what is known around them; they are black otherwise")
+      ->add_flag(
+          "--fill-unsampled", arguments->fill_unsampled,
+          "Fill unsampled pixels of the display's image from what is known around them; they "
+          "are black otherwise")
       ->needs(view);
   command->add_flag("--variance", arguments->settings.progressive.keep_variances,
-                    "Add the variance of luminance of a pixel's samples to the .exr");
+                    "Add to the .exr the variance of the luminance of each pixel's samples");
   CLI::Option_group* budget = command->add_option_group("budget", "How much to render");
   budget->add_option("--spp", arguments->samples_per_pixel,
                      "Samples per pixel on average over the image (default: 16)");
-  budget->add_option("--samples", arguments->samples, "Samples in all");
+  budget->add_option("--samples", arguments->samples, "Number of samples over the whole image");
   budget->add_option("--seconds", arguments->seconds, "Seconds of tracing");
   budget->require_option(0, 1);
   command
       ->add_option("--max-depth", arguments->settings.progressive.trace.max_depth,
-                   "Surface vertices; 1 is direct light")
+                   "The most surface vertices of a path; 1 is direct light alone")
       ->capture_default_str();
   command
       ->add_option("--seed", arguments->settings.progressive.trace.seed,
-                   "Another seed gives other noise")
+                   "Seed of the random numbers; another seed gives other noise")
       ->capture_default_str();
-  command->add_option("--threads", arguments->settings.threads, "0: every core")
+  command
+      ->add_option("--threads", arguments->settings.threads,
+                   "Number of threads; 0: one for each core")
       ->capture_default_str();
   command
       ->add_option("--exposure", arguments->exposure_stops,
-                   "Brighter by so many stops in a .png; an .exr holds radiances, whatever this is")
+                   "Brighten a .png by so many stops; an .exr holds radiances, whatever this is")
       ->check(CLI::Range(-20.0, 20.0));
   command->add_option("--environment", arguments->environment, environment_help);
   command->add_option("--environment-rotation", arguments->environment_rotation_deg,
-                      "Turns the environment by these degrees, from -Z towards +X");
+                      "Turn the environment by so many degrees, from -Z towards +X");
   command->add_option("--environment-strength", arguments->environment_strength,
-                      "Multiplies the environment");
-  command->add_option("--light-radius", arguments->light_radius_m,
-                      "Makes the file's points and spots spheres of so many metres");
+                      "Multiply the environment's radiance by this");
+  command->add_option(
+      "--light-radius", arguments->light_radius_m,
+      "Turn the file's point and spot lights into spheres of this radius in metres");
   command->add_option("--sun-radius", arguments->sun_radius_deg,
-                      "Makes directional lights discs of so many degrees' radius");
+                      "Turn directional lights into discs of this angular radius in degrees");
   command->add_flag("--diffuse", arguments->settings.scene.diffuse,
                     "Show every material as Lambertian in its base colour, to compare renderers");
   command->add_option("--clamp", arguments->largest_radiance,
-                      "Cut each sample's radiance to this: less noise, too dark a picture");
+                      "Cut each sample's radiance to this: less noise, but too dark a picture");
   CLI::Option* const adaptive = command->add_option(
       "--adaptive", arguments->adaptive_contrast,
-      "Adaptive sampling: no more samples for pixels whose noise is below this contrast at the "
-      "gaze, for instance 0.01, and below more elsewhere, as acuity falls");
+      "Adaptive sampling: take no more samples of pixels whose noise is below this contrast, for "
+      "instance 0.01 at the gaze and more elsewhere, as acuity falls; 0: off");
   accept_former_name(*command, *adaptive, "--spare-done");
-  command->add_option("--replay", arguments->replay,
-                      "x,y,sample: trace that path of this render again and print its vertices");
+  command->add_option(
+      "--replay", arguments->replay,
+      "Instead of rendering, trace one path of this render again and print its vertices: "
+      "x,y,sample");
   command->add_flag("--json", arguments->json, "Print the result as JSON");
   command->footer("Example: foveola render arcade -o arcade.exr --method fv --gaze 20,-5 --spp 4");
   command->callback([command, arguments, find = with_light_units(*command, find_scene), stop] {

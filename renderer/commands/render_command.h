@@ -1,4 +1,4 @@
-// The command `render`: from its arguments to an image file and a report, or to one path again.
+// `foveola render`: renders an image file with a report, or traces one path again.
 #pragma once
 
 #include <stop_token>

@@ -1,4 +1,4 @@
-// What a render tells: on the terminal, as JSON, and in its image's header.
+// A render's report: on the terminal, as JSON, and in its image's header.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace foveola {
 
-/// As the person typed them.
+/// Scene and output file as the person typed them.
 struct RenderNames {
   std::string scene;
   std::string output;

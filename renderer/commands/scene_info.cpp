@@ -25,7 +25,7 @@ struct LoadedFacts {
   double load_s = 0.0;
   std::size_t tracing_bytes = 0;  ///< see RayScene::memory_bytes
   SceneFacts facts;
-  DVec3 lower;  ///< of its bounds, in the file's world and metres, as --camera is
+  DVec3 lower;  ///< lower corner of its bounds in metres, in the file's world, as --camera is
   DVec3 upper;
 };
 
@@ -115,7 +115,8 @@ void print_text(const LoadedFacts& loaded) {
 void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
   const auto name = std::make_shared<std::string>();
   const auto as_json = std::make_shared<bool>(false);
-  CLI::App* command = scene.add_subcommand("info", "What is in a scene, and what it needs");
+  CLI::App* command =
+      scene.add_subcommand("info", "What a scene contains, and the memory that it needs");
   command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");

@@ -1,4 +1,4 @@
-// scene info: what is in a scene.
+// `foveola scene info`: what a scene contains.
 #pragma once
 
 #include "renderer/base/scene_source.h"

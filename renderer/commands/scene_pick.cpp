@@ -76,12 +76,14 @@ void print(const std::optional<Answer>& answer, bool as_json) {
 
 void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
   const auto arguments = std::make_shared<PickArguments>();
-  CLI::App* command = scene.add_subcommand(
-      "pick", "Which object, of which material, a gaze meets first, and where");
+  CLI::App* command =
+      scene.add_subcommand("pick", "Which object a gaze meets first, of which material, and where");
   command->add_option("SCENE", arguments->scene, "A scene's name, or a .glb, .gltf or .obj file")
       ->required();
-  command->add_option("--gaze", arguments->gaze,
-                      "azimuth,elevation in degrees, world (default: the scene's heading)");
+  command->add_option(
+      "--gaze", arguments->gaze,
+      "Where the eye looks: azimuth,elevation in degrees in the world (default: the "
+      "scene's heading)");
   command->add_option("--camera", arguments->camera, camera_help);
   command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");

@@ -1,4 +1,4 @@
-// scene pick: what a gaze meets in a scene.
+// `foveola scene pick`: what a gaze meets in a scene.
 #pragma once
 
 #include "renderer/base/scene_source.h"

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int gap = 8;
 constexpr double view_extent_deg = 90.0;
-/// Of what is rendered beyond each side of the view, whose pixels lie askew to the film's.
+/// How far each side of the film reaches beyond the view, whose pixels lie askew to the film's.
 constexpr double margin_deg = 2.0;
 
 struct SheetArguments {
@@ -93,7 +93,7 @@ RgbImage contact_sheet(const std::vector<SheetRow>& rows) {
   return sheet;
 }
 
-/// Of as many scenes as were finished before `stop`.
+/// The rows of as many scenes as were finished before `stop`.
 std::vector<SheetRow> render_rows(const std::vector<SceneSource>& sources,
                                   const RenderSettings& settings, const std::stop_token& stop) {
   std::vector<SheetRow> rows;
@@ -144,16 +144,19 @@ void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
   const auto arguments = std::make_shared<SheetArguments>();
   arguments->scenes = scenes;
   CLI::App* command =
-      scene.add_subcommand("sheet", "A contact sheet: of each scene all around, and one view");
-  command->add_option("SCENE", arguments->scenes, "Names or files (default: the built-in ones)");
+      scene.add_subcommand("sheet", "Make a contact sheet: each scene all around, and in one view");
+  command->add_option("SCENE", arguments->scenes,
+                      "Scenes' names or files (default: the built-in ones)");
   command->add_option("-o,--output", arguments->output, "The .png or .exr file to write")
       ->required();
-  command->add_option("--size", arguments->size, "Of a scene's 360-degree image, in pixels")
+  command
+      ->add_option("--size", arguments->size,
+                   "Size of a scene's 360-degree image in pixels, WIDTHxHEIGHT")
       ->capture_default_str();
   command->add_option("--spp", arguments->samples_per_pixel, "Samples per pixel of that image")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "0: every core")
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->footer("Example: foveola scene sheet -o sheet.png --size 512x256 --spp 64");

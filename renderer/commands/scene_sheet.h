@@ -1,4 +1,4 @@
-// scene sheet: scenes side by side, for judging them by eye.
+// `foveola scene sheet`: scenes side by side, for judging them by eye.
 #pragma once
 
 #include <stop_token>

@@ -1,4 +1,4 @@
-// What `bench tracing` measures, and how it is told.
+// What `bench tracing` measures, and how it is printed.
 #pragma once
 
 #include <array>
@@ -36,31 +36,31 @@ struct EmbreeFigure {
   std::vector<EmbreeTime> all;
 };
 
-/// The general path beside what a scene lets us skip.
+/// The general path compared with the fast path.
 struct GeneralFigures {
   Median seconds;
   Median gain;                   ///< its seconds over the usual path's, repetition by repetition
-  double share_of_pixels = 0.0;  ///< that differ by more than a thousandth
-  double relative_mean = 1.0;    ///< of the picture, to the usual one's
+  double share_of_pixels = 0.0;  ///< part of the pixels that differ by more than a thousandth
+  double relative_mean = 1.0;    ///< mean of the general path's picture over the usual one's
 };
 
 /// Times are medians over the repetitions.
 struct TracingFigures {
   int threads = 0;
-  std::vector<std::string> warnings;  ///< of the scene
-  Median seconds;                     ///< for all paths: sampled, traced and filmed
-  double sampling_seconds = 0.0;      ///< of them, for points and directions, on one thread
+  std::vector<std::string> warnings;  ///< what loading the scene warned of
+  Median seconds;                     ///< seconds for all paths: sampled, traced and filmed
+  double sampling_seconds = 0.0;      ///< seconds for points and directions alone, on one thread
   RayCounts rays;
   std::vector<EmbreeFigure> embree;
-  Median embree_seconds;   ///< for the same rays, each kind by its fastest entry point
-  Median ratio_to_embree;  ///< of what was measured in the same repetition
+  Median embree_seconds;   ///< seconds for the same rays, each kind by its fastest entry point
+  Median ratio_to_embree;  ///< median over the repetitions, both measured in the same one
   std::optional<GeneralFigures> general;
 
-  /// Of the time of all threads, the part that draws directions.
+  /// The part of the time of all threads that draws directions.
   double sampling_share() const { return sampling_seconds / (threads * seconds.value); }
 };
 
-/// paths: of each repetition.
+/// paths: the number of paths of each repetition.
 nlohmann::ordered_json json_of(const TracingFigures& figures, std::uint64_t paths);
 void print_table(const std::vector<TracingFigures>& runs, std::uint64_t paths);
 

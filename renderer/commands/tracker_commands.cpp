@@ -97,7 +97,7 @@ struct WatchArguments {
   bool json = false;
 };
 
-/// "azimuth  12.30 elevation  -3.10", or what is wrong.
+/// "azimuth  12.30 elevation  -3.10", or why there is no gaze.
 std::string describe(const std::optional<GazeSample>& sample, const std::string& status) {
   if (!status.empty()) {
     return status;
@@ -119,7 +119,7 @@ std::string describe(const InterSampleIntervals& intervals) {
                      intervals.gaps(), intervals.valid_samples(), intervals.samples());
 }
 
-/// One line over the other on a terminal, and under the other elsewhere.
+/// On a terminal each line is written over the one before, elsewhere under it.
 class LiveLine {
  public:
   ~LiveLine() {
@@ -191,7 +191,8 @@ void watch(const WatchArguments& arguments, const std::stop_token& stop) {
 
 void add_list(CLI::App& tracker) {
   const auto as_json = std::make_shared<bool>(false);
-  CLI::App* command = tracker.add_subcommand("list", "The HID eye trackers attached, and profiles");
+  CLI::App* command =
+      tracker.add_subcommand("list", "List the HID eye trackers attached, and the profiles");
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola tracker list");
   command->callback([as_json] {
@@ -203,15 +204,17 @@ void add_list(CLI::App& tracker) {
 void add_watch(CLI::App& tracker, const std::stop_token& stop) {
   const auto arguments = std::make_shared<WatchArguments>();
   CLI::App* command =
-      tracker.add_subcommand("watch", "Where the eyes look, and how regularly samples come");
+      tracker.add_subcommand("watch", "Show where the eyes look, and how regularly samples come");
   command->add_option("TRACKER", arguments->tracker, "A profile's name or file (see tracker list)")
       ->capture_default_str();
-  command->add_option("--display", arguments->display, "What they look at: a name or file")
+  command
+      ->add_option("--display", arguments->display,
+                   "The display that they look at: a profile's name or file")
       ->capture_default_str();
-  command->add_option("--seconds", arguments->seconds, "Ends after so long (0: with Ctrl-C)")
+  command->add_option("--seconds", arguments->seconds, "End after so many seconds (0: with Ctrl-C)")
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print only how it was in the end, as JSON");
+  command->add_flag("--json", arguments->json, "Print only the summary at the end, as JSON");
   command->footer("Example: foveola tracker watch simulated --seconds 5");
   command->callback([arguments, stop] { watch(*arguments, stop); });
 }

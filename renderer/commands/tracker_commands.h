@@ -1,4 +1,4 @@
-// `foveola tracker`: what eye trackers are there, and what they say.
+// `foveola tracker`: lists eye trackers, and watches what one delivers.
 #pragma once
 
 #include <stop_token>

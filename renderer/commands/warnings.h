@@ -6,7 +6,7 @@
 
 namespace foveola {
 
-/// One line each, on standard error.
+/// Prints each on a line of its own, on standard error.
 void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace foveola

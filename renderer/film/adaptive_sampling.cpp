@@ -13,12 +13,12 @@
 namespace foveola {
 namespace {
 
-/// Samples that one task looks after.
+/// Samples that one task redirects.
 constexpr std::size_t sample_block = 1024;
 
 /// What the eight pixels around one say about its noise. Rows beyond a pole are left out.
 struct Neighbourhood {
-  double variance = 0.0;  ///< of the luminance of a sample, averaged
+  double variance = 0.0;  ///< variance of a sample's luminance, averaged over the neighbours
   double luminance = 0.0;
 };
 
@@ -46,7 +46,7 @@ std::optional<Neighbourhood> look_around(const EquirectFilm& film, const IVec2& 
   return Neighbourhood{sum.variance / count, sum.luminance / count};
 }
 
-/// Decides for one frame.
+/// Decides which pixels are done, for one frame.
 class Judge {
  public:
   Judge(const EquirectFilm& film, const Vec3& gaze, const VisibleNoise& noise)

@@ -1,4 +1,4 @@
-// Sampling less where nobody would see the difference.
+// Adaptive sampling: fewer samples where nobody would see the difference.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 namespace foveola {
 
 /// When the noise that is left in a pixel is no longer seen: once its standard error is below
-/// `contrast` of its mean at the gaze, and below as much more elsewhere as Reddy's relative acuity
-/// is smaller there.
+/// `contrast` of its mean at the gaze, and elsewhere below `contrast` over Reddy's relative acuity
+/// there.
 struct VisibleNoise {
   double contrast = 0.01;  ///< positive; Weber fractions of luminance are near 1 %
   /// Linear luminance on the display, after exposure_stops, that darker pixels count as: below,
   /// displays are black.
   double darkest = 0.01;
   double exposure_stops = 0.0;
-  std::uint32_t least_samples = 16;  ///< of each neighbour, before its variance is believed
+  std::uint32_t least_samples = 16;  ///< samples of a neighbour before its variance is believed
 };
 
 /// Sends samples away from pixels that are done, to others up to 16 pixels around; those that find

@@ -23,7 +23,8 @@ struct CellsAround {
   Floats right, down;
 };
 
-/// Of points on an equirect image, u in [0, 1) and v in [0, 1], whose level 0 has `size` cells. The
+/// The cells around points of an equirect image, u in [0, 1) and v in [0, 1], whose level 0 has
+/// `size` cells. The
 /// four of a level lie within the four of the next one, if that divides the image without a rest.
 inline CellsAround cells_around(const Vec2& size, const Vec2s& image, const Ints& level) {
   const Floats per_pixel = power_of_two(-level);

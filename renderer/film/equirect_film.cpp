@@ -21,7 +21,7 @@ constexpr std::size_t tile_block = 64;
 constexpr std::size_t samples_ahead = 16;
 constexpr std::size_t tiles_ahead = 6;
 
-/// Of Sorting::sampled.
+/// Bits in a word of Sorting::sampled.
 constexpr std::size_t word_bits = 64;
 
 int tiles_along(int side) { return (side + EquirectFilm::tile_size - 1) / EquirectFilm::tile_size; }

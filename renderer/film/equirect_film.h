@@ -26,8 +26,8 @@ struct NumberedBatch {
     std::size_t end = 0;
   };
   std::vector<SampleJob> jobs;
-  std::vector<FilmTile::Place> places;  ///< of each job, in its tile
-  std::vector<FilmTile::Slot> slots;    ///< likewise, until the film is cleared
+  std::vector<FilmTile::Place> places;  ///< each job's place in its tile
+  std::vector<FilmTile::Slot> slots;    ///< each job's slot in its tile, until the film is cleared
   std::vector<TileRange> tiles;
 };
 
@@ -41,15 +41,15 @@ struct DroppedSample {
 /// One pixel of the film.
 struct FilmPixel {
   Rgb mean{0.0F};             ///< black without samples
-  std::uint32_t samples = 0;  ///< that the mean is of
+  std::uint32_t samples = 0;  ///< how many samples the mean is of
 };
 
 /// What a film keeps of each pixel: variances cost a third more memory and time.
 enum class FilmStatistics { mean, mean_and_variance };
 
 /// A pixel is the mean of the samples that fell in it, kept as a sum in double and a count. Over
-/// the pixels stands a pyramid of averages, kept up where samples fall. Memory comes to life where
-/// first sampled, so an untouched film of any size costs nothing, nor does clearing it.
+/// the pixels stands a pyramid of averages, kept up where samples fall. Memory is taken where
+/// samples first fall, so that an untouched film of any size costs nothing, nor does clearing it.
 class EquirectFilm {
  public:
   static constexpr int tile_size = FilmTile::size;
@@ -130,18 +130,19 @@ class EquirectFilm {
   FilmImage resolve() const;
 
  private:
-  /// Of the tiles' array.
+  /// An element of the tiles' array.
   struct Slot {
     FilmTile* tile = nullptr;
-    std::uint32_t epoch = 0;  ///< that the tile is of: those of others are void
+    std::uint32_t epoch =
+        0;  ///< the epoch that the tile belongs to; tiles of other epochs are void
     FilmRevision changed_at = 0;
   };
   /// Buffers of sort_by_tile.
   struct Sorting {
-    std::vector<std::uint32_t> tiles;    ///< of each sample
-    std::vector<std::uint32_t> counts;   ///< of each tile; all 0 between calls
-    std::vector<std::uint64_t> sampled;  ///< a bit for each tile; likewise
-    std::vector<std::uint32_t> order;    ///< of the samples, by tile
+    std::vector<std::uint32_t> tiles;    ///< each sample's tile
+    std::vector<std::uint32_t> counts;   ///< samples in each tile; all 0 between calls
+    std::vector<std::uint64_t> sampled;  ///< a bit for each tile; all 0 between calls
+    std::vector<std::uint32_t> order;    ///< the samples' indices, by tile
   };
 
   static int coordinate_at(float position, int size) {
@@ -181,8 +182,8 @@ class EquirectFilm {
   std::vector<Slot> tiles_;
   std::vector<std::uint32_t> living_tiles_;  ///< those of this epoch
   Sorting sorting_;
-  TexelPyramid coarse_;  ///< of a cell a tile, and up
-  /// Of the samples since the last clear.
+  TexelPyramid coarse_;  ///< the levels from one cell for each tile upwards
+  /// Grows with each clear: the epoch of the samples since then.
   std::uint32_t epoch_ = 1;
   std::uint64_t total_samples_ = 0;
   FilmRevision revision_ = 0;

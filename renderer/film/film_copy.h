@@ -16,7 +16,7 @@ namespace foveola {
 /// again and again. Takes 23 bytes for each pixel of the tiles that were copied.
 class FilmCopy {
  public:
-  /// Of a film which must outlive this. Empty until asked for something.
+  /// film must outlive this. The copy is empty until it is refreshed.
   explicit FilmCopy(const EquirectFilm& film);
 
   /// Brings these tiles up to date, each given once. They lack what is above them.
@@ -24,7 +24,7 @@ class FilmCopy {
   /// Copies the levels from FilmTile::levels on, whole.
   void refresh_above_tiles();
 
-  /// As EquirectFilm::cell, where refreshed.
+  /// The cells of EquirectFilm::cell, where they were refreshed.
   const SpherePlanes<PremultipliedTexel>& cells() const { return cells_; }
   /// The film's revision when cells were copied; what a clear empties is not noted.
   const SquareChanges& changes() const { return changes_; }
@@ -36,7 +36,8 @@ class FilmCopy {
   const EquirectFilm* film_;
   SpherePlanes<PremultipliedTexel> cells_;
   SquareChanges changes_;
-  std::vector<FilmRevision> copied_at_;  ///< of each tile, 0 if it never was
+  std::vector<FilmRevision>
+      copied_at_;  ///< each tile's revision when it was copied, 0 if it never was
 };
 
 }  // namespace foveola

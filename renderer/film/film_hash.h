@@ -1,4 +1,4 @@
-// What a film holds as one short text, by which a record tells whether a replay is the same.
+// What a film holds as one short text, by which a record recognises that a replay is the same.
 #pragma once
 
 #include <string>

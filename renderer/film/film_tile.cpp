@@ -3,7 +3,7 @@
 namespace foveola {
 namespace {
 
-/// Of four cells in a row.
+/// The mean of four cells in a row.
 PremultipliedTexel mean_of_four(const PremultipliedTexel* cells) {
   return mean_of(cells[0], cells[1], cells[2], cells[3]);
 }

@@ -29,8 +29,9 @@ void for_each_bit(std::uint32_t word, const Visit& visit) {
 /// touch little of it.
 class FilmTile {
  public:
-  static constexpr int size = 32;   ///< pixels along a side
-  static constexpr int levels = 5;  ///< of the pyramid above the pixels; the last is one cell
+  static constexpr int size = 32;  ///< pixels along a side
+  static constexpr int levels =
+      5;  ///< levels of the pyramid above the pixels; the last is one cell
 
   struct Pixel {
     DVec3 sum;
@@ -76,7 +77,7 @@ class FilmTile {
    private:
     friend class FilmTile;
     std::uint32_t blocks_ = 0;               ///< a bit for each
-    std::array<std::uint32_t, 16> quads_{};  ///< of each block, likewise
+    std::array<std::uint32_t, 16> quads_{};  ///< a bit for each quad of each block
   };
 
  private:
@@ -90,9 +91,10 @@ class FilmTile {
   template <typename Child>
   struct alignas(cache_line) Node {
     std::array<Child*, 16> children;           ///< null where nothing was sampled
-    std::array<PremultipliedTexel, 16> means;  ///< of the children
+    std::array<PremultipliedTexel, 16> means;  ///< the children's
     std::array<PremultipliedTexel, 4> quadrants;
-    std::array<FilmRevision, 16> changed_at;  ///< of the children; 0 where nothing was added
+    std::array<FilmRevision, 16>
+        changed_at;  ///< the children's revisions; 0 where nothing was added
 
     /// Averages anew what lies above these children, a bit for each. Returns the mean of all.
     PremultipliedTexel refresh(std::uint32_t children_touched);

@@ -47,7 +47,7 @@ inline HugePage take_huge_page() {
 template <typename Item>
 class ItemPool {
  private:
-  /// Room for items that nobody has taken.
+  /// Memory for items that nobody has taken.
   struct Run {
     std::byte* begin = nullptr;
     std::byte* end = nullptr;
@@ -89,7 +89,7 @@ class ItemPool {
 
  private:
   static constexpr std::size_t items_in_chunk = huge_page / sizeof(Item);
-  /// As many as stay in the nearest cache until they are taken.
+  /// A run has as many items as stay in the nearest cache until they are taken.
   static constexpr std::size_t items_in_run = 4096 / sizeof(Item);
 
   Run next_run() {

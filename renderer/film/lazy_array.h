@@ -1,4 +1,4 @@
-// Memory that costs nothing until it is written.
+// An array whose memory costs nothing until it is written.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct UnmapArray {
   void operator()(void* memory) const { ::munmap(memory, bytes); }
 };
 
-/// Of items whose bytes are all zero. The system gives memory, page by page, where one is first
-/// written, whatever the array's size.
+/// An array of items whose bytes are all zero. The system gives memory, page by page, where one is
+/// first written, whatever the array's size.
 template <typename Item>
 using LazyArray = std::unique_ptr<Item[], UnmapArray>;
 

@@ -5,7 +5,7 @@
 
 namespace foveola {
 
-/// Of a square of pixels, those without samples counting as black and weightless: the sum of the
+/// A square of pixels, those without samples counting as black and weightless: the sum of the
 /// colours over the number of all pixels, and the fraction that has samples. Their quotient is the
 /// mean of what is known, so that an unsampled pixel neither darkens nor brightens its neighbours.
 struct PremultipliedTexel {
@@ -23,15 +23,15 @@ inline PremultipliedTexel operator*(float factor, const PremultipliedTexel& texe
   return {factor * texel.color, factor * texel.weight};
 }
 
-/// Of the square that four equal ones make up.
+/// The texel of the square that four equal ones make up.
 inline PremultipliedTexel mean_of(const PremultipliedTexel& a, const PremultipliedTexel& b,
                                   const PremultipliedTexel& c, const PremultipliedTexel& d) {
   return {0.25F * ((a.color + b.color) + (c.color + d.color)),
           0.25F * ((a.weight + b.weight) + (c.weight + d.weight))};
 }
 
-/// Of the square at (x, y) one level up from width x height cells, which cell(x, y) returns: what
-/// reaches beyond them is empty.
+/// The texel of the square at (x, y) one level up from width x height cells, which cell(x, y)
+/// returns: what reaches beyond them is empty.
 template <typename Cell>
 PremultipliedTexel mean_of_square(int x, int y, int width, int height, const Cell& cell) {
   const auto known = [&](int column, int row) -> PremultipliedTexel {

@@ -68,7 +68,7 @@ PremultipliedTexels bilinear(const Squares& squares) {
   return {.color = {channel(0), channel(1), channel(2)}, .weight = channel(3)};
 }
 
-/// Of two levels; of one where no point lies between two.
+/// Mixes two levels; reads one alone where no point lies between two.
 struct SquaresOfLevels {
   Squares finer;
   Squares coarser;

@@ -56,7 +56,7 @@ class SpherePlanes {
     int height;
     std::ptrdiff_t stride;
     LazyArray<Value> memory;
-    Value* origin;  ///< of (0, 0)
+    Value* origin;  ///< where the cell (0, 0) lies
   };
 
   static Plane make_plane(int width, int height) {

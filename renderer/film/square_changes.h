@@ -12,13 +12,13 @@
 
 namespace foveola {
 
-/// Of each square of two by two cells, of the levels [1, FilmTile::levels) of a film's pyramid,
+/// For each square of two by two cells, of the levels [1, FilmTile::levels) of a film's pyramid,
 /// when one of the four last changed. A trilinear mean's cells all lie in such a square, where
 /// twice a cell's width divides the film's and a cell's height the film's: of other films, cells of
 /// two levels lie askew at the seam.
 class SquareChanges {
  public:
-  /// Of a film of width x height pixels, nothing of which changed yet.
+  /// For a film of width x height pixels, nothing of which changed yet.
   SquareChanges(int width, int height);
 
   /// The cell at (x, y) of `level` changes at `revision`. May be called from many threads.

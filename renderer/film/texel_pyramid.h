@@ -22,7 +22,7 @@ class TexelPyramid {
     const Level& at = levels_[static_cast<std::size_t>(level)];
     return at.cells[static_cast<std::size_t>(y * at.width + x)];
   }
-  /// Of the finest level, row by row; different cells may be written at the same time.
+  /// The finest level's cells, row by row; different cells may be written at the same time.
   PremultipliedTexel& finest(std::uint32_t index) { return levels_.front().cells[index]; }
 
   /// Averages anew what lies above these cells of the finest level.

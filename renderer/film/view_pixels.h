@@ -13,9 +13,9 @@ namespace foveola {
 /// The numbers of eight pixels of a view, row by row.
 using EightPixels = std::array<std::uint32_t, lane_count>;
 
-/// Of an image of width x height pixels: positions, which turn with the head, and levels, which
-/// depend on the lens and the fields of view alone. Different rows may be worked out at the same
-/// time.
+/// What is known of a view of width x height pixels: positions, which turn with the head, and
+/// levels, which depend on the lens and the fields of view alone. Different rows may be worked out
+/// at the same time.
 class ViewPixels {
  public:
   ViewPixels(int width, int height);
@@ -23,7 +23,7 @@ class ViewPixels {
 
   /// Works out the positions in the rows [begin, end).
   void place(const Viewport& viewport, int begin, int end);
-  /// Likewise the levels, for a pyramid over an equirect image of `image_height` pixels: those
+  /// Works out the levels, for a pyramid over an equirect image of `image_height` pixels: those
   /// whose cells are as high as a pixel of the view is wide. Towards the poles cells become
   /// narrower than that: taking a coarser level would blur upwards and downwards.
   void choose_levels(const Viewport& viewport, int image_height, int last_level, int begin,
@@ -31,7 +31,8 @@ class ViewPixels {
 
   float highest_level() const;
   ViewPoints points(const EightPixels& pixels) const;
-  /// Of eight from `first`; beyond the last pixel they lie where that does, on some level.
+  /// The points of the eight pixels from `first` on; beyond the last pixel they lie where that
+  /// does, on some level.
   ViewPoints points_from(std::size_t first) const;
 
  private:

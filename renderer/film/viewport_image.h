@@ -21,7 +21,7 @@ inline constexpr IVec2 usual_view_size{640, 640};
 RgbImage viewport_image(const EquirectFilm& film, const Viewport& viewport, int width, int height,
                         UnsampledPixels unsampled, const Workers& workers);
 
-/// The same for an image whose pixels are all known, such as a reference.
+/// Resamples an image whose pixels are all known, such as a reference.
 RgbImage viewport_image(const RgbImage& panorama, const Viewport& viewport, int width, int height);
 
 }  // namespace foveola

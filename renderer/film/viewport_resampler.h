@@ -29,11 +29,12 @@ struct ViewImage {
 /// lens or the fields of view change, and then all but the pixels of the view near new samples.
 /// Tiles out of sight are neither copied nor cleared until they come into sight.
 ///
-/// Every pixel is made anew while the head turns, after a clear, where holes are filled, if a pixel
-/// of the view is larger than 16 pixels of the film, and for films whose sides 32 does not divide.
+/// Every pixel is made anew while the head turns, after a clear, where unsampled pixels are filled,
+/// if a pixel of the view is larger than 16 pixels of the film, and for films whose sides 32 does
+/// not divide.
 class ViewportResampler {
  public:
-  /// Of a film which must outlive this.
+  /// film must outlive this.
   ViewportResampler(const EquirectFilm& film, const ViewImage& settings);
 
   /// The film as it is now, seen through `viewport`. The image stays until the next call.
@@ -45,7 +46,7 @@ class ViewportResampler {
   bool has_same_lens(const Viewport& viewport) const;
   void note_levels();
   void find_squares(const Workers& workers);
-  /// Of the pixels [begin, end), makes all anew, or those whose cells changed. `begin` is a
+  /// Makes the pixels [begin, end) anew: all of them, or those whose cells changed. `begin` is a
   /// multiple of eight.
   void paint_all(std::size_t begin, std::size_t end);
   void paint_changed(std::size_t begin, std::size_t end);
@@ -57,11 +58,12 @@ class ViewportResampler {
   FilmCopy copy_;
   ViewPixels pixels_;
   TilesInView tiles_in_view_;
-  std::vector<std::uint32_t> tiles_;    ///< that the view is made from
-  bool reads_above_tiles_ = false;      ///< or from levels that have no tiles
-  bool knows_changes_ = false;          ///< whether SquareChanges fits film and view
-  std::vector<std::uint32_t> squares_;  ///< of SquareChanges, for each pixel; empty: not found
-  std::optional<Viewport> viewport_;    ///< shown last
+  std::vector<std::uint32_t> tiles_;  ///< tiles that the view is made from
+  bool reads_above_tiles_ = false;    ///< or from levels that have no tiles
+  bool knows_changes_ = false;        ///< whether SquareChanges fits film and view
+  std::vector<std::uint32_t>
+      squares_;  ///< each pixel's square of SquareChanges; empty: not found yet
+  std::optional<Viewport> viewport_;  ///< shown last
   FilmRevision shown_at_ = 0;
   RgbImage image_;
 };

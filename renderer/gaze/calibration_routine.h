@@ -28,8 +28,9 @@ struct CalibrationTiming {
   Nanoseconds give_up = std::chrono::seconds(4);  ///< after a target's appearance; > settle
 };
 
-/// Shows a target until its samples are collected or given up, then the next. A function of what it
-/// is told: whoever drives it keeps the clock, shows the target, and polls the tracker.
+/// Shows a target until its samples are collected or given up, then the next. It depends
+/// on its arguments alone: whoever drives it keeps the clock, shows the target, and polls the
+/// tracker.
 class CalibrationRoutine {
  public:
   /// targets: at least one. The first appears at `start`.

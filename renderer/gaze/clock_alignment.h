@@ -1,4 +1,4 @@
-// From a tracker's clock to the host's, when all that is known of it is what arrives.
+// Converts a tracker's time to the host's, when only the arrivals of its messages are known.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@
 namespace foveola {
 namespace {
 
-/// As one of the first's kind.
+/// Both movements as one of the first's kind.
 EyeMovement joined(const EyeMovement& first, const EyeMovement& second) {
   return {.kind = first.kind,
           .start = first.start,

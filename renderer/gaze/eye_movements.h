@@ -1,4 +1,4 @@
-// Fixations and saccades in a stream of gaze samples, told apart by the eye's velocity.
+// Fixations and saccades in a stream of gaze samples, distinguished by the eye's velocity.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct EyeMovement {
   Nanoseconds start{0};
   Nanoseconds end{0};
   Vec3 from{0.0F, 0.0F, -1.0F};    ///< the direction at its start
-  Vec3 to{0.0F, 0.0F, -1.0F};      ///< and at its end; both are without meaning if there is no data
-  double fastest_deg_per_s = 0.0;  ///< of the velocities between its samples
+  Vec3 to{0.0F, 0.0F, -1.0F};      ///< the gaze at its end; without data both are meaningless
+  double fastest_deg_per_s = 0.0;  ///< the largest velocity between its samples
 };
 
 /// The true angle between its ends.
@@ -72,7 +72,7 @@ class EyeMovementDetector {
   std::optional<Nanoseconds> last_time_;
   std::optional<GazeSample> last_valid_;  ///< where the next step begins; empty without data
   std::optional<EyeMovement> going_on_;
-  std::optional<EyeMovement> beginning_;  ///< of the other kind, and too short as yet
+  std::optional<EyeMovement> beginning_;  ///< a movement of the other kind that is still too short
 };
 
 }  // namespace foveola

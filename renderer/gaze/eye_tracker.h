@@ -12,7 +12,7 @@
 
 namespace foveola {
 
-/// What the eye did meanwhile.
+/// What the eye did at the time of a sample.
 enum class GazeMark : std::uint8_t { none, fixation, saccade, blink };
 
 struct GazeSample {
@@ -44,11 +44,11 @@ class FixedEyeTracker final : public EyeTracker {
 
 /// A tracker with a rate, a delay and noise, looking at a simulated eye.
 struct SimulatedTrackerSettings {
-  double rate_hz = 120.0;       ///< > 0
-  double latency_s = 0.010;     ///< from the eye to the host: half of FOVE 0's 8 ms, and 2 + 4 ms
+  double rate_hz = 120.0;    ///< > 0
+  double latency_s = 0.010;  ///< time from the eye to the host: half of FOVE 0's 8 ms, and 2 + 4 ms
   double precision_deg = 0.1;   ///< standard deviation along each axis
   double bias_right_deg = 0.0;  ///< what it adds to the eye's azimuth
-  double bias_up_deg = 0.0;     ///< and to its elevation
+  double bias_up_deg = 0.0;     ///< what it adds to the eye's elevation
   double data_loss = 0.0;       ///< the part of samples that come invalid, in [0, 1]
   std::uint32_t seed = 0;
 };

@@ -1,4 +1,4 @@
-// From a gamepad's sticks to how fast the head turns.
+// Converts a gamepad's sticks to how fast the head turns.
 #pragma once
 
 #include "renderer/base/angles.h"
@@ -18,7 +18,8 @@ struct GamepadSticks {
 struct StickResponse {
   double dead_zone = 0.15;  ///< nothing up to here, where worn sticks rest; in [0, full_push)
   double full_push = 0.95;  ///< full speed from here on: not every stick reaches 1; in (0, 1]
-  double exponent = 2.0;    ///< >= 1: of the speed between; above 1 it begins smoothly, for aiming
+  double exponent =
+      2.0;  ///< exponent of the speed between, >= 1; above 1 it begins smoothly, for aiming
   double full_speed_rad_per_s = radians(120.0);  ///< >= 0
 };
 

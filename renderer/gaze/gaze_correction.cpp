@@ -16,7 +16,7 @@ DVec2 angles_deg(const Vec3& direction) {
   return {degrees(angles.azimuth_rad), degrees(angles.elevation_rad)};
 }
 
-/// What a row of a correction weighs.
+/// What a row of a correction multiplies: 1, azimuth and elevation.
 DVec3 weighed(const Vec3& seen) {
   const DVec2 angles = angles_deg(seen);
   return {1.0, angles.x, angles.y};
@@ -103,6 +103,18 @@ void CorrectedEyeTracker::poll(Nanoseconds now, std::vector<GazeSample>& arrived
   if (correction_ != GazeCorrection{}) {
     correct(std::span(arrived).subspan(before), correction_);
   }
+}
+
+GazeCheck check_gaze(std::span<const WatchedTarget> watched, bool corrects,
+                     CorrectedEyeTracker& tracker) {
+  GazeCheck check{.quality = gaze_quality(watched), .correction = std::nullopt};
+  if (corrects) {
+    check.correction = fit_correction(check.quality.targets);
+  }
+  if (check.correction) {
+    tracker.add(*check.correction);
+  }
+  return check;
 }
 
 }  // namespace foveola

@@ -1,4 +1,4 @@
-// What a calibration corrects: an affine map of the angles of gaze.
+// What a calibration corrects, an affine map of the angles of gaze, and the check that finds it.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,9 @@
 
 namespace foveola {
 
-/// Of azimuth and elevation in the head's axes, in degrees. Each component of a row is a weight: of
-/// 1, of the seen azimuth, and of the seen elevation; the sum is what is corrected.
+/// An affine map of azimuth and elevation in the head's axes, in degrees. A row's components are
+/// the weights of 1, of the seen azimuth and of the seen elevation; their sum is the corrected
+/// angle.
 struct GazeCorrection {
   DVec3 azimuth{0.0, 1.0, 0.0};
   DVec3 elevation{0.0, 0.0, 1.0};
@@ -29,12 +30,12 @@ Vec3 corrected(const Vec3& direction, const GazeCorrection& correction);
 /// Corrects the valid ones of `samples`.
 void correct(std::span<GazeSample> samples, const GazeCorrection& correction);
 
-/// What `first` makes of a gaze, and `second` of that.
+/// The correction that applies `first` and then `second`.
 GazeCorrection combined(const GazeCorrection& first, const GazeCorrection& second);
 
 /// Takes the mean gaze on each target that was seen to the target, as closely as can be in the
 /// least squares of angles. Empty if the gazes lie so nearly on a line or a point that they do not
-/// tell: if along some direction they deviate from their mean by less than a degree.
+/// determine it: if along some direction they deviate from their mean by less than a degree.
 std::optional<GazeCorrection> fit_correction(std::span<const TargetQuality> targets);
 
 /// Corrects the valid samples that pass through it. As long as there is nothing to correct they
@@ -52,5 +53,16 @@ class CorrectedEyeTracker final : public EyeTracker {
   std::unique_ptr<EyeTracker> source_;
   GazeCorrection correction_;
 };
+
+/// A check of the tracker: how good it is, and what is corrected from then on.
+struct GazeCheck {
+  GazeQuality quality;
+  std::optional<GazeCorrection> correction;  ///< what the tracker corrects since then, if anything
+};
+
+/// Judges the tracker by targets that were looked at, at least one, as `tracker` saw them.
+/// corrects: whether it corrects from now on what they show, if they suffice to fit a correction.
+GazeCheck check_gaze(std::span<const WatchedTarget> watched, bool corrects,
+                     CorrectedEyeTracker& tracker);
 
 }  // namespace foveola

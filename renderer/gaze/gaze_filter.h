@@ -1,5 +1,4 @@
-// What may stand between a tracker and who uses its gaze: holding it through blinks, and smoothing.
-// Without being asked for, nothing does.
+// Optional filters of a tracker's gaze: one holds it through blinks, one smooths it.
 #pragma once
 
 #include <memory>
@@ -13,7 +12,7 @@
 
 namespace foveola {
 
-/// The longest a blink lasts, about.
+/// About the longest time that a blink lasts.
 inline constexpr Nanoseconds longest_hold = std::chrono::milliseconds(600);
 
 /// Keeps invalid samples back, so that the newest that passed stays the last valid one, with its
@@ -79,13 +78,13 @@ class OneEuroFilter final : public EyeTracker {
   OneEuro filter_;
 };
 
-/// Which of them are wanted.
+/// Which of the filters are wanted.
 struct GazeFilterSettings {
   std::optional<Nanoseconds> hold;
   std::optional<OneEuroSettings> one_euro;
 };
 
-/// `source`, smoothed and then held, as wanted; itself if neither is.
+/// `source`, smoothed and then held, as wanted; `source` itself if neither is.
 std::unique_ptr<EyeTracker> filtered(std::unique_ptr<EyeTracker> source,
                                      const GazeFilterSettings& settings);
 

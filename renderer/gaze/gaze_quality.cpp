@@ -11,12 +11,12 @@
 namespace foveola {
 namespace {
 
-/// A fixation's worth at the slowest trackers, 30 Hz (assumed).
+/// The fewest samples: those of a fixation at the slowest trackers, 30 Hz (assumed).
 constexpr std::size_t fewest_samples = 10;
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
 
-/// Between samples that arrived one after the other, valid or not.
+/// The intervals between samples that arrived one after the other, valid or not.
 std::optional<double> usual_interval_s(std::span<const WatchedTarget> watched) {
   std::vector<double> intervals_s;
   for (const WatchedTarget& target : watched) {

@@ -16,12 +16,12 @@ namespace foveola {
 /// A target that the eye was asked to look at, and what the tracker saw meanwhile.
 struct WatchedTarget {
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, head's axes
-  Nanoseconds start{0};               ///< of the time that counts
+  Nanoseconds start{0};               ///< start of the time that counts
   Nanoseconds end{0};
-  std::vector<GazeSample> samples;  ///< of that time, in the order of their arrival
+  std::vector<GazeSample> samples;  ///< the samples of that time, in the order of their arrival
 };
 
-/// Of samples between saccades. True angles, so that both axes are in each.
+/// Figures of samples between saccades. They are true angles, so that both axes are in each.
 struct GazeFigures {
   /// The mean angle between the samples and their target: that of the tracker's offset, if noise is
   /// small beside it; of noise alone, with deviation s along each axis, s sqrt(pi / 2).
@@ -34,7 +34,7 @@ struct GazeFigures {
 
 struct SeenTarget {
   Vec3 mean_gaze{0.0F, 0.0F, -1.0F};  ///< unit length, head's axes
-  std::size_t samples = 0;            ///< that the figures are of
+  std::size_t samples = 0;            ///< how many samples the figures are of
   GazeFigures figures;
 };
 
@@ -43,13 +43,14 @@ struct TargetQuality {
   /// The part of the samples that came invalid or not at all, in [0, 1]. How many there should have
   /// been follows from the usual interval.
   double data_loss = 1.0;
-  std::optional<SeenTarget> seen;  ///< empty if there were too few samples to tell
+  std::optional<SeenTarget> seen;  ///< empty if there were too few samples to judge
 };
 
 struct GazeQuality {
   std::vector<TargetQuality> targets;
   double data_loss = 1.0;  ///< the targets' mean
-  /// Of the targets that were seen: the mean of accuracies, the root mean square of precisions.
+  /// The figures of all targets that were seen: the mean of accuracies, the root mean square of
+  /// precisions.
   std::optional<GazeFigures> figures;
 };
 
@@ -57,10 +58,10 @@ struct GazeQuality {
 /// degrees per second, or at six times the median velocity if noise makes that the faster.
 GazeQuality gaze_quality(std::span<const WatchedTarget> watched);
 
-/// What is good enough.
+/// The limits of a quality that is good enough.
 struct GazeGate {
   double max_accuracy_deg = 1.5;
-  double max_precision_deg = 0.5;  ///< of precision_rms_deg
+  double max_precision_deg = 0.5;  ///< the largest precision_rms_deg that is accepted
   double max_data_loss = 0.3;
 };
 

@@ -62,8 +62,8 @@ WindowEyeTracker open_window_eye_tracker(const TrackerProfile& profile, const Sc
     return {.tracker = open_eye_tracker(profile, screen, clock)};
   }
   auto pointer = std::make_unique<PointerEyeTracker>();
-  PointerEyeTracker* const told = pointer.get();
-  return {.tracker = std::move(pointer), .pointer = told};
+  PointerEyeTracker* const moved = pointer.get();
+  return {.tracker = std::move(pointer), .pointer = moved};
 }
 
 }  // namespace foveola

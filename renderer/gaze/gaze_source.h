@@ -1,4 +1,4 @@
-// From a tracker's profile to the tracker.
+// Opens the tracker that a profile describes.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,13 @@ namespace foveola {
 std::unique_ptr<EyeTracker> open_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                              const Clock& clock);
 
-/// The tracker of who looks into a window.
+/// The tracker of the person who looks into a window.
 struct WindowEyeTracker {
   std::unique_ptr<EyeTracker> tracker;
-  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the window is to tell it where to look
+  PointerEyeTracker* pointer = nullptr;  ///< the tracker, if the window is to move its pointer
 };
 
-/// The same, or the window's pointer.
+/// As open_eye_tracker(), but opens the window's pointer too.
 WindowEyeTracker open_window_eye_tracker(const TrackerProfile& profile, const Screen& screen,
                                          const Clock& clock);
 

@@ -12,7 +12,7 @@
 
 namespace foveola {
 
-/// One that is open. A report's bytes begin with its id if the device's reports have ids.
+/// An open device. A report's bytes begin with its id if the device's reports have ids.
 class HidDevice {
  public:
   virtual ~HidDevice() = default;
@@ -33,7 +33,7 @@ class HidDevice {
 };
 
 struct HidDeviceInfo {
-  std::string path;  ///< of its device file; it may change when the device is plugged in again
+  std::string path;  ///< path of its device file; it may change when the device is plugged in again
   std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
   std::string manufacturer;
@@ -41,10 +41,10 @@ struct HidDeviceInfo {
   std::string serial_number;  ///< empty if it has none
 };
 
-/// Those attached that have an eye tracker among their collections, each once.
+/// The devices attached that have an eye tracker among their collections, each once.
 std::vector<HidDeviceInfo> list_hid_eye_trackers();
 
-/// Which device is meant: it may have any value where nothing is said.
+/// Which device is meant; where a member is empty, any value will do.
 struct HidDeviceChoice {
   std::optional<std::uint16_t> vendor_id;
   std::optional<std::uint16_t> product_id;
@@ -53,7 +53,7 @@ struct HidDeviceChoice {
 
 bool is_chosen(const HidDeviceInfo& device, const HidDeviceChoice& choice);
 
-/// A device with what it says that its reports hold.
+/// A device with its report descriptor.
 struct HidConnection {
   HidDeviceInfo info;
   std::vector<std::uint8_t> report_descriptor;
@@ -63,7 +63,7 @@ struct HidConnection {
 /// Throws Error if the device is gone, or the user may not read and write it.
 HidConnection open_hid_device(const HidDeviceInfo& info);
 
-/// Opens the first eye tracker attached that is the chosen one; empty if there is none. Throws
+/// Opens the first eye tracker attached that fits the choice; empty if there is none. Throws
 /// Error as above.
 std::optional<HidConnection> open_hid_eye_tracker(const HidDeviceChoice& choice = {});
 

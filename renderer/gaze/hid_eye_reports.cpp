@@ -75,8 +75,8 @@ std::optional<HidNumber> find_number(const HidReport& report, Within collections
   return std::nullopt;
 }
 
-/// With the largest 32-bit number out of its limits, which stands for "none" in Microsoft's
-/// reference code (GazeHid, GhostHid.c).
+/// The number with the largest 32-bit value out of its limits, which stands for "none" in
+/// Microsoft's reference code (GazeHid, GhostHid.c).
 std::optional<HidNumber> without_largest(std::optional<HidNumber> number) {
   if (!number || number->bit_size != 32) {
     return number;

@@ -18,10 +18,10 @@ namespace foveola {
 inline constexpr std::uint16_t eye_and_head_trackers_page = 0x12;
 inline constexpr std::uint16_t eye_tracker_usage = 0x01;
 
-/// How a report is told from the device's others.
+/// How a report is distinguished from the device's others.
 struct HidReportShape {
   std::uint8_t id = 0;         ///< its first byte; 0: the device's reports have no ids
-  std::size_t size_bytes = 0;  ///< with its id
+  std::size_t size_bytes = 0;  ///< the id included
 };
 
 /// Whether a report of this shape is what `bytes` begin with.

@@ -7,7 +7,7 @@
 namespace foveola {
 namespace {
 
-/// How long the thread cannot be stopped.
+/// The longest time that the thread cannot be stopped.
 constexpr std::chrono::milliseconds read_timeout{50};
 
 std::size_t longest_input(const HidEyeReports& reports) {

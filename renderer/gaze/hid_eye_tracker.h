@@ -35,8 +35,8 @@ struct HidTrackerState {
   HidStatus status;
   std::optional<HidConfiguration> configuration;
   std::optional<HidCapabilities> capabilities;
-  HidGazeCounters counters;       ///< of all connections
-  std::uint64_t connections = 0;  ///< so far
+  HidGazeCounters counters;       ///< sums over all connections
+  std::uint64_t connections = 0;  ///< connections so far
   std::string status_text;  ///< why it is not connected, or does not do all; empty if all well
 };
 
@@ -57,8 +57,8 @@ class HidEyeTracker final : public EyeTracker {
   HidEyeTracker& operator=(const HidEyeTracker&) = delete;
 
   /// What has arrived when it is called has arrived by `now`. A device that does not see the eyes
-  /// may send nothing: then data are lost without an invalid sample, and only the samples' times
-  /// tell.
+  /// may send nothing: then data are lost without an invalid sample, which only the samples'
+  /// times show.
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
   std::string status() const override { return state().status_text; }
@@ -82,7 +82,7 @@ class HidEyeTracker final : public EyeTracker {
   HidTrackerSettings settings_;
   std::optional<HidGazeStream> stream_;  ///< the thread's own
 
-  mutable std::mutex mutex_;  ///< of the next two
+  mutable std::mutex mutex_;  ///< guards the next two
   HidTrackerState state_;
   SampleQueue samples_;
 

@@ -8,12 +8,12 @@ namespace {
 
 /// Over how many reports the rate is measured: half a second at 120 Hz.
 constexpr std::size_t rate_reports = 61;
-/// The fewest that tell what the period is.
+/// The fewest arrivals from which the period is judged.
 constexpr std::size_t least_rate_reports = 16;
 
 constexpr double gap_periods = 1.5;
 
-/// Between those of a wrist watch and a cinema; others were never set.
+/// Widths of a screen between a wrist watch's and a cinema's; others were never set.
 bool is_size_of_screen(const std::optional<double>& size_m) {
   return size_m && *size_m >= 0.01 && *size_m <= 100.0;
 }

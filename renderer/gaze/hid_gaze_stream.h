@@ -1,4 +1,4 @@
-// From what a HID eye tracker sends to where the eye looked and when.
+// Decodes what a HID eye tracker sends: where the eye looked, and when.
 #pragma once
 
 #include <cstdint>
@@ -28,29 +28,29 @@ struct HidGazeSettings {
 
 /// What has come from a device so far.
 struct HidGazeCounters {
-  std::uint64_t reports = 0;        ///< of tracking data
-  std::uint64_t other_reports = 0;  ///< that the device describes too
+  std::uint64_t reports = 0;        ///< reports of tracking data
+  std::uint64_t other_reports = 0;  ///< other reports that the device describes
   std::uint64_t wrong_ids = 0;      ///< reads, or what followed in one, with an id of no report
   std::uint64_t short_reads = 0;    ///< which ended before the report did
   /// Times that longer than one and a half periods went by between two reports. A device that does
   /// not see the eyes may send nothing.
   std::uint64_t gaps = 0;
   std::uint64_t clock_restarts = 0;  ///< see HidSensorClock
-  double rate_hz = 0.0;  ///< of the last tracking reports to arrive; 0 before the second
+  double rate_hz = 0.0;              ///< rate of the latest tracking reports; 0 before the second
 };
 
-/// Reads reports as they arrive, in their order. A pure function of what it is given.
+/// Reads reports as they arrive, in their order. Its samples depend on its arguments alone.
 class HidGazeStream {
  public:
   HidGazeStream(const HidEyeReports& reports, const HidGazeSettings& settings);
 
-  /// What feature reports say, as far as a device has them: the period of the reports, of which the
-  /// rate is the judge without; and the size of the screen.
+  /// Takes what feature reports say, as far as a device has them: the period of the reports, which
+  /// is otherwise judged by their rate, and the size of the screen.
   void learn(const HidStatus& status);
   void learn(const HidConfiguration& configuration);
 
-  /// Another connection of the same tracker: its clock and its reports may be different now, the
-  /// counters go on.
+  /// Begins another connection of the same tracker: its clock and its reports may be different now,
+  /// the counters go on.
   void reconnect(const HidEyeReports& reports);
 
   /// Takes the bytes of one read: a report, several behind one another if the reads were merged,
@@ -75,8 +75,8 @@ class HidGazeStream {
   HidGazeSettings settings_;
   HidStatus status_;
   HidSensorClock clock_;
-  std::uint64_t earlier_restarts_ = 0;  ///< of the clocks of earlier connections
-  std::deque<Nanoseconds> arrivals_;    ///< of the last tracking reports
+  std::uint64_t earlier_restarts_ = 0;  ///< restarts of the sensor's clock in earlier connections
+  std::deque<Nanoseconds> arrivals_;    ///< arrival times of the latest tracking reports
   HidGazeCounters counters_;
 };
 

@@ -1,4 +1,4 @@
-// A number in a HID device's report: where its bits are and what they mean in SI units.
+// A number in a HID device's report: where its bits are, and its value in SI units.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace foveola {
 enum class HidQuantity {
   count,         ///< as sent, whatever its unit and its physical range
   length_m,      ///< sent in centimetres or inches, times a power of ten
-  time_s,        ///< sent in seconds, likewise
-  frequency_hz,  ///< sent per second, likewise
-  angle_rad,     ///< sent in radians or degrees, likewise
+  time_s,        ///< sent in a unit of time
+  frequency_hz,  ///< sent in a unit of frequency
+  angle_rad,     ///< sent in radians or degrees
 };
 
 /// One HID unit (HID 1.11, section 6.2.2.7: a nibble for the system of units and one for the

@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// What holds for all main items from here on (section 6.2.2.7).
+/// The global state, which holds for all main items from here on (section 6.2.2.7).
 struct GlobalState {
   std::uint16_t usage_page = 0;
   HidItemData logical_minimum;
@@ -35,7 +35,7 @@ struct PartialRange {
   std::uint16_t last_id = 0;
 };
 
-/// What holds for the next main item only.
+/// The local state, which holds for the next main item only.
 struct LocalState {
   std::vector<PartialRange> usages;
   std::optional<PartialUsage> minimum;

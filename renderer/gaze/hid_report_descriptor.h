@@ -29,16 +29,16 @@ struct HidField {
   /// of an array each choose among them. Empty if nobody says what the numbers are.
   std::vector<HidUsageRange> usages;
   std::vector<HidUsage> collections;  ///< those it is in, the outermost first
-  std::uint32_t bit_offset = 0;       ///< of the first number; the report's id does not count
-  std::uint32_t bit_size = 0;         ///< of one number
+  std::uint32_t bit_offset = 0;  ///< offset of the first number; the report's id does not count
+  std::uint32_t bit_size = 0;    ///< size of one number
   std::uint32_t count = 0;
-  std::int64_t logical_minimum = 0;  ///< of the numbers as sent
+  std::int64_t logical_minimum = 0;  ///< least value of the numbers as sent
   std::int64_t logical_maximum = 0;  ///< not less; if equal, nothing is known
   std::int64_t physical_minimum = 0;
   std::int64_t physical_maximum = 0;  ///< both 0: the physical range is the logical one
   std::uint32_t unit = 0;             ///< as sent, see hid_number.h
-  int unit_exponent = 0;              ///< of ten, in [-20, 20]
-  bool is_constant = false;           ///< by its flag, with which some devices mark even their data
+  int unit_exponent = 0;              ///< exponent of ten, in [-20, 20]
+  bool is_constant = false;           ///< marked constant, as some devices mark even their data
   bool is_variable = false;           ///< else an array
   bool is_relative = false;
 
@@ -51,8 +51,8 @@ enum class HidReportKind { input, output, feature };
 struct HidReport {
   HidReportKind kind = HidReportKind::input;
   std::uint8_t id = 0;         ///< 0: the device's reports have no ids
-  std::uint32_t bit_size = 0;  ///< of all fields
-  std::size_t size_bytes = 0;  ///< as it travels: with its id, if it has one
+  std::uint32_t bit_size = 0;  ///< size of all fields together
+  std::size_t size_bytes = 0;  ///< size as it travels: with its id, if it has one
   std::vector<HidField> fields;
 };
 
@@ -63,7 +63,7 @@ struct HidReportDescriptor {
 /// What a descriptor may ask for; one that asks for more is refused.
 struct HidLimits {
   static constexpr std::uint32_t report_bits = 8 * 65536;
-  static constexpr std::size_t fields = 4096;  ///< of all reports
+  static constexpr std::size_t fields = 4096;  ///< fields of all reports together
   static constexpr std::size_t collection_depth = 64;
   static constexpr std::size_t pushed_states = 64;
 };

@@ -44,7 +44,7 @@ struct HidItemData {
 };
 
 struct HidItem {
-  std::size_t offset = 0;  ///< of its first byte in the descriptor
+  std::size_t offset = 0;  ///< offset of its first byte in the descriptor
   HidItemKind kind{};      ///< or another
   HidItemData data;
 };

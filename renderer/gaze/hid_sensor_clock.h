@@ -1,4 +1,4 @@
-// From the time that a sensor stamps on its reports to the host's.
+// Converts the time that a sensor stamps on its reports to the host's.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace foveola {
 
 /// Follows a clock whose origin is not known and which may run slightly fast or slow. A report can
 /// be late, never early: of those that arrived within the last five seconds, the one with the
-/// shortest way is taken to have had none, and tells how far the two clocks are apart.
+/// shortest way is taken to have had none, and shows how far the two clocks are apart.
 ///
 /// A sensor clock that jumps back or stands still makes reports seem ever later. Once one seems
 /// more than a second late, longer than 60 Hz need to fill the 64 reports that Linux queues, the
@@ -33,7 +33,7 @@ class HidSensorClock {
   std::uint64_t restarts() const { return restarts_; }
 
  private:
-  /// The same time without the sensor's starting again.
+  /// The sensor's time, as if it had never started again.
   double continued(double sensor_time_s);
 
   std::optional<double> period_s_;

@@ -25,7 +25,7 @@ class InterSampleIntervals {
   /// Intervals longer than one and a half times the usual one, so far: samples that never came.
   std::uint64_t gaps() const { return gaps_; }
 
-  /// One over the median interval; empty before two samples.
+  /// The reciprocal of the median interval; empty before two samples.
   std::optional<double> rate_hz() const;
   /// The intervals' mean absolute deviation from their median.
   std::optional<double> jitter_ms() const;

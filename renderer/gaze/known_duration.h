@@ -4,7 +4,7 @@
 namespace foveola {
 
 enum class Provenance {
-  measured,  ///< on this device
+  measured,  ///< measured on this device
   assumed    ///< from a data sheet, a publication or by guess
 };
 

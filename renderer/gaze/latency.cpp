@@ -26,7 +26,7 @@ LatencyStage waiting_for_frame(const LatencyInputs& inputs) {
                                        .provenance = inputs.frame_interval.provenance};
 }
 
-/// frames: of each, the same stage.
+/// frames: the same stage of each frame.
 LatencySpread spread_over(std::span<const LatencyStage> frames) {
   constexpr int moments = 20;
   LatencySpread spread{.name = frames.front().name,

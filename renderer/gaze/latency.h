@@ -14,14 +14,15 @@ namespace foveola {
 /// What the budget is made of. Rates are positive.
 struct LatencyInputs {
   double tracker_rate_hz = 0.0;
-  KnownDuration exposure;  ///< of one of the tracker's images
+  KnownDuration exposure;  ///< exposure time of one of the tracker's images
   KnownDuration transfer;
   KnownDuration processing;
-  KnownDuration frame_interval;          ///< from one look at the newest gaze to the next
-  std::optional<KnownDuration> waiting;  ///< of the gaze for a certain frame, where it is known
+  KnownDuration frame_interval;  ///< time from one look at the newest gaze to the next
+  std::optional<KnownDuration>
+      waiting;  ///< how long the gaze waited for a certain frame, where it is known
   KnownDuration tracing;
   KnownDuration film_and_resample;
-  KnownDuration present;   ///< with the wait for the display's next refresh
+  KnownDuration present;   ///< presenting, the wait for the display's next refresh included
   KnownDuration scan_out;  ///< until all of the frame is lit
 };
 
@@ -34,7 +35,7 @@ struct LatencyStage {
 
 using LatencyStages = std::array<LatencyStage, 8>;
 
-/// In the order of time. An image shows the eye as in the middle of its exposure, so:
+/// The stages in the order of time. An image shows the eye as in the middle of its exposure, so:
 ///
 /// - exposure: at best the eye has moved just before the middle, and half of it is left; at worst
 ///   just after, and the next image, 1 / tracker_rate_hz later, is the first to show it;
@@ -52,7 +53,7 @@ LatencyStage total_latency(std::span<const LatencyStage> stages);
 /// What a stage took in many frames.
 struct LatencySpread {
   std::string_view name;
-  double best_s = 0.0;  ///< of all frames
+  double best_s = 0.0;  ///< the best of all frames
   double median_s = 0.0;
   double percentile_95_s = 0.0;
   double worst_s = 0.0;
@@ -61,7 +62,7 @@ struct LatencySpread {
 
 struct LatencyReport {
   std::array<LatencySpread, 8> stages;
-  LatencySpread total;  ///< of the frames' totals: not the sum of what stages took in other frames
+  LatencySpread total;  ///< spread of the frames' totals, not the sum of the stages' spreads
 };
 
 /// frames: at least one. What lies between a frame's best and worst case is equally likely, for the

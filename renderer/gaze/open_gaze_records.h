@@ -28,7 +28,7 @@ enum class OpenGazeKind {
   record,           ///< REC: one sample
   acknowledgement,  ///< ACK: a request that was understood
   refusal,          ///< NACK
-  other             ///< for instance CAL, of a calibration
+  other             ///< others, such as CAL, a calibration's
 };
 
 /// One line of the stream: an XML element without content.

@@ -12,7 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// How long the thread may not look whether it is to end.
+/// The longest time between two checks whether the thread is to end.
 constexpr milliseconds slice{50};
 
 /// Repeats wait(slice), which returns a TcpConnection::Wait, until it is over, as is the limit, or

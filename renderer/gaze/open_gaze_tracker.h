@@ -24,7 +24,7 @@ namespace foveola {
 struct OpenGazeSettings {
   OpenGazeAddress address;
   Screen screen;  ///< what fractions of the screen are fractions of
-  /// From when the eye was there to when its record can arrive at the earliest.
+  /// The shortest time from when the eye was there until its record can arrive.
   Nanoseconds latency{0};
   /// How long the fastest delivery stands for the one without delay.
   Nanoseconds alignment_window = std::chrono::seconds(10);
@@ -41,7 +41,7 @@ struct OpenGazeCounters {
   bool is_connected = false;
 };
 
-/// From the bytes of one connection to samples.
+/// Decodes the bytes of one connection into samples.
 class OpenGazeDecoder {
  public:
   /// Counts in `counters`.
@@ -51,7 +51,7 @@ class OpenGazeDecoder {
   /// the record's own, where it has one, else the arrival; less the latency. When a record comes
   /// faster than all before it, times step back by as much. Arrivals may not go backwards.
   std::vector<GazeSample> decode(std::string_view bytes, Nanoseconds arrival);
-  /// Those given, and what came since.
+  /// The counters given, and what came since.
   OpenGazeCounters counters() const;
 
  private:

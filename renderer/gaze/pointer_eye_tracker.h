@@ -25,7 +25,7 @@ class PointerEyeTracker final : public EyeTracker {
   void poll(Nanoseconds now, std::vector<GazeSample>& arrived) override;
 
  private:
-  std::mutex mutex_;                        ///< guards the rest
+  std::mutex mutex_;                        ///< guards the members below
   std::vector<GazeSample> events_;          ///< since the last call, after the newest one before it
   std::optional<Nanoseconds> last_sample_;  ///< time of the newest sample that was given
 };

@@ -211,8 +211,6 @@ TrackerProfile read_tracker_profile(const std::string& name_or_path) {
   return tracker;
 }
 
-std::vector<std::string> display_profile_names() { return toml_names_in(profile_folder(displays)); }
-
 std::vector<std::string> tracker_profile_names() { return toml_names_in(profile_folder(trackers)); }
 
 RadialLens read_lens(TomlReader& table, RadialLens lens) {

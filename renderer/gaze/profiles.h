@@ -29,16 +29,17 @@ struct DisplayProfile {
   std::string name;  ///< the file's, without .toml
   std::string title;
   DisplayKind kind = DisplayKind::monitor;
-  int width_px = 0;  ///< of the whole display; even for a headset
+  int width_px = 0;  ///< width of the whole display, in a headset of both views together
   int height_px = 0;
   double refresh_rate_hz = 0.0;
-  double horizontal_fov_deg = 0.0;  ///< of one view, in (0, 180); a monitor's by its geometry
+  double horizontal_fov_deg =
+      0.0;  ///< one view's, in (0, 180); a monitor's follows from its geometry
   double vertical_fov_deg = 0.0;
-  double width_m = 0.0;  ///< of a monitor; 0 for a headset, as the next two
+  double width_m = 0.0;  ///< a monitor's width; 0 for a headset, as the next two are
   double height_m = 0.0;
   double viewing_distance_m = 0.0;
   std::optional<RadialLens> lens;  ///< the left eye's, of a headset whose lenses are known
-  KnownDuration scan_out;          ///< from a frame's presentation until all of it is lit
+  KnownDuration scan_out;          ///< time from a frame's presentation until all of it is lit
   std::string toml;                ///< the file's content, for the record
 };
 
@@ -61,14 +62,13 @@ struct TrackerProfile {
 /// Whether it is a path; a name otherwise.
 bool is_profile_path(const std::string& name_or_path);
 
-/// From the middle of an exposure, which is what a sample is of, until it can be here.
+/// The shortest time from the middle of an exposure, which a sample is of, until it can be here.
 Nanoseconds shortest_delay(const TrackerProfile& profile);
 
 DisplayProfile read_display_profile(const std::string& name_or_path);
 TrackerProfile read_tracker_profile(const std::string& name_or_path);
 
 /// The program's own, in alphabetical order.
-std::vector<std::string> display_profile_names();
 std::vector<std::string> tracker_profile_names();
 
 /// The keys of a lens that `table` has, over those of `lens`: axis, a list of two; k1 and k2.

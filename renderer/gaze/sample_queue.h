@@ -13,7 +13,7 @@ namespace foveola {
 /// time.
 class SampleQueue {
  public:
-  /// While nobody polls, so many are kept, nine minutes at 120 Hz; then the older half goes.
+  /// The most samples kept while nobody polls, nine minutes at 120 Hz; beyond, the older half goes.
   static constexpr std::size_t capacity = 1U << 16U;
 
   void push(std::span<const GazeSample> samples) {

@@ -1,4 +1,5 @@
-// From where a tracker says that a screen is looked at to a direction of the view that it shows.
+// Converts a point on a screen, where a tracker says that a person looks, to a direction of the
+// view.
 #pragma once
 
 #include "renderer/base/vec.h"
@@ -10,8 +11,8 @@ namespace foveola {
 struct Screen {
   double width_m = 0.0;             ///< > 0
   double height_m = 0.0;            ///< > 0
-  double horizontal_fov_deg = 0.0;  ///< of the view shown on it, in (0, 180)
-  double vertical_fov_deg = 0.0;    ///< likewise
+  double horizontal_fov_deg = 0.0;  ///< field of view of what is shown on it, in (0, 180)
+  double vertical_fov_deg = 0.0;    ///< vertical field of view, in (0, 180)
 };
 
 /// The direction in the head's axes, unit length, of the view's point at `fraction` of the screen's
@@ -19,7 +20,7 @@ struct Screen {
 /// (below 0, above 1) are on its plane.
 Vec3 direction_at(const Screen& screen, const DVec2& fraction);
 
-/// Of a point that is so many metres right of and below the top left corner.
+/// The direction of a point that is so many metres right of and below the top left corner.
 DVec2 fraction_of(const Screen& screen, const DVec2& metres);
 
 }  // namespace foveola

@@ -15,7 +15,7 @@ namespace {
 constexpr double fastest_deg_s = 600.0;
 constexpr double curvature_deg = 6.0;
 
-/// So long before its start and after its end, no double-precision angle tells of a saccade.
+/// So long before its start and after its end, no double-precision angle shows a saccade.
 constexpr Nanoseconds fade = std::chrono::milliseconds(200);
 
 constexpr Nanoseconds shortest_open = std::chrono::milliseconds(500);
@@ -110,7 +110,7 @@ std::vector<SimulatedBlink> SimulatedEye::blinks(Nanoseconds end) {
   return started_before(blinks_, end);
 }
 
-/// One starts after `until`, unless none ever does.
+/// A saccade starts after `until`, unless none ever does.
 void SimulatedEye::plan_saccades(Nanoseconds until) {
   while (saccades_.empty() || saccades_.back().start <= until) {
     const double fixation_s =

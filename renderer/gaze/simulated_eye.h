@@ -81,7 +81,7 @@ class SimulatedEye {
   void plan_saccades(Nanoseconds until);
   void plan_microsaccades(Nanoseconds fixation_end);
   void plan_blinks(Nanoseconds until);
-  /// From where the eye is to `target`.
+  /// A saccade from where the eye is to `target`.
   void add_saccade(Nanoseconds start, const DVec3& target, bool is_micro);
   DVec3 next_fixation();
   DVec3 next_microsaccade_target(double amplitude_deg);
@@ -96,7 +96,7 @@ class SimulatedEye {
   Nanoseconds still_since_{0};  ///< the end of the last saccade of the plan
   Nanoseconds next_microsaccade_{0};
   DVec3 fixation_{0.0, 0.0, -1.0};   ///< where the last saccade that was no microsaccade led
-  DVec3 direction_{0.0, 0.0, -1.0};  ///< where the last one led
+  DVec3 direction_{0.0, 0.0, -1.0};  ///< where the last saccade of either kind led
 };
 
 }  // namespace foveola

@@ -1,4 +1,4 @@
-// The least of what was seen lately.
+// The minimum over a sliding window of time.
 #pragma once
 
 #include <deque>
@@ -7,8 +7,8 @@
 
 namespace foveola {
 
-/// Of the values whose times are at most `window` before the newest. Each is added and dropped
-/// once.
+/// The minimum of the values whose times are at most `window` before the newest. Each is added and
+/// dropped once.
 template <typename Value>
 class SlidingMinimum {
  public:
@@ -25,7 +25,7 @@ class SlidingMinimum {
     }
   }
 
-  /// Of at least one value.
+  /// The minimum; there must be at least one value.
   const Value& least() const { return candidates_.front().value; }
 
   void clear() { candidates_.clear(); }

@@ -9,7 +9,7 @@
 
 namespace foveola {
 
-/// Of azimuth and elevation.
+/// A turn in azimuth and elevation.
 struct Turn {
   double right_rad = 0.0;
   double up_rad = 0.0;
@@ -45,9 +45,9 @@ class SteeredHeadTracker final : public HeadTracker {
   AzimuthElevation heading_at(Nanoseconds time) const;
   void go_on_to(Nanoseconds time);
 
-  std::mutex mutex_;          ///< of the rest
-  AzimuthElevation heading_;  ///< at `since_`
-  TurnSpeed speed_;           ///< from then on
+  std::mutex mutex_;          ///< guards the members below
+  AzimuthElevation heading_;  ///< the heading at `since_`
+  TurnSpeed speed_;           ///< the turn's speed since then
   Nanoseconds since_{0};
 };
 

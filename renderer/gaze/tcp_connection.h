@@ -1,5 +1,5 @@
 // A TCP connection to a program that may be slow, silent or gone: no call blocks for longer than it
-// is told to.
+// may.
 #pragma once
 
 #include <chrono>
@@ -38,7 +38,7 @@ class TcpConnection {
   /// Until there is something to receive, be it the end.
   Wait wait_for_bytes(std::chrono::milliseconds patience) const;
 
-  /// Of a few hundred bytes, which a new connection takes at once; whether it took all.
+  /// Sends a few hundred bytes, which a new connection takes at once; returns whether it took all.
   bool send(std::string_view bytes) const;
   /// What has arrived, at the front of `buffer`. closed: the other side has hung up, or it failed.
   struct Received {

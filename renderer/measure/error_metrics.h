@@ -22,7 +22,7 @@ inline constexpr double relative_mse_epsilon = 0.01;
 
 enum class PixelWeight {
   uniform,
-  solid_angle,  ///< by the cosine of the latitude, for equirect images
+  solid_angle,  ///< weighted by the cosine of the latitude, for equirect images
 };
 
 /// Both images must have the same size. Throws Error otherwise.

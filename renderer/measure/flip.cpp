@@ -211,7 +211,7 @@ struct FeatureKernels {
 };
 
 /// Scales the positive weights to a sum of 1 and the negative ones to -1. In double, where the tail
-/// of a kernel that is far narrower than a pixel still tells one weight from another.
+/// of a kernel that is far narrower than a pixel still has distinct weights.
 Kernel balanced(const std::vector<double>& weights) {
   double positive = 0.0;
   double negative = 0.0;

@@ -15,7 +15,8 @@ namespace foveola {
 std::vector<float> flip_errors(const RgbImage& image, const RgbImage& reference,
                                double pixels_per_degree);
 
-/// Of a flat display in its middle: `width` pixels over a field of view in (0, pi) radians.
+/// Pixels per degree in the middle of a flat display: `width` pixels over a field of view in (0,
+/// pi) radians.
 double pixels_per_degree(double fov_rad, int width);
 
 }  // namespace foveola

@@ -31,11 +31,12 @@ struct RegionError {
   /// Mean squared error. Expected to be that against a reference without noise, so it may be
   /// negative by chance where the image is no noisier than the reference.
   double mse = 0.0;
-  /// Mean of d^2 / (r^2 + relative_mse_epsilon), likewise; r is the mean of both halves.
+  /// Mean of d^2 / (r^2 + relative_mse_epsilon), with r the mean of both halves; it may be negative
+  /// too.
   double relative_mse = 0.0;
   double samples_per_pixel = 0.0;  ///< weighted mean, pixels without samples included; or NaN
   double empty_share = 0.0;        ///< weight of the pixels without samples, of all weight; or NaN
-  std::size_t pixels = 0;          ///< that were compared
+  std::size_t pixels = 0;          ///< pixels that were compared
   std::size_t empty = 0;           ///< pixels without samples
   std::size_t non_finite = 0;      ///< left out since the image or a half is not finite
 };

@@ -1,4 +1,4 @@
-// A scene all around, without noise, for when it is to be known and not judged.
+// A scene all around without noise, for when people get to know it and do not judge it.
 #pragma once
 
 #include "renderer/base/parallel.h"

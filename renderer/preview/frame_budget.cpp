@@ -84,7 +84,7 @@ void FrameBudget::judge_drawing(bool is_late) {
   constexpr double gain = 1.0 / 16.0;
   constexpr double most_late = 0.75;        // reached by 22 late frames in a row
   constexpr double too_slow_above = 0.9;    // of the time between two refreshes
-  constexpr double fast_again_below = 0.7;  // likewise
+  constexpr double fast_again_below = 0.7;  // as a part of the interval
   const double rest_share = interval_s_ > 0.0 ? rest_s_.mean() / interval_s_ : 0.0;
   const bool is_late_by_rest = is_late && rest_share >= too_slow_above;
   late_share_ += gain * ((is_late_by_rest ? 1.0 : 0.0) - late_share_);

@@ -43,8 +43,8 @@ class FrameBudget {
   /// however late it is, so that a restart is seen in the next frame: what is traced within a
   /// millisecond, but at least 64 and at most first_of_all.
   std::uint64_t first_batch(Nanoseconds left) const;
-  /// And the next one; 0 if there is no time for one that is worth its beginning: for what is
-  /// traced within a quarter of a millisecond.
+  /// How many samples the next batch has; 0 if there is no time for one that is worth its
+  /// beginning, which is what is traced within a quarter of a millisecond.
   std::uint64_t next_batch(Nanoseconds left) const;
 
   /// What a batch of `samples` took from directions to film; samples > 0.
@@ -76,8 +76,8 @@ class FrameBudget {
   CostEstimate sample_s_;
   CostEstimate rest_s_;
   double reserve_s_ = 0.0;
-  double interval_s_ = 0.0;  ///< between refreshes, in the frame that began last
-  double late_share_ = 0.0;  ///< of the latest frames, those late because of the rest; smoothed
+  double interval_s_ = 0.0;  ///< time between refreshes, in the frame that began last
+  double late_share_ = 0.0;  ///< smoothed share of frames that were late because of the rest
   bool is_drawing_too_slow_ = false;
 };
 

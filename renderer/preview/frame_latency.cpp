@@ -17,7 +17,7 @@ LatencyInputs inputs_of(const TrackerProfile& tracker) {
           .processing = tracker.processing};
 }
 
-/// From the moment that a sample shows until it is here.
+/// The time from the moment that a sample shows until it is here.
 double delay_s(const TrackerProfile& tracker) {
   constexpr std::size_t tracker_stages = 3;
   const LatencyStages stages = latency_stages(inputs_of(tracker));

@@ -1,4 +1,4 @@
-// What stood between the eye's movement and the light of a certain frame.
+// The latency from the eye's movement to the light of a certain frame.
 #pragma once
 
 #include "renderer/gaze/latency.h"
@@ -8,12 +8,12 @@
 namespace foveola {
 
 /// Whether the frame follows the eye, so that it has a latency: its gaze is the tracker's newest
-/// sample, and valid. Others hold the gaze through a blink, or because they are told to.
+/// sample, and valid. Others hold the gaze through a blink, or because the gaze is frozen.
 bool follows_eye(const FrameReport& report);
 
-/// Of a frame that follows the eye, by this tracker and on this display. Each stage takes what it
-/// took; only the exposure has a best and a worst case. Their sum is the age of the gaze, which is
-/// measured, and the time from its use until the frame was lit.
+/// The latency of a frame that follows the eye, by this tracker and on this display. Each stage
+/// takes what it took; only the exposure has a best and a worst case. Their sum is the age of the
+/// gaze, which is measured, and the time from its use until the frame was lit.
 ///
 /// - exposure, transfer, processing, scan-out: as the profiles say;
 /// - waiting for the frame: what is left of the gaze's age, measured;

@@ -7,8 +7,8 @@
 namespace foveola {
 namespace {
 
-/// In a frame. The third fills what the second leaves, a sixteenth of the time or less where costs
-/// vary by a tenth; a fourth finds a hundredth.
+/// The most batches of a frame. The third fills what the second leaves, a sixteenth of the time or
+/// less where costs vary by a tenth; a fourth finds a hundredth.
 constexpr int most_batches = 3;
 
 }  // namespace

@@ -12,17 +12,17 @@
 
 namespace foveola {
 
-/// When a frame's work was done, and how long each part took.
+/// When the work of a frame was done, and how long each part took.
 struct LiveFrame {
   FrameReport report;
   Nanoseconds start{0};       ///< the refresh before, or when that was found to be over
   Nanoseconds deadline{0};    ///< the refresh that it should be ready for
   Nanoseconds polling{0};     ///< head and gaze, and aiming the sampler
-  Nanoseconds tracing{0};     ///< from directions to film, with what the film does
+  Nanoseconds tracing{0};     ///< from directions to film, the film's own work included
   Nanoseconds resampling{0};  ///< from film to the display's image
   Nanoseconds presenting{0};  ///< handing it over, with the wait for a refresh if there was one
   Nanoseconds shown{0};       ///< the refresh that shows it
-  std::uint64_t missed_refreshes = 0;  ///< that showed the frame before once more
+  std::uint64_t missed_refreshes = 0;  ///< refreshes that showed the frame before once more
   bool is_refresh_measured = false;    ///< else refreshes are assumed to come at the nominal rate
 
   bool is_late() const { return missed_refreshes > 0; }
@@ -38,7 +38,7 @@ struct FrameOutput {
 };
 
 /// Renders a frame a refresh, or as few refreshes as drawing leaves it time for (see FrameBudget).
-/// Late frames are told, and the next one begins at the next refresh.
+/// Late frames are reported, and the next one begins at the next refresh.
 /// Where refreshes are follows from when the output was done with frames, as far as it waits for
 /// them; otherwise they are taken to come at the nominal rate from now on.
 class LiveFrames {
@@ -46,7 +46,7 @@ class LiveFrames {
   /// Returns at `time`, or at once if that is over.
   using WaitUntil = std::function<void(Nanoseconds time)>;
 
-  /// refresh: of the display; what it has been told before counts, as what `budget` knows does.
+  /// refresh: the display's, with what it has learned already, as `budget` is.
   /// Preview and clock must outlive the frames.
   LiveFrames(Preview& preview, const Clock& clock, const RefreshEstimator& refresh,
              WaitUntil wait_until, FrameOutput output, const FrameBudget& budget = {});

@@ -38,7 +38,7 @@ struct FrameReport {
   /// straight ahead if there was none yet.
   bool gaze_valid = false;
   bool gaze_held = false;     ///< the gaze is the one held, whatever the tracker says
-  Nanoseconds gaze_age{0};    ///< of the gaze that was used, at `time`; 0 if none was valid yet
+  Nanoseconds gaze_age{0};    ///< age at `time` of the gaze that was used; 0 if none was valid yet
   std::uint64_t samples = 0;  ///< traced in this frame
   std::uint64_t rays = 0;
 };
@@ -54,29 +54,31 @@ class Preview {
   /// Clears the film and renders with `method` (as make_view_sampler reads it) from the next frame
   /// on. Points and paths are drawn anew from `seed`.
   void restart(std::string_view method, std::uint32_t seed);
-  /// Likewise, with a sampler that was made before.
+  /// Restarts with a sampler that was made before.
   void restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed);
 
   /// Polls head and gaze at `now` and traces `samples` samples; how many fit into a frame is for
   /// the caller to know (a budget, a model of a machine).
   FrameReport render_frame(Nanoseconds now, std::uint64_t samples);
 
-  /// The same in pieces: polls, and traces nothing yet.
+  /// Begins a frame that is rendered in pieces: polls, and traces nothing yet.
   FrameReport begin_frame(Nanoseconds now);
-  /// Likewise, but polls nothing: head and gaze (unit length, world) are known, as in a recording.
+  /// Begins a frame without polling: head and gaze (unit length, world) are known, as in a
+  /// recording.
   FrameReport begin_frame(Nanoseconds now, const AzimuthElevation& head, const Vec3& gaze);
-  /// Traces so many samples more in the frame that `report` is of.
+  /// Traces so many samples more in the frame of `report`.
   void trace(std::uint64_t samples, FrameReport& report);
 
   /// Freezes the gaze of the last frame where it is in the world, while the head looks around, or
   /// lets go of it. Before the first frame that is straight ahead at azimuth 0.
   void hold_gaze(bool held);
 
-  /// From the next frame on. Throws Error for a view that cannot be shown flat.
+  /// Shows another field of view from the next frame on. Throws Error for one that cannot be shown
+  /// flat.
   void set_view(const FieldOfView& view);
 
-  /// Where the user points from now on, unit length, world; without, methods that follow the
-  /// pointer follow the gaze. A restart keeps it.
+  /// Sets where the user points from now on (unit length, world). Without it, methods that follow
+  /// the pointer follow the gaze. A restart keeps it.
   void point_at(const std::optional<Vec3>& pointer) { pointer_ = pointer; }
 
   /// The image for the display at the head pose of the last frame: sRGB-encoded, in [0, 1]. It
@@ -84,9 +86,9 @@ class Preview {
   const RgbImage& present();
   /// The view of the last frame.
   const Viewport& viewport() const { return viewport_; }
-  /// The gaze that it used, world.
+  /// The gaze that the last frame used, world.
   const Vec3& gaze() const { return last_gaze_; }
-  /// What aims its samples; there is one after a restart.
+  /// The sampler that chooses its directions; there is one after a restart.
   const ViewSampler& sampler() const { return *sampler_; }
   /// All gaze samples that arrived for the last frame, after those of the frame before.
   const std::vector<GazeSample>& arrived_gaze() const { return arrived_gaze_; }
@@ -104,7 +106,7 @@ class Preview {
   HeadTracker* head_;
   const Workers* workers_;
   ProgressiveRender render_;
-  std::optional<ViewportResampler> resampler_;  ///< of the film, once it was presented
+  std::optional<ViewportResampler> resampler_;  ///< resamples the film, once it was presented
   Viewport viewport_;
   std::unique_ptr<ViewSampler> sampler_;
   std::uint64_t next_frame_ = 0;

@@ -59,7 +59,7 @@ class RefreshEstimator {
   std::optional<Nanoseconds> refresh_;  ///< the last one known
   std::uint64_t swaps_ = 0;
   int remembered_ = 0;            ///< the swaps that the gains are for
-  double mean_square_off_ = 0.0;  ///< in squared intervals
+  double mean_square_off_ = 0.0;  ///< mean square of swaps' deviations, in squared intervals
   bool is_unsynchronised_ = false;
 };
 

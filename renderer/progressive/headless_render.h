@@ -17,15 +17,15 @@ namespace foveola {
 
 /// When a render is done: after a number of samples, or after a time.
 struct RenderBudget {
-  std::uint64_t samples = 0;  ///< in all; 0: no limit
-  double seconds = 0.0;       ///< of tracing; 0: no limit. At least one of the two is set.
+  std::uint64_t samples = 0;  ///< samples in all; 0: no limit
+  double seconds = 0.0;       ///< seconds of tracing; 0: no limit. At least one of the two is set.
 };
 
 struct RenderSettings {
   std::string method = "od";  ///< as make_view_sampler reads it
   SceneChoices scene;
   std::optional<AzimuthElevation> gaze;  ///< world; default: where the head points
-  FieldOfView field_of_view;             ///< of the viewport
+  FieldOfView field_of_view;             ///< the viewport's
   ProgressiveSettings progressive;       ///< its viewpoint and exposure are the scene's
   std::optional<IVec2> view;             ///< make the display's image too, of so many pixels
   UnsampledPixels unsampled = UnsampledPixels::black;  ///< in that image
@@ -35,7 +35,7 @@ struct RenderSettings {
 
 struct RenderReport {
   std::uint64_t samples = 0;
-  double seconds = 0.0;  ///< of aiming, tracing and filming, without loading and building
+  double seconds = 0.0;  ///< seconds of sampling, tracing and filming, without loading and building
   std::uint64_t rays = 0;
   std::vector<DroppedSample> non_finite;
   double load_seconds = 0.0;
@@ -67,7 +67,7 @@ struct SampleAddress {
   std::uint32_t sample_number = 0;
 };
 
-/// One path of a render, again.
+/// One path of a render, traced again.
 struct ReplayedPath {
   SampleJob job;
   PathRecord record;

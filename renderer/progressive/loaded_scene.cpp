@@ -40,7 +40,7 @@ std::vector<std::string> warnings_of(const Scene& scene) {
   return warnings;
 }
 
-/// Where nobody says where to stand. Adds a warning that says it.
+/// The camera where nobody says where to stand. Adds a warning that says so.
 CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
                                 std::vector<std::string>& warnings) {
   Standpoint standpoint = choose_standpoint(scene, rays);

@@ -27,15 +27,15 @@ struct LoadedScene {
   double build_seconds = 0.0;
   Scene scene;
   PathTracer tracer;
-  /// One line each: the scene's, where one stands if neither it nor the choices say so (see
-  /// choose_standpoint), and that nothing shines.
+  /// One line each: what loading warned of, where one stands if neither the scene nor the choices
+  /// say so (see choose_standpoint), and that nothing shines.
   std::vector<std::string> warnings;
   /// Where the choices say, else the source, else the file's first, else by choose_standpoint.
   CameraView camera;
 
   /// Throws Error for what is wrong with the scene.
   LoadedScene(const SceneSource& source, const Workers& workers, const SceneChoices& choices = {});
-  /// A scene that comes from no file.
+  /// For a scene that comes from no file.
   LoadedScene(const SceneSource& source, Scene scene, const Workers& workers,
               const SceneChoices& choices = {});
   LoadedScene(const LoadedScene&) = delete;

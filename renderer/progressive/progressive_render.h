@@ -66,12 +66,12 @@ class ProgressiveRender {
   std::optional<SampleJob> find_job(const ViewSampler& sampler, std::uint64_t points,
                                     std::uint32_t pixel, std::uint32_t sample_number);
 
-  /// Of the present pattern.
+  /// Points drawn of the present pattern.
   std::uint64_t points_drawn() const { return next_point_; }
   const EquirectFilm& film() const { return film_; }
   /// Samples dropped since the film was clear because they were not finite.
   const std::vector<DroppedSample>& dropped() const { return dropped_; }
-  /// With the film's pixel angle.
+  /// The settings of its paths, the film's pixel angle included.
   const TraceSettings& trace_settings() const { return settings_.trace; }
 
  private:

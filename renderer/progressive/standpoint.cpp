@@ -56,7 +56,7 @@ struct Shape {
 
   bool is_flat() const { return extents[thinnest_axis] < 1e-3F; }
 
-  /// From the middle to where all of it is seen, and no slab or sheet by its edge alone.
+  /// The direction from the middle to where all of it is seen, and no slab or sheet edge-on.
   Vec3 front() const {
     constexpr float slab = 0.05F;
     Vec3 direction(0.0F, 0.0F, 1.0F);

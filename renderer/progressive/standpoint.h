@@ -10,7 +10,7 @@
 namespace foveola {
 
 struct Standpoint {
-  Vec3 position{0.0F};  ///< in the scene
+  Vec3 position{0.0F};  ///< in the scene's world
   AzimuthElevation heading;
   std::string reason;  ///< in words that follow "seen from (x, y, z), "
 };

@@ -1,4 +1,4 @@
-// How well people see away from the gaze: models from the literature, as data.
+// Models of visual acuity away from the gaze, from the literature.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@ std::array<float, 4> cubic_through(const std::array<double, 4>& v) {
 }
 
 /// The limit of eccentricity / sqrt(u) at u = 0 is taken from so near that it differs by less than
-/// a float can tell.
+/// a float resolves.
 constexpr double smallest_s = 1e-8;
 
 /// The largest s that a float u has.
@@ -35,7 +35,7 @@ EccentricityTable::EccentricityTable(const RadialDistribution& distribution) {
   ends.push_back(largest_s);
   double begin = 0.0;
   for (const double end : ends) {
-    // Beyond a far knee there may be less than a float can tell.
+    // Beyond a far knee there may be less than a float resolves.
     if (end > begin && end <= largest_s) {
       add_pieces(distribution, begin, end, 0);
       begin = end;

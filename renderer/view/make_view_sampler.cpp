@@ -97,7 +97,7 @@ std::unique_ptr<ViewSampler> make_map(MethodText& method, const FindWeights& fin
   return std::make_unique<MapSampler>(std::move(image), method.number("extent", 80.0, 0.1, 179.0));
 }
 
-/// Likewise.
+/// find_weights: empty where files are to be read.
 std::unique_ptr<ViewSampler> make_mask(MethodText& method, const FindWeights& find_weights) {
   const std::string file = method.required("file", "the image of the mask");
   const double floor = method.number("floor", 0.0, 0.0, 1e6);
@@ -107,7 +107,7 @@ std::unique_ptr<ViewSampler> make_mask(MethodText& method, const FindWeights& fi
   return std::make_unique<MaskSampler>(std::filesystem::path(file), floor);
 }
 
-/// Where the text holds the pointer, if it does.
+/// The place in the world where the text holds the pointer; empty if it holds it nowhere.
 std::optional<Vec3> fixed_pointer(MethodText& method) {
   const std::optional<double> azimuth_deg = method.number("azimuth", -180.0, 180.0);
   const std::optional<double> elevation_deg = method.number("elevation", -90.0, 90.0);

@@ -1,4 +1,4 @@
-// Samples where the user painted that they matter.
+// Samples by a painted mask of importance.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@ namespace foveola {
 /// is half-written, gone or bad, leaves the last good painting in place until it changes again.
 ///
 /// Rows and columns are chosen by their running sums. Alias tables would choose them in constant
-/// time, but they cut the unit square into pieces that lie elsewhere in the image, and
-/// well-distributed points would be so no more; neighbours stay neighbours here.
+/// time, but they cut the unit square into pieces that lie elsewhere in the image, so that
+/// well-distributed points would no longer be so; here neighbours stay neighbours.
 class MaskSampler final : public ViewSampler {
  public:
   /// floor: what every pixel weighs more, as a multiple of the mean weight; >= 0. Throws Error as
   /// read_weights.
   MaskSampler(std::filesystem::path path, double floor);
-  /// Of a painting that stays as it is.
+  /// For a painting that stays as it is.
   MaskSampler(WeightImage image, double floor);
 
   void aim(const Aim& aim) override;
@@ -30,7 +30,7 @@ class MaskSampler final : public ViewSampler {
   double density_per_sr(const Vec3& direction) const override;
 
  private:
-  /// By which a change of the file is noticed.
+  /// What a change of the file is noticed by.
   struct Stamp {
     std::filesystem::file_time_type written;
     std::uintmax_t bytes = 0;

@@ -25,7 +25,7 @@ class MixtureSampler final : public ViewSampler {
 
  private:
   std::vector<Part> parts_;  ///< weights adding up to 1
-  std::vector<float> ends_;  ///< of the stripes; the last one is infinite
+  std::vector<float> ends_;  ///< where the stripes end; the last value is infinite
 };
 
 }  // namespace foveola

@@ -22,7 +22,7 @@ class PointerSampler final : public ViewSampler {
  private:
   double radius_deg_;
   double cutoff_deg_;
-  double share_;  ///< of an uncut Gaussian that lies within the cut-off
+  double share_;  ///< part of an uncut Gaussian that lies within the cut-off
   std::optional<Vec3> fixed_;
   Frame around_{Vec3(0.0F, 0.0F, -1.0F)};
 };

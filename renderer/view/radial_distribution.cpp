@@ -133,7 +133,7 @@ double AcuityDistribution::cumulative(double eccentricity_deg) const {
 double AcuityDistribution::eccentricity_deg(double u) const {
   const double target = u * sums_.back();
   if (target >= sums_.back()) {
-    // The last panels may hold less than a double can tell.
+    // The last panels may hold less than a double resolves.
     return cutoff_deg_;
   }
   const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);

@@ -45,7 +45,7 @@ class ReddyDistribution final : public RadialDistribution {
   double eccentricity_deg(double u) const override;
   double density_per_sr(double eccentricity_deg) const override;
 
-  /// Of 2 pi e m(e) de over [0, eccentricity_deg].
+  /// The integral of 2 pi e m(e) de over [0, eccentricity_deg].
   double integral(double eccentricity_deg) const;
 
  private:
@@ -78,7 +78,7 @@ class AcuityDistribution final : public RadialDistribution {
   double exponent_;
   double cutoff_deg_;
   EccentricityMeasure measure_;
-  std::vector<double> nodes_deg_;  ///< from 0 to the cut-off, the knees among them
+  std::vector<double> nodes_deg_;  ///< nodes from 0 to the cut-off, the knees among them
   std::vector<double> sums_;       ///< the integral to each node
 };
 

@@ -1,4 +1,4 @@
-// Points of the unit square to samples, block by block: the loop that samplers share.
+// Maps points of the unit square to samples, block by block: the loop that samplers share.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,7 @@ void sample_blocks(std::span<const Vec2> points, const Prepare& prepare,
   }
 }
 
-/// What sample_blocks takes, of a `map` from point to point.
+/// Makes of a `map` from point to point the `prepare` that sample_blocks takes.
 template <typename Map>
 auto point_by_point(Map map) {
   return [map](std::span<const Vec2> points, std::span<Vec2> prepared) {

@@ -24,7 +24,7 @@ struct ViewSample {
 struct Aim {
   Viewport viewport;
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
-  std::optional<Vec3> pointer;   ///< where the user points, likewise; default: the gaze
+  std::optional<Vec3> pointer;   ///< where the user points (unit length, world); default: the gaze
 };
 
 /// One method of choosing directions. The virtual calls are per batch, never per sample.
@@ -73,12 +73,12 @@ using FindWeights = std::function<WeightImage(const std::string& file)>;
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
                                                const FindWeights& find_weights);
 
-/// Whether a method, or a part of it, goes where the pointer of its Aim goes. Throws Error for a
+/// Whether a method, or a part of it, samples where the pointer of its Aim is. Throws Error for a
 /// text that makes no sense.
 bool follows_pointer(std::string_view method);
 
-/// Whether a method, or a part of it, goes where the gaze of its Aim goes; one that follows a
-/// pointer does, where there is none. Throws Error for a text that makes no sense.
+/// Whether a method, or a part of it, samples where the gaze of its Aim is; one that follows a
+/// pointer does so where there is no pointer. Throws Error for a text that makes no sense.
 bool follows_gaze(std::string_view method);
 
 /// `method` with its pointer, or those of its parts, held at a place in the world; unchanged if it

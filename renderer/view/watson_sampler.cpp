@@ -14,7 +14,7 @@ struct Quadrant {
   Meridian across;
   Meridian upright;
 };
-/// In the order in which the azimuth runs from the temple over the head's up.
+/// The quadrants in the order in which the azimuth runs from the temple over the head's up.
 constexpr std::array<Quadrant, 4> sides{{{Meridian::temporal, Meridian::upper},
                                          {Meridian::nasal, Meridian::upper},
                                          {Meridian::nasal, Meridian::lower},

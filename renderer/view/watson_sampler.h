@@ -32,12 +32,13 @@ class WatsonSampler final : public ViewSampler {
   double density_per_sr(const Vec3& direction) const override;
 
  private:
-  static constexpr std::size_t quadrants = 4;  ///< of an eye: towards temple or nose, up or down
+  static constexpr std::size_t quadrants =
+      4;  ///< quadrants of an eye's field: towards temple or nose, up or down
   /// Where a quadrant of an eye's field lies around the gaze, and its part of the unit square.
   struct Stripe {
     std::size_t quadrant;
     float sign_x;
-    float begin;  ///< of y; sorted
+    float begin;  ///< where it begins in y; stripes are sorted by it
     float height;
     bool is_clockwise;  ///< so that the azimuth goes on where a stripe ends
   };
@@ -52,7 +53,7 @@ class WatsonSampler final : public ViewSampler {
   double exponent_;
   double cutoff_deg_;
   EccentricityMeasure measure_;
-  double total_ = 0.0;  ///< of an eye's density over its field, in square degrees
+  double total_ = 0.0;  ///< integral of an eye's density over its field, in square degrees
   std::array<double, quadrants> shares_{};
   std::vector<EccentricityTable> eccentricity_turns_;  ///< one a quadrant
   std::vector<Stripe> stripes_;

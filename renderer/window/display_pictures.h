@@ -1,4 +1,4 @@
-// What a display shows, as files: they are written beside whoever draws.
+// Files of what a display shows, written in the background.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace foveola {
 /// Writes what a display shows, sRGB in [0, 1], as write_image does with linear radiance.
 void write_display_picture(const std::filesystem::path& file, const RgbImage& picture);
 
-/// Who destroys it waits until all are written.
+/// Its destructor waits until all are written.
 class DisplayPictures {
  public:
   /// The picture becomes this file as soon as it is there.

@@ -17,8 +17,8 @@ struct MarkedTiles {
   std::vector<bool> rows;
 };
 
-/// Those that hold what `viewport` shows and, as cells are read with their neighbours, what lies
-/// less than a tile beside it.
+/// The tiles that hold what `viewport` shows and, as cells are read with their neighbours, what
+/// lies less than a tile beside it.
 MarkedTiles tiles_in(const Viewport& viewport, const EquirectFilm& film) {
   const ImageRectangle seen = bounding_rectangle(viewport);
   const int margin = EquirectFilm::tile_size;

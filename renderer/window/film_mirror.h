@@ -1,4 +1,5 @@
-// What a copy of the film has to learn: the changes where the display looks, and no others.
+// What a copy of the film has to be updated with: the changes that the display shows, and no
+// others.
 #pragma once
 
 #include <span>
@@ -25,7 +26,7 @@ class FilmMirror {
   const PyramidAtlas& atlas() const { return atlas_; }
 
  private:
-  /// Of a tile.
+  /// What is known of a tile.
   struct Copy {
     FilmRevision revision = 0;
     int levels = 0;  ///< [0, levels) are of that revision

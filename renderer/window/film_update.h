@@ -1,4 +1,4 @@
-// What a copy of the film's pyramid has to learn to be up to date.
+// The changes that bring a copy of the film's pyramid up to date.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace foveola {
 
 /// Gives all cells of a rectangle of the atlas one value.
 struct AtlasRectangle {
-  std::uint16_t x = 0;  ///< of its top left cell
+  std::uint16_t x = 0;  ///< column of its top left cell
   std::uint16_t y = 0;
   std::uint16_t width = 1;  ///< cells
   std::uint16_t height = 1;

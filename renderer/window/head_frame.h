@@ -8,7 +8,7 @@
 
 namespace foveola {
 
-/// The window, as its events tell of it.
+/// The window, as its events describe it.
 struct WindowArea {
   IVec2 framebuffer{0};    ///< pixels
   bool is_hidden = false;  ///< minimised
@@ -23,7 +23,7 @@ struct WindowArea {
 ShownFrame head_frame(const WindowArea& window, const ViewGeometry& geometry, const Quat& head,
                       const ViewLook& look);
 
-/// What the graphics card has to learn of `film` before it draws such a frame. mirror: of this
+/// The update of `film` that the graphics card needs before it draws such a frame. mirror: of this
 /// film.
 FilmUpdate update_for(const ShownFrame& frame, const EquirectFilm& film, FilmMirror& mirror);
 

@@ -1,4 +1,4 @@
-// When keys moved: by the X server's stamps, not by when this program got round to reading them.
+// When keys moved: by the X server's stamps, not by when this program read them.
 //
 // The thread that draws shares the connection to the server, and cores that trace are busy: an
 // event lies unread for up to ten milliseconds. The server stamps each as it comes, in milliseconds

@@ -21,7 +21,7 @@ Characters characters_in_font(const std::filesystem::path& path, const Character
 /// A face of a font file.
 struct LetterFont {
   std::filesystem::path path;
-  int face = 0;  ///< of a collection's
+  int face = 0;  ///< index in a collection of faces
   Characters characters;
 };
 

@@ -219,8 +219,8 @@ void LivePreview::tell_of_slow_drawing(const LiveFrames& live) {
                           .interval = live.refresh().interval(),
                           .framebuffer = area_.framebuffer,
                           .graphics = parts_.presenter->graphics()};
-  if (settings_.tell) {
-    settings_.tell(slow_drawing_line(*report_.slow_drawing));
+  if (settings_.notify) {
+    settings_.notify(slow_drawing_line(*report_.slow_drawing));
   }
 }
 

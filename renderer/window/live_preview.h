@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "renderer/gaze/calibration_routine.h"
-#include "renderer/gaze/gaze_check.h"
+#include "renderer/gaze/gaze_correction.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
@@ -30,18 +30,18 @@ namespace foveola {
 struct LivePreviewSettings {
   DisplayProfile display;
   TrackerProfile tracker;
-  PreviewChoices choices;  ///< to begin with
+  PreviewChoices choices;  ///< the choices to begin with
   std::uint32_t seed = 0;
   IVec2 framebuffer{0};                 ///< the window's size, in pixels
   std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
-  bool keeps_last_picture = false;      ///< of those frames
-  bool corrects_gaze = false;           ///< by what each check of the tracker finds
-  CalibrationTiming gaze_check;         ///< of such a check
-  /// Gets what the user should know as soon as it is known, a line each; if there is any.
-  std::function<void(const std::string& line)> tell;
+  bool keeps_last_picture = false;      ///< whether the last frame's picture is kept
+  bool corrects_gaze = false;           ///< whether the gaze is corrected by what each check finds
+  CalibrationTiming gaze_check;         ///< timing of such a check
+  /// Called with each line that the user should read at once; may be empty.
+  std::function<void(const std::string& line)> notify;
 };
 
-/// What happened.
+/// What happened in a live preview.
 struct LivePreviewReport {
   std::vector<LiveFrame> frames;  ///< at least the last most_frames of them
   std::uint64_t frame_count = 0;
@@ -51,10 +51,10 @@ struct LivePreviewReport {
   std::string graphics;              ///< the graphics card and its driver
   double refresh_rate_hz = 0.0;      ///< the display's: measured, or else its profile's
   bool is_refresh_measured = false;
-  int threads = 0;                          ///< that traced
+  int threads = 0;                          ///< threads that traced
   std::optional<Nanoseconds> first_shown;   ///< the first picture, after the scene was loaded
   std::vector<GazeCheck> gaze_checks;       ///< in the order they were made
-  std::vector<std::string> lost_monitors;   ///< names, likewise
+  std::vector<std::string> lost_monitors;   ///< names, in the order they were lost
   std::optional<SlowDrawing> slow_drawing;  ///< when it was first found too slow; else none
   std::optional<RgbImage> last_picture;     ///< sRGB in [0, 1]
   static constexpr std::size_t most_frames = 1 << 16;
@@ -110,7 +110,7 @@ class LivePreview {
   bool is_done_ = false;
   bool wants_picture_ = false;
   std::optional<std::future<RgbImage>> last_picture_;
-  int last_picture_number_ = 0;  ///< of foveola-1.png, foveola-2.png, ...
+  int last_picture_number_ = 0;  ///< number of the last of foveola-1.png, foveola-2.png, ...
   DisplayPictures pictures_;
 };
 

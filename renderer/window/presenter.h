@@ -75,7 +75,7 @@ class Presenter {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   // Guarded by the mutex:
-  bool is_ready_ = false;            ///< for a frame: the one before was shown
+  bool is_ready_ = false;            ///< ready for a frame: the one before was shown
   bool is_drawn_ = false;            ///< the frame that was handed over last
   std::optional<ShownFrame> frame_;  ///< handed over, not taken yet
   Nanoseconds shown_{0};             ///< when the last one was

@@ -24,7 +24,7 @@ constexpr std::array letters = {
     LetterMeaning{']', PreviewAction::more_of_the_first,
                   "more of the hybrid's samples at the gaze"},
     LetterMeaning{'[', PreviewAction::less_of_the_first, "fewer"},
-    LetterMeaning{'h', PreviewAction::fill_unsampled, "fill holes"},
+    LetterMeaning{'h', PreviewAction::fill_unsampled, "fill unsampled pixels"},
     LetterMeaning{'+', PreviewAction::brighter, "brighter"},
     LetterMeaning{'-', PreviewAction::darker, "darker"},
     LetterMeaning{'g', PreviewAction::show_gaze, "gaze point"},

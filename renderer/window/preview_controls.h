@@ -42,7 +42,7 @@ std::vector<std::string> help_lines();
 /// What the user has chosen so far.
 struct PreviewChoices {
   std::vector<std::string> methods;  ///< at least one, to go through
-  std::size_t method = 0;            ///< of them
+  std::size_t method = 0;            ///< index of the present method
   /// The share of samples that follow the first part of the method "hybrid", fv; the rest is od's.
   double hybrid_share = 0.9;
   bool gaze_is_frozen = false;

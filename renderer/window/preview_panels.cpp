@@ -10,7 +10,7 @@
 namespace foveola {
 namespace {
 
-/// Those that began within a second of the last one.
+/// The frames that began within a second of the last one.
 std::span<const LiveFrame> last_second(std::span<const LiveFrame> frames) {
   if (frames.empty()) {
     return frames;

@@ -1,4 +1,4 @@
-// What the live preview says of itself, as text over the picture.
+// The live preview's panels: text over the picture.
 #pragma once
 
 #include <span>
@@ -12,18 +12,18 @@
 
 namespace foveola {
 
-/// Of the last second's frames.
+/// Summary of the last second's frames.
 std::vector<std::string> frame_time_lines(std::span<const LiveFrame> frames,
                                           const std::string& method);
 
 /// How well the tracker saw the eye look at targets.
 std::string gaze_quality_line(const GazeQuality& quality);
 
-/// What is made of the azimuth a and the elevation e, in degrees.
+/// The correction as formulas of the azimuth a and the elevation e, in degrees.
 std::string gaze_correction_line(const GazeCorrection& correction);
 
-/// From the eye's movement to the light of the last second's frames, stage by stage; assumed stages
-/// are marked.
+/// Latency from the eye's movement to the light of the last second's frames, stage by stage;
+/// assumed stages are marked.
 std::vector<std::string> latency_lines(std::span<const LiveFrame> frames,
                                        const TrackerProfile& tracker,
                                        const DisplayProfile& display);

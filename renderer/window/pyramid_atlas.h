@@ -11,12 +11,13 @@ namespace foveola {
 class PyramidAtlas {
  public:
   struct Level {
-    IVec2 origin{0};  ///< of its cell (0, 0)
+    IVec2 origin{0};  ///< where its cell (0, 0) lies
     IVec2 size{0};    ///< cells
   };
 
   PyramidAtlas() = default;
-  /// Of a film of width x height pixels: as many levels as it has, the last a single cell.
+  /// The atlas of a film of width x height pixels: as many levels as it has, the last a single
+  /// cell.
   PyramidAtlas(int width, int height);
 
   const IVec2& size() const { return size_; }

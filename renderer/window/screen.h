@@ -19,11 +19,11 @@ struct ScreenField {
   };
   Kind kind = Kind::scale;
   std::string question;
-  /// Of a choice's options. Of a scale's points: what stands in a point and, after a line break,
+  /// A choice's options, or a scale's points: what stands in a point and, after a line break,
   /// the words below it, as in "5\nnot at all".
   std::vector<std::string> labels;
-  std::optional<std::size_t> chosen;  ///< of them
-  std::string typed;                  ///< of a line or a text
+  std::optional<std::size_t> chosen;  ///< index of the chosen option or point
+  std::string typed;                  ///< what was typed into a line or a text field
   std::string fault;                  ///< why it is no answer; empty if there is nothing to say
   bool has_focus = false;
 };
@@ -34,7 +34,7 @@ struct ScreenPage {
   std::vector<std::string> paragraphs;
   std::vector<ScreenField> fields;
   std::string keys;                ///< the line at the bottom: which keys do what
-  std::optional<double> progress;  ///< of the session, in [0, 1]
+  std::optional<double> progress;  ///< the session's progress, in [0, 1]
   /// Otherwise a band at the bottom; words without fields that would reach the picture's middle
   /// stand in one at the top, too.
   bool covers_picture = true;
@@ -45,7 +45,7 @@ struct ScreenPage {
 /// keys of a line each: so many lines of words, a line between paragraphs included. What is longer
 /// goes on more than one screen.
 inline constexpr std::size_t screen_lines = 12;
-/// As many characters of running text fill a line at least.
+/// The fewest characters of running text that fill a line.
 inline constexpr std::size_t screen_line_characters = 42;
 
 }  // namespace foveola

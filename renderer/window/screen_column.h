@@ -12,7 +12,7 @@ enum class Align { left, center, right };
 
 class ScreenColumn {
  public:
-  /// left_px, width_px: in the window. text_px: a line's height, which other lengths are told in.
+  /// left_px, width_px: in the window. text_px: a line's height, the unit of other lengths.
   ScreenColumn(float left_px, float width_px, float text_px, const TextWidth& width_of)
       : left_px_(left_px), width_px_(width_px), text_px_(text_px), width_of_(&width_of) {}
 
@@ -21,7 +21,7 @@ class ScreenColumn {
   void leave(float lines) { y_px_ += lines * text_px_; }
   /// Over the whole width, wrapped.
   void write(std::string_view text, TextFace face, Ink ink);
-  /// Wrapped between left_px and right_px, which are told from the column's left.
+  /// Wrapped between left_px and right_px, which are measured from the column's left.
   void write_between(float left_px, float right_px, std::string_view text, Align align, Ink ink);
 
   // --- What stands anywhere in it: in pixels from its top left ---
@@ -57,7 +57,7 @@ class ScreenColumn {
   std::optional<ScreenRect> focus_;
 };
 
-/// From one line of running text to the next, in heights of it.
+/// The distance from one line of running text to the next, in heights of a line.
 inline constexpr float line_spacing = 1.3F;
 
 }  // namespace foveola

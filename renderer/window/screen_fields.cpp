@@ -32,7 +32,7 @@ ScalePoint scale_point(const std::string& label) {
           .words = end < label.size() ? label.substr(end + 1) : std::string()};
 }
 
-/// Between which of the column's left and right a point's words stand.
+/// The left and right end of a point's words, in the column.
 struct WordRoom {
   float left_px = 0.0F;
   float right_px = 0.0F;
@@ -105,8 +105,8 @@ class PointRow {
     column.set_bottom_px(bottom_px);
   }
 
-  /// Half of the way to the next words on each side. Below the first and the last point they begin
-  /// or end with the point where that gives them more room.
+  /// The space of a point's words: half of the way to the next words on each side. Below the first
+  /// and the last point they begin or end with the point where that gives them more room.
   WordRoom room_of(std::size_t i) const {
     const float gap_px = 0.5F * between_words * text_px_;
     const float left_px = border_px(i, -1) + gap_px;

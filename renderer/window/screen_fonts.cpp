@@ -49,7 +49,7 @@ bool is_known(char32_t character) {
   return false;
 }
 
-/// Those that are not in every atlas.
+/// The characters that are not in every atlas.
 Characters unknown_of(const Characters& characters) {
   Characters unknown;
   std::copy_if(characters.begin(), characters.end(), std::inserter(unknown, unknown.end()),
@@ -64,7 +64,7 @@ Characters without(const Characters& all, const Characters& taken) {
   return rest;
 }
 
-/// Of characters that can be drawn: first and last of each range, and a zero at the end.
+/// Characters that can be drawn: first and last of each range, and a zero at the end.
 std::vector<std::uint16_t> ranges_of(const Characters& characters) {
   std::vector<std::uint16_t> ranges;
   for (const char32_t character : characters) {
@@ -74,7 +74,7 @@ std::vector<std::uint16_t> ranges_of(const Characters& characters) {
   return ranges;
 }
 
-/// Of an atlas's own letters and some more.
+/// The ranges of an atlas's own letters and some more.
 std::vector<std::uint16_t> known_letters_and(const Characters& characters) {
   std::vector<std::uint16_t> ranges(known_letters.begin(), known_letters.end() - 1);
   const std::vector<std::uint16_t> more = ranges_of(characters);

@@ -53,7 +53,7 @@ class ScreenFonts {
   struct OtherFont {
     LetterFont font;
     std::string file;
-    std::vector<std::uint16_t> ranges;  ///< as Dear ImGui asks for characters
+    std::vector<std::uint16_t> ranges;  ///< ranges of characters, in Dear ImGui's form
   };
   void add_other(const LetterFont& font);
   ImFont* add_face(ImFontAtlas& atlas, std::string& file, float height_px);
@@ -62,7 +62,7 @@ class ScreenFonts {
   std::string body_file_;
   std::string title_file_;
   Characters asked_for_;                   ///< beyond those that every atlas has
-  std::vector<std::uint16_t> own_ranges_;  ///< of DejaVu Sans
+  std::vector<std::uint16_t> own_ranges_;  ///< the ranges of DejaVu Sans
   std::list<OtherFont> others_;
   ImFont* body_ = nullptr;
   ImFont* title_ = nullptr;

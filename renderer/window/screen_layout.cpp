@@ -17,7 +17,8 @@ constexpr float progress_height = 0.3F;
 constexpr float above_content = 2.7F;
 constexpr float above_keys = 1.2F;
 constexpr float band_padding = 0.8F;
-/// To each side of a page's middle, in heights of the page: words over a picture leave it free.
+/// Half width of the free middle of a page, in heights of the page: words over a picture leave it
+/// free.
 constexpr float free_middle = 0.08F;
 
 /// The rectangle of `size` around `middle`, moved as far as it takes to lie in `whole`.
@@ -53,7 +54,7 @@ void add_content(ScreenColumn& column, const ScreenPage& screen) {
   }
 }
 
-/// From where to where things are shown, downwards.
+/// Top and bottom of what is shown.
 struct Span {
   float top_px = 0.0F;
   float bottom_px = 0.0F;
@@ -104,7 +105,7 @@ std::vector<ScreenRect> things_of(const ScreenLayout& layout) {
   return things;
 }
 
-/// Less of `span`, so that its ends cut no thing. What stands beside a thing that is left out is
+/// Narrows `span` so that its ends cut no thing. What stands beside a thing that is left out is
 /// left out with it.
 Span span_between_things(Span span, const std::vector<ScreenRect>& things) {
   const auto crosses = [](const ScreenRect& rect, float y_px) {

@@ -12,7 +12,7 @@
 
 namespace foveola {
 
-/// In pixels from the window's top left corner.
+/// A rectangle in pixels from the window's top left corner.
 struct ScreenRect {
   Vec2 low{0.0F};   ///< its top left corner
   Vec2 high{0.0F};  ///< its bottom right corner
@@ -29,13 +29,13 @@ inline constexpr float title_scale = 1.35F;
 using TextWidth = std::function<float(TextFace face, std::string_view line)>;
 
 enum class Ink {
-  ground,  ///< of the screen
+  ground,  ///< the screen's background
   text,
   quiet,    ///< text that is always there
-  focus,    ///< where the keys go to
+  focus,    ///< what the keys act on
   fault,    ///< what is wrong
   chosen,   ///< behind ground-coloured text
-  outline,  ///< of what can be chosen or filled in
+  outline,  ///< outline of what can be chosen or filled in
 };
 
 /// sRGB in [0, 1]. Text has at least 7 times the contrast of what lies below it, outlines 3 times

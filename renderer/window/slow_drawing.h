@@ -1,4 +1,4 @@
-// A window that is drawn too slowly for its display: what to tell who sits before it.
+// A window that is drawn too slowly for its display: the message for the person before it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace foveola {
 
 /// Why frames cannot be in time, whatever is traced in them.
 struct SlowDrawing {
-  Nanoseconds drawing{0};   ///< of a frame, on average
+  Nanoseconds drawing{0};   ///< time to draw a frame, on average
   Nanoseconds interval{0};  ///< between the display's refreshes
   IVec2 framebuffer{0};     ///< the window's size in pixels
   std::string graphics;     ///< the graphics card and its driver, in their own words

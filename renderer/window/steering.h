@@ -13,7 +13,8 @@ namespace foveola {
 
 class Steering {
  public:
-  /// pointer_gaze: told where the pointer is, if there is one. Both must outlive it.
+  /// pointer_gaze: the tracker that follows the pointer; null if there is none. Both must outlive
+  /// it.
   Steering(SteeredHeadTracker& head, PointerEyeTracker* pointer_gaze)
       : head_(&head), pointer_gaze_(pointer_gaze) {}
 

@@ -11,7 +11,7 @@ constexpr ImGuiWindowFlags plain_panel =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
 
-/// Where in a part of unit size a panel stands, which is also the point of it that stands there.
+/// The anchor of a panel, both in a part of the window of unit size and in the panel itself.
 ImVec2 anchor(PanelPlace place) {
   switch (place) {
     case PanelPlace::top_right:

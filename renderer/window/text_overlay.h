@@ -19,8 +19,8 @@ struct TextPanel {
   std::vector<std::string> lines;
 };
 
-/// Dear ImGui's text, which is for drawing only: it hears of no key and no pointer. Needs a current
-/// context in all that it does; there can be one at a time.
+/// Dear ImGui's text, which is for drawing only: it receives neither keys nor pointer. Needs a
+/// current context in all that it does; there can be one at a time.
 class TextOverlay {
  public:
   TextOverlay();

@@ -10,7 +10,7 @@
 namespace foveola {
 
 struct ViewGeometry {
-  double horizontal_fov_deg = 0.0;  ///< of one view
+  double horizontal_fov_deg = 0.0;  ///< one view's, without the lens
   double vertical_fov_deg = 0.0;
   RadialLens lens;                ///< before the first part
   std::vector<WindowPart> parts;  ///< one, or the left eye's and the right eye's

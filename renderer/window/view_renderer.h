@@ -19,7 +19,7 @@ struct DensityMap {
 
 /// A ring that offers what is in it.
 struct OfferRing {
-  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< of its middle; unit length, world
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< direction of its middle; unit length, world
   float radius_rad = 0.0F;
   bool is_highlighted = false;  ///< the one that is chosen by now
 };
@@ -27,7 +27,7 @@ struct OfferRing {
 /// What is drawn over the film, each on demand.
 struct ViewOverlays {
   Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
-  bool shows_gaze = false;       ///< as a point
+  bool shows_gaze = false;       ///< whether the gaze is drawn, as a point
   std::vector<float> rings_rad;  ///< eccentricities of rings around it; at most most_rings
   std::optional<DensityMap> density;
   std::optional<Vec3> target;     ///< a point to look at instead of the film; unit length, world

@@ -164,7 +164,7 @@ vec3 with_overlays(vec3 shown, vec2 plane, vec3 direction, float pixel_rad) {
     shown = mix(shown, vec3(1.0, 0.8, 0.1), 0.8 * cover);
   }
   for (int i = 0; i < offers; ++i) {
-    // White on black shows on any picture; the highlighted one is told by its width, too.
+    // White on black shows on any picture; the highlighted one is distinguished by its width, too.
     float away = angle(direction, offer_place[i].xyz);
     float width = pixel_rad * (offer_is_highlighted[i] ? 6.0 : 2.0);
     vec3 ink = offer_is_highlighted[i] ? vec3(1.0, 0.85, 0.1) : vec3(1.0);

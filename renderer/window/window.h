@@ -55,10 +55,10 @@ class Window {
 
   /// Lets pass_on_events return.
   void finish();
-  /// Between the window and full screen on the monitor that it is on, as soon as events are passed
-  /// on.
+  /// Switches between the window and full screen on the monitor that it is on, as soon as events
+  /// are passed on.
   void toggle_full_screen();
-  /// What the times of its keys are, for as long as it lives.
+  /// What the times of its keys are; it does not change.
   KeyTimeSource key_time_source() const { return key_times_->source(); }
 
   // --- The thread that draws ---
@@ -91,7 +91,7 @@ class Window {
   std::optional<KeyTimes> key_times_;
   IVec2 restored_position_{0};
   IVec2 restored_size_;
-  GamepadSticks sticks_;  ///< as they were told last
+  GamepadSticks sticks_;  ///< as they were last reported
   std::map<GLFWmonitor*, std::string> known_monitors_;
   std::atomic<bool> finished_ = false;
   std::atomic<int> toggles_ = 0;

@@ -59,7 +59,7 @@ struct WindowEvent {
       what;
 };
 
-/// From the thread that waits for events to the one that answers them.
+/// Passes events from the thread that waits for them to the one that answers them.
 class WindowEvents {
  public:
   void push(WindowEvent event);

@@ -60,7 +60,7 @@ class LineFiller {
     return count_characters(line) <= most_line_characters && (*width_of_)(line) <= width_px_;
   }
 
-  /// Of one character at least, so that there is an end.
+  /// The piece has one character at least, so that there is an end.
   std::size_t bytes_that_fit(std::string_view word) const {
     std::size_t characters = 1;
     while (fits(word.substr(0, bytes_of_first(word, characters + 1)))) {

@@ -30,12 +30,12 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
           preview_, setting_.clock, setting_.display.refresh(),
           [this](Nanoseconds time) { wait_until(time); },
           {.resample = [this](const Preview& preview) { draw(preview); },
-            .present = [this] { return setting_.display.wait_until_shown(); }},
-           setting_.display.frame_budget()),
-       log_(setting_.recorder, setting_.key) {
-   const ViewGeometry& geometry = setting_.display.geometry();
-   preview_.set_view({.horizontal_deg = geometry.horizontal_fov_deg,
-                      .vertical_deg = geometry.vertical_fov_deg,
+           .present = [this] { return setting_.display.wait_until_shown(); }},
+          setting_.display.frame_budget()),
+      log_(setting_.recorder, setting_.key) {
+  const ViewGeometry& geometry = setting_.display.geometry();
+  preview_.set_view({.horizontal_deg = geometry.horizontal_fov_deg,
+                     .vertical_deg = geometry.vertical_fov_deg,
                      .lens = geometry.lens});
   preview_.restart(make_sampler(setting_.protocol, setting_.trial.method), setting_.seed);
   setting_.display.show_film(preview_.film());

@@ -1,4 +1,4 @@
-// What makes a sampler send its samples elsewhere.
+// Whether a sampler depends on where it is aimed.
 #pragma once
 
 #include "renderer/view/view_sampler.h"

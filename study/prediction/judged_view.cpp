@@ -10,7 +10,7 @@
 namespace foveola::study {
 namespace {
 
-/// A square view around `middle` that shows radius_rad to all sides; nothing is judged in it yet.
+/// A square view around `middle` that reaches radius_rad to all sides; nothing is judged in it yet.
 JudgedView view_around(const Vec3& middle, double radius_rad, double pixel_rad) {
   constexpr double widest_rad = 1.4;
   const double half_size = std::tan(std::min(radius_rad, widest_rad));
@@ -61,11 +61,11 @@ JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
   return view;
 }
 
-std::vector<Cells::Patch> patches_around(const Vision& vision) {
+std::vector<Cells::Patch> surround_patches(const Vision& vision) {
   return view_cells(vision).back().patches();
 }
 
-std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings& display) {
+std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display) {
   const double pixel_rad = display_pixel_rad(display);
   constexpr double smallest_radius_deg = 1.0;
   constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
@@ -77,7 +77,7 @@ std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings
   // Cells are squares: a corner lies beyond the radius that the middles are in.
   const double reach_deg = radius_deg(scales.back()) + std::numbers::sqrt2 * scales.back();
   std::vector<JudgedView> views;
-  for (const Cells::Patch& patch : patches_around(vision)) {
+  for (const Cells::Patch& patch : surround_patches(vision)) {
     views.push_back(view_around(patch.direction, radians(reach_deg), pixel_rad));
     for (const double cell_deg : scales) {
       judge(Cells::around(patch.direction, radius_deg(cell_deg), cell_deg, vision.view_patch_deg,

@@ -1,5 +1,5 @@
-// What a pilot looks at: views just large enough for the cells that are judged, with pixels as
-// large as those of the display's middle.
+// The views that a pilot is judged in: just large enough for the cells that are judged, with pixels
+// as large as those of the display's middle.
 #pragma once
 
 #include <vector>
@@ -17,14 +17,14 @@ namespace foveola::study {
 struct JudgedCells {
   Cells cells;
   CellPixels pixels;
-  bool with_contrast = false;  ///< of an outline
+  bool with_contrast = false;  ///< whether the contrast at an outline is judged
 };
 
 struct JudgedView {
   Viewport viewport;
   int width = 0;  ///< pixels
   int height = 0;
-  std::vector<JudgedCells> judged;  ///< on each scale
+  std::vector<JudgedCells> judged;  ///< the judged cells on each scale
 };
 
 /// Where samples go while a head faces `object` (unit length, world) and the eye looks at its
@@ -38,10 +38,10 @@ JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
                           const DisplaySettings& display);
 
 /// The patches that stand for the whole view on all scales: those of its coarsest cells.
-std::vector<Cells::Patch> patches_around(const Vision& vision);
+std::vector<Cells::Patch> surround_patches(const Vision& vision);
 
-/// Of each of these patches, in their order, some cells in its middle on each scale, which stand
+/// For each of these patches, in their order, some cells in its middle on each scale, which stand
 /// for it; in views just large enough, with pixels as large as those of the display's middle.
-std::vector<JudgedView> views_around(const Vision& vision, const DisplaySettings& display);
+std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display);
 
 }  // namespace foveola::study

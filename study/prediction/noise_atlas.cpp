@@ -20,15 +20,15 @@
 namespace foveola::study {
 namespace {
 
-/// Of an object, at full size: samples a pixel of what it converges to, and how many pictures there
-/// are of it. A scaled film has so few pixels that more of both are needed.
+/// For an object at full size: samples per pixel of its converged picture, and how many noisy
+/// pictures are made of it. A scaled film has so few pixels that more of both are needed.
 constexpr double object_convergence = 128.0;
 constexpr int object_pictures = 4;
 constexpr SampleCountLevels object_levels{};
 
-/// A look around tells one number of a hundred patches: fewer samples will do for each.
-constexpr double around_convergence = 16.0;
-constexpr SampleCountLevels around_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
+/// A look around yields one number from a hundred patches: fewer samples will do for each.
+constexpr double surround_convergence = 16.0;
+constexpr SampleCountLevels surround_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
@@ -68,7 +68,7 @@ void require_predictable(const Protocol& protocol) {
 struct JudgedObject {
   const OfferedObject* object = nullptr;
   JudgedView view;
-  Cone cone;  ///< that holds all that is judged
+  Cone cone;  ///< cone around all that is judged
   std::optional<CellMeans> expected;
 };
 
@@ -91,8 +91,8 @@ class SceneAtlas {
     }
   }
 
-  /// Of each object, in the stage's order. One pilot will do for all of them if the method's
-  /// samples go to the same places whatever is looked at.
+  /// The noise of each object, in the stage's order. One pilot will do for all of them if the
+  /// method's samples go to the same places whatever is looked at.
   std::vector<std::vector<ObjectNoise>> noise_of_objects(const std::string& method) {
     const auto sampler = make_sampler(setting_.protocol, method);
     std::vector<std::vector<ObjectNoise>> noise(objects_.size());
@@ -118,19 +118,19 @@ class SceneAtlas {
     return noise;
   }
 
-  std::vector<NoiseTable> noise_around() {
+  std::vector<NoiseTable> surround_noise() {
     const TrialSettings shown = shown_with(setting_.protocol.methods.front());
     const std::string key = fmt::format("around\n{}", key_of_setting(shown));
     if (std::optional<std::vector<NoiseTable>> known = cache_.find(key)) {
       return std::move(*known);
     }
-    std::vector<NoiseTable> made = measure_around(shown);
+    std::vector<NoiseTable> made = measure_surround(shown);
     cache_.keep(key, made);
     return made;
   }
 
  private:
-  /// Of an object's tables: picture after picture, of each the outline's and the material's.
+  /// An object's tables, picture after picture: each picture's outline and then its material.
   std::vector<ObjectNoise> pictures_in(const std::vector<NoiseTable>& tables) const {
     const auto of_picture = static_cast<std::ptrdiff_t>(objects_.front().view.judged.size());
     std::vector<ObjectNoise> pictures;
@@ -208,9 +208,10 @@ class SceneAtlas {
                                       object_convergence * coarseness(), mask, {&judged.view, 1});
   }
 
-  std::vector<NoiseTable> measure_around(const TrialSettings& shown) const {
-    const std::vector<JudgedView> views = views_around(setting_.vision, setting_.protocol.display);
-    const std::vector<Cells::Patch> patches = patches_around(setting_.vision);
+  std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {
+    const std::vector<JudgedView> views =
+        surround_views(setting_.vision, setting_.protocol.display);
+    const std::vector<Cells::Patch> patches = surround_patches(setting_.vision);
     SampleMask mask(shown.film.width, shown.film.height);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const double to_corner_rad =
@@ -222,8 +223,8 @@ class SceneAtlas {
     const Vec3 ahead(0.0F, 0.0F, -1.0F);
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const CellMeans expected =
-        converged_means(pilot, *sampler, ahead, around_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, around_levels, 0, mask, views, expected),
+        converged_means(pilot, *sampler, ahead, surround_convergence, mask, views);
+    return gathered(measure_noise(pilot, *sampler, surround_levels, 0, mask, views, expected),
                     patches);
   }
 
@@ -273,8 +274,8 @@ class SceneAtlas {
         display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
         vision.material_cell_deg, vision.view_cell_deg, vision.scale_count, vision.object_patch_deg,
         vision.view_patch_deg, vision.coarseness, margin_px, object_convergence, object_pictures,
-        object_levels.first_per_pixel, object_levels.count, around_convergence,
-        around_levels.first_per_pixel, around_levels.count);
+        object_levels.first_per_pixel, object_levels.count, surround_convergence,
+        surround_levels.first_per_pixel, surround_levels.count);
   }
 
   const AtlasSetting& setting_;
@@ -296,7 +297,7 @@ NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& 
   double done = 0.0;
   for (const auto& [name, stage] : setting.stages) {
     SceneAtlas scene(setting, name, stop);
-    atlas.around[name] = scene.noise_around();
+    atlas.surround[name] = scene.surround_noise();
     progress.update(++done / steps, name);
     for (const std::string& method : setting.protocol.methods) {
       std::vector<std::vector<ObjectNoise>> noise = scene.noise_of_objects(method);

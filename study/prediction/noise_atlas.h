@@ -1,5 +1,5 @@
-// How noisy a protocol's scenes are with each of its methods: all that is known of pictures when
-// looks are predicted instead of rendered.
+// How noisy a protocol's scenes are with each of its methods: all that predicted looks, which are
+// not rendered, know of pictures.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@
 
 namespace foveola::study {
 
-/// Of one picture of one object, with one method that is aimed at its middle.
+/// The noise in one picture of one object, with one method that is aimed at its middle.
 struct ObjectNoise {
   NoiseTable outline;
-  std::vector<NoiseTable> material;  ///< on each scale
+  std::vector<NoiseTable> material;  ///< the material's noise on each scale
 };
 
 struct NoiseAtlas {
   using Place = std::tuple<std::string, std::string, std::string>;  ///< scene, method, object
-  /// Of some pictures each: what differs between them is left to chance in a trial. Noise that
-  /// comes from few bright paths is less than its mean in most pictures.
+  /// For each place, several pictures: what differs between them is left to chance in a trial.
+  /// Noise that comes from few bright paths is less than its mean in most pictures.
   std::map<Place, std::vector<ObjectNoise>> objects;
-  /// By scene: of the patches all around on each scale, with samples that are spread evenly. The
-  /// patches are the same on all scales.
-  std::map<std::string, std::vector<NoiseTable>> around;
+  /// By scene: the noise of surround patches on each scale, with samples that are spread evenly.
+  /// The patches are the same on all scales.
+  std::map<std::string, std::vector<NoiseTable>> surround;
 };
 
 /// What an atlas is made of; it refers to all of it.

@@ -1,4 +1,4 @@
-// How noisy each patch of one picture is after so many samples: what a predicted look is made of.
+// How noisy each patch of one picture is after so many samples: the data of predicted looks.
 #pragma once
 
 #include <span>
@@ -12,11 +12,12 @@ namespace foveola::study {
 /// the next.
 struct PatchNoise {
   Vec3 direction{0.0F};       ///< unit length, world
-  double cells = 0.0;         ///< as PatchEnergies'
-  double contrast = 0.0;      ///< likewise
+  double cells = 0.0;         ///< how many cells it stands for, as PatchEnergies::cells
+  double contrast = 0.0;      ///< as PatchEnergies::contrast
   ChannelValues unsampled{};  ///< the noise of black, JND^2
   double first_per_sr = 0.0;  ///< density at the first level, samples per steradian
-  std::vector<ChannelValues> noise_times_density;  ///< JND^2 samples per steradian, a level each
+  std::vector<ChannelValues>
+      noise_times_density;  ///< JND^2 samples per steradian, one for each level
 };
 using NoiseTable = std::vector<PatchNoise>;
 
@@ -27,7 +28,7 @@ ChannelValues noise_at(const PatchNoise& patch, double samples_per_sr);
 /// The mean of patches that are sampled alike, each counted by its cells. table: not empty.
 PatchNoise mean_of(const NoiseTable& table);
 
-/// The patches with all that does not change.
+/// The patches' energies but for their noise, which changes with the samples.
 std::vector<PatchEnergies> energies_without_noise(const NoiseTable& table);
 
 }  // namespace foveola::study

@@ -32,12 +32,12 @@ struct PilotSetting {
 /// patches, growing by half an octave from level to level.
 struct SampleCountLevels {
   double first_per_pixel = 1.0 / 32.0;
-  int count = 17;  ///< to 8 a pixel: what chance then leaves falls with the number of samples
+  int count = 17;  ///< up to 8 samples per pixel, beyond which noise falls as one over the samples
 };
 
 /// The means of cells in a picture, of each view on each scale.
 using CellMeans = std::vector<std::vector<std::vector<ChannelValues>>>;
-/// Of one view, on each scale.
+/// The tables of one view, on each scale.
 using ScaleTables = std::vector<NoiseTable>;
 
 /// What the views converge to, by a sampler that was aimed and is uniform over the image where they

@@ -10,7 +10,7 @@ namespace foveola::study {
 
 class SampleMask {
  public:
-  /// Of a film of width x height; holds nothing yet.
+  /// A mask for a film of width x height pixels; holds nothing yet.
   SampleMask(int width, int height);
 
   /// Adds the pixels whose middles lie within radius_rad of `middle` (unit length, world), and

@@ -18,7 +18,7 @@ class TableCache {
   /// The tables that were kept under `key`; empty if there are none, or if they are damaged: then
   /// they are simply made again.
   std::optional<std::vector<NoiseTable>> find(const std::string& key) const;
-  /// Whole or not at all. Throws Error if the folder cannot be written.
+  /// Keeps the tables whole or not at all. Throws Error if the folder cannot be written.
   void keep(const std::string& key, const std::vector<NoiseTable>& tables) const;
 
  private:

@@ -44,8 +44,8 @@ struct Forgotten {
 };
 
 /// Rebuilds the study and all of its backups without one participant's session, and checks that
-/// nothing of it is left in the files. What a kill leaves undone is done by calling it again. Throws Error if there is no such participant, or if anything
-/// is left.
+/// nothing of it is left in the files. What a kill leaves undone is done by calling it again.
+/// Throws Error if there is no such participant, or if anything is left.
 Forgotten forget_participant(const std::filesystem::path& path, const std::string& code);
 
 /// Where a study's backups lie: beside it, STUDY.sqlite.backups.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "study/participant/simulated_observer.h"
-#include "study/prediction/predicted_sight.h"
+#include "study/prediction/predicted_film.h"
 #include "study/simulation/trial_attempt.h"
 
 namespace foveola::study {
@@ -15,7 +15,7 @@ namespace foveola::study {
 /// the mean; its latency and bias are not.
 class PredictedAttempt final : public TrialAttempt {
  public:
-  /// observer: who takes part in `setting`. trial, sampler: see PredictedSight; without a trial the
+  /// observer: who takes part in `setting`. trial, sampler: see PredictedFilm; without a trial the
   /// observer is one that does not look.
   PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
                    const PredictedTrial* trial, std::unique_ptr<ViewSampler> sampler);
@@ -47,7 +47,7 @@ class PredictedAttempt final : public TrialAttempt {
   double samples_per_frame_ = 0.0;
   std::uint64_t frames_ = 0;
   Task task_ = Task::mark_outline;
-  std::optional<PredictedSight> sight_;
+  std::optional<PredictedFilm> sight_;
 };
 
 }  // namespace foveola::study

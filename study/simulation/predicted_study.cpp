@@ -48,7 +48,7 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
         PredictedTrial{
             .vision = vision_,
             .pictures = atlas_.objects.at(place),
-            .around = atlas_.around.at(scene),
+            .surround = atlas_.surround.at(scene),
             .outline_visibility = outline_visibility,
             .material_visibilities = material_visibilities_,
             .view_visibilities = view_visibilities_,

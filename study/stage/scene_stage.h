@@ -1,5 +1,5 @@
-// A protocol's scene made ready: loaded, traceable, its objects on offer, its converged image
-// known.
+// A protocol's scene made ready for trials: loaded, with the objects to choose from and the
+// converged image.
 #pragma once
 
 #include <functional>
@@ -59,11 +59,11 @@ using SceneStages = std::map<std::string, std::unique_ptr<SceneStage>>;
 SceneStages load_stages(const Protocol& protocol, const std::vector<SceneSource>& sources,
                         const Workers& workers);
 
-/// What the record keeps of them.
+/// The scenes as the record keeps them.
 std::vector<ShownScene> shown_scenes(const SceneStages& stages);
 
-/// On standard error, what loading them warned of, a line each: of another file than the one its
-/// descriptor was written for, or of how its lights are understood, for instance.
+/// Prints on standard error what loading them warned of, a line each: for instance of another file
+/// than the one a descriptor was written for, or of how its lights are understood.
 void print_scene_warnings(const SceneStages& stages);
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// What a trial is rendered with, whoever takes part.
+// The settings that a trial is rendered with, for people and simulated participants alike.
 #pragma once
 
 #include "renderer/preview/preview.h"
@@ -13,7 +13,7 @@ namespace foveola::study {
 PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSettings& settings,
                                        const SceneStage& stage);
 
-/// After how long a mark that has not come is censored; in a catch trial, after which it ends.
+/// The time after which a missing mark is right-censored; a catch trial ends after it.
 double mark_timeout_s(const Protocol& protocol, const PlannedTrial& trial);
 
 }  // namespace foveola::study

@@ -50,7 +50,7 @@ TEST(Tabulate, FindsASlowDownToo) {
   EXPECT_NEAR(value(find(tables, "od, worse", Metric::mse, Level::quarter).time), 0.4, 1e-9);
 }
 
-TEST(Tabulate, GuessesNoSpeedUpBeyondTheCurves) {
+TEST(Tabulate, ExtrapolatesNoSpeedUpBeyondTheCurves) {
   const ConvergenceTables tables = tabulate(
       {made_up_measurement({{.name = "od", .noise = 1.0}, {.name = "magic", .noise = 1e-4}}, 2)});
   EXPECT_FALSE(find(tables, "magic", Metric::mse, Level::all).samples);

@@ -20,7 +20,7 @@ ErrorCurve power_law(double factor, double exponent) {
   return curve;
 }
 
-TEST(MeanCurve, AveragesTheRounds) {
+TEST(MeanCurve, AveragesTheRepetitions) {
   const GazeMeasurement measurement =
       made_up_measurement({{.name = "od", .noise = 8.0, .cost_s = 0.5}}, 2, 0.5);
   const ErrorCurve curve = mean_curve(measurement, {}, both);
@@ -55,7 +55,7 @@ TEST(Reach, IsExactForAPowerLaw) {
   EXPECT_NEAR(reach(curve, curve.front().error, Axis::samples).value_or(0.0), 100.0, 1e-9);
 }
 
-TEST(Reach, GuessesNothingBeyondTheCurve) {
+TEST(Reach, ExtrapolatesNothingBeyondTheCurve) {
   const ErrorCurve curve = power_law(5.0, -1.0);
   EXPECT_FALSE(reach(curve, 5.0 / 99.0, Axis::samples));
   EXPECT_FALSE(reach(curve, 5.0 / 6401.0, Axis::samples));

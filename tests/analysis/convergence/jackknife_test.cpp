@@ -41,7 +41,7 @@ TEST(Jackknife, OfARatioIsOnItsLogarithm) {
   EXPECT_NEAR(estimate->interval->high, expected->interval->high, 1e-9);
 }
 
-TEST(Jackknife, HasNoIntervalOfOneRoundOrAPartialStatistic) {
+TEST(Jackknife, HasNoIntervalOfOneRepetitionOrAPartialStatistic) {
   const auto one = jackknife(1, [](auto) { return std::optional(2.0); });
   ASSERT_TRUE(one);
   EXPECT_FALSE(one->interval);

@@ -11,8 +11,8 @@ namespace foveola::analysis {
 
 struct MadeUpConfiguration {
   std::string name;
-  double noise = 1.0;       ///< of one sample
-  double cost_s = 1e-6;     ///< of one sample
+  double noise = 1.0;       ///< squared error of one sample
+  double cost_s = 1e-6;     ///< seconds for one sample
   double decay = 1.0;       ///< exponent of the squared error in samples
   double per_pixel = 1e-3;  ///< a region's samples per pixel, of one sample
 };

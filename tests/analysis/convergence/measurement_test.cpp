@@ -89,7 +89,7 @@ TEST_F(GazeBenchTest, FindsTheSpeedUpThatDensityPredicts) {
   EXPECT_NEAR(row->samples->value / row->predicted.value_or(0.0), 1.0, 0.35);
 }
 
-TEST_F(GazeBenchTest, SeedsGiveRoundsOfTheirOwnAndRepeatThemselves) {
+TEST_F(GazeBenchTest, EachSeedGivesItsOwnRepetitionEveryTime) {
   const GazeMeasurement first = measure();
   const GazeMeasurement second = measure();
   const auto last_error = [](const GazeMeasurement& measurement, std::size_t repetition) {
@@ -99,11 +99,11 @@ TEST_F(GazeBenchTest, SeedsGiveRoundsOfTheirOwnAndRepeatThemselves) {
   EXPECT_EQ(last_error(first, 0), last_error(second, 0));
 }
 
-TEST_F(GazeBenchTest, KeepsToItsLeastRoundsWhereTimeIsShort) {
+TEST_F(GazeBenchTest, MakesItsLeastRepetitionsWhereTimeIsShort) {
   EXPECT_EQ(measure(1e-9).repetitions.size(), 2U);
 }
 
-TEST_F(GazeBenchTest, HasNoHalfRoundsWhenStopped) {
+TEST_F(GazeBenchTest, HasNoHalfRepetitionsWhenStopped) {
   const GazeBench ready = bench();
   EXPECT_TRUE(ready
                   .measure(0.0,

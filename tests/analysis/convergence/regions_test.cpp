@@ -20,7 +20,7 @@ double total_weight(const PixelRegion& region) {
   return sum;
 }
 
-/// Of a film: its weights are cosines of latitude.
+/// A region on a film: its weights are cosines of latitude.
 double steradians(const PixelRegion& region) {
   return total_weight(region) * 2.0 * pi * pi / region_size.x / region_size.y;
 }

@@ -21,7 +21,7 @@ TEST(Medians, AreInTheMiddle) {
 }
 
 // The places are those of R's qbinom(0.025, n, 0.5).
-TEST(Medians, LieBetweenValuesThatTossesOfACoinTell) {
+TEST(Medians, LieBetweenTheValuesOfABinomialInterval) {
   for (const auto& [count, low] :
        std::vector<std::pair<int, double>>{{6, 1.0}, {8, 1.0}, {9, 2.0}, {20, 6.0}, {31, 10.0}}) {
     const Median median = median_of(places(count));

@@ -1,4 +1,4 @@
-// What a film tells those who keep a copy of it.
+// What a film reports to those who keep a copy of it.
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -17,7 +17,7 @@ using testing::FieldsAre;
 
 /// What a film says of its tiles' cells.
 using Cells =
-    std::map<std::tuple<int, int, int>, PremultipliedTexel>;  ///< by level, row and column
+    std::map<std::tuple<int, int, int>, PremultipliedTexel>;  ///< keyed by level, row and column
 
 Cells changed_cells(const EquirectFilm& film, FilmRevision since) {
   Cells cells;

@@ -59,7 +59,7 @@ TEST(FilmHash, IsTheSameOnAnyNumberOfThreadsAndInAnyBatches) {
   EXPECT_EQ(hash(3, 500, FilmStatistics::mean_and_variance), expected);
 }
 
-TEST(FilmHash, TellsFilmsApartByASingleBit) {
+TEST(FilmHash, DistinguishesFilmsThatDifferInOneBit) {
   const auto hash = [](const Rgb& second) {
     EquirectFilm film(100, 50);
     add(in_pixel(5, 5, film, 2), {{1, 1, 1}, second}, film);

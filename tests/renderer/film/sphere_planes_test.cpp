@@ -5,7 +5,7 @@
 namespace foveola {
 namespace {
 
-/// Tells every place from every other.
+/// A value that distinguishes every place from every other.
 int number_of(int level, int x, int y) { return 1 + x + 1000 * (y + 1000 * level); }
 
 TEST(SpherePlanes, HoldWhatWasSetAndCopiesBeyondTheSeamAndThePoles) {

@@ -84,7 +84,7 @@ TEST_F(SquareChangesTest, NoMeanThatReadsAChangedCellIsMissed) {
   EXPECT_EQ(marked, found);
 }
 
-// One pixel's, on all four levels: those who read level 0 alone are told of its four neighbours
+// One pixel's, on all four levels: readers of level 0 alone get to know of its four neighbours
 // too.
 TEST_F(SquareChangesTest, PixelsChangeWithTheirCellOfTheFirstLevel) {
   SquareChanges changes(film_size.x, film_size.y);

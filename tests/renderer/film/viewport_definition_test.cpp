@@ -177,7 +177,7 @@ TEST_P(Definition, HoldsWhereLittleIsKnown) {
 }
 
 // What is nearly known may be filled or not, for a rounding.
-TEST_P(Definition, HoldsForHolesThatAreFilled) {
+TEST_P(Definition, HoldsForUnsampledPixelsThatAreFilled) {
   EXPECT_EQ(compare(sampled(10), UnsampledPixels::filled, 2e-3), view_width * view_height);
 }
 

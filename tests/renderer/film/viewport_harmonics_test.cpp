@@ -82,7 +82,7 @@ const EquirectFilm& sampled_film() {
 struct Pose {
   double azimuth_deg;
   double elevation_deg;
-  double roll_deg;  ///< of the head towards its left shoulder
+  double roll_deg;  ///< roll of the head towards its left shoulder
 };
 
 std::ostream& operator<<(std::ostream& out, const Pose& pose) {

@@ -109,7 +109,7 @@ TEST_F(SparseFilm, UnsampledPixelsDoNotDarkenTheirNeighbours) {
   EXPECT_LT(known, 64 * 64);
 }
 
-TEST_F(SparseFilm, HolesAreFilledFromThePyramidIfAsked) {
+TEST_F(SparseFilm, UnsampledPixelsAreFilledFromThePyramidIfAsked) {
   const Rgb color(0.25F, 0.5F, 1.0F);
   sample(32, 16, color);
   for (const Rgb& pixel : shown(64, 64, UnsampledPixels::filled).pixels) {
@@ -120,7 +120,7 @@ TEST_F(SparseFilm, HolesAreFilledFromThePyramidIfAsked) {
       RgbImage(4, 4).pixels);
 }
 
-// Between two known colours a hole takes from both, and what is known stays as it is.
+// Between two known colours an unsampled pixel takes from both, and what is known stays as it is.
 TEST_F(SparseFilm, FillingLeavesWhatIsKnown) {
   for (int y = 0; y < 32; ++y) {
     for (int x = 0; x < 64; ++x) {

@@ -8,6 +8,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/gaze/gaze_correction.h"
+#include "tests/renderer/gaze/test_eye_tracker.h"
 
 namespace foveola {
 namespace {
@@ -51,7 +52,7 @@ TEST(CalibrationTargets, StayInTheViewAndWhereTheEyeGoesAlone) {
   EXPECT_NEAR(farthest(30.0, 20.0).y, 0.8 * std::tan(radians(10.0)), 1e-6);
 }
 
-/// An eye that is told where to look and gets there 0.3 s later, at once.
+/// An eye that jumps to where it is sent, 0.3 s later.
 class ObedientEye {
  public:
   void look_at(const Vec3& target, Nanoseconds now) {
@@ -143,12 +144,6 @@ TEST(CalibrationRoutine, SamplesThatComeRarelyCountOnlyIfTheTimingSaysSo) {
   EXPECT_EQ(run(targets, eye, ten_a_second, patient).duration, 5 * milliseconds(700 + 1000));
 }
 
-/// Has nothing to say.
-class SilentEyeTracker final : public EyeTracker {
- public:
-  void poll(Nanoseconds /*now*/, std::vector<GazeSample>& /*arrived*/) override {}
-};
-
 TEST(CalibrationRoutine, GivesUpATargetThatIsNotSeen) {
   const std::vector<Vec3> targets = calibration_targets(5, 60.0, 60.0);
   ObedientEye eye;
@@ -156,7 +151,7 @@ TEST(CalibrationRoutine, GivesUpATargetThatIsNotSeen) {
   EXPECT_EQ(outcome.duration, 5 * seconds(4));
   ASSERT_EQ(outcome.watched.size(), 5U);
   EXPECT_EQ(gaze_quality(outcome.watched).data_loss, 1.0);
-  SilentEyeTracker silent;
+  test::TestEyeTracker silent;
   const Outcome nothing = run(targets, eye, silent);
   EXPECT_EQ(nothing.duration, 5 * seconds(4));
   EXPECT_EQ(gaze_quality(nothing.watched).data_loss, 1.0);

@@ -156,7 +156,7 @@ TEST(EyeMovements, RepeatedAndEarlierSamplesArePassedOver) {
             "F 0-20");
 }
 
-TEST(EyeMovements, TellsAtOnceWhatTheNewestSamplesSay) {
+TEST(EyeMovements, ReportsAtOnceWhatTheNewestSamplesSay) {
   EyeMovementDetector detector({});
   EXPECT_EQ(detector.now(), no_data);
   detector.push(seen(0, 0.0));

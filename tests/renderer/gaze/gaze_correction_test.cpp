@@ -1,5 +1,9 @@
 #include "renderer/gaze/gaze_correction.h"
 
+#include <chrono>
+#include <cmath>
+#include <memory>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,7 +63,7 @@ TEST(GazeCorrection, UndoesAnAffineDistortion) {
 }
 
 // Of measured values 0, 1 and 2 that should be 0, 0 and 3 the least squares' line is -0.5 + 1.5 x.
-// Repeated in two rows, which tell nothing new, so that the elevation is determined as well.
+// Repeated in two rows, which add nothing, so that the elevation is determined as well.
 TEST(GazeCorrection, IsTheLeastSquaresFit) {
   std::vector<TargetQuality> targets;
   for (const double elevation_deg : {-5.0, 5.0}) {
@@ -77,7 +81,7 @@ TEST(GazeCorrection, IsTheLeastSquaresFit) {
   EXPECT_NEAR(correction->elevation.z, 1.0, 1e-4);
 }
 
-TEST(GazeCorrection, IsNotFittedToWhatDoesNotTell) {
+TEST(GazeCorrection, IsNotFittedToGazesThatDoNotDetermineIt) {
   std::vector<TargetQuality> none;
   std::vector<TargetQuality> unseen;
   std::vector<TargetQuality> frozen;
@@ -133,6 +137,64 @@ TEST(CorrectedEyeTracker, CorrectsWhatItHasCorrectedOnceMore) {
   EXPECT_EQ(arrived[0].direction, samples[0].direction) << "to the bit";
   EXPECT_LT(between_deg(arrived[1].direction, at_deg(6.0, 5.0)), 1e-4);
   EXPECT_LT(between_deg(arrived[2].direction, at_deg(3.0, 5.0)), 1e-4);
+}
+
+constexpr double off_right_deg = 1.2;
+constexpr double off_up_deg = -0.8;
+
+class GazeCheckTest : public testing::Test {
+ protected:
+  /// Someone who looks at each target as long as it is there.
+  std::vector<WatchedTarget> look_at_targets() {
+    CalibrationRoutine routine(calibration_targets(5, 60.0, 40.0), {}, now_);
+    while (const std::optional<Vec3> target = routine.target()) {
+      gaze_ = *target;
+      now_ += std::chrono::milliseconds(10);
+      std::vector<GazeSample> arrived;
+      tracker_.poll(now_, arrived);
+      routine.update(now_, arrived);
+    }
+    return routine.watched();
+  }
+
+  Nanoseconds now_{0};
+  Vec3 gaze_{0.0F, 0.0F, -1.0F};
+  /// Sees every gaze beside where it is, 100 times a second.
+  CorrectedEyeTracker tracker_{std::make_unique<SimulatedEyeTracker>(
+      SimulatedTrackerSettings{.rate_hz = 100.0,
+                               .latency_s = 0.0,
+                               .precision_deg = 0.0,
+                               .bias_right_deg = off_right_deg,
+                               .bias_up_deg = off_up_deg},
+      [this](Nanoseconds) { return gaze_; })};
+};
+
+TEST_F(GazeCheckTest, CorrectsIfAsked) {
+  const GazeCheck before = check_gaze(look_at_targets(), true, tracker_);
+  ASSERT_TRUE(before.quality.figures);
+  EXPECT_NEAR(before.quality.figures->accuracy_deg, std::hypot(off_right_deg, off_up_deg), 0.03);
+  ASSERT_TRUE(before.correction);
+  EXPECT_NEAR(before.correction->azimuth.x, -off_right_deg, 0.01);
+  EXPECT_NEAR(before.correction->elevation.x, -off_up_deg, 0.01);
+  const GazeCheck after = check_gaze(look_at_targets(), true, tracker_);
+  ASSERT_TRUE(after.quality.figures);
+  EXPECT_LT(after.quality.figures->accuracy_deg, 1e-3);
+}
+
+TEST_F(GazeCheckTest, OnlyJudgesOtherwise) {
+  EXPECT_FALSE(check_gaze(look_at_targets(), false, tracker_).correction);
+  const GazeCheck again = check_gaze(look_at_targets(), false, tracker_);
+  EXPECT_NEAR(again.quality.figures->accuracy_deg, std::hypot(off_right_deg, off_up_deg), 0.03);
+}
+
+TEST_F(GazeCheckTest, DoesNotCorrectByAGazeThatRests) {
+  std::vector<WatchedTarget> watched = look_at_targets();
+  for (WatchedTarget& target : watched) {
+    for (GazeSample& sample : target.samples) {
+      sample.direction = Vec3(0.0F, 0.0F, -1.0F);
+    }
+  }
+  EXPECT_FALSE(check_gaze(watched, true, tracker_).correction);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(HoldFilter, LetsGoOfATrackerThatHasStopped) {
   EXPECT_FALSE(newest(milliseconds(111))->valid);
 }
 
-TEST(HoldFilter, KeepsInvalidSamplesBackWhileItHoldsAndTellsOfTheEnd) {
+TEST(HoldFilter, KeepsInvalidSamplesBackWhileItHoldsAndReportsTheEnd) {
   HoldFilter held(recorded({seen_at(10, 1.0), blink_at(20), blink_at(30), blink_at(640)}));
   const auto polled = [&](int now_ms) {
     std::vector<GazeSample> arrived;

@@ -87,7 +87,7 @@ TEST(GazeQuality, OfAnOffsetWithNoise) {
   EXPECT_NEAR(quality.figures->precision_sd_deg, std::sqrt(2.0) * 0.2, 0.003);
 }
 
-TEST(GazeQuality, PrecisionsTellTremblingFromDrifting) {
+TEST(GazeQuality, PrecisionsDistinguishTremorFromDrift) {
   const auto trembling = [](int i) { return DVec2(i % 2 == 0 ? 0.1 : -0.1, 0.0); };
   const GazeFigures fast = *quality_of(watched(trembling, 121)).figures;
   EXPECT_NEAR(fast.precision_rms_deg, 0.2, 1e-4);

@@ -51,7 +51,7 @@ TEST(GazeSource, ARecordingBeginsWhenItIsOpened) {
   EXPECT_EQ(sample->direction, Vec3(1.0F, 0.0F, 0.0F));
 }
 
-TEST(GazeSource, AWindowsPointerIsToldWhereItIs) {
+TEST(GazeSource, AWindowsPointerIsMovedByTheWindow) {
   const SteadyClock clock;
   const WindowEyeTracker opened =
       open_window_eye_tracker(read_tracker_profile("pointer"), screen, clock);

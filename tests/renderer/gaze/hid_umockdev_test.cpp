@@ -80,7 +80,7 @@ std::string ioctls() {
          call("HIDIOCSFEATURE", 2, test::from_hex("1401"));
 }
 
-/// All reports, 4 ms apart, from 300 ms on. umockdev's script-format.txt tells how bytes are
+/// All reports, 4 ms apart, from 300 ms on. umockdev's script-format.txt says how bytes are
 /// escaped; in truth a blank is not.
 std::string script() {
   std::string text;

@@ -31,7 +31,7 @@ TEST(InterSampleIntervals, CountsEverySampleOnce) {
   EXPECT_NEAR(*intervals.jitter_ms(), 0.0, 1e-9);
 }
 
-TEST(InterSampleIntervals, TellsGapsAndJitter) {
+TEST(InterSampleIntervals, ReportsGapsAndJitter) {
   InterSampleIntervals intervals;
   for (const int time_ms : {0, 10, 19, 30, 40, 70, 80}) {
     intervals.add(sample_at(time_ms));

@@ -22,7 +22,7 @@ OpenGazeRecord record_of(const std::string& line) {
   return element ? record_from(*element) : OpenGazeRecord{};
 }
 
-/// With these attributes.
+/// A record with these attributes.
 OpenGazeRecord record_with(const std::string& attributes) {
   return record_of("<REC " + attributes + " />");
 }

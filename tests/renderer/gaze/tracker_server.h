@@ -23,7 +23,7 @@ class TrackerServer {
   void accept();
   /// What the client has sent, up to and with `end`.
   std::string receive_until(std::string_view end) const;
-  /// To the client, at once.
+  /// Sends to the client, at once.
   void send(std::string_view bytes) const;
   void hang_up();
 

@@ -13,7 +13,7 @@ constexpr Nanoseconds frame_time{14'285'714};  // 70 Hz
 /// else for a while.
 struct Machine {
   double sample_s = 2e-6;
-  double batch_s = 0.0;  ///< of a batch, whatever its size
+  double batch_s = 0.0;  ///< cost of a batch, whatever its size
   double rest_s = 3e-3;
   double variation = 0.1;
   double disturbed_share = 0.0;
@@ -33,7 +33,7 @@ struct Machine {
 
 struct Frame {
   Nanoseconds took{0};
-  Nanoseconds tracing{0};  ///< of that
+  Nanoseconds tracing{0};  ///< the part that is tracing
   std::uint64_t samples = 0;
 };
 

@@ -114,7 +114,7 @@ TEST_F(LiveFramesTest, BeginAtRefreshesAndUseTheirTime) {
   EXPECT_GT(frame.report.samples, 8500U) << "of 9000, now that it is known what they take";
 }
 
-TEST_F(LiveFramesTest, LateOnesAreToldAndTheNextIsOnTime) {
+TEST_F(LiveFramesTest, LateOnesAreReportedAndTheNextIsOnTime) {
   LiveFrames live = frames();
   for (int i = 0; i < 60; ++i) {
     live.next();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/preview/preview.h"
+#include "tests/renderer/gaze/test_eye_tracker.h"
 #include "tests/renderer/preview/box_room.h"
 
 namespace foveola {
@@ -17,19 +18,6 @@ using testing::IsEmpty;
 constexpr Nanoseconds gaze_frame_time = std::chrono::milliseconds(20);
 
 double angle_deg(const Vec3& a, const Vec3& b) { return degrees(angle_between(a, b)); }
-
-/// Says what a test tells it to say, once.
-class ToldEyeTracker final : public EyeTracker {
- public:
-  void say(const GazeSample& sample) { waiting_.push_back(sample); }
-  void poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived) override {
-    arrived.insert(arrived.end(), waiting_.begin(), waiting_.end());
-    waiting_.clear();
-  }
-
- private:
-  std::vector<GazeSample> waiting_;
-};
 
 class PreviewGaze : public testing::Test {
  protected:
@@ -47,8 +35,8 @@ class PreviewGaze : public testing::Test {
   Workers workers_{2};
   PathTracer tracer_{scene_, workers_};
   ScriptedHeadTracker head_{{{.time = Nanoseconds(0), .heading = heading_}}};
-  ToldEyeTracker told_;
-  Preview preview_{tracer_, settings(), told_, head_, workers_};
+  test::TestEyeTracker eye_;
+  Preview preview_{tracer_, settings(), eye_, head_, workers_};
 };
 
 TEST_F(PreviewGaze, IsStraightAheadBeforeTheFirstValidOne) {
@@ -58,18 +46,18 @@ TEST_F(PreviewGaze, IsStraightAheadBeforeTheFirstValidOne) {
     EXPECT_EQ(report.gaze_age, Nanoseconds(0));
   };
   expect_ahead(preview_.render_frame(gaze_frame_time, 1));
-  told_.say({.time = gaze_frame_time, .direction = Vec3(1.0F, 0.0F, 0.0F)});
+  eye_.next.push_back({.time = gaze_frame_time, .direction = Vec3(1.0F, 0.0F, 0.0F)});
   expect_ahead(preview_.render_frame(2 * gaze_frame_time, 1));
 }
 
 TEST_F(PreviewGaze, StaysTheLastValidOneThroughABlink) {
   const Vec3 looked_at = direction_from({.azimuth_rad = 0.3});
   const Vec3 in_world = head_orientation(heading_) * looked_at;
-  told_.say({.time = gaze_frame_time, .direction = looked_at, .valid = true});
+  eye_.next.push_back({.time = gaze_frame_time, .direction = looked_at, .valid = true});
   const FrameReport open = preview_.render_frame(2 * gaze_frame_time, 1);
   EXPECT_TRUE(open.gaze_valid);
   EXPECT_EQ(open.gaze_age, gaze_frame_time);
-  told_.say({.time = 3 * gaze_frame_time, .direction = -looked_at});
+  eye_.next.push_back({.time = 3 * gaze_frame_time, .direction = -looked_at});
   const FrameReport blink = preview_.render_frame(4 * gaze_frame_time, 1);
   EXPECT_FALSE(blink.gaze_valid);
   EXPECT_LT(angle_deg(blink.gaze, in_world), 1e-3);
@@ -77,7 +65,7 @@ TEST_F(PreviewGaze, StaysTheLastValidOneThroughABlink) {
 }
 
 TEST_F(PreviewGaze, StaysWhileNothingArrives) {
-  told_.say(
+  eye_.next.push_back(
       {.time = gaze_frame_time, .direction = direction_from({.azimuth_rad = 0.3}), .valid = true});
   const FrameReport first = preview_.render_frame(gaze_frame_time, 1);
   const FrameReport second = preview_.render_frame(2 * gaze_frame_time, 1);
@@ -89,24 +77,24 @@ TEST_F(PreviewGaze, StaysWhileNothingArrives) {
 // The valid sample came and went between two frames.
 TEST_F(PreviewGaze, IsTheNewestValidOneOfThoseThatArriveTogether) {
   const Vec3 looked_at = direction_from({.azimuth_rad = -0.2});
-  told_.say({.time = Nanoseconds(1), .direction = Vec3(1.0F, 0.0F, 0.0F), .valid = true});
-  told_.say({.time = Nanoseconds(2), .direction = looked_at, .valid = true});
-  told_.say({.time = Nanoseconds(3)});
+  eye_.next.push_back({.time = Nanoseconds(1), .direction = Vec3(1.0F, 0.0F, 0.0F), .valid = true});
+  eye_.next.push_back({.time = Nanoseconds(2), .direction = looked_at, .valid = true});
+  eye_.next.push_back({.time = Nanoseconds(3)});
   const FrameReport report = preview_.render_frame(Nanoseconds(10), 1);
   EXPECT_FALSE(report.gaze_valid);
   EXPECT_LT(angle_deg(report.gaze, head_orientation(heading_) * looked_at), 1e-3);
   EXPECT_EQ(report.gaze_age, Nanoseconds(8));
 }
 
-TEST_F(PreviewGaze, AllThatArrivesForAFrameIsTold) {
+TEST_F(PreviewGaze, AllThatArrivesForAFrameIsReported) {
   const auto at = [](int time_ns) { return Field(&GazeSample::time, Nanoseconds(time_ns)); };
-  told_.say({.time = Nanoseconds(1), .valid = true});
-  told_.say({.time = Nanoseconds(2)});
+  eye_.next.push_back({.time = Nanoseconds(1), .valid = true});
+  eye_.next.push_back({.time = Nanoseconds(2)});
   preview_.render_frame(Nanoseconds(3), 1);
   EXPECT_THAT(preview_.arrived_gaze(), ElementsAre(at(1), at(2)));
   preview_.render_frame(Nanoseconds(4), 1);
   EXPECT_THAT(preview_.arrived_gaze(), IsEmpty());
-  told_.say({.time = Nanoseconds(5), .valid = true});
+  eye_.next.push_back({.time = Nanoseconds(5), .valid = true});
   preview_.render_frame(Nanoseconds(6), 1);
   EXPECT_THAT(preview_.arrived_gaze(), ElementsAre(at(5)));
 }

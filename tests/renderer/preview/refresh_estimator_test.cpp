@@ -16,9 +16,9 @@ using std::chrono::milliseconds;
 /// How swaps come about.
 struct Display {
   double rate_hz = 59.94;
-  double skipped_share = 0.0;   ///< of refreshes without a swap
+  double skipped_share = 0.0;   ///< share of refreshes without a swap
   double jitter_s = 1e-3;       ///< swaps are heard of up to so much late
-  double straying_share = 0.0;  ///< of swaps that are heard of up to 8 ms late
+  double straying_share = 0.0;  ///< share of swaps that are heard of up to 8 ms late
   Pcg32 random{7};
   std::int64_t refresh = 0;
 

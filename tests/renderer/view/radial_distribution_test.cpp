@@ -332,7 +332,7 @@ TEST(EccentricityTable, ReachesBothEnds) {
   }
 }
 
-// The tail beyond 40 degrees holds less than a double can tell from nothing.
+// The tail beyond 40 degrees holds less than a double distinguishes from nothing.
 TEST(AcuityDistribution, EndsAtTheCutOffHoweverThinTheTail) {
   const AcuityDistribution distribution(reddy_model(), 10.0, 80.0, EccentricityMeasure::planar);
   EXPECT_EQ(distribution.eccentricity_deg(1.0), 80.0);

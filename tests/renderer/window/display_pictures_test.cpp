@@ -32,7 +32,7 @@ TEST(DisplayPicturesTest, BecomeFilesOfWhatWasSeen) {
   }
 }
 
-TEST(DisplayPicturesTest, WhatCannotBeWrittenIsToldAndTheOthersAreWritten) {
+TEST(DisplayPicturesTest, WhatCannotBeWrittenIsReportedAndTheOthersAreWritten) {
   const test::TemporaryFolder folder;
   DisplayPictures pictures;
   pictures.write(folder / "no-such-folder" / "one.png", grey_picture());
@@ -44,7 +44,7 @@ TEST(DisplayPicturesTest, WhatCannotBeWrittenIsToldAndTheOthersAreWritten) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("one.png"));
   }
   EXPECT_TRUE(std::filesystem::exists(folder / "two.png"));
-  EXPECT_NO_THROW(pictures.finish()) << "told once";
+  EXPECT_NO_THROW(pictures.finish()) << "reported once";
 }
 
 }  // namespace

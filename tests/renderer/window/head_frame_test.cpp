@@ -59,7 +59,7 @@ TEST(HeadFrameTest, NothingIsDrawnOfAWindowThatIsNotSeen) {
   EXPECT_EQ(drawn({.framebuffer = {2, 1}}), IVec2(2, 1));
 }
 
-TEST(HeadFrameTest, OnlyWhatIsSeenOfTheFilmIsToldAndOnlyOnce) {
+TEST(HeadFrameTest, OnlyWhatIsSeenOfTheFilmIsSentAndOnlyOnce) {
   EquirectFilm film(512, 256);
   FilmMirror mirror(film);
   sample_ahead_and_behind(film);
@@ -70,7 +70,7 @@ TEST(HeadFrameTest, OnlyWhatIsSeenOfTheFilmIsToldAndOnlyOnce) {
   EXPECT_TRUE(update_for(frame, film, mirror).empty());
 }
 
-TEST(HeadFrameTest, HolesAreFilledFromCoarserLevelsThanTheViewShows) {
+TEST(HeadFrameTest, UnsampledPixelsAreFilledFromCoarserLevelsThanTheViewShows) {
   EquirectFilm film(512, 256);
   sample_ahead_and_behind(film);
   const auto texels = [&](const ViewLook& look) {

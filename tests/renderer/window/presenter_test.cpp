@@ -117,7 +117,7 @@ TEST_F(PresenterTest, ReadsCoarserLevelsOfTheFilm) {
   expect_like_the_processors(picture({view}, {}), view, {});
 }
 
-TEST_F(PresenterTest, FillsHolesLikeTheProcessor) {
+TEST_F(PresenterTest, FillsUnsampledPixelsLikeTheProcessor) {
   const ViewLook look{.exposure_stops = -1.0, .fill_unsampled = true};
   const ShownView view = whole_window({radians(20.0), 0.0}, 40.0);
   expect_like_the_processors(picture({view}, look), view, look);
@@ -239,7 +239,7 @@ TEST_F(PresenterTest, FollowsTheFilm) {
   }
 }
 
-TEST_F(PresenterTest, TellsWhenFramesWereShown) {
+TEST_F(PresenterTest, ReportsWhenFramesWereShown) {
   const Nanoseconds before = clock_.now();
   const ShownView view = whole_window({});
   picture({view}, {});

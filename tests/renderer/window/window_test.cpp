@@ -258,7 +258,7 @@ TEST_F(WindowTest, FillsTheMonitorAndComesBack) {
   EXPECT_TRUE(std::any_of(full.begin(), full.end(), has_size({1280, 1024})));
 }
 
-/// Whether it tells that a monitor was lost or found.
+/// Whether it reports that a monitor was lost or found.
 template <typename What>
 IsLast tells_of(const std::string& monitor) {
   return [monitor](const WindowEvent& event) {

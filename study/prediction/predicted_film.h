@@ -1,5 +1,5 @@
-// What a predicted attempt looks like to who takes part in it: the samples that each patch has got,
-// and the noise that so many leave.
+// The film of a predicted attempt, which is not rendered: the samples that each patch has got, and
+// the noise that so many leave.
 #pragma once
 
 #include <cstdint>
@@ -36,30 +36,31 @@ class PatchSamples {
   double pending_ = 0.0;
 };
 
-/// What one trial is predicted with. It refers to all but the sampler.
+/// What one trial is predicted with, the sampler excepted; it refers to all of it.
 struct PredictedTrial {
   const Vision& vision;
   const std::vector<ObjectNoise>& pictures;  ///< not empty
-  const std::vector<NoiseTable>& around;
+  const std::vector<NoiseTable>& surround;
   const Visibility& outline_visibility;
-  const std::vector<Visibility>& material_visibilities;  ///< on each scale
+  const std::vector<Visibility>&
+      material_visibilities;  ///< visibilities of the material on each scale
   const std::vector<Visibility>& view_visibilities;
   double outline_signal_to_noise = 5.0;  ///< see outline_signal_to_noise()
   bool follows_gaze = true;  ///< whether the sampler goes elsewhere when only the gaze moves
 };
 
 /// One attempt's film, as far as it is known without rendering it.
-class PredictedSight {
+class PredictedFilm {
  public:
   /// facing: while marks are made, the head faces the object and the gaze is near it. picture: any
   /// number, for which of the trial's is taken. trial and sampler must outlive this.
-  PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
-                 std::uint32_t picture);
+  PredictedFilm(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
+                std::uint32_t picture);
 
   /// So many samples go where `aim` says.
   void add(double samples, const Aim& aim);
 
-  /// What a look at the film tells of what `task` asks for.
+  /// What a look at the film shows of what `task` asks for.
   Evidence look(Task task, const Vec3& gaze, const Viewport& viewport);
 
  private:
@@ -96,10 +97,10 @@ class PredictedSight {
   const ObjectNoise& object_;
   Judged outline_;
   std::vector<Judged> material_;
-  PatchSamples around_;  ///< of the patches of all scales
+  PatchSamples around_;  ///< samples of the surround patches of all scales
   bool is_looking_around_ = false;
   std::optional<Viewport> viewed_;
-  std::vector<std::size_t> in_view_;  ///< which of the patches around lie in `viewed_`
+  std::vector<std::size_t> in_view_;  ///< which of the surround patches lie in `viewed_`
   std::vector<PatchEnergies> patches_in_view_;
 
   std::vector<double> jnd_of_scales_;

@@ -1,4 +1,4 @@
-#include "study/prediction/predicted_sight.h"
+#include "study/prediction/predicted_film.h"
 
 #include <cmath>
 #include <map>
@@ -39,12 +39,12 @@ NoiseTable patches(int count, double apart_deg) {
 
 Vision sighted() { return {.jnd_lab = 2.3, .half_resolution_deg = 2.3, .pooling_exponent = 4.0}; }
 
-class PredictedSightTest : public testing::Test {
+class PredictedFilmTest : public testing::Test {
  protected:
   PredictedTrial trial(bool follows_gaze) const {
     return {.vision = vision_,
             .pictures = pictures_,
-            .around = around_,
+            .surround = around_,
             .outline_visibility = visibilities_.front(),
             .material_visibilities = visibilities_,
             .view_visibilities = visibilities_,
@@ -57,7 +57,7 @@ class PredictedSightTest : public testing::Test {
   std::vector<Visibility> visibilities_{Visibility(vision_, 1.0)};
 };
 
-TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
+TEST_F(PredictedFilmTest, SamplesAddUpOverWhereTheyWereSent) {
   const NoiseTable table = patches(3, 5.0);
   const auto sampler = make_view_sampler("fv");
   const auto other = make_view_sampler("fv");
@@ -78,11 +78,11 @@ TEST_F(PredictedSightTest, SamplesAddUpOverWhereTheyWereSent) {
 }
 
 // Of one patch, straight at the gaze, where thresholds are 1.
-TEST_F(PredictedSightTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
+TEST_F(PredictedFilmTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
   pictures_[0].material[0].resize(1);
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+  PredictedFilm sight(trial, *sampler, aimed(sight_ahead), 0);
   sight.add(5000.0, aimed(sight_ahead));
   const double density = 5000.0 * sampler->density_per_sr(sight_ahead);
   EXPECT_NEAR(
@@ -92,12 +92,12 @@ TEST_F(PredictedSightTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
 
 // By hand: the second scale has 16 times the noise, so 4 times the difference: (1 + 4^4)^(1/4) =
 // 4.00390 times.
-TEST_F(PredictedSightTest, AMaterialIsLookedAtOnAllScalesAtOnce) {
+TEST_F(PredictedFilmTest, AMaterialIsLookedAtOnAllScalesAtOnce) {
   pictures_[0].material[0].resize(1);
   const auto jnd = [&] {
     const PredictedTrial trial = this->trial(false);
     const auto sampler = make_view_sampler("od");
-    PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+    PredictedFilm sight(trial, *sampler, aimed(sight_ahead), 0);
     sight.add(5000.0, aimed(sight_ahead));
     return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
   };
@@ -109,7 +109,7 @@ TEST_F(PredictedSightTest, AMaterialIsLookedAtOnAllScalesAtOnce) {
   EXPECT_NEAR(jnd() / on_one, 4.00390, 1e-5);
 }
 
-TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
+TEST_F(PredictedFilmTest, ATrialSeesOneOfThePictures) {
   pictures_.push_back(pictures_[0]);
   pictures_[1].material[0] = patches(2, 2.0);
   for (PatchNoise& patch : pictures_[1].material[0]) {
@@ -120,7 +120,7 @@ TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
   std::map<long, int> seen;  // millionths of a just noticeable difference
   constexpr std::uint32_t trials = 200;
   for (std::uint32_t picture = 0; picture < trials; ++picture) {
-    PredictedSight sight(trial, *sampler, aimed(sight_ahead), picture);
+    PredictedFilm sight(trial, *sampler, aimed(sight_ahead), picture);
     sight.add(5000.0, aimed(sight_ahead));
     const Evidence evidence =
         sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport);
@@ -133,10 +133,10 @@ TEST_F(PredictedSightTest, ATrialSeesOneOfThePictures) {
   EXPECT_LT(seen.begin()->second, 140);
 }
 
-TEST_F(PredictedSightTest, OutlinesStandOutTheMoreSamplesThereAre) {
+TEST_F(PredictedFilmTest, OutlinesStandOutTheMoreSamplesThereAre) {
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+  PredictedFilm sight(trial, *sampler, aimed(sight_ahead), 0);
   double before = 0.0;
   for (int i = 0; i < 5; ++i) {
     sight.add(10'000.0, aimed(sight_ahead));
@@ -147,33 +147,33 @@ TEST_F(PredictedSightTest, OutlinesStandOutTheMoreSamplesThereAre) {
   }
 }
 
-TEST_F(PredictedSightTest, SamplesFollowTheGazeThatIsTracked) {
+TEST_F(PredictedFilmTest, SamplesFollowTheGazeThatIsTracked) {
   const PredictedTrial trial = this->trial(true);
   const auto sampler = make_view_sampler("fv");
   const auto jnd = [&](const Vec3& tracked) {
-    PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+    PredictedFilm sight(trial, *sampler, aimed(sight_ahead), 0);
     sight.add(10'000.0, aimed(tracked));
     return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
   };
   EXPECT_LT(1.5 * jnd(sight_ahead), jnd(right_of_ahead(30.0)));
 }
 
-TEST_F(PredictedSightTest, LookingAroundShowsWhatWasRenderedBefore) {
+TEST_F(PredictedFilmTest, LookingAroundShowsWhatWasRenderedBefore) {
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
   const auto jnd = [&](double samples_before) {
-    PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+    PredictedFilm sight(trial, *sampler, aimed(sight_ahead), 0);
     sight.add(samples_before, aimed(sight_ahead));
     return sight.look(Task::look_around, sight_ahead, aimed(sight_ahead).viewport).artifacts_jnd;
   };
   EXPECT_NEAR(jnd(40'000.0), 0.5 * jnd(10'000.0), 1e-6 * jnd(10'000.0));
 }
 
-TEST_F(PredictedSightTest, OnlyWhatIsInViewIsLookedAt) {
+TEST_F(PredictedFilmTest, OnlyWhatIsInViewIsLookedAt) {
   around_[0][19].noise_times_density.assign(3, {1e9, 0.0, 0.0});  // 171 degrees to the right
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
-  PredictedSight sight(trial, *sampler, aimed(sight_ahead), 0);
+  PredictedFilm sight(trial, *sampler, aimed(sight_ahead), 0);
   sight.add(10'000.0, aimed(sight_ahead));
   const double before =
       sight.look(Task::look_around, sight_ahead, aimed(sight_ahead).viewport).artifacts_jnd;

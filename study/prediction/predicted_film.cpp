@@ -1,4 +1,4 @@
-#include "study/prediction/predicted_sight.h"
+#include "study/prediction/predicted_film.h"
 
 #include "renderer/base/random.h"
 
@@ -41,10 +41,10 @@ const std::vector<double>& PatchSamples::rates() {
   return rates_;
 }
 
-PredictedSight::Judged::Judged(const NoiseTable& judged, const ViewSampler& sampler)
+PredictedFilm::Judged::Judged(const NoiseTable& judged, const ViewSampler& sampler)
     : table(judged), samples(judged, sampler), patches(energies_without_noise(judged)) {}
 
-std::span<const PatchEnergies> PredictedSight::Judged::seen() {
+std::span<const PatchEnergies> PredictedFilm::Judged::seen() {
   const std::span<const double> per_sr = samples.per_sr();
 
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -53,8 +53,8 @@ std::span<const PatchEnergies> PredictedSight::Judged::seen() {
   return patches;
 }
 
-PredictedSight::PredictedSight(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
-                               std::uint32_t picture)
+PredictedFilm::PredictedFilm(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
+                             std::uint32_t picture)
     : trial_(trial),
       sampler_(sampler),
       aim_(facing),
@@ -62,14 +62,14 @@ PredictedSight::PredictedSight(const PredictedTrial& trial, ViewSampler& sampler
       object_(trial.pictures[mix(picture) % trial.pictures.size()]),
       outline_(object_.outline, sampler),
 
-      around_(trial.around.front(), sampler) {
+      around_(trial.surround.front(), sampler) {
   for (const NoiseTable& table : object_.material) {
     material_.emplace_back(table, sampler);
   }
   sampler_.aim(aim_);
 }
 
-void PredictedSight::add(double samples, const Aim& aim_now) {
+void PredictedFilm::add(double samples, const Aim& aim_now) {
   aim(aim_now);
   samples_ += samples;
   if (is_looking_around_) {
@@ -82,7 +82,7 @@ void PredictedSight::add(double samples, const Aim& aim_now) {
   }
 }
 
-void PredictedSight::aim(const Aim& aim) {
+void PredictedFilm::aim(const Aim& aim) {
   const bool has_moved =
       aim.viewport != aim_.viewport || (trial_.follows_gaze && aim.gaze != aim_.gaze);
   if (!has_moved) {
@@ -100,7 +100,7 @@ void PredictedSight::aim(const Aim& aim) {
   sampler_.aim(aim_);
 }
 
-Evidence PredictedSight::look(Task task, const Vec3& gaze, const Viewport& viewport) {
+Evidence PredictedFilm::look(Task task, const Vec3& gaze, const Viewport& viewport) {
   if (task == Task::look_around) {
     return {.artifacts_jnd = artifacts_jnd(gaze, viewport)};
   }
@@ -119,7 +119,7 @@ Evidence PredictedSight::look(Task task, const Vec3& gaze, const Viewport& viewp
   return evidence;
 }
 
-double PredictedSight::material_jnd(const Vec3& gaze) {
+double PredictedFilm::material_jnd(const Vec3& gaze) {
   jnd_of_scales_.clear();
   for (std::size_t scale = 0; scale < material_.size(); ++scale) {
     jnd_of_scales_.push_back(
@@ -128,7 +128,7 @@ double PredictedSight::material_jnd(const Vec3& gaze) {
   return pooled_jnd(trial_.vision, jnd_of_scales_);
 }
 
-void PredictedSight::begin_looking_around() {
+void PredictedFilm::begin_looking_around() {
   is_looking_around_ = true;
   sampler_.aim(facing_);
   around_.add(samples_);
@@ -136,11 +136,11 @@ void PredictedSight::begin_looking_around() {
   sampler_.aim(aim_);
 }
 
-void PredictedSight::find_in_view(const Viewport& viewport) {
+void PredictedFilm::find_in_view(const Viewport& viewport) {
   if (viewed_ == viewport) {
     return;
   }
-  const NoiseTable& table = trial_.around.front();
+  const NoiseTable& table = trial_.surround.front();
   in_view_.clear();
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (viewport.project(table[i].direction)) {
@@ -150,15 +150,15 @@ void PredictedSight::find_in_view(const Viewport& viewport) {
   viewed_ = viewport;
 }
 
-double PredictedSight::artifacts_jnd(const Vec3& gaze, const Viewport& viewport) {
+double PredictedFilm::artifacts_jnd(const Vec3& gaze, const Viewport& viewport) {
   if (!is_looking_around_) {
     begin_looking_around();
   }
   find_in_view(viewport);
   const std::span<const double> per_sr = around_.per_sr();
   jnd_of_scales_.clear();
-  for (std::size_t scale = 0; scale < trial_.around.size(); ++scale) {
-    const NoiseTable& table = trial_.around[scale];
+  for (std::size_t scale = 0; scale < trial_.surround.size(); ++scale) {
+    const NoiseTable& table = trial_.surround[scale];
     patches_in_view_.clear();
     for (const std::size_t i : in_view_) {
       patches_in_view_.push_back({.direction = table[i].direction,
