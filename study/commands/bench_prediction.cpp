@@ -95,7 +95,7 @@ void run_bench(const BenchArguments& arguments, const SceneFinder& find_scene,
     fmt::print("{}", text_of(agreements));
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped. The same command goes on.\n");
+    fmt::print("Stopped; to go on, give the same command again.\n");
   }
 }
 
@@ -110,12 +110,12 @@ void add_bench_prediction(CLI::App& bench, const SceneFinder& find_scene, std::s
   add_protocol(command, arguments->protocol);
   command
       ->add_option("-o,--output", arguments->folder,
-                   "The folder of both studies' files; what is there already is gone on with")
+                   "The folder of both studies' files; studies that are there already are resumed")
       ->required();
   add_participants_and_seed(command, arguments->participants, arguments->seed);
-  command->add_option("--scale", arguments->scale, "As of study simulate");
+  command->add_option("--scale", arguments->scale, "As in study simulate");
   add_threads(command, arguments->threads);
-  command->add_option("--jobs", arguments->jobs, "As of study simulate");
+  command->add_option("--jobs", arguments->jobs, "As in study simulate");
   add_json(command, arguments->json);
   command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
 }

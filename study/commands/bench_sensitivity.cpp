@@ -39,12 +39,12 @@ struct SensitivityArguments {
 
 /// What was simulated, and what came out.
 struct Outcome {
-  std::string number;  ///< empty: the people as they are
+  std::string number;  ///< empty: the unchanged population
   double value = 0.0;
   std::vector<MethodMean> means;
 };
 
-/// Whether the pilots of the people as they are will do for others of this number.
+/// Whether the pilots of the unchanged population also serve one in which this number is another.
 bool shares_pilots(const std::string& number) {
   constexpr std::array of_eyes = {"vision.decay_deg", "vision.half_resolution_deg",
                                   "vision.chromatic_decay_factor",
@@ -190,7 +190,7 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_sc
         text_of(outcomes));
   }
   if (stop.stop_requested()) {
-    fmt::print(stderr, "Stopped. The same command goes on.\n");
+    fmt::print(stderr, "Stopped; to go on, give the same command again.\n");
   }
 }
 
@@ -198,28 +198,31 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_sc
 
 void add_bench_sensitivity(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
   const auto arguments = std::make_shared<SensitivityArguments>();
-  CLI::App* command = add_command(
-      bench, "sensitivity",
-      "Simulate a predicted study again and again, with one number of its people changed",
-      "sensitivity koskela2018 --scale 36 --participants 100 --seed 1 -o bench");
+  CLI::App* command =
+      add_command(bench, "sensitivity",
+                  "Simulate a predicted study again and again, each time with one number of its "
+                  "population changed",
+                  "sensitivity koskela2018 --scale 36 --participants 100 --seed 1 -o bench");
   add_protocol(command, arguments->protocol);
   command
-      ->add_option("-o,--output", arguments->folder,
-                   "The folder of the people's and studies' files; what is there already is gone "
-                   "on with")
+      ->add_option(
+          "-o,--output", arguments->folder,
+          "The folder of the populations' and studies' files; studies that are there already are "
+          "resumed")
       ->required();
   add_participants_and_seed(command, arguments->participants, arguments->seed);
-  command->add_option("--scale", arguments->scale, "As of study simulate");
+  command->add_option("--scale", arguments->scale, "As in study simulate");
   command
       ->add_option("--factor", arguments->factor,
                    "Each number is divided by this, and multiplied by it")
       ->check(CLI::Range(1.001, 1000.0))
       ->capture_default_str();
-  command->add_option("--number", arguments->numbers,
-                      "Only of these numbers (decision.material_jnd ...); without, of all that "
-                      "need no pilots of their own");
+  command->add_option(
+      "--number", arguments->numbers,
+      "Vary only these numbers, such as decision.material_jnd (default: all that need no "
+      "pilots of their own)");
   add_threads(command, arguments->threads);
-  command->add_option("--jobs", arguments->jobs, "As of study simulate");
+  command->add_option("--jobs", arguments->jobs, "As in study simulate");
   add_json(command, arguments->json);
   command->callback([arguments, find_scene, stop] { run_bench(*arguments, find_scene, stop); });
 }

@@ -2,34 +2,38 @@
 
 namespace foveola::study {
 
-CLI::App* add_command(CLI::App& study, const std::string& name, const std::string& purpose,
+CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& purpose,
                       const std::string& example) {
-  CLI::App* command = study.add_subcommand(name, purpose);
-  command->footer("Example: foveola study " + example);
+  CLI::App* command = parent.add_subcommand(name, purpose);
+  command->footer("Example: foveola " + parent.get_name() + " " + example);
   return command;
 }
 
 void add_protocol(CLI::App* command, std::string& protocol) {
   command
-      ->add_option("PROTOCOL", protocol, "A .toml file, or the name of one that comes with Foveola")
+      ->add_option("PROTOCOL", protocol,
+                   "The protocol: a .toml file, or the name of one that comes with Foveola (demo, "
+                   "koskela2018)")
       ->required();
 }
 
 void add_database(CLI::App* command, std::string& database) {
-  command->add_option("DB", database, "The study's file")->required();
+  command->add_option("DB", database, "The study's database file")->required();
 }
 
 void add_participants_and_seed(CLI::App* command, int& participants, std::uint64_t& seed) {
-  command->add_option("--participants", participants, "How many take part")
+  command->add_option("--participants", participants, "The number of participants")
       ->check(CLI::Range(1, most_participants))
       ->required();
-  command->add_option("--seed", seed, "Another seed gives other orders and people")
+  command
+      ->add_option("--seed", seed,
+                   "The seed of orders and simulated people; another one gives others")
       ->capture_default_str();
 }
 
 void add_threads(CLI::App* command, int& threads) {
   constexpr int most_threads = 1024;
-  command->add_option("--threads", threads, "0: every core")
+  command->add_option("--threads", threads, "The number of threads; 0: one for every core")
       ->check(CLI::Range(0, most_threads))
       ->capture_default_str();
 }

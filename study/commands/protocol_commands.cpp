@@ -102,10 +102,10 @@ void run_plan(const ProtocolArguments& arguments) {
 
 void add_check(CLI::App& study, const SceneFinder& find_scene) {
   const auto arguments = std::make_shared<ProtocolArguments>();
-  CLI::App* command = add_command(
-      study, "check",
-      "What a protocol means, whether it is sound and can be analysed, how long it takes",
-      "check demo");
+  CLI::App* command = add_command(study, "check",
+                                  "Check a protocol: what it asks for, whether it is valid and can "
+                                  "be analysed, how long a session takes",
+                                  "check demo");
   add_protocol(command, arguments->protocol);
   add_json(command, arguments->json);
   command->callback([arguments, find_scene] { run_check(*arguments, find_scene); });
@@ -114,7 +114,8 @@ void add_check(CLI::App& study, const SceneFinder& find_scene) {
 void add_plan(CLI::App& study) {
   const auto arguments = std::make_shared<ProtocolArguments>();
   CLI::App* command = add_command(
-      study, "plan", "The order in which each participant sees things, and how balanced it is",
+      study, "plan",
+      "Print the order of trials of each participant, and how well the orders are balanced",
       "plan demo --participants 16 --seed 7");
   add_protocol(command, arguments->protocol);
   add_participants_and_seed(command, arguments->participants, arguments->seed);

@@ -132,8 +132,9 @@ void run_gaze(const RecordArguments& arguments) {
 
 void add_status(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command =
-      add_command(study, "status", "What a study's file holds", "status study.sqlite --json");
+  CLI::App* command = add_command(study, "status",
+                                  "Print which sessions a study's file holds, and how far they are",
+                                  "status study.sqlite --json");
   add_database(command, arguments->database);
   add_json(command, arguments->json);
   command->callback([arguments] { run_status(*arguments); });
@@ -141,9 +142,9 @@ void add_status(CLI::App& study) {
 
 void add_verify(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command =
-      add_command(study, "verify", "Whether a study's file is what was written, and complete",
-                  "verify study.sqlite");
+  CLI::App* command = add_command(
+      study, "verify", "Check that a study's file is complete, and unchanged since it was written",
+      "verify study.sqlite");
   add_database(command, arguments->database);
   add_json(command, arguments->json);
   command->callback([arguments] { run_verify(*arguments); });
@@ -151,45 +152,54 @@ void add_verify(CLI::App& study) {
 
 void add_backup(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = add_command(
-      study, "backup", "A checked copy in the folder beside a study's file", "backup study.sqlite");
+  CLI::App* command =
+      add_command(study, "backup",
+                  "Copy a study's file into the folder of backups beside it, and check the copy",
+                  "backup study.sqlite");
   add_database(command, arguments->database);
   command->callback([arguments] { run_backup(*arguments); });
 }
 
 void add_merge(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = add_command(study, "merge", "One file of several sites' sessions",
+  CLI::App* command = add_command(study, "merge", "Merge the files of several sites into one study",
                                   "merge helsinki.sqlite tampere.sqlite -o study.sqlite");
-  command->add_option("DB", arguments->sources, "Files of one protocol")
+  command
+      ->add_option("DB", arguments->sources, "The sites' database files, all of the same protocol")
       ->required()
       ->expected(1, -1);
-  command->add_option("-o,--output", arguments->output, "A new file")->required();
+  command->add_option("-o,--output", arguments->output, "The merged study, a new file")->required();
   command->callback([arguments] { run_merge(*arguments); });
 }
 
 void add_forget(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command =
-      add_command(study, "forget",
-                  "Rebuilds a study's file and its backups without one participant, who withdrew",
-                  "forget study.sqlite P007 --yes");
+  CLI::App* command = add_command(
+      study, "forget",
+      "Erase a participant, for instance one who withdrew, from a study's file and its backups",
+      "forget study.sqlite P007 --yes");
   add_database(command, arguments->database);
   command->add_option("CODE", arguments->participant, "The participant's code")->required();
-  command->add_flag("--yes", arguments->yes, "It cannot be undone, so it has to be said");
+  command->add_flag("--yes", arguments->yes, "Confirm it: it cannot be undone");
   command->callback([arguments] { run_forget(*arguments); });
 }
 
 void add_gaze(CLI::App& study) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = add_command(study, "gaze", "Where a participant looked, to be replayed",
-                                  "gaze study.sqlite --participant P001 --trial 0 -o gaze.csv");
+  CLI::App* command = add_command(
+      study, "gaze", "Export the gaze of one trial as a recording that other commands can replay",
+      "gaze study.sqlite --participant P001 --trial 0 -o gaze.csv");
   add_database(command, arguments->database);
-  command->add_option("--participant", arguments->participant, "The code")->required();
-  command->add_option("--trial", arguments->trial, "0 is the first; its last attempt is taken")
+  command->add_option("--participant", arguments->participant, "The participant's code")
+      ->required();
+  command
+      ->add_option("--trial", arguments->trial,
+                   "The trial, counted from 0; its last attempt is exported")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()))
       ->required();
-  command->add_option("-o,--output", arguments->output, "A recording: comma-separated values")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "The recording, a file of comma-separated values")
       ->required();
   command->callback([arguments] { run_gaze(*arguments); });
 }

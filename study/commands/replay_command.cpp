@@ -126,18 +126,24 @@ void run_replay(const ReplayArguments& arguments, const SceneFinder& find_scene,
 
 void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = add_command(study, "replay", "Show a session again from its record",
-                                  "replay study.sqlite --participant P001 --trial 0 -o pictures");
+  CLI::App* command =
+      add_command(study, "replay",
+                  "Render a recorded session again, and compare its films with the recorded ones",
+                  "replay study.sqlite --participant P001 --trial 0 -o pictures");
   add_database(command, arguments->database);
-  command->add_option("--participant", arguments->participant, "The code")->required();
-  command->add_option("--trial", arguments->trial, "0 is the first; without, all")
+  command->add_option("--participant", arguments->participant, "The participant's code")
+      ->required();
+  command->add_option("--trial", arguments->trial, "Only this trial, counted from 0 (default: all)")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()));
-  command->add_option("--attempt", arguments->attempt, "1 is a trial's first; without, all")
+  command
+      ->add_option("--attempt", arguments->attempt,
+                   "Only this attempt at each trial, counted from 1 (default: all)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command->add_option("--folder", arguments->folder,
-                      "Where the files lie that the protocol names; default: the database's");
+  command->add_option(
+      "--folder", arguments->folder,
+      "The folder of the files that the protocol names (default: the database's folder)");
   command->add_option("-o,--output", arguments->output,
-                      "A folder for a picture of the last view of each attempt");
+                      "A folder that gets a picture of each attempt's last view");
   add_threads(command, arguments->threads);
   add_json(command, arguments->json);
   command->callback([arguments, find_scene, stop] { run_replay(*arguments, find_scene, stop); });

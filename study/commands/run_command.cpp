@@ -77,7 +77,7 @@ void run_run(const RunArguments& arguments, const SceneFinder& find_scene,
   fmt::print("{}: {} {}; backup {}\n", arguments.database, arguments.participant,
              name_of(report.phase), report.backup.string());
   if (report.phase == Phase::interrupted) {
-    fmt::print("Go on with the same command and --resume\n");
+    fmt::print("To go on, give the same command with --resume.\n");
   }
 }
 
@@ -86,45 +86,52 @@ void run_run(const RunArguments& arguments, const SceneFinder& find_scene,
 void add_run(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<RunArguments>();
   CLI::App* command =
-      add_command(study, "run", "One person's session, from consent to debrief, in a window",
+      add_command(study, "run", "Run one person's session in a window, from consent to debrief",
                   "run koskela2018 --db study.sqlite --participant P07 --full-screen");
   add_protocol(command, arguments->protocol);
   command
-      ->add_option("--db", arguments->database,
-                   "The study's file; made, or added to if it is of the same protocol")
+      ->add_option(
+          "--db", arguments->database,
+          "The study's database file; made if there is none, else it must be of the same protocol")
       ->required();
   command
       ->add_option("--participant", arguments->participant,
-                   "A code for who takes part, never a name")
+                   "The participant's code (letters, digits, - and _), never a name")
       ->required();
-  command->add_flag("--pilot", arguments->is_pilot, "A rehearsal: kept apart, and not analysed");
-  command->add_option("--display", arguments->display,
-                      "A display's profile (default: the protocol's, or desktop)");
+  command->add_flag("--pilot", arguments->is_pilot,
+                    "A rehearsal: its session is kept apart and not analysed");
+  command->add_option(
+      "--display", arguments->display,
+      "The display's profile: a name or a file (default: the protocol's, or desktop)");
   command->add_option("--tracker", arguments->tracker,
-                      "pointer, or a tracker's profile (default: the protocol's, or pointer)");
-  command->add_option("--window", arguments->window, "Its size, WIDTHxHEIGHT")
+                      "The eye tracker's profile: a name or a file; pointer takes the mouse for "
+                      "the eye (default: the "
+                      "protocol's, or pointer)");
+  command->add_option("--window", arguments->window, "The window's size, WIDTHxHEIGHT")
       ->capture_default_str();
-  CLI::Option* full_screen =
-      command->add_flag("--full-screen", arguments->full_screen, "Fill a monitor");
-  command->add_option("--monitor", arguments->monitor, "Which one, from 0 on")
+  CLI::Option* full_screen = command->add_flag("--full-screen", arguments->full_screen,
+                                               "Fill a monitor instead of a window");
+  command->add_option("--monitor", arguments->monitor, "The monitor to fill, counted from 0")
       ->check(CLI::Range(0, monitor_limit))
       ->needs(full_screen)
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed,
-                      "Of orders and noise (default: drawn; recorded in any case)");
-  command->add_option("--threads", arguments->threads, "0: every core")
+  command->add_option(
+      "--seed", arguments->seed,
+      "The seed of orders and noise (default: drawn at random; the record keeps it)");
+  command
+      ->add_option("--threads", arguments->threads, "The number of threads; 0: one for every core")
       ->check(CLI::Range(0, thread_limit))
       ->capture_default_str();
   CLI::Option* resume = command->add_flag("--resume", arguments->resumes,
                                           "Go on with this participant's unfinished session");
   command
       ->add_flag("--despite-changes", arguments->despite_changes,
-                 "Even if the program or the scenes have changed since")
+                 "Go on even if the program or the scenes have changed since")
       ->needs(resume);
-  command->add_flag(
-      "--amended-protocol", arguments->takes_amendment,
-      "Even if words or time-outs of the protocol were changed since the study began; "
-      "the session's record will say so");
+  command->add_flag("--amended-protocol", arguments->takes_amendment,
+                    "Accept a protocol whose words or time-outs have changed since the study "
+                    "began; the session's "
+                    "record will say so");
   command->add_option("--screens", arguments->screens,
                       "A folder that gets a picture of every page the participant comes to");
   command->callback([arguments, find_scene, stop] { run_run(*arguments, find_scene, stop); });

@@ -82,17 +82,18 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
              human_duration(report.wall_s), human_duration(report.simulated_s),
              arguments.real_time ? "real" : "virtual");
   if (report.sessions_before > 0) {
-    fmt::print("{} were over before\n", report.sessions_before);
+    fmt::print("{} sessions were over before\n", report.sessions_before);
   }
   if (report.sessions_refused > 0) {
-    fmt::print("{} refused: the tracker did not see the gaze well enough for the protocol\n",
-               report.sessions_refused);
+    fmt::print(
+        "{} sessions refused: the tracker did not see the gaze well enough for the protocol\n",
+        report.sessions_refused);
   }
   if (report.sessions_withdrawn > 0) {
-    fmt::print("{} withdrew\n", report.sessions_withdrawn);
+    fmt::print("{} participants withdrew\n", report.sessions_withdrawn);
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped. The same command with --resume goes on.\n");
+    fmt::print("Stopped; to go on, give the same command with --resume.\n");
   }
   fmt::print("{}", about_report);
 }
@@ -106,31 +107,37 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
                                   "simulate demo --db study.sqlite --participants 4 --seed 7");
   add_protocol(command, arguments->protocol);
   command
-      ->add_option("--db", arguments->database,
-                   "The study's file; made, or added to if it is of the same protocol")
+      ->add_option(
+          "--db", arguments->database,
+          "The study's database file; made if there is none, else it must be of the same protocol")
       ->required();
   add_participants_and_seed(command, arguments->participants, arguments->seed);
   add_threads(command, arguments->threads);
-  command->add_option("--jobs", arguments->jobs,
-                      "Sessions that run side by side; with more than one, sessions reach the disk "
-                      "when they are over");
-  command->add_option("--scale", arguments->scale,
-                      "So many times fewer pixels and samples per second: a pixel's noise at any "
-                      "second stays what it was");
-  command->add_flag("--predicted", arguments->predicted,
-                    "Render pilots of each object and method instead of every frame, and predict "
-                    "from them what participants see: a thousand times faster");
+  command->add_option(
+      "--jobs", arguments->jobs,
+      "The number of sessions side by side; with more than one, a session reaches the "
+      "disk when it is over");
+  command->add_option(
+      "--scale", arguments->scale,
+      "Divide the pixels and the samples per second by this, for speed: a pixel's noise at "
+      "any second stays what it was");
+  command->add_flag(
+      "--predicted", arguments->predicted,
+      "Instead of every frame, render only pilots of each object and method, and predict "
+      "from them what participants see: a thousand times faster");
   command->add_flag(
       "--real-time", arguments->real_time,
-      "Sit before the real window instead, as people do: at this machine's speed, and "
-      "--scale leaves that as it is");
-  command->add_option("--people", arguments->people,
-                      "Who the participants are: a file of data/participants, or one's own");
+      "Show the sessions in a real window, as to people: at this machine's speed, which --scale "
+      "does not change");
+  command->add_option(
+      "--people", arguments->people,
+      "The simulated population: a name in data/participants, or a file of your own (default: "
+      "adults)");
   CLI::Option* const inject =
       command->add_option("--inject", arguments->injected, injected_effect_help);
   accept_former_name(*command, *inject, "--plant");
   command->add_option("--report", arguments->report,
-                      "A folder that gets the study beside the published one, cell by cell");
+                      "A folder that gets a comparison with the published study, cell by cell");
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
   add_json(command, arguments->json);

@@ -23,10 +23,11 @@ struct DrivenSession {
 };
 
 struct SessionOutcome {
-  Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
-  std::size_t trials = 0;        ///< completed in this run
-  Nanoseconds duration{0};       ///< of this run, by the session's clock
-  std::uint64_t samples = 0;     ///< in the attempts that are over
+  Phase phase =
+      Phase::created;  ///< where it ended: completed, refused, withdrawn, excluded or interrupted
+  std::size_t trials = 0;     ///< how many were completed in this run
+  Nanoseconds duration{0};    ///< how long this run took, by the session's clock
+  std::uint64_t samples = 0;  ///< traced in the attempts that are over
   std::uint64_t non_finite = 0;
 };
 
@@ -68,7 +69,7 @@ class SessionDriver {
   const PlannedTrial& trial() const { return session_.plan[trial_index()]; }
   AttemptKey attempt_key() const { return {.trial = trial_index(), .attempt = seen_.attempt}; }
   bool is_rendering() const { return attempt_ != nullptr; }
-  /// By when the participant has looked around for long enough to rate the trial.
+  /// When the participant has looked around for long enough to rate the trial.
   Nanoseconds look_around_until() const { return look_around_until_; }
   /// What the gaze goes through.
   const std::optional<GazeCorrection>& correction() const { return correction_; }

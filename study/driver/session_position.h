@@ -11,8 +11,9 @@ namespace foveola::study {
 
 struct SessionPosition {
   SessionState state;
-  Nanoseconds time{0};                       ///< session clock: the last that is recorded
-  std::optional<GazeCorrection> correction;  ///< of the gaze, since the last validation
+  Nanoseconds time{0};  ///< session clock: the last that is recorded
+  std::optional<GazeCorrection>
+      correction;  ///< what the gaze goes through since the last validation
 };
 
 /// What `events` lead to. whose: names the session in errors. Throws Error if one of the events

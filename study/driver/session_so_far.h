@@ -20,7 +20,7 @@ struct Resumption {
   bool despite_changes = false;  ///< even by another version of the program
 };
 
-/// Of a session in `store`. Throws Error if its record makes no sense.
+/// What a session in `store` was. Throws Error if its record cannot have come about.
 SessionSoFar so_far_of(const StudyStore& store, const Protocol& protocol,
                        const KnownSession& session);
 

@@ -25,7 +25,7 @@ enum class ConsoleAction {
 
 struct ConsoleCommand {
   ConsoleAction action = ConsoleAction::help;
-  std::string text;  ///< of a note, or the reason of an exclusion
+  std::string text;  ///< a note's words, or the reason of an exclusion
 };
 
 /// What a line asks for. Empty if it asks for nothing that is known, or lacks the text it needs.

@@ -11,13 +11,13 @@ ConsoleAnswer answer_to(const std::string& line, const SessionState& state,
                         const Procedure& procedure, const Plan& plan) {
   const std::optional<ConsoleCommand> command = parse_console_line(line);
   if (!command) {
-    return {.told = line.empty() ? "" : "What is '" + line + "'? help says what there is."};
+    return {.reply = line.empty() ? "" : "What is '" + line + "'? help says what there is."};
   }
   switch (command->action) {
     case ConsoleAction::state:
-      return {.told = words_for(state, procedure, plan)};
+      return {.reply = words_for(state, procedure, plan)};
     case ConsoleAction::next:
-      return {.told = words_for_next(state, procedure, plan)};
+      return {.reply = words_for_next(state, procedure, plan)};
     case ConsoleAction::note:
       return {.event = NoteWritten{command->text}};
     case ConsoleAction::pause:
@@ -33,7 +33,7 @@ ConsoleAnswer answer_to(const std::string& line, const SessionState& state,
     case ConsoleAction::quit:
       return {.quits = true};
     case ConsoleAction::help:
-      return {.told = console_help()};
+      return {.reply = console_help()};
   }
   throw std::logic_error("a console command that nobody answers");
 }

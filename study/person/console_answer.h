@@ -10,8 +10,8 @@ namespace foveola::study {
 
 /// At most one of these.
 struct ConsoleAnswer {
-  std::string told;            ///< to the experimenter; may be several lines
-  std::optional<Event> event;  ///< of the session, to be tried
+  std::string reply;           ///< what the experimenter reads; may be several lines
+  std::optional<Event> event;  ///< an event for the session, which may refuse it
   bool quits = false;
 };
 

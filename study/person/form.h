@@ -29,16 +29,16 @@ class Form {
   /// Returns whether the key meant something here.
   bool follow(const FormInput& input);
 
-  /// progress is left to others.
+  /// The page without its progress, which others fill in.
   ScreenPage screen() const;
 
-  /// That of this page; none where there is only something to read or to hand in.
+  /// The question on this page; none where there is only something to read or to hand in.
   const Question* question() const;
-  /// What this page is left with, once its question is answered.
+  /// The key that leaves this page, once its question is answered.
   FormInput key_on() const;
 
   bool is_submitted() const { return is_submitted_; }
-  /// In the questions' order, without those that were left out.
+  /// The answers in the questions' order, without those that were left out.
   std::vector<Answer> answers() const;
 
  private:
@@ -63,7 +63,7 @@ class Form {
   std::vector<std::vector<std::string>> intro_pages_;
   std::vector<QuestionEntry> entries_;
   std::size_t page_ = 0;
-  std::string fault_;  ///< of the question on this page
+  std::string fault_;  ///< what is wrong with the answer on this page
   bool is_submitted_ = false;
 };
 

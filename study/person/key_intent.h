@@ -13,16 +13,16 @@ enum class Confirmation { timing_again, stopping };
 
 enum class KeyIntent {
   read_on,  ///< the notice was read
-  // Of a confirmation.
+  // They answer a confirmation.
   time_again,
   stop_taking_part,
   let_confirmation_go,
-  // Raise one.
+  // They ask for a confirmation.
   confirm_timing,
   confirm_going_on,
-  // Of the phases.
+  // They answer what the phase waits for.
   begin_validation,
-  press,  ///< at what appears
+  press,  ///< the key at what appears
   next_object,
   choose_object,
   start_trial,

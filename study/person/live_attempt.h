@@ -31,7 +31,7 @@ struct AttemptSetting {
   SessionRecorder& recorder;
   AttemptKey key;
   PlannedTrial trial;
-  std::uint32_t seed = 0;       ///< of points and paths
+  std::uint32_t seed = 0;       ///< the seed of the sample points and light paths
   Nanoseconds session_zero{0};  ///< the clock's time at which the session's is 0
   /// What is done while a frame waits for its refresh, before it looks at head and gaze.
   std::function<void()> while_waiting;
@@ -53,10 +53,10 @@ class LiveAttempt final : public AttemptPort {
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 
-  /// If drawing is found too slow for frames to be in time.
+  /// What is known of drawing, if it is found too slow for frames to be in time.
   std::optional<SlowDrawing> slow_drawing() const;
   const std::vector<GazeSample>& arrived_gaze() const { return preview_.arrived_gaze(); }
-  /// That the last frame was shown through.
+  /// The viewport through which the last frame was shown.
   const Viewport& viewport() const { return preview_.viewport(); }
 
  private:

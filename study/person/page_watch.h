@@ -7,10 +7,10 @@
 
 namespace foveola::study {
 
-/// Is told of every frame. Times are of one clock, whichever.
+/// Has to be informed of every frame. All times are of one clock, whichever.
 class PageWatch {
  public:
-  /// By this frame of a page, its words have been measured and stand.
+  /// The frame of a page by which its words have been measured and stand still.
   static constexpr int frame_to_keep = 3;
 
   /// The frames from the next one on show another page, even if one page follows the other between
@@ -29,8 +29,8 @@ class PageWatch {
 
  private:
   std::optional<Nanoseconds> since_;
-  int frames_ = 0;  ///< in which it stood
-  int pages_ = 0;   ///< whose picture was due
+  int frames_ = 0;  ///< for how many frames the page has stood
+  int pages_ = 0;   ///< how many pages had a picture due
 };
 
 }  // namespace foveola::study

@@ -27,7 +27,7 @@ namespace foveola::study {
 
 struct PersonSessionSettings {
   SessionSeed seed;
-  SessionPosition position;        ///< to go on from
+  SessionPosition position;        ///< where the session goes on
   std::vector<std::string> notes;  ///< written when the session begins or goes on
   /// Each page and picture that the participant comes to is written there, as a file.
   std::optional<std::filesystem::path> screens;
@@ -121,11 +121,12 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   PromptState prompt_;
   PageWatch page_watch_;
   Viewer viewer_;
-  std::string scene_;                       ///< that the viewer is in
-  std::unique_ptr<EquirectFilm> panorama_;  ///< of that scene, without noise
-  LiveAttempt* attempt_ = nullptr;          ///< the driver's, while it goes on
-  std::vector<GazeSample> arrived_;         ///< outside of attempts
-  bool was_lost_ = false;                   ///< the tracker
+  std::string scene_;  ///< the scene that the viewer is in
+  std::unique_ptr<EquirectFilm>
+      panorama_;                     ///< the scene as it looks without noise, in direct light
+  LiveAttempt* attempt_ = nullptr;   ///< the driver's, while it goes on
+  std::vector<GazeSample> arrived_;  ///< the gaze that came for a frame outside of attempts
+  bool was_lost_ = false;            ///< whether the tracker was lost at the last frame
   bool has_reported_slow_drawing_ = false;
   SessionDriver driver_;
 };

@@ -28,8 +28,8 @@ void PersonSession::answer_console() {
     } else if (answer.event && !driver_.feed(*answer.event)) {
       settings_.say(fmt::format("not possible now: {}",
                                 words_for(driver_.state(), driver_.procedure(), study_.plan)));
-    } else if (!answer.told.empty()) {
-      settings_.say(answer.told);
+    } else if (!answer.reply.empty()) {
+      settings_.say(answer.reply);
     }
   }
 }

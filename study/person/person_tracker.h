@@ -20,7 +20,7 @@ class PersonTracker final : public EyeTracker {
   /// source must outlive it.
   explicit PersonTracker(EyeTracker& source) : source_(&source) {}
 
-  /// From the next sample on; empty: as it comes.
+  /// Corrects the gaze from the next sample on; empty: the gaze stays as it comes.
   void correct(const std::optional<GazeCorrection>& correction) { correction_ = correction; }
 
   /// Until a valid sample is so old, the gaze is there: the longest blinks take less.

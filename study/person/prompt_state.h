@@ -21,7 +21,7 @@ struct PromptState {
   std::optional<Form> form;
   std::string form_of;  ///< the questionnaire's id; empty: consent, or the ratings
   std::optional<GazeValidationRuns> validation;  ///< driven by the steady clock
-  ReactionPresses reaction;                      ///< likewise
+  ReactionPresses reaction;                      ///< driven by the steady clock, too
   bool awaits_gaze = false;                      ///< armed, and shown nothing before it
   Nanoseconds acknowledged_until{0};             ///< a mark
   bool wants_to_rate = false;

@@ -20,14 +20,14 @@ class QuestionEntry {
   /// erase; in a list, up, down, digits and erase; elsewhere, characters and erase.
   bool follow(const FormInput& input);
 
-  /// Without words on what is wrong, without focus.
+  /// The field without words on what is wrong and without focus.
   ScreenField field() const;
 
   /// A number where one is asked for and typed. An empty text if there is no answer yet.
   std::variant<double, std::string> value() const;
   bool is_empty() const;
 
-  /// As the screen shows it.
+  /// The answer as the screen shows it.
   std::string shown_value() const;
 
   const Question& question() const { return question_; }

@@ -81,7 +81,7 @@ void say_if_keys_are_late(KeyTimeSource source) {
   }
 }
 
-/// Of the sessions of people that were completed or may still be.
+/// The design rows of people whose sessions were completed or may still be.
 std::vector<int> used_rows(const StudyStore& store) {
   std::vector<int> rows;
   for (const KnownSession& session : store.sessions()) {
@@ -202,7 +202,7 @@ class PersonRun {
   StudyStore& store_;
   std::optional<SessionSoFar> so_far_;
   Plan plan_;
-  std::int64_t row_ = 0;  ///< of the session in the store
+  std::int64_t row_ = 0;  ///< the session's row in the store
 };
 
 fs::path back_up(const StudyStore& store, const fs::path& database) {

@@ -18,15 +18,16 @@ struct RunSettings {
   std::filesystem::path database;  ///< made, or a study of the same protocol
   std::string participant;         ///< a code: letters, digits, - and _
   SessionKind kind = SessionKind::human;
-  std::optional<std::uint64_t> seed;  ///< of orders and noise; default: drawn, and recorded
+  std::optional<std::uint64_t> seed;  ///< seed of orders and noise; default: drawn at random
   std::string display;                ///< a profile; empty: the protocol's, or desktop
   std::string tracker;                ///< pointer or a profile; empty: the protocol's, or pointer
-  IVec2 window{1280, 720};            ///< its size; not used in full screen
-  std::optional<int> monitor;         ///< full screen on this one
-  int threads = 0;                    ///< 0: every core
-  bool resumes = false;               ///< an unfinished session of this participant
-  bool despite_changes = false;       ///< of the program or the scenes since it was interrupted
-  OtherProtocol other_protocol = OtherProtocol::refuse;  ///< than the database was begun with
+  IVec2 window{1280, 720};            ///< size of the window; not used in full screen
+  std::optional<int> monitor;         ///< fills this monitor
+  int threads = 0;                    ///< 0: one for every core
+  bool resumes = false;               ///< goes on with the participant's unfinished session
+  bool despite_changes = false;       ///< even if the program or the scenes have changed since
+  OtherProtocol other_protocol =
+      OtherProtocol::refuse;  ///< if the protocol is not the one that the database was begun with
   /// Every page that the participant comes to is written there as a picture.
   std::optional<std::filesystem::path> screens;
 };

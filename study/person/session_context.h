@@ -9,7 +9,7 @@
 
 namespace foveola::study {
 
-/// What it is made of must outlive it.
+/// All that it refers to must outlive it.
 struct SessionContext {
   const Protocol& protocol;
   const Plan& plan;
@@ -17,7 +17,7 @@ struct SessionContext {
   const SessionState& seen;  ///< what is on the disk: nothing else may be seen
 };
 
-/// The one that the participant is in. Throws std::logic_error if there is none.
+/// The trial that the participant is in. Throws std::logic_error if there is none.
 const PlannedTrial& trial_at(const SessionContext& context);
 
 /// Practice and the others are counted by themselves. trial: index into the plan.

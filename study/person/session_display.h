@@ -45,8 +45,8 @@ class SessionDisplay {
   void resize(const IVec2& framebuffer);
   void hide(bool is_hidden) { area_.is_hidden = is_hidden; }
 
-  /// From now on, until show_no_film(): it must outlive that. Every new film is to be told of, even
-  /// if it lies where an old one was.
+  /// From now on, until show_no_film(): it must outlive that. Has to be called for every new film,
+  /// even if it lies where an old one was.
   void show_film(const EquirectFilm& film);
   /// Below pages that cover all, what was shown last may stay.
   void show_no_film() { film_ = nullptr; }
@@ -93,8 +93,8 @@ class SessionDisplay {
   RefreshEstimator refresh_;
   FrameBudget frame_budget_;
   Nanoseconds next_frame_{0};
-  IVec2 film_size_{0};                  ///< that the presenter is made for
-  const EquirectFilm* film_ = nullptr;  ///< that the mirror is of
+  IVec2 film_size_{0};                  ///< size of the film that the presenter is made for
+  const EquirectFilm* film_ = nullptr;  ///< the film that the mirror copies
   std::optional<FilmMirror> mirror_;
   FilmUpdate first_update_;  ///< makes the graphics card forget the film before
   std::unique_ptr<Presenter> presenter_;

@@ -11,7 +11,7 @@ namespace foveola::study {
 /// Shows that the study is being loaded, until the rate of refreshes is measured.
 void measure_refreshes(SessionDisplay& display, const Texts& texts);
 
-/// What the record keeps of it, as "display" of SessionFacts::devices.
+/// What the record keeps of the display, as "display" of SessionFacts::devices.
 nlohmann::ordered_json display_json(const SessionDisplay& display, const DisplayProfile& profile);
 
 }  // namespace foveola::study

@@ -24,7 +24,7 @@ bool is_of_a_hand(const WindowEvent& event) {
 }  // namespace
 
 Vec3 SimulatedOperator::gaze_in_head(Nanoseconds time) {
-  return foveola::gaze_in_head(heading(time), parts_.participant->gaze(time - zero_));
+  return foveola::gaze_in_head(heading(time), parts_.participant.gaze(time - zero_));
 }
 
 bool SimulatedOperator::wants_to_look() const {
@@ -55,7 +55,7 @@ void SimulatedOperator::answer(SeenFrame& frame) {
       fill_in(*prompt.form, {});
       break;
     case Phase::questionnaire: {
-      const Questionnaire& form = questionnaire_of(*parts_.protocol, prompt.form_of);
+      const Questionnaire& form = questionnaire_of(parts_.protocol, prompt.form_of);
       fill_in(*prompt.form, participant().answer(form.id, form.questions));
       break;
     }
@@ -151,7 +151,7 @@ void SimulatedOperator::get_ready(const SeenFrame& frame) {
 
 void SimulatedOperator::watch(SeenFrame& frame) {
   const SessionState& seen = frame.context.seen;
-  const Task task = task_of(parts_.protocol->marks[seen.mark]);
+  const Task task = task_of(parts_.protocol.marks[seen.mark]);
   if (!begin(task, {*attempt_, seen.mark}, frame.shown)) {
     return;
   }
@@ -161,12 +161,12 @@ void SimulatedOperator::watch(SeenFrame& frame) {
 
 void SimulatedOperator::rate(SeenFrame& frame) {
   if (frame.prompt.form) {
-    const std::vector<Question>& ratings = parts_.protocol->ratings;
+    const std::vector<Question>& ratings = parts_.protocol.ratings;
     ratings_ = ratings_ ? ratings_ : participant().rate(ratings);
     fill_in(*frame.prompt.form, *ratings_);
     return;
   }
-  if (!begin(Task::look_around, {*attempt_, parts_.protocol->marks.size()}, frame.shown)) {
+  if (!begin(Task::look_around, {*attempt_, parts_.protocol.marks.size()}, frame.shown)) {
     return;
   }
   look(frame);
@@ -181,8 +181,8 @@ bool SimulatedOperator::enter_attempt(const SeenFrame& frame) {
   if (attempt_ != attempt) {
     attempt_ = attempt;
     object_.clear();
-    begin_attempt(attempt_at_trial(parts_.seed, *parts_.protocol, frame.context.procedure,
-                                   *parts_.plan, seen));
+    begin_attempt(
+        attempt_at_trial(parts_.seed, parts_.protocol, frame.context.procedure, parts_.plan, seen));
     withdraws_ = participant().wants_to_withdraw(static_cast<int>(attempt.first));
     if (withdraws_) {
       press(PersonKey::pause);
@@ -232,10 +232,11 @@ void SimulatedOperator::look(SeenFrame& frame) {
   }
   last_glance_ = frame.shown;
   const Nanoseconds presented = frame.shown - zero_;
-  thought_ = std::async(std::launch::async, [participant = parts_.participant,
+  thought_ = std::async(std::launch::async, [&participant = parts_.participant,
                                              pixels = std::move(*frame.pixels),
-                                             gaze = participant().gaze(presented), presented] {
-    return participant->see(
+                                             gaze = this->participant().gaze(presented),
+                                             presented] {
+    return participant.see(
         {.image = pixels.image, .viewport = pixels.viewport, .gaze = gaze, .presented = presented});
   });
 }
@@ -257,7 +258,7 @@ void SimulatedOperator::press_mark_when_due() {
 }
 
 void SimulatedOperator::pass_on_window_events() {
-  for (const WindowEvent& event : parts_.window->take()) {
+  for (const WindowEvent& event : parts_.window.take()) {
     if (!is_of_a_hand(event)) {
       events_.push(event);
     }

@@ -18,19 +18,19 @@ namespace foveola::study {
 
 /// The pixels of a frame.
 struct ShownPixels {
-  RgbImage image;     ///< of one eye's view, as Stimulus::image
-  Viewport viewport;  ///< that they were shown through
+  RgbImage image;     ///< one eye's view, as Stimulus::image
+  Viewport viewport;  ///< the viewport that they were shown through
 };
 
 /// A frame that has been shown.
 struct SeenFrame {
   const PromptState& prompt;
   SessionContext context;
-  /// By the scene that the session is in; none if it is in none.
+  /// The objects of the scene that the session is in; null if it is in none.
   const std::vector<OfferedObject>* offered;
   Nanoseconds shown{0};
   Nanoseconds session_time{0};        ///< now
-  std::optional<ShownPixels> pixels;  ///< of a trial's frame, if they were wanted
+  std::optional<ShownPixels> pixels;  ///< the pixels of a trial's frame, if they were wanted
 };
 
 /// Head, eye and keys follow the steady clock. The keys reach the session as the window's own do,
@@ -40,33 +40,34 @@ struct SeenFrame {
 /// other.
 class SimulatedOperator {
  public:
+  /// All that is referred to must outlive the operator.
   struct Parts {
-    Participant* participant;
-    const Protocol* protocol;
-    const Plan* plan;
+    Participant& participant;
+    const Protocol& protocol;
+    const Plan& plan;
     SessionSeed seed;
-    const Clock* clock;  ///< steady
+    const Clock& clock;  ///< steady
     /// The window's. Keys, pointer and gamepad of whoever is at the machine are not passed on.
-    WindowEvents* window;
+    WindowEvents& window;
   };
 
-  explicit SimulatedOperator(const Parts& parts) : parts_(parts), zero_(parts.clock->now()) {}
+  explicit SimulatedOperator(const Parts& parts) : parts_(parts), zero_(parts.clock.now()) {}
 
   /// What the session takes in place of the window's events.
   WindowEvents& events() { return events_; }
 
-  AzimuthElevation heading(Nanoseconds time) { return parts_.participant->head(time - zero_); }
+  AzimuthElevation heading(Nanoseconds time) { return parts_.participant.head(time - zero_); }
   /// Unit length, in the head's axes.
   Vec3 gaze_in_head(Nanoseconds time);
 
   /// Whether a trial's frame that is shown now should be looked at.
   bool wants_to_look() const;
 
-  /// To be told of every frame; may_answer: whether what it asks for is still asked.
+  /// Has to be called for every frame; may_answer: whether what it asks for is still asked.
   void follow(SeenFrame frame, bool may_answer);
 
  private:
-  /// A trial's attempt.
+  /// Trial (index into the plan) and attempt.
   using AttemptOfTrial = std::pair<std::size_t, int>;
   using Mark = std::pair<AttemptOfTrial, std::size_t>;
 
@@ -78,29 +79,30 @@ class SimulatedOperator {
   void get_ready(const SeenFrame& frame);
   void watch(SeenFrame& frame);
   void rate(SeenFrame& frame);
-  /// Unless it has begun. Returns false, and asks for a pause, if the participant wants to stop.
+  /// Begins the trial's attempt, unless it has begun. Returns false, and asks for a pause, if the
+  /// participant wants to stop.
   bool enter_attempt(const SeenFrame& frame);
   void begin_attempt(const Attempt& attempt);
   void turn_to(const std::string& scene, const OfferedObject& object);
-  /// Unless it has begun. Returns false, and raises a confirmation, if the timing before it has
-  /// failed.
+  /// Begins the task, unless it has begun. Returns false, and asks to time the trial again, if the
+  /// timing before it has failed.
   bool begin(Task task, const Mark& mark, Nanoseconds shown);
   /// Begins a look at the frame, if its pixels were wanted.
   void look(SeenFrame& frame);
   /// Knows what came of a look that is over.
   void take_thought();
 
-  /// Once it has looked enough.
+  /// The participant, once a look that goes on is over.
   Participant& participant() {
     if (thought_.valid()) {
       thought_.wait();
     }
-    return *parts_.participant;
+    return parts_.participant;
   }
-  Nanoseconds now() const { return parts_.clock->now(); }
+  Nanoseconds now() const { return parts_.clock.now(); }
   bool is_settled() const;
   void press(PersonKey key) { events_.push(press_of(key, now())); }
-  /// Once it is time to.
+  /// Presses the mark's key once it is time to.
   void press_mark_when_due();
   void pass_on_window_events();
 
@@ -109,13 +111,13 @@ class SimulatedOperator {
   Nanoseconds zero_;  ///< the clock's time at which the attempt's is 0
   std::optional<AttemptOfTrial> attempt_;
   Nanoseconds turned_{0};     ///< when it last turned to an object
-  std::string object_;        ///< to which
+  std::string object_;        ///< the object that it last turned to
   std::optional<Mark> mark_;  ///< what is looked for; the marks' count: the rating
   std::optional<Nanoseconds> last_glance_;
   std::future<std::optional<Nanoseconds>> thought_;  ///< what see() returns, while it looks
   std::optional<Nanoseconds> due_;                   ///< when the mark's key goes down
-  bool has_reacted_ = false;                         ///< to what has appeared
-  std::optional<Vec3> target_;                       ///< in the head's axes
+  bool has_reacted_ = false;    ///< whether it has reacted to what has appeared
+  std::optional<Vec3> target_;  ///< in the head's axes
   std::optional<std::vector<Answer>> ratings_;
   bool withdraws_ = false;
 };

@@ -9,8 +9,8 @@ namespace foveola::study {
 
 class Viewer {
  public:
-  /// Looks straight ahead at first. pointer: told where the pointer is, if there is one. worn: what
-  /// the head is tracked by, if it is not turned by keys. Both must outlive it.
+  /// Looks straight ahead at first. pointer: receives where the pointer is, if there is one. worn:
+  /// what the head is tracked by, if it is not turned by keys. Both must outlive it.
   explicit Viewer(PointerEyeTracker* pointer, HeadTracker* worn = nullptr)
       : pointer_(pointer), worn_(worn) {
     look_along({});
@@ -40,7 +40,7 @@ class Viewer {
   struct Sight {
     ViewGeometry geometry;
     IVec2 framebuffer{1};
-    double pixels_per_unit = 1.0;  ///< of the window's coordinates
+    double pixels_per_unit = 1.0;  ///< pixels per unit of the window's coordinates
   };
 
   PointerEyeTracker* pointer_;

@@ -19,7 +19,7 @@ Form consent_form(const Texts& texts);
 
 Form questionnaire_form(const Questionnaire& questionnaire, const Texts& texts);
 
-/// In a band below the picture.
+/// The form in a band below the picture.
 Form rating_form(const std::vector<Question>& ratings, const Texts& texts);
 
 // --- Pages of a title, a paragraph and a line of keys ---

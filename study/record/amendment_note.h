@@ -9,7 +9,7 @@ namespace foveola::study {
 
 /// Another text than the study was begun with, of the same design.
 struct Amendment {
-  std::string sha256;                ///< of the text
+  std::string sha256;                ///< hash of the protocol's text
   std::vector<std::string> changed;  ///< keys; none if only comments or spaces did
   std::string text;
 

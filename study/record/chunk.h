@@ -17,7 +17,7 @@ struct ChunkPlace {
   std::int64_t trial = 0;
   int attempt = 1;
   std::int64_t first = 0;  ///< frame or sample, counted from the attempt's start
-  std::int64_t count = 0;  ///< of frames or samples
+  std::int64_t count = 0;  ///< how many frames or samples it holds
 };
 
 /// Appends a row to `table`, frame_chunk or gaze_chunk. bytes: encoded, not yet compressed. Call it

@@ -9,13 +9,13 @@
 
 namespace foveola::study {
 
-/// Of all frames that a session presented in the counted attempts at its test trials.
+/// Figures of all frames that a session presented in the counted attempts at its test trials.
 struct FrameFigures {
   std::string participant;
   std::uint64_t frames = 0;
   std::uint64_t late = 0;          ///< missed their refresh
   std::uint64_t untracked = 0;     ///< the tracker's newest gaze was not valid
-  double mean_gaze_age_s = 0.0;    ///< of the gaze that was used, when it was polled
+  double mean_gaze_age_s = 0.0;    ///< how old the gaze was that a frame used, in the mean
   double mean_to_display_s = 0.0;  ///< from polling to the display
   double longest_frame_s = 0.0;    ///< from one presented frame to the next
   std::uint64_t marks = 0;
@@ -30,18 +30,18 @@ struct GazeRunRow {
   std::optional<double> accuracy_deg;
   std::optional<double> precision_rms_deg;
   double data_loss = 0.0;  ///< 0 to 1
-  bool passed = false;     ///< the protocol's gate
+  bool passed = false;     ///< whether it passed the protocol's gate
 };
 
 /// A key pressed at something that appeared.
 struct ReactionRow {
   std::string participant;
-  double seconds = 0.0;  ///< below zero of a false start
+  double seconds = 0.0;  ///< below zero if it was a false start
   bool early = false;
 };
 
 struct DataQualityRecords {
-  std::vector<FrameFigures> frames;  ///< of the sessions that have any
+  std::vector<FrameFigures> frames;  ///< a row for each session that has frames
   std::vector<GazeRunRow> gaze_runs;
   std::vector<ReactionRow> reactions;
 };

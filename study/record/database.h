@@ -17,9 +17,8 @@ namespace foveola::study {
 /// Runs `work` and turns what SQLite throws into Error about the file at `path`.
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 
-/// That the file at `path` says to be a study of this program's schema; its content is not read.
-/// Throws Error or what SQLite throws if it is missing, no study, of another schema, or if the file
-/// has a second name (hard link).
+/// Reads of the file at `path` only what kind of file it is. Throws Error or what SQLite throws if
+/// it is missing, no study, of another schema, or if it has a second name (hard link).
 void require_study(const std::filesystem::path& path);
 
 /// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a

@@ -215,7 +215,7 @@ Forgotten forget(const fs::path& study, const std::string& code) {
   for (const fs::path& copy : copies) {
     with_clear_errors(copy, [&] { require_study(copy); });
   }
-  // First, so that what is left to do by another call can be told by the copies alone.
+  // First, so that the copies alone show what is left to do by another call.
   remove_leftovers(study, copies);
   Forgotten forgotten;
   std::set<std::string> uuids;

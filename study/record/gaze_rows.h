@@ -12,7 +12,7 @@ class Database;
 
 namespace foveola::study {
 
-/// Appends the runs that the session's last event tells of. Call it inside a transaction. Throws
+/// Appends the runs that the session's last event reports. Call it inside a transaction. Throws
 /// what SQLite throws.
 void insert_gaze_runs(SQLite::Database& database, std::int64_t session,
                       const std::vector<GazeRun>& runs);

@@ -10,14 +10,14 @@ namespace foveola::study {
 
 /// A fault of a study's file, in words that say where it is.
 struct RecordFault {
-  std::string participant;  ///< empty: of the whole file
+  std::string participant;  ///< empty if the fault is the whole file's
   std::string what;
 };
 
 struct Verification {
   std::size_t sessions = 0;
   std::size_t events = 0;
-  std::size_t chunks = 0;  ///< of frames and gaze
+  std::size_t chunks = 0;  ///< chunks of frames and of gaze that were checked
   std::vector<RecordFault> faults;
   /// Sessions that are not over, trials without a mark or rating, attempts without frames: no
   /// damage, but not complete either.

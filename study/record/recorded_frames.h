@@ -39,7 +39,8 @@ Error changed_frames(std::int64_t session, std::size_t trial, int attempt);
 std::vector<FrameRow> frames_of(SQLite::Database& database, std::int64_t session, std::size_t trial,
                                 int attempt);
 
-/// What is known of the attempt's film, in the order of frames. Throws likewise.
+/// The hashes of the attempt's film, in the order of frames. Throws Error if they are not what was
+/// written, and what SQLite throws.
 std::vector<FilmHash> film_hashes_of(SQLite::Database& database, std::int64_t session,
                                      std::size_t trial, int attempt);
 

@@ -33,7 +33,7 @@ struct AttemptGaze {
   std::string scene;
   std::string method;
   int attempt = 1;
-  std::string outcome;  ///< as schema.sql names them
+  std::string outcome;  ///< one of the names in schema.sql
   std::optional<Nanoseconds> first_frame;
   std::vector<MarkedMoment> marks;  ///< in the order of time
   std::vector<GazeSample> samples;  ///< in the order of their arrival; never none

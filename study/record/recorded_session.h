@@ -14,7 +14,7 @@
 
 namespace foveola::study {
 
-/// What of the display changed what was traced.
+/// The properties of the display that decide what is traced.
 struct RecordedDisplay {
   double horizontal_fov_deg = 0.0;
   double vertical_fov_deg = 0.0;
@@ -30,10 +30,10 @@ struct RecordedAttempt {
 
 struct RecordedSession {
   KnownSession known;
-  BuildInfo build;                           ///< of the program that showed it
-  std::string processor;                     ///< that it ran on
-  std::optional<RecordedDisplay> display;    ///< of a person's session
-  std::optional<SimulationKind> simulation;  ///< of a simulated one
+  BuildInfo build;                           ///< the program that showed it
+  std::string processor;                     ///< the processor it ran on
+  std::optional<RecordedDisplay> display;    ///< there in a person's session
+  std::optional<SimulationKind> simulation;  ///< there in a simulated one
   Plan plan;
   std::vector<RecordedAttempt> attempts;  ///< in the order of time
 };

@@ -63,7 +63,7 @@ void require_method_files(SQLite::Database& database, const fs::path& path,
   }
 }
 
-/// Likewise, one display and one tracker, and the same questions.
+/// Throws Error unless both have the same display, the same tracker and the same questions.
 void require_profiles(SQLite::Database& database, const fs::path& path, const Protocol& protocol) {
   SQLite::Statement known(database,
                           "SELECT toml_sha256 FROM study_profile WHERE device = ? AND name = ?");

@@ -8,7 +8,7 @@
 -- outside the statements, and whoever changes a statement raises user_version. A program reads and
 -- writes only the version that it knows; no released program wrote an older one than 4.
 --
--- Version 2: study_method_file; session_scene.shown_as; frames-2, which tell a held gaze.
+-- Version 2: study_method_file; session_scene.shown_as; frames-2, which report a held gaze.
 -- Version 3: study_profile; gaze_run, gaze_target and the state refused; gaze_chunk.
 -- Version 4: marks, ratings and questionnaires as the protocol names them; practice and catch
 --            trials; planned_step, design_row, devices, migrated_from; reactions, notes, pauses,
@@ -194,7 +194,7 @@ FROM event
 WHERE type = 'note_written';
 
 -- One look at all of a validation's targets, in the order of time; sequence is of the event that
--- tells of it. Runs of one event belong together: if the protocol asks for a correction, the first
+-- reports it. Runs of one event belong together: if the protocol asks for a correction, the first
 -- calibrates and the second validates. Angles are true ones, in degrees:
 --   accuracy       the mean of the samples' angles to their target, and of the targets
 --   precision_rms  the root mean square of the angles between successive samples

@@ -20,7 +20,7 @@ struct FrameRow {
   Nanoseconds presented{0};  ///< session clock: it was on the display
   float head_azimuth_rad = 0.0F;
   float head_elevation_rad = 0.0F;
-  Vec3 gaze{0.0F};  ///< world, the one that was used
+  Vec3 gaze{0.0F};  ///< world axes: the gaze that the frame was rendered for
   bool gaze_valid = false;
   bool gaze_held = false;
   bool is_late = false;  ///< it missed its refresh
@@ -81,7 +81,7 @@ class SessionRecorder {
   virtual std::future<void> record(SessionEntry entry) = 0;
 };
 
-/// That of an entry which nothing has to be waited for.
+/// The future of an entry that is already recorded.
 std::future<void> already_recorded();
 
 }  // namespace foveola::study

@@ -33,14 +33,14 @@ std::int64_t insert_session(SQLite::Database& database, const SessionFacts& fact
 
 bool has_session_of(SQLite::Database& database, const std::string& participant);
 
-/// In the order in which they were begun.
+/// All sessions in the order in which they were begun.
 std::vector<KnownSession> sessions_of(SQLite::Database& database);
 
-/// As it was recorded before anything happened.
+/// The session's plan as it was recorded before anything happened.
 Plan plan_of(SQLite::Database& database, std::int64_t session);
 
 /// What the machine needs to go through the session's events again. Throws Error if the record does
-/// not tell.
+/// not say.
 Procedure recorded_procedure_of(SQLite::Database& database, std::int64_t session);
 
 }  // namespace foveola::study

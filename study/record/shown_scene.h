@@ -12,7 +12,7 @@ namespace foveola::study {
 /// be read.
 std::string shown_as(const SceneSource& source);
 
-/// The part of it that changes the radiance of the file's scene: `added`. Throws Error likewise.
+/// The part of it that changes the radiance of the file's scene: `added`. Throws the same Error.
 std::string added_to_file(const SceneSource& source);
 
 /// Where two texts of shown_as differ first, and what they say there: "camera/azimuth_rad: 0.5, now

@@ -14,13 +14,13 @@ struct SimulationKind {
   bool predicted = false;     ///< nothing was rendered
   bool real_time = false;     ///< before the real window, at the speed of the machine
   std::string injected;       ///< the effect that was injected; empty: none
-  std::string people_sha256;  ///< of the file that says who the participants are
+  std::string people_sha256;  ///< hash of the population's file
 };
 
-/// As SessionFacts::devices.
+/// Writes it as SessionFacts::devices.
 std::string devices_of(const SimulationKind& kind);
 
-/// Of a session's devices; empty for a person's, and for one of before there were kinds.
+/// Reads it from a session's devices; empty for a person's, and for one of before there were kinds.
 std::optional<SimulationKind> simulation_kind_in(const std::string& devices);
 
 /// Throws Error unless every simulated one of `sessions`, of the study at `database`, is of `kind`:

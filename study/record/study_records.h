@@ -23,7 +23,7 @@ struct TrialRow {
   std::optional<double> material_s;  ///< from the first presented frame to the material mark
   bool outline_censored = false;     ///< timed out: outline_s is a lower bound
   bool material_censored = false;
-  std::optional<int> artifact_rating;  ///< of "artifacts"; whole on a scale from 1 to 5
+  std::optional<int> artifact_rating;  ///< the rating "artifacts", a whole number from 1 to 5
 };
 
 /// One answer of the questionnaire "background" that is a number.
@@ -37,8 +37,8 @@ struct SessionRow {
   std::string participant;
   std::string kind;   ///< "human", "pilot" or "simulated"
   std::string state;  ///< name_of(Phase); not an end's if the program died in it or still runs
-  std::optional<int> design_row;  ///< of the protocol's design; empty if the record keeps none
-  std::string reason;             ///< of an exclusion
+  std::optional<int> design_row;  ///< row of the design; empty if the record keeps none
+  std::string reason;             ///< why the session was excluded
 };
 
 /// A session that went by other words or time-outs than the study's protocol has.
@@ -66,7 +66,7 @@ struct StudyRecords {
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
   std::vector<SessionRow> sessions;
-  /// Of simulated sessions, unless there are none or they are older than these facts.
+  /// How sessions were simulated; empty if none was, or if they are older than these facts.
   std::optional<SimulationFacts> simulation;
   std::vector<AmendedSession> amended;  ///< none twice: reports must say which
   std::vector<TrialRow> trials;  ///< all that were planned, in order; none of withdrawn sessions

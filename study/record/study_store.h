@@ -25,7 +25,7 @@ enum class SessionKind { human, pilot, simulated };
 struct ShownScene {
   std::string name;
   std::string file_name;  ///< without its folder
-  std::string sha256;     ///< of the file
+  std::string sha256;     ///< hash of the file
   std::string shown_as;   ///< the JSON object that schema.sql describes at session_scene
 };
 
@@ -36,7 +36,7 @@ struct SessionFacts {
   int design_row = 0;  ///< that the plan was made of
   BuildInfo build;
   MachineInfo machine;
-  /// As a JSON object: of a person's session what the display turned out to be (its size, refresh
+  /// A JSON object: of a person's session what the display turned out to be (its size, refresh
   /// rate, whether that was measured, graphics card) and the eye tracker; of a simulated one how it
   /// was simulated.
   std::string devices = "{}";
@@ -85,10 +85,10 @@ class StudyStore {
   /// Whether a participant of this code has a session.
   bool has_participant(const std::string& code) const;
 
-  /// In the order in which they were begun.
+  /// All sessions in the order in which they were begun.
   std::vector<KnownSession> sessions() const;
 
-  /// As it was recorded before anything happened.
+  /// The session's plan as it was recorded before anything happened.
   Plan plan_of(std::int64_t session) const;
 
   /// Everything that happened in a session, in order.

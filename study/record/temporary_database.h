@@ -20,7 +20,8 @@ class TemporaryDatabase {
   /// returns. The database must be closed. Throws Error if it cannot.
   void replace_final() const;
 
-  /// Likewise, but a file that is there already stays. Returns whether there was none.
+  /// Gives it its name, unless a file of that name is there: that stays. Returns whether there was
+  /// none.
   bool take_free_name() const;
 
  private:
@@ -31,7 +32,7 @@ class TemporaryDatabase {
   std::filesystem::path path_;
 };
 
-/// Of a file what was written to it, of a folder the names in it: they are on the disk when this
+/// Syncs what was written to a file, or the names in a folder: they are on the disk when this
 /// returns. Throws Error if they cannot be.
 void sync_to_disk(const std::filesystem::path& path);
 

@@ -17,7 +17,7 @@ struct ReplaySettings {
   std::filesystem::path database;
   std::string participant;
   std::optional<std::size_t> trial;  ///< index into the plan; all if empty
-  std::optional<int> attempt;        ///< likewise; 1 is the first
+  std::optional<int> attempt;        ///< counted from 1; all if empty
   std::filesystem::path folder;      ///< where the files lie that the protocol names by a path
   std::filesystem::path pictures;    ///< folder for the last view of each attempt; empty: none
   int threads = 0;                   ///< 0: every core

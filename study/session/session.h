@@ -19,7 +19,7 @@ enum class Phase {
   questionnaire,    ///< waiting for a form's answers
   validation,       ///< waiting for how well the tracker sees the gaze
   reaction,         ///< waiting for a key press at what appears
-  choosing_object,  ///< of the trial's scene
+  choosing_object,  ///< waiting for the choice of an object of the trial's scene
   ready,            ///< waiting for the participant to start the trial
   armed,            ///< rendering was asked for; waiting for its first frame to be presented
   marking,          ///< waiting for the next mark
@@ -37,8 +37,8 @@ const char* name_of(Phase phase);
 /// One look at all of a validation's targets.
 struct GazeRun {
   GazeQuality quality;
-  std::optional<GazeCorrection> correction;  ///< that the gaze went through; none: as it came
-  bool passed = false;                       ///< the protocol's gate
+  std::optional<GazeCorrection> correction;  ///< what the gaze went through; empty: nothing
+  bool passed = false;                       ///< whether it passed the protocol's gate
 };
 
 // What can happen. Times are of the session's clock.
@@ -59,7 +59,7 @@ std::optional<GazeCorrection> correction_after(const GazeValidated& validation);
 /// again.
 struct ReactionPressed {
   Nanoseconds shown{0};
-  Nanoseconds time{0};  ///< of the key
+  Nanoseconds time{0};  ///< when the key went down
 };
 struct ObjectChosen {
   std::string object;
@@ -85,7 +85,7 @@ struct PauseRequested {};
 struct Interrupted {};
 /// After a pause or an interruption: a trial that had begun is timed again.
 struct Resumed {};
-/// By the experimenter, at any time.
+/// Written by the experimenter, at any time.
 struct NoteWritten {
   std::string text;
 };
@@ -133,13 +133,13 @@ using Effect = std::variant<AskForConsent, AskQuestionnaire, ValidateGaze, AskFo
 struct SessionState {
   Phase phase = Phase::created;
   std::size_t step = 0;        ///< index into the agenda; its size once completed
-  int validations_left = 0;    ///< of this step, the next one included
-  int presses_left = 0;        ///< of this step, the next one included
-  int attempt = 1;             ///< of the trial; counts up when one ends that has to be done again
-  int timing = 1;              ///< likewise, but only when one was asked to be retimed
+  int validations_left = 0;    ///< how many validations this step still allows, the next included
+  int presses_left = 0;        ///< how many presses this step still asks for, the next included
+  int attempt = 1;             ///< at the trial; counts up when one ends that has to be done again
+  int timing = 1;              ///< counts up only when an attempt was asked to be retimed
   std::size_t mark = 0;        ///< index of the one that is waited for
   std::string object;          ///< chosen last
-  Nanoseconds first_frame{0};  ///< of the attempt
+  Nanoseconds first_frame{0};  ///< when the attempt's first frame was presented
   Nanoseconds last_mark{0};    ///< or its time-out; the first frame before there is one
   /// Where a pause or an interruption ends. An attempt that had begun ends with them: then `ready`.
   Phase resumes_at = Phase::created;
@@ -154,7 +154,7 @@ struct SessionState {
 /// What the machine knows of a protocol.
 struct Procedure {
   Agenda agenda;
-  std::size_t marks = 2;  ///< in a trial, at least one
+  std::size_t marks = 2;  ///< how many marks a trial has, at least one
   std::vector<Question> ratings;
 };
 

@@ -1,4 +1,5 @@
-// An attempt of which nothing is rendered: its looks follow from how many samples there would be.
+// An attempt of which nothing is rendered: what is seen follows from how many samples there would
+// be.
 #pragma once
 
 #include <memory>
@@ -35,7 +36,7 @@ class PredictedAttempt final : public TrialAttempt {
   /// Sends the frames' samples to where the observer then looks.
   void render_until(std::uint64_t frames);
   Evidence look(Nanoseconds now);
-  /// What the tracker tells at `time`, of what was a while ago.
+  /// What the tracker reports at `time`: where the eye was a while ago.
   Aim aim(Nanoseconds time) const;
   Viewport viewport(Nanoseconds time) const;
 

@@ -1,4 +1,4 @@
-// How well a predicted study tells what a rendered one of the same participants would have said.
+// How well a predicted study agrees with a rendered one of the same participants.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace foveola::study {
 
-/// Of the trials that both studies have, with marks that both have and that no time-out cut off.
+/// Computed over the trials that both studies have, with marks that both have and that no time-out
+/// cut off.
 struct MarkAgreement {
   std::string mark;    ///< "outline" or "material"
   std::string method;  ///< empty: all
   int trials = 0;
   double rendered_median_s = 0.0;
   double predicted_median_s = 0.0;
-  double median_ratio = 0.0;      ///< of predicted over rendered times, trial by trial
+  double median_ratio = 0.0;      ///< median of predicted over rendered times, trial by trial
   double rank_correlation = 0.0;  ///< Spearman's; 0 for fewer than two trials
 };
 

@@ -50,17 +50,17 @@ SimulatedEyeTracker tracker_of(const SimulatedTrackerSettings& settings, std::ui
   });
 }
 
-SessionOutcome sit(const SharedWindow& shared, const BegunSession& begun,
-                   const std::stop_token& stop) {
+SessionOutcome run_in_window(const SharedWindow& shared, const BegunSession& begun,
+                             const std::stop_token& stop) {
   const Protocol& protocol = shared.study.protocol;
   const SessionSoFar so_far = so_far_of(begun.store, protocol, session_in(begun.store, begun.id));
   const SessionSeed seed{.seed = so_far.session.seed, .design_row = so_far.session.design_row};
-  SimulatedOperator simulated_operator({.participant = &begun.observer,
-                                        .protocol = &protocol,
-                                        .plan = &begun.plan,
+  SimulatedOperator simulated_operator({.participant = begun.observer,
+                                        .protocol = protocol,
+                                        .plan = begun.plan,
                                         .seed = seed,
-                                        .clock = &shared.clock,
-                                        .window = &shared.window});
+                                        .clock = shared.clock,
+                                        .window = shared.window});
   SimulatedEyeTracker tracker = tracker_of(
       protocol.tracker.simulated, derive_seed(seed, SeedPurpose::tracker, {}), simulated_operator);
   SimulatedHeadTracker head([&](Nanoseconds time) { return simulated_operator.heading(time); });
@@ -117,9 +117,9 @@ SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kin
     SessionDisplay display(window, profile, framebuffer, clock);
     measure_refreshes(display, study.protocol.texts);
     study.devices = devices_in_real_time(kind, display, profile);
-    study.sit = [shared = SharedWindow{study, clock, events, display}](
-                    const BegunSession& session, const std::stop_token& stopped) {
-      return sit(shared, session, stopped);
+    study.run_in_window = [shared = SharedWindow{study, clock, events, display}](
+                              const BegunSession& session, const std::stop_token& stopped) {
+      return run_in_window(shared, session, stopped);
     };
     report = StudySimulation(study).run(stop);
   });

@@ -12,9 +12,9 @@ namespace foveola::study {
 /// seen by each eye of a headset, or on a monitor of that size.
 DisplayProfile shown_display(const Protocol& protocol);
 
-/// Runs in the program's first thread, whose is the window. study: its `sit` and its devices are
-/// left to this. When `stop` is requested, the session is recorded as interrupted. Throws Error if
-/// there is no display to open a window on.
+/// Runs in the program's first thread, whose is the window. Fills in the study's
+/// `run_in_window` and devices. When `stop` is requested, the session is recorded as interrupted.
+/// Throws Error if there is no display to open a window on.
 SimulateReport run_in_real_time(SimulatedStudy& study, const SimulationKind& kind,
                                 const std::stop_token& stop);
 

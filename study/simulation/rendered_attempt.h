@@ -1,4 +1,4 @@
-// An attempt whose every frame is rendered and seen: the slow and true way.
+// An attempt whose every frame is rendered and seen: slow, but nothing is predicted.
 #pragma once
 
 #include "study/simulation/trial_attempt.h"

@@ -218,7 +218,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
                        .workers = workers,
                        .make_observer = {},
                        .make_attempts = {},
-                       .sit = {},
+                       .run_in_window = {},
                        .shown = shown_scenes(stages),
                        .devices = devices_of(kind)};
   if (fs::exists(settings.database)) {

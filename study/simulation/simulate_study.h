@@ -25,17 +25,17 @@ struct SimulateSettings {
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;
-  bool warns = false;  ///< on standard error of what comes out in the record only
+  bool warns = false;  ///< says on standard error what comes out in the record only
 };
 
 struct SimulateReport {
-  int sessions_before = 0;  ///< over before, of those that were resumed
+  int sessions_before = 0;  ///< how many were over before, if the study was resumed
   int sessions_completed = 0;
-  int sessions_refused = 0;  ///< by the protocol's gate
+  int sessions_refused = 0;  ///< how many the protocol's gate refused
   int sessions_withdrawn = 0;
   int trials = 0;
   double wall_s = 0.0;
-  double sessions_wall_s = 0.0;  ///< of that, once references or pilots were there
+  double sessions_wall_s = 0.0;  ///< the part of wall_s after references or pilots were there
   double simulated_s = 0.0;      ///< time that the participants spent: virtual, or real
   std::uint64_t samples = 0;
   std::uint64_t non_finite = 0;

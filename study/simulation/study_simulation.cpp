@@ -92,10 +92,11 @@ void StudySimulation::run_side_by_side(const std::vector<int>& design_rows,
 
 void StudySimulation::run_session(std::int64_t session, int design_row, const Plan& plan,
                                   const std::stop_token& stop) {
-  if (study_.sit) {
+  if (study_.run_in_window) {
     show(plan.front().scene);
     const std::unique_ptr<SimulatedObserver> observer = make_observer(design_row, plan);
-    add(study_.sit({.store = store_, .id = session, .plan = plan, .observer = *observer}, stop));
+    add(study_.run_in_window({.store = store_, .id = session, .plan = plan, .observer = *observer},
+                             stop));
     return;
   }
   const SessionPosition position =

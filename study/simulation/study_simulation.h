@@ -17,7 +17,7 @@
 
 namespace foveola::study {
 
-/// Whether nothing more can happen in it.
+/// Whether the session is over: nothing more can happen in it.
 bool has_ended(const KnownSession& session);
 
 /// A session that is to be taken part in, from its start or from where it broke off.
@@ -34,14 +34,16 @@ struct SimulatedStudy {
   const Protocol& protocol;  ///< scaled as the settings say
   const SceneStages& stages;
   const Workers& workers;
-  /// Another person for each seed, of whom the session of `plan` is. Called from several threads.
+  /// Makes the person whose session `plan` is, another one for each seed. Called from several
+  /// threads.
   std::function<std::unique_ptr<SimulatedObserver>(std::uint32_t seed, int design_row,
                                                    const Plan& plan)>
       make_observer;
-  /// The attempts of one session. Called from several threads.
+  /// What makes the attempts of one session. Called from several threads.
   std::function<MakeAttempt(SimulatedObserver& observer, const Workers& workers)> make_attempts;
   /// In real time, instead of attempts: how a session goes on in the window.
-  std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)> sit;
+  std::function<SessionOutcome(const BegunSession& session, const std::stop_token& stop)>
+      run_in_window;
   std::vector<ShownScene> shown;
   std::string devices;  ///< see SimulationKind
 };
@@ -66,12 +68,12 @@ class StudySimulation {
 
   /// Returns how many sessions there are of this seed.
   int finish_begun_sessions(const std::stop_token& stop);
-  /// Of so many participants who are not in the file yet: a study can be added to.
+  /// The design rows of `count` participants who are not in the file yet: a study can be added to.
   std::vector<int> new_design_rows(int count) const;
   void run_durably(const std::vector<int>& design_rows, const std::stop_token& stop);
   void run_side_by_side(const std::vector<int>& design_rows, const std::stop_token& stop);
 
-  /// From its start, or from where it broke off.
+  /// Runs a session from its start, or from where it broke off.
   void run_session(std::int64_t session, int design_row, const Plan& plan,
                    const std::stop_token& stop);
   Simulated simulate(int design_row, const std::stop_token& stop);
@@ -81,7 +83,7 @@ class StudySimulation {
 
   std::unique_ptr<SimulatedObserver> make_observer(int design_row, const Plan& plan) const;
   SessionFacts facts_of(int design_row) const;
-  /// Whether it takes sessions as whole ones.
+  /// Whether sessions reach the disk as whole ones.
   bool is_buffered() const { return study_.settings.predicted || study_.settings.jobs > 1; }
   void show(const std::string& scene);
   void add(const SessionOutcome& outcome);

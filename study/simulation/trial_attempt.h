@@ -1,4 +1,4 @@
-// One attempt at a trial of a simulated session, however it is made that something is seen.
+// One attempt at a trial of a simulated session, whether its frames are rendered or predicted.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,12 @@ struct TrialAttemptSetting {
   const SceneStage& stage;
   const Protocol& protocol;
   const PlannedTrial& trial;
-  const OfferedObject& object;  ///< that the participant looks at
+  const OfferedObject& object;  ///< the object that the participant looks at
   TrialSeeds seeds;
   Participant& participant;
   std::optional<GazeCorrection> correction;
   VirtualClock& clock;           ///< the attempt's; at its `now` rendering starts
-  Nanoseconds attempt_start{0};  ///< when that is 0, by the session's clock
+  Nanoseconds attempt_start{0};  ///< the session's time at which the attempt's clock is 0
   SessionRecorder& recorder;
   AttemptKey key;
 };
@@ -46,14 +46,15 @@ class TrialAttempt {
   /// time of the key press that a glance at it led to.
   virtual std::optional<Nanoseconds> show(Nanoseconds until) = 0;
 
-  /// From now on the participant looks at it for this.
+  /// From now on the participant looks at it for this task.
   virtual void begin(Task task) = 0;
 
-  /// Hands what is not yet there to the record.
+  /// Hands to the record what it does not have yet.
   virtual void keep() = 0;
 
-  /// So far.
+  /// How many samples were traced so far.
   virtual std::uint64_t samples() const = 0;
+  /// How many of them were not finite.
   virtual std::uint64_t non_finite() const = 0;
 };
 

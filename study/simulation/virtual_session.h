@@ -84,8 +84,8 @@ class VirtualSession final : private ClockPort, private DisplayPort, private Inp
   /// participant sees and does is a matter of the latter, to the last bit.
   Nanoseconds attempt_start_;
   VirtualClock clock_;
-  TrialAttempt* attempt_ = nullptr;     ///< while a trial is rendered
-  std::optional<std::size_t> task_;     ///< of this attempt: index of its mark; their count: rating
+  TrialAttempt* attempt_ = nullptr;  ///< while a trial is rendered
+  std::optional<std::size_t> task_;  ///< index of the mark that is looked for; their count: rating
   std::optional<Nanoseconds> pressed_;  ///< the key, by the session's clock, for the task
   SessionDriver driver_;
 };

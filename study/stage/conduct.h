@@ -30,7 +30,7 @@ inline Attempt attempt_at_validation(const SessionSeed& seed, const SessionState
   return {.conduct = step_seed(seed, SeedPurpose::conduct, state), .trials_before = 0};
 }
 
-/// The one of this name. Throws Error if the scene does not offer it any more.
+/// The object of this name. Throws Error if the scene does not offer it any more.
 const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
                                   const std::string& name);
 

@@ -17,7 +17,7 @@ namespace foveola::study {
 /// once through it. Whoever drives it keeps the clock, shows the targets, and polls the tracker.
 class GazeValidationRuns {
  public:
-  /// Fields of view: of the display, in (0, 180). The first target appears at `start`.
+  /// The fields of view are the display's, in (0, 180). The first target appears at `start`.
   GazeValidationRuns(const ValidationSettings& settings, double horizontal_fov_deg,
                      double vertical_fov_deg, Nanoseconds start);
 
@@ -36,7 +36,7 @@ class GazeValidationRuns {
   ValidationSettings settings_;
   std::vector<Vec3> targets_;
   CalibrationRoutine routine_;
-  std::optional<GazeCorrection> correction_;  ///< that this run goes through
+  std::optional<GazeCorrection> correction_;  ///< what this run's gaze goes through
   std::vector<GazeRun> runs_;
   std::optional<GazeValidated> result_;
 };

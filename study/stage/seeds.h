@@ -13,9 +13,9 @@ namespace foveola::study {
 
 /// What a seed is for; keeps the streams apart.
 enum class SeedPurpose : std::uint32_t {
-  participant = 1,  ///< who a simulated one is
-  tracker = 2,      ///< the noise of a simulated one
-  rendering = 3,    ///< a trial's points and paths
+  participant = 1,  ///< who a simulated participant is
+  tracker = 2,      ///< the noise of a simulated tracker
+  rendering = 3,    ///< a trial's sample points and light paths
   conduct = 4,      ///< what a simulated participant does, timing after timing
   waiting = 5,      ///< how long nothing appears to react to
 };
@@ -52,7 +52,8 @@ inline std::uint32_t step_seed(const SessionSeed& session, SeedPurpose purpose,
                      {static_cast<int>(state.step), state.validations_left, state.presses_left});
 }
 
-/// That of a trial's points and paths: with the recorded frames it makes the same film again.
+/// The seed of a trial's sample points and light paths: with the recorded frames it makes the same
+/// film again.
 inline std::uint32_t rendering_seed(std::uint64_t session_seed, int design_row,
                                     const Protocol& protocol, const PlannedTrial& trial,
                                     int timing) {

@@ -17,7 +17,7 @@ std::string plan_table(const std::vector<Plan>& plans);
 /// How often each method and scene stands where and follows which, with the largest differences.
 std::string balance_table(const Protocol& protocol, const Balance& balance);
 
-/// In minutes, part by part, with what was assumed.
+/// How long a session takes, part by part, in minutes, with what was assumed.
 std::string duration_table(const std::vector<SessionPart>& parts);
 
 }  // namespace foveola::study

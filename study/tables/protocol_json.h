@@ -15,7 +15,7 @@ nlohmann::json json_of(const Protocol& protocol);
 nlohmann::json json_of(const Protocol& protocol, const Balance& balance);
 nlohmann::json json_of(const std::vector<SessionPart>& parts);
 
-/// Of one participant.
+/// The plan of one participant.
 nlohmann::json json_of(const Plan& plan);
 
 }  // namespace foveola::study

@@ -1,4 +1,4 @@
-// A study that could not be analysed is not begun, and what comes out in the record only is told
+// A study that could not be analysed is not begun, and what comes out in the record only is said
 // before anybody takes part.
 #include <algorithm>
 

@@ -244,7 +244,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_THAT(participant_.ask("SELECT state, kind FROM session"), ElementsAre("completed|human"));
   EXPECT_THAT(participant_.ask("SELECT count(*) FROM reaction WHERE early = 0"), ElementsAre("2"));
 
-  // After their keys, and long before the next ones; AMarkIsNotBeforeItsKey tells how long.
+  // After their keys, and long before the next ones; AMarkIsNotBeforeItsKey measures how long.
   const std::vector<double> marks_s = recorded_marks();
   ASSERT_EQ(marks_s.size(), 8U);
   const std::vector<double> last_s(marks_s.begin() + 4, marks_s.end());
@@ -354,7 +354,7 @@ TEST_F(StudyRun, SaysWhatIsWrong) {
 }
 
 TEST_F(StudyRun, AMarkHasTheTimeOfItsKey) {
-  // With FOVEOLA_PRESSES set, tells how long after their keys so many marks are.
+  // With FOVEOLA_PRESSES set, prints how long after their keys so many marks are.
   const char* const asked = std::getenv("FOVEOLA_PRESSES");
   constexpr int marks_a_trial = 20;
   const int trials = std::max(1, (asked != nullptr ? std::atoi(asked) : 0) / marks_a_trial);

@@ -43,10 +43,10 @@ class RunningProgram {
   pid_t process_ = -1;
   int input_ = -1;
   int output_ = -1;
-  std::mutex mutex_;  ///< of what was said
+  std::mutex mutex_;  ///< guards what was said
   std::string said_;
   std::size_t waited_for_ = 0;  ///< so much of it
-  std::optional<int> status_;   ///< as waitpid tells it, once it has ended
+  std::optional<int> status_;   ///< as waitpid reports it, once it has ended
   std::jthread reader_;
 };
 

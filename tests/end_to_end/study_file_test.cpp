@@ -41,8 +41,8 @@ struct Sites {
   }
 
   Hall hall;
-  std::string north;  ///< of P001 and P002
-  std::string south;  ///< of P001, P002 and P003, other people
+  std::string north;  ///< a study with P001 and P002
+  std::string south;  ///< a study with P001, P002 and P003, other people
 };
 
 class StudyFile : public testing::Test {
@@ -266,7 +266,7 @@ TEST_F(StudyFile, InAReadOnlyFolderIsOnlyRead) {
 }
 
 // The first is held in the middle of its work.
-TEST_F(StudyFile, ASecondControllerIsToldWhoTheFirstIs) {
+TEST_F(StudyFile, ASecondControllerLearnsWhoTheFirstIs) {
   const std::vector<std::string> simulate = {"study", "simulate",       "hall", "--db",
                                              north_,  "--participants", "1000"};
   const fs::path lock = north_ + ".controller";

@@ -134,7 +134,7 @@ class StudyOfAHall : public testing::Test, protected Hall {
     return value_of(folder / database, "SELECT file_sha256 FROM session_scene");
   }
 
-  std::string digest;  ///< of hall.glb, by coreutils
+  std::string digest;  ///< hash of hall.glb, by coreutils
 };
 
 TEST_F(StudyOfAHall, RecordsTheHashOfTheFileThatWasShown) {
@@ -232,9 +232,9 @@ TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {
   EXPECT_THAT(unknown.errors, HasSubstr("decision.courage: is none of people"));
   EXPECT_TRUE(fs::is_empty(out));
 
-  const ProgramResult told = bench("decision.lapse_s");
-  ASSERT_EQ(told.exit_code, 0) << told.errors;
-  const nlohmann::json outcomes = nlohmann::json::parse(told.output).at("outcomes");
+  const ProgramResult first = bench("decision.lapse_s");
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  const nlohmann::json outcomes = nlohmann::json::parse(first.output).at("outcomes");
   ASSERT_EQ(outcomes.size(), 3U) << "as they are, a third, three times";
   EXPECT_EQ(outcomes[2].at("value"), 3.0);
   EXPECT_EQ(outcomes[2].at("means").size(), 2U) << "VP, until the outline and the material";
@@ -244,7 +244,7 @@ TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {
                            "SELECT devices ->> '$.simulation.people_sha256' FROM session"));
   }
   EXPECT_EQ(people.size(), 3U);
-  EXPECT_EQ(bench("decision.lapse_s").output, told.output) << "gone on with";
+  EXPECT_EQ(bench("decision.lapse_s").output, first.output) << "gone on with";
 }
 
 /// A camera that sees the eye 2 degrees off.

@@ -1,4 +1,4 @@
-// That no page tells which method a trial has.
+// That no page reveals which method a trial has.
 #include <cctype>
 #include <set>
 

@@ -20,7 +20,7 @@ class ConsoleAnswers : public ::testing::Test {
   /// The name of the event that a line asks for, if nothing else came of it.
   std::string event_of(const std::string& line) const {
     const ConsoleAnswer answer = this->answer(line);
-    EXPECT_THAT(answer.told, IsEmpty());
+    EXPECT_THAT(answer.reply, IsEmpty());
     EXPECT_FALSE(answer.quits);
     return answer.event ? name_of(*answer.event) : "";
   }
@@ -38,9 +38,9 @@ TEST_F(ConsoleAnswers, SomeLinesAreEvents) {
 }
 
 TEST_F(ConsoleAnswers, SomeAreQuestions) {
-  EXPECT_THAT(answer("state").told, HasSubstr("hall with od"));
-  EXPECT_EQ(answer("next").told, "questionnaire debrief");
-  EXPECT_THAT(answer("help").told, HasSubstr("withdraw"));
+  EXPECT_THAT(answer("state").reply, HasSubstr("hall with od"));
+  EXPECT_EQ(answer("next").reply, "questionnaire debrief");
+  EXPECT_THAT(answer("help").reply, HasSubstr("withdraw"));
   EXPECT_FALSE(answer("state").event);
 }
 
@@ -50,7 +50,7 @@ TEST_F(ConsoleAnswers, OneQuits) {
 }
 
 TEST_F(ConsoleAnswers, WhatIsNotKnownIsAskedBack) {
-  EXPECT_THAT(answer("lunch").told, HasSubstr("What is 'lunch'?"));
+  EXPECT_THAT(answer("lunch").reply, HasSubstr("What is 'lunch'?"));
   EXPECT_EQ(event_of(""), "");
 }
 

@@ -105,7 +105,7 @@ TEST_F(PersonTrackerTest, IsLostAtOnceWhenItSaysWhy) {
   EXPECT_TRUE(tracker_.is_lost());
 }
 
-TEST_F(PersonTrackerTest, CorrectsWhatItIsToldTo) {
+TEST_F(PersonTrackerTest, CorrectsByWhatItWasGiven) {
   const GazeCorrection two_degrees_right{.azimuth = {2.0, 1.0, 0.0}};
   tracker_.correct(two_degrees_right);
   send(0s);

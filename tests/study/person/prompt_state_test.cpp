@@ -86,7 +86,7 @@ TEST(PromptStateTest, TheReactionTestIsExplainedOnce) {
   EXPECT_EQ(titles(session).size(), 1U);
 }
 
-TEST(PromptStateTest, WhatComesIsToldBeforeTheObjectOrElseBeforeTheTrial) {
+TEST(PromptStateTest, NoticesComeBeforeTheObjectOrElseBeforeTheTrial) {
   PromptSession session;
   session.procedure.agenda = {TrialStep{.trial = 0}, TrialStep{.trial = 1}};
   session.seen = {.phase = Phase::choosing_object, .step = 1};

@@ -20,7 +20,7 @@ class ReactionPressesTest : public ::testing::Test {
   }
 
   ReactionPresses presses_{Pcg32(1)};
-  ReactionLook look_ = ReactionLook::waiting;  ///< of the last frame
+  ReactionLook look_ = ReactionLook::waiting;  ///< in the last frame
 };
 
 TEST_F(ReactionPressesTest, TheWaitBeginsWithTheFirstFrame) {
@@ -39,7 +39,7 @@ TEST_F(ReactionPressesTest, APressAtWhatAppearedIsTimedFromItsFrame) {
   ASSERT_TRUE(pressed);
   EXPECT_EQ(pressed->shown, 1020ms);
   EXPECT_EQ(pressed->time, 1300ms);
-  EXPECT_FALSE(show(1320ms)) << "told once";
+  EXPECT_FALSE(show(1320ms)) << "reported once";
 }
 
 TEST_F(ReactionPressesTest, AnEarlyPressIsSaidSoOnceItIsKept) {

@@ -26,7 +26,7 @@ class SessionContextTest : public ::testing::Test {
   }
 };
 
-TEST_F(SessionContextTest, OfPracticeOfItsEndAndOfNewScenesIsTold) {
+TEST_F(SessionContextTest, PracticeItsEndAndNewScenesHaveNotices) {
   EXPECT_EQ(notice_before(0, whole_plan), Notice::practice);
   EXPECT_EQ(notice_before(1, whole_plan), std::nullopt);
   EXPECT_EQ(notice_before(2, whole_plan), Notice::first_trial);

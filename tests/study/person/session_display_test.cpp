@@ -65,7 +65,7 @@ TEST_F(SessionDisplayTest, PixelsAreThoseOfTheFrameThatIsShown) {
   EXPECT_FALSE(display_.take_pixels()) << "nothing was drawn";
 }
 
-TEST_F(SessionDisplayTest, ThatAPageCouldNotBecomeAFileIsTold) {
+TEST_F(SessionDisplayTest, ReportsAPageThatCouldNotBecomeAFile) {
   take_picture(folder_ / "no-such-folder" / "page.png");
   EXPECT_THROW(display_.finish_pictures(), Error);
 }

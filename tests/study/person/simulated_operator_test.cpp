@@ -74,12 +74,12 @@ class SimulatedOperatorTest : public ::testing::Test {
   FakeParticipant participant_;
   VirtualClock clock_;
   WindowEvents window_;
-  SimulatedOperator operator_{{.participant = &participant_,
-                               .protocol = &session_.protocol,
-                               .plan = &session_.plan,
+  SimulatedOperator operator_{{.participant = participant_,
+                               .protocol = session_.protocol,
+                               .plan = session_.plan,
                                .seed = {},
-                               .clock = &clock_,
-                               .window = &window_}};
+                               .clock = clock_,
+                               .window = window_}};
 };
 
 TEST_F(SimulatedOperatorTest, StartsATrialOnceHeadAndEyeRest) {

@@ -21,7 +21,7 @@ WindowEvent key_moved(Nanoseconds time, bool is_down) {
   return {.time = time, .what = KeyMoved{.key = GLFW_KEY_RIGHT, .is_down = is_down}};
 }
 
-TEST(ViewerTest, LooksAlongItsHeadingAndTurnsToWhatItIsToldTo) {
+TEST(ViewerTest, LooksAlongItsHeadingAndTurnsToWhatIsAsked) {
   Viewer viewer(nullptr);
   EXPECT_NEAR(degrees_off(viewer, 0s, ahead), 0.0, 1e-3);
   const AzimuthElevation heading{.azimuth_rad = radians(170.0), .elevation_rad = radians(20.0)};

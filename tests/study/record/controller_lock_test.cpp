@@ -15,7 +15,7 @@ namespace {
 
 using ControllerLocks = StudyFile;
 
-TEST_F(ControllerLocks, TheSecondIsToldWhoTheFirstIs) {
+TEST_F(ControllerLocks, TheSecondLearnsWhoTheFirstIs) {
   const StudyStore first(path_, small_protocol());
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size());

@@ -45,7 +45,7 @@ struct Synced {
 struct Named {
   Names names;
 };
-/// The program was told that something is on the disk.
+/// The record acknowledged to the program that something is on the disk.
 struct Acknowledged {};
 /// Whatever comes before was on the disk before anybody watched.
 struct Begun {};

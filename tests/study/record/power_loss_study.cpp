@@ -21,7 +21,7 @@ std::vector<GazeSample> noisy_gaze(int count, std::mt19937& noise) {
   return samples;
 }
 
-/// Records as the program does it, and remembers in which order, and what it was told is kept.
+/// Records as the program does it, and remembers in which order, and what was acknowledged.
 class Recorder {
  public:
   Recorder(StudyStore& store, DiskWatch& watch) : store_(&store), watch_(&watch) {}
@@ -46,7 +46,7 @@ class Recorder {
   /// After each commit, from none on.
   const std::vector<Holdings>& commits() const { return commits_; }
   /// Of all sessions, in order.
-  const std::vector<ToldEvent>& events() const { return events_; }
+  const std::vector<TimedEvent>& events() const { return events_; }
 
  private:
   void run_trial(ThreadedRecorder& recorder, std::size_t trial, int gaze_samples) {
@@ -120,7 +120,7 @@ class Recorder {
   std::mt19937 noise_{7};
   std::deque<std::future<void>> in_flight_;
   std::vector<Holdings> commits_{Holdings{}};
-  std::vector<ToldEvent> events_;
+  std::vector<TimedEvent> events_;
 };
 
 /// Two sessions, each by a program of its own, the first with so many samples of gaze in each

@@ -21,18 +21,18 @@ struct Holdings {
   friend bool operator==(const Holdings&, const Holdings&) = default;
 };
 
-struct ToldEvent {
+struct TimedEvent {
   Nanoseconds time{0};
   std::string name;
 
-  friend bool operator==(const ToldEvent&, const ToldEvent&) = default;
+  friend bool operator==(const TimedEvent&, const TimedEvent&) = default;
 };
 
 /// What was done to a folder, and what is known of the study in it.
 struct RecordedStudy {
   std::vector<DiskCall> calls;
   std::vector<Holdings> commits;
-  std::vector<ToldEvent> events;
+  std::vector<TimedEvent> events;
 };
 
 /// Both are recorded once for all tests, at study.sqlite, with two sessions of small_protocol().

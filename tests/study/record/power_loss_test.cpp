@@ -103,7 +103,7 @@ std::string fault_of(const fs::path& path, const RecordedStudy& known, std::size
     if (std::find(first, known.commits.end(), left) == known.commits.end()) {
       return "lost what was acknowledged, or holds half of something";
     }
-    std::vector<ToldEvent> events;
+    std::vector<TimedEvent> events;
     for (const KnownSession& session : store.sessions()) {
       SessionState state;
       for (const LoggedEvent& logged : store.events_of(session.id)) {
@@ -210,9 +210,9 @@ void expect_whole_session(const TemporaryFolder& folder, std::size_t times, cons
     watch.acknowledge();
     calls = watch.calls();
   }
-  lose_power(calls, times, Syncs::kept, [&](const TemporaryFolder& left, std::size_t told) {
+  lose_power(calls, times, Syncs::kept, [&](const TemporaryFolder& left, std::size_t acknowledged) {
     EXPECT_TRUE(fs::exists(left / study_name));
-    EXPECT_TRUE(told == 0 || fs::exists(left / name)) << name << " is gone";
+    EXPECT_TRUE(acknowledged == 0 || fs::exists(left / name)) << name << " is gone";
     for (const std::string& study : std::set<std::string>{study_name, name}) {
       if (fs::exists(left / study)) {
         EXPECT_THAT(verify_study(left / study).faults, testing::IsEmpty());
@@ -260,18 +260,19 @@ TEST(PowerLoss, AMergedStudyIsThereWholeOrNotAtAll) {
     watch.acknowledge();
     calls = watch.calls();
   }
-  lose_power(calls, losses_or(20), Syncs::kept, [&](const TemporaryFolder& left, std::size_t told) {
-    EXPECT_TRUE(told == 0 || fs::exists(left / study_name));
-    if (fs::exists(left / study_name)) {
-      EXPECT_THAT(verify_study(left / study_name).faults, testing::IsEmpty());
-      EXPECT_EQ(query(left / study_name, "SELECT count(*) FROM session"), "2");
-    }
-    for (const fs::path& site : sites) {
-      const fs::path file = left / site.filename().string();
-      EXPECT_THAT(verify_study(file).faults, testing::IsEmpty());
-      EXPECT_EQ(marks_in(file), marks_in(site));
-    }
-  });
+  lose_power(calls, losses_or(20), Syncs::kept,
+             [&](const TemporaryFolder& left, std::size_t acknowledged) {
+               EXPECT_TRUE(acknowledged == 0 || fs::exists(left / study_name));
+               if (fs::exists(left / study_name)) {
+                 EXPECT_THAT(verify_study(left / study_name).faults, testing::IsEmpty());
+                 EXPECT_EQ(query(left / study_name, "SELECT count(*) FROM session"), "2");
+               }
+               for (const fs::path& site : sites) {
+                 const fs::path file = left / site.filename().string();
+                 EXPECT_THAT(verify_study(file).faults, testing::IsEmpty());
+                 EXPECT_EQ(marks_in(file), marks_in(site));
+               }
+             });
 }
 
 std::size_t count_files_with(const fs::path& folder, const std::string& words) {
@@ -348,19 +349,20 @@ void lose_power_forgetting(HeldBy held_by) {
     calls = watch.calls();
   }
   ASSERT_EQ(count_files_with(folder.path(), forgotten_code), 0U);
-  lose_power(calls, losses_or(15), Syncs::kept, [&](const TemporaryFolder& left, std::size_t told) {
-    if (told > 0) {
-      EXPECT_EQ(count_files_with(left.path(), forgotten_code), 0U);
-    }
-    for (const fs::path& study : studies_in(left)) {
-      expect_others_in(study);
-    }
-    forget_again(left / study_name);
-    EXPECT_EQ(count_files_with(left.path(), forgotten_code), 0U);
-    for (const fs::path& study : studies_in(left)) {
-      expect_others_in(study);
-    }
-  });
+  lose_power(calls, losses_or(15), Syncs::kept,
+             [&](const TemporaryFolder& left, std::size_t acknowledged) {
+               if (acknowledged > 0) {
+                 EXPECT_EQ(count_files_with(left.path(), forgotten_code), 0U);
+               }
+               for (const fs::path& study : studies_in(left)) {
+                 expect_others_in(study);
+               }
+               forget_again(left / study_name);
+               EXPECT_EQ(count_files_with(left.path(), forgotten_code), 0U);
+               for (const fs::path& study : studies_in(left)) {
+                 expect_others_in(study);
+               }
+             });
 }
 
 TEST(PowerLoss, WhoWasForgottenDoesNotComeBack) { lose_power_forgetting(HeldBy::backup); }

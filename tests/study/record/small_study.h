@@ -85,7 +85,7 @@ std::vector<GazeSample> plausible_gaze(int count);
 
 /// The single value of a query, as text, by a connection of its own.
 std::string query(const std::filesystem::path& path, const std::string& sql);
-/// The first column of a query, likewise.
+/// The first column of a query, by a connection of its own.
 std::vector<std::string> query_column(const std::filesystem::path& path, const std::string& sql);
 
 /// Changes a study behind the program's back: without triggers, which are there again afterwards.

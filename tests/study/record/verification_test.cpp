@@ -176,12 +176,12 @@ std::map<std::string, std::string> content_of(const fs::path& path) {
   return content;
 }
 
-// Either it says the same as before, or the damage is told.
+// Either it says the same as before, or the damage is reported.
 TEST_F(VerifiedStudy, NoFlippedBitGoesUnnoticed) {
   const std::string whole = folder_.content().at("study.sqlite");
   const std::map<std::string, std::string> content = content_of(path_);
   std::mt19937 random(2018);
-  int told = 0;
+  int reported = 0;
   int harmless = 0;
   for (int flip = 0; flip < 200; ++flip) {
     std::string bytes = whole;
@@ -199,9 +199,9 @@ TEST_F(VerifiedStudy, NoFlippedBitGoesUnnoticed) {
       }
     } catch (const Error&) {
     }
-    ++told;
+    ++reported;
   }
-  EXPECT_GT(told, 20);
+  EXPECT_GT(reported, 20);
   EXPECT_GT(harmless, 0) << "free space in pages says nothing";
 }
 
