@@ -107,7 +107,7 @@ std::string ratings_block(const StudyTables& tables) {
   const std::string notes = notes_on(scale);
   return fmt::format("Artifacts in other areas, {}{}\n{}{}", printable(points_in_words(scale)),
                      notice(tables), aligned(rows),
-                     notes.empty() ? "" : " " + printable(notes) + "\n");
+                     notes.empty() ? "" : fmt::format(" {}\n", printable(notes)));
 }
 
 std::string background_block(const StudyTables& tables) {
