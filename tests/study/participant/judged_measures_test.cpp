@@ -38,8 +38,8 @@ TEST_F(JudgedMeasures, AreNoOtherRatingsButWords) {
   EXPECT_NO_THROW(requiring(artifacts + "[[rating]]\nid = \"why\"\ntext = \"?\"\n"
                                         "kind = \"text\"\nrequired = false\n")());
   EXPECT_THAT(requiring(artifacts + "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"),
-              ThrowsMessage<Error>(HasSubstr("p.toml:9:6: simulated participants do not know how "
-                                             "to judge the rating comfort")));
+              ThrowsMessage<Error>(HasSubstr("p.toml:9:6: simulated participants cannot judge the "
+                                             "rating comfort")));
 }
 
 }  // namespace
