@@ -26,7 +26,7 @@ struct ProtocolFacts {
   std::optional<int> film_height;
   std::optional<double> timeout_s;
   std::vector<std::string> marks;
-  std::vector<std::string> not_analysed;  ///< marks and ratings
+  std::vector<std::string> not_analysed;  ///< Ids of marks and ratings.
 };
 
 template <typename Number>
