@@ -1,4 +1,4 @@
-// The program: each module adds its commands, and only here do they meet.
+// The program: the one place that puts the commands of all modules together.
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -55,7 +55,7 @@ class SignalStop {
   }
   ~SignalStop() {
     waiter_.request_stop();
-    ::pthread_kill(waiter_.native_handle(), SIGTERM);  // wakes it
+    ::pthread_kill(waiter_.native_handle(), SIGTERM);  // Wakes the waiting thread.
   }
   SignalStop(const SignalStop&) = delete;
   SignalStop& operator=(const SignalStop&) = delete;
@@ -98,7 +98,7 @@ void run_demo(const fs::path& parent, int participants, const std::stop_token& s
   require_writable(parent / "foveola-demo");
   const fs::path folder = new_folder(parent, "foveola-demo");
   const fs::path database = folder / "study.sqlite";
-  fmt::print("A small study on built-in scenes with {} simulated participants.\n", participants);
+  fmt::print("Simulating a small study on built-in scenes with {} participants.\n", participants);
   const study::SimulateReport simulated =
       study::simulate_study({.protocol = resource_folder() / "protocols" / "demo.toml",
                              .database = database,
@@ -107,12 +107,12 @@ void run_demo(const fs::path& parent, int participants, const std::stop_token& s
                              .threads = 0},
                             scenes::find_scene, stop);
   if (stop.stop_requested()) {
-    fmt::print("Stopped. What was recorded is in {}\n", database.string());
+    fmt::print("Stopped. The sessions recorded so far are in {}\n", database.string());
     return;
   }
   const analysis::AnalysisOutput analysed = analysis::analyze_study(database, folder / "analysis");
   fmt::print(
-      "{}\n{} trials in {}: they took the participants {} of virtual time.\n"
+      "{}\n{} trials, simulated in {}, took the participants {} of virtual time.\n"
       "Database  {}\nReport    {}\n",
       analysed.summary, simulated.trials, human_duration(simulated.wall_s),
       human_duration(simulated.simulated_s), database.string(), analysed.report.string());
@@ -122,17 +122,19 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   const auto parent = std::make_shared<std::string>(".");
   const auto participants = std::make_shared<int>(4);
   CLI::App* command =
-      app.add_subcommand("demo", "A small simulated study, from scene files to statistics");
-  command->add_option("-o,--output", *parent, "The folder to make foveola-demo-N in")
+      app.add_subcommand("demo", "Simulate a small study and analyse it, from scenes to a report");
+  command
+      ->add_option("-o,--output", *parent,
+                   "The folder in which to make foveola-demo-1 (or the next free number)")
       ->capture_default_str();
-  command->add_option("--participants", *participants, "How many take part")
+  command->add_option("--participants", *participants, "Number of simulated participants")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->footer("Example: foveola demo");
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
-/// CLI11 only says that a command is required, whatever was typed in its place.
+/// Names an unknown command; CLI11 only says that a command is required.
 void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return;

@@ -11,11 +11,11 @@ namespace {
 
 ExpectedEffect effect_of(const PowerSettings& settings) {
   if (!(settings.ratio_percent > 0.0) || settings.ratio_percent == 100.0) {
-    throw Error("--ratio", fmt::format("{:g} % is no effect to find", settings.ratio_percent),
+    throw Error("--ratio", fmt::format("{:g} % is not an effect to detect", settings.ratio_percent),
                 "give the expected time in per cent of the baseline's, above 0 and not 100");
   }
   if (!(settings.spread > 1.0)) {
-    throw Error("--spread", fmt::format("{:g} is no factor", settings.spread),
+    throw Error("--spread", fmt::format("{:g} is not a factor above 1", settings.spread),
                 "give the factor by which participants' own ratios differ, above 1");
   }
   return effect_of_ratio(settings.ratio_percent, settings.spread);

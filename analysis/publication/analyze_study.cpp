@@ -81,8 +81,8 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   }
   if (const std::size_t count = tables.amended.size(); count > 0) {
     warnings.push_back(fmt::format(
-        "{} by an amended protocol: amended_sessions.csv says which and what was changed.",
-        count == 1 ? "One session went" : fmt::format("{} sessions went", count)));
+        "{} an amended protocol: amended_sessions.csv says which and what was changed.",
+        count == 1 ? "One session followed" : fmt::format("{} sessions followed", count)));
   }
   if (const std::size_t count = tables.set.exclusions.size(); count > 0) {
     warnings.push_back(fmt::format(

@@ -98,7 +98,7 @@ for (mark in c("outline", "material")) {
   }
   print(VarCorr(model))
   print(anova(model))
-  # Method against method, averaged over scenes: ratios of geometric mean times, with Holm's P.
+  # Comparisons of methods, averaged over scenes: ratios of geometric mean times, with Holm's P.
   averages <- emmeans(model, ~ method, lmer.df = "satterthwaite", tran = "log")
   ratios <- pairs(averages, reverse = TRUE)
   print(confint(ratios, type = "response", adjust = "none"))

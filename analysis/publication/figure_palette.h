@@ -7,8 +7,8 @@
 namespace foveola::analysis {
 
 struct FigureColor {
-  std::string_view rgb;       ///< on white, "#rrggbb"
-  std::string_view property;  ///< the custom property of the report's style sheet
+  std::string_view rgb;       ///< On a white background, as "#rrggbb".
+  std::string_view property;  ///< The custom property of the report's style sheet.
 };
 
 namespace palette {

@@ -11,7 +11,7 @@ namespace {
 struct LatexTable {
   std::string label;
   std::string caption;
-  std::vector<std::string> columns;  ///< the first to the left, the others to the right
+  std::vector<std::string> columns;  ///< The first is aligned left, the others right.
   std::vector<std::vector<std::string>> rows;
 };
 

@@ -26,7 +26,7 @@ struct ProtocolFacts {
   std::optional<int> film_height;
   std::optional<double> timeout_s;
   std::vector<std::string> marks;
-  std::vector<std::string> not_analysed;  ///< marks and ratings
+  std::vector<std::string> not_analysed;  ///< Ids of marks and ratings.
 };
 
 template <typename Number>
@@ -85,7 +85,7 @@ std::string measures_in_words(const ProtocolFacts& facts, const RatingScale& sca
   }
   text += scale.is_analysed() ? "." + notes_on(scale) : ".";
   if (!facts.not_analysed.empty()) {
-    text += fmt::format(" What they marked or rated besides ({}) is not analysed here.",
+    text += fmt::format(" Other marks and ratings ({}) are not analysed here.",
                         listed(facts.not_analysed));
   }
   return text;
@@ -114,7 +114,7 @@ std::string apparatus_in_words(const ProtocolFacts& facts) {
                     facts.tracker.empty() ? "" : ", the eye tracker of profile " + facts.tracker);
   }
   if (facts.timeout_s) {
-    text += fmt::format(" A mark was waited for {:g} s; later ones count as censored.",
+    text += fmt::format(" The time-out of a mark was {:g} s; later marks are right-censored.",
                         *facts.timeout_s);
   }
   return text;
@@ -159,8 +159,8 @@ std::string amendments_in_words(const StudyTables& tables) {
     return "";
   }
   return fmt::format(
-      " {} of the {} went by a protocol that was amended after the study had begun ({}).", analysed,
-      counted(tables.set.participants.size(), "analysed session"),
+      " {} of the {} followed a protocol that was amended after the study had begun ({}).",
+      analysed, counted(tables.set.participants.size(), "analysed session"),
       keys.empty() ? std::string("comments or spaces only")
                    : "changed: " + listed({keys.begin(), keys.end()}));
 }

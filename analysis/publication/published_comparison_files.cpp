@@ -67,7 +67,7 @@ std::string comparison_html(const StudyTables& tables, const std::vector<Compare
                "The published range of mean times in per cent of OD’s, and this study’s geometric "
                "mean; the difference is how far it lies outside the range.") +
       table_of(tables, cells, "Table 2", "Table 2: times in each scene.",
-               "A published scene that this study does not show stands beside Foveola’s own "
+               "A published scene that this study does not show is compared with Foveola’s own "
                "counterpart of it, which is another scene.") +
       table_of(tables, cells, "Table 1", "Table 1: background.",
                "Means and deviations over participants.");

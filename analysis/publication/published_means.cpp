@@ -28,7 +28,8 @@ std::vector<PublishedMean> read_published_means(const std::filesystem::path& pat
   const std::vector<CsvRow> rows = parse_csv(read_file(path), path.string());
   const CsvRow columns = {"method", "low_percent_of_od", "high_percent_of_od"};
   if (rows.empty() || rows.front() != columns) {
-    throw Error(path.string() + ":1", "has not the columns of published means", "restore the file");
+    throw Error(path.string() + ":1", "does not have the columns of published means",
+                "restore the file");
   }
   std::vector<PublishedMean> means;
   for (std::size_t i = 1; i < rows.size(); ++i) {

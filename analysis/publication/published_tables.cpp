@@ -22,7 +22,8 @@ std::vector<TableRow> rows_with_columns(const fs::path& path, const CsvRow& colu
   const std::vector<CsvRow> rows = parse_csv(read_file(path), path.string());
   if (rows.empty() || rows.front() != columns) {
     throw Error(path.string() + ":1",
-                fmt::format("has not the columns {}", fmt::join(columns, ",")), "restore the file");
+                fmt::format("does not have the columns {}", fmt::join(columns, ",")),
+                "restore the file");
   }
   std::vector<TableRow> result;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -56,7 +57,8 @@ Mark published_mark(const TableRow& row, std::size_t column) {
       return mark;
     }
   }
-  throw Error(row.where, fmt::format("\"{}\" is no mark", row.fields[column]), "restore the file");
+  throw Error(row.where, fmt::format("\"{}\" is not a mark", row.fields[column]),
+              "restore the file");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::string background_scale_in_words(const BackgroundScale& scale) {
   return scale.as_published
              ? fmt::format(
                    "Background is the mean of the answers to {}, as in the published "
-                   "study, which held it against OD − FV.",
+                   "study, which correlated it with OD − FV.",
                    questions)
              : fmt::format(
                    "Background is the mean of the answers to every five-point question "

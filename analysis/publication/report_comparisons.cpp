@@ -80,8 +80,8 @@ std::string rank_table(const StudyTables& tables, const Comparisons& comparisons
   table.caption_html = caption_start(tables, "Times by ranks.") +
                        "Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges "
                        "and Lehmann’s estimate of the ratio.";
-  table.columns = {"Methods, mark", "n",       "of these zero",          "W+ / W−",
-                   "P, Wilcoxon",   "r, rank", "pseudo-median, % [95 %]"};
+  table.columns = {"Methods, mark",          "n", "zeros", "W+ / W−", "P, Wilcoxon", "r, rank",
+                   "pseudo-median, % [95 %]"};
   for (const MethodComparison& row : comparisons.methods) {
     if (row.is_of_ratings()) {
       continue;
@@ -113,9 +113,9 @@ std::vector<std::string> rating_row(const MethodComparison& row) {
 std::string rating_table(const StudyTables& tables, const Comparisons& comparisons) {
   HtmlTable table;
   table.caption_html =
-      caption_start(tables, "Artifact ratings, method against method.") +
+      caption_start(tables, "Artifact ratings, comparisons of methods.") +
       "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
-      "participants; the difference of means stands beside it as in the published study.";
+      "participants; the difference of means is given too, as in the published study.";
   table.columns = {"Methods",
                    "n",
                    "difference, points [95 %]",
@@ -180,11 +180,11 @@ std::vector<std::string> omnibus_row(const OmnibusTest& row) {
 std::string omnibus_table(const StudyTables& tables, const Comparisons& comparisons) {
   HtmlTable table;
   table.caption_html =
-      caption_start(tables, "All methods at once.") +
+      caption_start(tables, "Omnibus tests, of all methods together.") +
       "Repeated-measures analysis of variance of log times with Greenhouse and Geisser’s "
       "correction, the degrees of freedom so corrected, and Huynh and Feldt’s beside it; "
       "Friedman’s "
-      "test, with ties; participants with a gap are left out of both.";
+      "test, with ties; participants with a missing value are left out of both.";
   table.columns = {"Measure",    "F (df)",  "ε, GG / HF",  "P, GG", "P, HF",
                    "partial η²", "χ² (df)", "P, Friedman", "W",     "left out"};
   for (const OmnibusTest& row : comparisons.omnibus) {
@@ -197,7 +197,7 @@ std::string order_table(const StudyTables& tables, const Comparisons& comparison
   HtmlTable table;
   table.caption_html = caption_start(tables, "Order and learning.") +
                        "Change of the time with each step, with 95 % interval over participants; "
-                       "participants, scenes and methods are taken out first.";
+                       "the means of participants, scenes and methods are subtracted first.";
   table.columns = {"Mark, per", "n", "change, % [95 %]", "t (df)", "P", "d_z"};
   for (const OrderTest& row : comparisons.order) {
     const std::string name = fmt::format("{}, {}", name_of(row.mark), row.of);
@@ -241,7 +241,7 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
     return "";
   }
   return html_section(
-      "Method against method",
+      "Comparisons of methods",
       fmt::format("<p>{}</p>\n",
                   escape_html(plan_in_words(comparisons, tables.set.participants.size()))) +
           ratio_table(tables, comparisons, true) + ratio_table(tables, comparisons, false) +

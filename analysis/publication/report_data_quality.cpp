@@ -50,7 +50,7 @@ std::string reactions_table(const StudyTables& tables, const DataQualityReport& 
   HtmlTable table;
   table.caption_html =
       caption_start(tables, "Reaction-time floor.") +
-      "No mark can be sooner than a press: times near the median reaction say “at once”.";
+      "No mark can be sooner than a press: times near the median reaction time mean “at once”.";
   table.columns = {"Participant", "presses", "false starts",
                    "median, s",   "marks",   "marks within the median"};
   for (std::size_t i = 0; i < std::min(most_rows, report.reactions.size()); ++i) {
@@ -59,9 +59,10 @@ std::string reactions_table(const StudyTables& tables, const DataQualityReport& 
                           std::to_string(row.false_starts), fixed(row.median_s, 3),
                           std::to_string(row.marks), std::to_string(row.within_floor)});
   }
-  return table.rows.empty() ? "<p>No reaction test was recorded: how much of a short time is the "
-                              "finger’s is not known.</p>\n"
-                            : render(table);
+  return table.rows.empty()
+             ? "<p>No reaction test was recorded: the share of the reaction time in a "
+               "short time is unknown.</p>\n"
+             : render(table);
 }
 
 /// The number of trials that were timed again, and the most attempts.

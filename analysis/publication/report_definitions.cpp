@@ -71,7 +71,8 @@ std::string definitions_section(const StudyTables& tables) {
          "frame on the display the latest mark came. Limits that no source gives are Foveola’s own "
          "and say so.");
   define("P",
-         "Of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees of freedom. "
+         "Of the hypothesis of no correlation, two-sided: t = r·√((n − 2)/(1 − r²)), n − 2 degrees "
+         "of freedom. "
          "Spearman’s is of the same form, but exact, over all orders of the ranks, for up to nine "
          "participants. Intervals are Fisher’s z, for ρ with the variance (1 + ρ²/2)/(n − 3) of "
          "Bonett and Wright. None is corrected for the number of comparisons.");

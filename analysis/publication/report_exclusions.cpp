@@ -25,7 +25,7 @@ std::string rest_in_words(std::size_t rows, const char* file) {
 std::string amended_section(const StudyTables& tables) {
   if (tables.amended.empty()) {
     return html_section("Amended sessions",
-                        "<p>None: every session went by the protocol of the study.</p>\n");
+                        "<p>None: every session followed the protocol of the study.</p>\n");
   }
   HtmlTable table;
   table.numeric = false;
@@ -47,7 +47,7 @@ std::string amended_section(const StudyTables& tables) {
 std::string exclusions_section(const StudyTables& tables) {
   const std::vector<Exclusion>& exclusions = tables.set.exclusions;
   if (exclusions.empty()) {
-    return html_section("What was left out",
+    return html_section("Exclusions",
                         "<p>Nothing: every session was completed and every value is there.</p>\n");
   }
   std::map<std::string, std::size_t> counts;
@@ -61,7 +61,7 @@ std::string exclusions_section(const StudyTables& tables) {
   html += "</ul>\n";
   HtmlTable table;
   table.numeric = false;
-  table.caption_html = caption_start(tables, "Left out, one by one.") + "A dash means all.";
+  table.caption_html = caption_start(tables, "Excluded sessions and values.") + "A dash means all.";
   table.columns = {"Participant", "Scene", "Method", "Measure", "Reason"};
   const auto or_all = [](const std::string& text) { return text.empty() ? "–" : text; };
   for (std::size_t i = 0; i < std::min(most_listed, exclusions.size()); ++i) {
@@ -70,7 +70,7 @@ std::string exclusions_section(const StudyTables& tables) {
                           or_all(row.method.empty() ? "" : method_label(row.method)),
                           or_all(row.measure), row.reason});
   }
-  return html_section("What was left out",
+  return html_section("Exclusions",
                       html + render(table) + rest_in_words(exclusions.size(), "exclusions.csv"));
 }
 

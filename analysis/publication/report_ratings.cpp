@@ -10,7 +10,7 @@ namespace foveola::analysis {
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures) {
   HtmlTable table;
   table.caption_html = caption_start(tables, "Artifact ratings.") +
-                       escape_html(fmt::format("How many answers were {}.{}",
+                       escape_html(fmt::format("Number of answers {}.{}",
                                                points_in_brackets(tables.set.rating_scale),
                                                notes_on(tables.set.rating_scale)));
   table.groups = {{"", 1}, {"Answers", 6}, {"Summary", 3}};
@@ -29,7 +29,7 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
   const std::string intro =
       "<p>Fig. 6 of the published study: how disturbing artifacts were in the areas other than "
       "the chosen object. Means treat the steps of the scale as equal, as the "
-      "published study did; the distribution stands beside them because they need not be.</p>\n";
+      "published study did; the distribution is given too, because they need not be.</p>\n";
   return html_section(
       "Artifacts in other areas",
       intro +

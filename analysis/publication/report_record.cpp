@@ -30,9 +30,9 @@ std::string fault_list(const std::vector<study::RecordFault>& faults) {
 }
 
 std::string finding(const study::Verification& record) {
-  return record.faults.empty() ? "<p>It is what was written.</p>\n"
-                               : "<p>It is not what was written, and was analysed all the same, as "
-                                 "was asked for with "
+  return record.faults.empty() ? "<p>It is unchanged since it was written.</p>\n"
+                               : "<p>It was changed or damaged since it was written, and was "
+                                 "analysed all the same, as was asked for with "
                                  "<code>--unverified</code>:</p>\n" +
                                      fault_list(record.faults);
 }

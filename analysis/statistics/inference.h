@@ -13,8 +13,8 @@ struct Correlation {
   std::size_t n = 0;
   double r = 0.0;
   double t = 0.0;      ///< r sqrt((n - 2) / (1 - r^2)); infinite for a perfect correlation
-  double p = 0.0;      ///< two-sided, from t with n - 2 degrees of freedom unless it is exact
-  bool exact = false;  ///< p counts all orders that the ranks could have had
+  double p = 0.0;      ///< Two-sided, from t with n - 2 degrees of freedom unless it is exact.
+  bool exact = false;  ///< Whether p counts all orders of the ranks.
   std::optional<Interval> interval;  ///< Fisher's z transform; needs four pairs
 };
 

@@ -10,8 +10,8 @@ namespace foveola::analysis {
 
 /// How differences that are exactly zero are handled.
 enum class ZeroRule {
-  drop,   ///< they are left out before ranks are given (Wilcoxon 1945, and R's wilcox.test)
-  pratt,  ///< they take the lowest ranks, which are then left out (Pratt 1959)
+  drop,   ///< They are left out before ranking (Wilcoxon 1945, and R's wilcox.test).
+  pratt,  ///< They take the lowest ranks, which are then left out (Pratt 1959).
 };
 
 struct SignedRankTest {

@@ -48,19 +48,19 @@ void Decision::begin(Task task, Nanoseconds now) {
   ++mark_;
   glance_ = 0;
   begun_ = now;
-  conduct_ = draw_conduct();
+  draws_ = draw_for_mark();
 }
 
-Decision::Conduct Decision::draw_conduct() const {
+Decision::MarkDraws Decision::draw_for_mark() const {
   Pcg32 random = chance(seed_, Chance::conduct, {attempt_.conduct, mark_});
-  Conduct conduct;
-  conduct.early = random.uniform() < habits_.early_part;
-  conduct.noticed = random.uniform() < habits_.early_noticed_part;
-  conduct.delay = draw_reaction(habits_, traits_, random);
+  MarkDraws draws;
+  draws.early = random.uniform() < habits_.early_part;
+  draws.noticed = random.uniform() < habits_.early_noticed_part;
+  draws.delay = draw_reaction(habits_, traits_, random);
   if (random.uniform() < habits_.lapse_part) {
-    conduct.delay += nanoseconds_from_seconds(habits_.lapse_s * random.exponential());
+    draws.delay += nanoseconds_from_seconds(habits_.lapse_s * random.exponential());
   }
-  return conduct;
+  return draws;
 }
 
 double Decision::log_evidence(const Evidence& evidence) const {
@@ -78,21 +78,21 @@ std::optional<Nanoseconds> Decision::consider(const Evidence& evidence, Nanoseco
     return std::nullopt;
   }
   Pcg32 random = chance(seed_, Chance::glances, {attempt_.conduct, mark_, glance_});
-  const double seen = log_evidence(evidence) + habits_.glance_noise * random.normal();
+  const double noisy = log_evidence(evidence) + habits_.glance_noise * random.normal();
   const double since_s = seconds(now - last_glance_);
   const double weight = glance_ == 0 || habits_.integration_s == 0.0
                             ? 1.0
                             : -std::expm1(-since_s / habits_.integration_s);
-  mean_ = glance_ == 0 ? seen : mean_ + weight * (seen - mean_);
+  mean_ = glance_ == 0 ? noisy : mean_ + weight * (noisy - mean_);
   ++glance_;
   last_glance_ = now;
-  const double enough = conduct_.early ? -std::log(habits_.early_factor) : 0.0;
-  if (mean_ < enough || now - begun_ < nanoseconds_from_seconds(habits_.integration_s)) {
+  const double criterion = draws_.early ? -std::log(habits_.early_factor) : 0.0;
+  if (mean_ < criterion || now - begun_ < nanoseconds_from_seconds(habits_.integration_s)) {
     return std::nullopt;
   }
-  noticed_early_press_ = noticed_early_press_ || (conduct_.early && conduct_.noticed);
+  noticed_early_press_ = noticed_early_press_ || (draws_.early && draws_.noticed);
   task_.reset();
-  return now + conduct_.delay;
+  return now + draws_.delay;
 }
 
 }  // namespace foveola::study

@@ -48,12 +48,12 @@ class Decision {
 
  private:
   /// The outcomes that are drawn for a mark before anything of it is seen.
-  struct Conduct {
+  struct MarkDraws {
     bool early = false;
     bool noticed = false;
     Nanoseconds delay{0};  ///< From the decision to the press.
   };
-  Conduct draw_conduct() const;
+  MarkDraws draw_for_mark() const;
   /// The natural logarithm of the evidence over its criterion, without noise.
   double log_evidence(const Evidence& evidence) const;
 
@@ -67,7 +67,7 @@ class Decision {
   Nanoseconds begun_{0};
   Nanoseconds last_glance_{0};
   double mean_ = 0.0;  ///< Leaky mean of the logarithm of the evidence.
-  Conduct conduct_;
+  MarkDraws draws_;
   bool noticed_early_press_ = false;
 };
 

@@ -13,10 +13,9 @@ namespace {
 
 [[noreturn]] void refuse(const Protocol& protocol, const std::string& toml_path,
                          const std::string& what) {
-  throw Error(ProtocolPlaces(protocol).of(toml_path),
-              "simulated participants do not know how to judge " + what,
+  throw Error(ProtocolPlaces(protocol).of(toml_path), "simulated participants cannot judge " + what,
               "they mark outline and material and rate artifacts: simulate a copy of the protocol "
-              "without it, or draw what they give with study simulate --inject order:1");
+              "without it, or draw its values with study simulate --inject order:1");
 }
 
 }  // namespace

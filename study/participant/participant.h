@@ -18,7 +18,7 @@ namespace foveola::study {
 /// An object that may be chosen, as it is seen from the viewpoint.
 struct OfferedObject {
   std::string name;
-  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit length, world
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< Unit length, world.
   double radius_deg = 4.0;            ///< Angular radius that covers it.
 };
 

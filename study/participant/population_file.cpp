@@ -146,7 +146,7 @@ fs::path people_file(const std::string& name_or_path) {
   }
   const std::vector<std::string> names = people_names();
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-    throw Error(fmt::format("people '{}'", name_or_path), "are none of those that are known",
+    throw Error(fmt::format("people '{}'", name_or_path), "are not known",
                 fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
   }
   return people_folder() / (name_or_path + ".toml");
@@ -210,7 +210,7 @@ std::string toml_with_number(const People& people, const std::string& name, doub
       std::find_if(parameters.begin(), parameters.end(),
                    [&](const Parameter& candidate) { return name_of(candidate) == name; });
   if (parameter == parameters.end()) {
-    throw Error(fmt::format("parameter '{}'", name), "is none of people",
+    throw Error(fmt::format("parameter '{}'", name), "is not one of a population",
                 "see the names in data/participants/adults.toml");
   }
   if (!(value >= parameter->minimum && value <= parameter->maximum)) {

@@ -39,7 +39,8 @@ std::string read_measure(TomlReader& reader, const std::vector<Measure>& measure
     known.push_back(measure.id);
   }
   if (std::find(known.begin(), known.end(), id) == known.end()) {
-    reader.fail(reader.source("measure"), fmt::format("nothing measures '{}'", id),
+    reader.fail(reader.source("measure"),
+                fmt::format("no mark and no rating in numbers has the id '{}'", id),
                 fmt::format("choose one of {}", fmt::join(known, ", ")));
   }
   return id;

@@ -40,7 +40,7 @@ void require_usable(const std::string& method, const fs::path& folder,
                     std::vector<MethodFile>& files) {
   if (follows_pointer(method)) {
     throw Error(fmt::format("method '{}'", method),
-                "follows a pointer, and in this version nobody can point in a session",
+                "follows a pointer, which sessions do not have in this version",
                 "hold it in place with azimuth= and elevation=, or choose another method");
   }
   make_view_sampler(method, [&](const std::string& file) {

@@ -27,7 +27,7 @@ void require_known_names(const TomlReader& reader, const std::string& id, const 
   const std::vector<std::string> known = names_in(text_of({}, id));
   for (const std::string& name : names_in(text)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      reader.fail(reader.source(id), fmt::format("nothing fills in {{{}}} here", name),
+      reader.fail(reader.source(id), fmt::format("this text has no name {{{}}} to fill in", name),
                   known.empty()
                       ? "leave it out"
                       : fmt::format("the names here are {{{}}}", fmt::join(known, "}, {")));
@@ -92,9 +92,9 @@ ReactionSettings read_reaction(TomlReader reader) {
   if (reaction.longest_wait_s < reaction.shortest_wait_s) {
     const bool has_longest = reader.has("longest_wait_s");
     reader.fail(reader.source(has_longest ? "longest_wait_s" : "shortest_wait_s"),
-                fmt::format("no wait is between {} and {} seconds", reaction.shortest_wait_s,
-                            reaction.longest_wait_s),
-                "make the longest one the longer");
+                fmt::format("the range of waits from {} to {} seconds is empty",
+                            reaction.shortest_wait_s, reaction.longest_wait_s),
+                "make the longest wait longer than the shortest");
   }
   return reaction;
 }
@@ -154,7 +154,7 @@ PhaseEntry chosen_phase(const TomlReader& reader, const TomlReader::Text& name,
     return name_of(phase) == name.value;
   });
   if (found == possible.end()) {
-    reader.fail(name.source, fmt::format("the protocol has nothing for a phase '{}'", name.value),
+    reader.fail(name.source, fmt::format("'{}' is not a phase of this protocol", name.value),
                 remedy_for(name.value, possible));
   }
   return *found;
@@ -166,7 +166,7 @@ void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::
   for (const std::string& name : names_of(possible)) {
     if (std::none_of(chosen.begin(), chosen.end(),
                      [&](const TomlReader::Text& text) { return text.value == name; })) {
-      reader.fail(reader.source("phases"), fmt::format("'{}' comes in no phase", name),
+      reader.fail(reader.source("phases"), fmt::format("'{}' is in no phase", name),
                   "name it where it belongs, or leave out what describes it");
     }
   }
@@ -177,8 +177,9 @@ void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::
 void read_texts(TomlReader& reader, Protocol& protocol) {
   reader.read("language", protocol.language);
   if (!is_language_tag(protocol.language)) {
-    reader.fail(reader.source("language"), fmt::format("'{}' is no language", protocol.language),
-                "write its tag: en, fi, pt-BR");
+    reader.fail(reader.source("language"),
+                fmt::format("'{}' is not a language tag", protocol.language),
+                "write one like en, fi, pt-BR");
   }
   protocol.texts = read_words(reader.table("texts"));
 }

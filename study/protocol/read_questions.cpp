@@ -44,7 +44,7 @@ void read_range(TomlReader& reader, Question& question) {
   reader.read("maximum", question.maximum, -largest_number, largest_number);
   if (question.maximum <= question.minimum) {
     reader.fail(reader.source(reader.has("maximum") ? "maximum" : "minimum"),
-                fmt::format("there is nothing from {} to {}", question.minimum, question.maximum),
+                fmt::format("the range from {} to {} is empty", question.minimum, question.maximum),
                 "make the maximum larger than the minimum");
   }
 }
@@ -99,7 +99,7 @@ void read_options(TomlReader& reader, Question& question) {
     if (std::any_of(question.options.begin(), question.options.end(), [&](const Option& other) {
           return other.label == option.label || (option.value && other.value == option.value);
         })) {
-      entry.fail(entry.source(), fmt::format("nothing tells the option '{}' apart", option.label),
+      entry.fail(entry.source(), fmt::format("the option '{}' is not unique", option.label),
                  "give each its own label and value");
     }
     question.options.push_back(option);
@@ -158,7 +158,7 @@ void require_content(const TomlReader& reader, const Questionnaire& questionnair
     reader.fail(reader.source(), "the questionnaire has no title", "give it a title");
   }
   if (questionnaire.questions.empty()) {
-    reader.fail(reader.source(), "the questionnaire asks nothing",
+    reader.fail(reader.source(), "the questionnaire has no questions",
                 "give it questions, or the file of a ready one");
   }
 }
@@ -171,7 +171,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
   }
   const std::vector<std::string> names = toml_names_in(ready_questionnaires());
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-    throw Error("questionnaire", "is none of the ready ones",
+    throw Error("questionnaire", "is not one of the ready-made ones",
                 fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
   }
   return ready_questionnaires() / (name_or_path + ".toml");
@@ -215,7 +215,7 @@ Questionnaire read_ready_one(TomlReader& reader, const fs::path& folder) {
 std::string read_new_id(TomlReader& reader, const std::vector<std::string>& taken) {
   const std::string id = reader.require_text("id");
   if (!std::all_of(id.begin(), id.end(), is_id_character)) {
-    reader.fail(reader.source("id"), fmt::format("'{}' is no id", id),
+    reader.fail(reader.source("id"), fmt::format("'{}' is not an id", id),
                 "use letters, digits, - and _ only");
   }
   if (std::find(taken.begin(), taken.end(), id) != taken.end()) {

@@ -89,7 +89,8 @@ ValidationSettings read_validation(TomlReader reader) {
   ValidationSettings validation;
   reader.read("points", validation.points, 5, 9);
   if (validation.points != 5 && validation.points != 9) {
-    reader.fail(reader.source("points"), fmt::format("there is no grid of {}", validation.points),
+    reader.fail(reader.source("points"),
+                fmt::format("there is no grid of {} targets", validation.points),
                 "choose 5 or 9 points");
   }
   reader.read("max_accuracy_deg", validation.gate.max_accuracy_deg, 0.0, largest_deg);
@@ -118,7 +119,8 @@ Override read_place(TomlReader reader, const Protocol& protocol) {
   const std::string scene = read_scene_name(reader, "scene", protocol);
   const std::string method = read_method_name(reader, "method", protocol);
   if (scene.empty() && method.empty()) {
-    reader.fail(reader.source(), "an override of what?", "give it a scene, a method or both");
+    reader.fail(reader.source(), "the override names no scene and no method",
+                "give it a scene, a method or both");
   }
   return {scene, method, std::move(reader)};
 }
@@ -221,7 +223,8 @@ std::string read_scene_name(TomlReader& reader, std::string_view key, const Prot
   const bool is_known = std::any_of(protocol.scenes.begin(), protocol.scenes.end(),
                                     [&](const SceneEntry& scene) { return scene.name == name; });
   if (reader.has(key) && !is_known) {
-    reader.fail(reader.source(key), fmt::format("the scene '{}' is none of the study's", name),
+    reader.fail(reader.source(key),
+                fmt::format("the scene '{}' is not one of the protocol's", name),
                 "name one of the protocol's scenes");
   }
   return name;
@@ -232,7 +235,8 @@ std::string read_method_name(TomlReader& reader, std::string_view key, const Pro
   reader.read(key, name);
   const std::vector<std::string>& methods = protocol.methods;
   if (reader.has(key) && std::find(methods.begin(), methods.end(), name) == methods.end()) {
-    reader.fail(reader.source(key), fmt::format("the method '{}' is none of the study's", name),
+    reader.fail(reader.source(key),
+                fmt::format("the method '{}' is not one of the protocol's", name),
                 "write it as in the protocol's methods");
   }
   return name;

@@ -1,4 +1,4 @@
-// What R computed, read from data/golden.
+// The results of R, read from data/golden.
 #pragma once
 
 #include <map>

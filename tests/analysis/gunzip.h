@@ -1,4 +1,4 @@
-// What a gzip file holds, for tests of files that are compressed.
+// The content of a gzip file, for tests of compressed files.
 #pragma once
 
 #include <stdexcept>

@@ -7,7 +7,8 @@
 
 namespace foveola::analysis {
 
-/// data/golden's study, kinds all "human": eight completed sessions with gaps and an interrupted.
+/// data/golden's study, all of kind "human": eight completed sessions with missing values and an
+/// interrupted one.
 study::StudyRecords golden_study_records();
 
 /// A complete study of people without gaps: participants P1 ... Pn, scenes "aula" and "barn",

@@ -101,13 +101,13 @@ TEST_F(AnalysableStudy, AProtocolWhoseMeasuresAllComeOutIsNotWarnedOf) {
 
 TEST_F(AnalysableStudy, SimulatedParticipantsRefuseWhatTheyCannotJudge) {
   write_protocol("[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n" + third_mark);
-  expect_one_line(simulate(), 1, "do not know how to judge the mark third");
+  expect_one_line(simulate(), 1, "cannot judge the mark third");
   EXPECT_FALSE(std::filesystem::exists(path_of("study.sqlite")));
   const ProgramResult drawn = simulate({"--inject", "order:1"});
   EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
   EXPECT_THAT(drawn.errors, HasSubstr("warning: "));
   write_protocol("[[rating]]\nid = \"comfort\"\ntext = \"?\"\n");
-  expect_one_line(simulate(), 1, "do not know how to judge the rating comfort");
+  expect_one_line(simulate(), 1, "cannot judge the rating comfort");
 }
 
 TEST_F(AnalysableStudy, LabelsAreTheProtocolsFromTheProtocolToTheReport) {

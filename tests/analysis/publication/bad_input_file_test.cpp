@@ -1,5 +1,5 @@
-// Files that no analysis can be made of, or only a part of one: each is refused in one line, and
-// nothing is left behind, or is analysed as far as it goes.
+// Damaged or incomplete files: each is refused in one line, and nothing is left behind, or is
+// analysed as far as possible.
 #include <fstream>
 #include <functional>
 #include <string>
@@ -172,7 +172,7 @@ TEST_F(BadInputFile, TheReportSaysThatAWholeRecordWasVerifiedAndWhatIsMissingInI
   EXPECT_TRUE(output.record->faults.empty());
   const std::string report = read_file(results_ / "report.html");
   EXPECT_THAT(report, HasSubstr(" events of 2 sessions, "));
-  EXPECT_THAT(report, HasSubstr("<p>It is what was written.</p>"));
+  EXPECT_THAT(report, HasSubstr("<p>It is unchanged since it was written.</p>"));
   EXPECT_THAT(report, HasSubstr("<li>P01: trial 0, attempt 1 has no frames</li>"));
 }
 

@@ -1,5 +1,5 @@
-// Studies with missing data: what can be computed is, and what cannot says why, everywhere that it
-// would have stood.
+// Studies with missing data: everything that can be computed is, and wherever a value cannot be,
+// the reason is given.
 #include <functional>
 #include <regex>
 #include <string>
@@ -69,7 +69,7 @@ TEST_F(BadInputRecords, OneMethodHasTimesAndNoComparison) {
   EXPECT_THAT(output.warnings, Contains(HasSubstr("one method: nothing can be compared")));
   EXPECT_TRUE(output.tables.method_times.at(0).seconds);
   EXPECT_TRUE(output.comparisons.methods.empty());
-  EXPECT_THAT(written("report.html"), Not(HasSubstr("Method against method")));
+  EXPECT_THAT(written("report.html"), Not(HasSubstr("Comparisons of methods")));
 }
 
 TEST_F(BadInputRecords, OneSceneIsEnough) {

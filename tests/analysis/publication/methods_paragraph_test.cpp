@@ -32,7 +32,7 @@ TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
               HasSubstr("The order of scenes was random, that of methods within a scene random"));
   EXPECT_THAT(text, HasSubstr("4096 × 2048 pixels"));
   EXPECT_THAT(text, HasSubstr("profile fove0"));
-  EXPECT_THAT(text, HasSubstr("waited for 180 s"));
+  EXPECT_THAT(text, HasSubstr("time-out of a mark was 180 s"));
   EXPECT_THAT(text, HasSubstr("2 comparisons were planned"));
 }
 
@@ -68,7 +68,7 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
               AllOf(HasSubstr("injected effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
 }
 
-/// Of a study by this protocol.
+/// The methods paragraph of a study by this protocol.
 std::string paragraph_of(const std::string& protocol) {
   study::StudyRecords records = complete_study(2);
   records.protocol_text = protocol;
@@ -88,8 +88,8 @@ TEST(MethodsParagraph, SaysWhatWasMarkedAndRatedInTheProtocolsWords) {
                 "artifacts in other areas as 1 (a), 2 (b), 3 (c), 4 (d), 5 (e)."));
   EXPECT_THAT(paragraph_of("[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n"
                            "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"),
-              AllOf(HasSubstr("of progressive path tracing. What they marked or rated besides "
-                              "(third, comfort) is not analysed here."),
+              AllOf(HasSubstr("of progressive path tracing. Other marks and ratings "
+                              "(third, comfort) are not analysed here."),
                     Not(HasSubstr("rated artifacts"))));
 }
 

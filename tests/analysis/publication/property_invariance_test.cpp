@@ -1,5 +1,5 @@
-// What must not matter to an analysis: in which order people are stored, what they, the scenes and
-// the methods are called, and in which unit time is counted.
+// Invariances of an analysis: under the order in which people are stored, under other names of
+// people, scenes and methods, and under another unit of time.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -48,7 +48,7 @@ StudyRecords uneven_study(int participants) {
   return records;
 }
 
-constexpr double rounding = 1e-9;  ///< of sums in another order, relative
+constexpr double rounding = 1e-9;  ///< Relative rounding of sums in another order.
 
 void expect_same(const std::optional<double>& a, const std::optional<double>& b, double scale,
                  const std::string& what) {

@@ -49,8 +49,8 @@ class PublishedMeansFile : public testing::Test {
 
 TEST_F(PublishedMeansFile, SaysWhatIsWrongWithIt) {
   const std::string columns = "method,low_percent_of_od,high_percent_of_od\n";
-  expect_error("", ":1: has not the columns");
-  expect_error("a,b\n", ":1: has not the columns");
+  expect_error("", ":1: does not have the columns");
+  expect_error("a,b\n", ":1: does not have the columns");
   expect_error(columns + "vp,31\n", ":2: has 2 fields");
   expect_error(columns + "vp,31,x\n", ":2: \"x\" is not a number");
   expect_error(columns + "vp,,33\n", ":2: \"\" is not a number");

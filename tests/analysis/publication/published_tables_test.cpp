@@ -42,7 +42,7 @@ TEST(PublishedTables, ADamagedTableIsNamedWithItsLine) {
   write_file(folder / "table2.csv", heading + "bmw,studio-car,outline,od,4.5 s,\n");
   EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("table2.csv:2: \"4.5 s\" is not a number")));
   write_file(folder / "table2.csv", heading + "bmw,studio-car,shade,od,,\n");
-  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("\"shade\" is no mark")));
+  EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("\"shade\" is not a mark")));
   write_file(folder / "table2.csv", heading + "bmw,studio-car\n");
   EXPECT_THAT(read, ThrowsMessage<Error>(HasSubstr("has 2 fields instead of 6")));
   write_file(folder / "table2.csv", "scene\n");

@@ -132,7 +132,7 @@ TEST_F(PrintedScale, IsTheProtocolsInEveryFileAndOnTheTerminal) {
   const std::string brackets = fmt::format("1 ({}) to 5 ({})", low, high);
   EXPECT_THAT(output_.summary, HasSubstr("Artifacts in other areas, " + words + "\n"));
   EXPECT_THAT(texts_.at("report.html"),
-              AllOf(HasSubstr("How many answers were " + escape_html(brackets) + "."),
+              AllOf(HasSubstr("Number of answers " + escape_html(brackets) + "."),
                     HasSubstr("the share of each answer, " + escape_html(words) + ","),
                     HasSubstr("artifacts in other areas from " + escape_html(brackets) + "."),
                     Not(HasSubstr("<b>"))));

@@ -1,4 +1,4 @@
-// What a reader who sees, hears or prints the report relies on, held against its markup.
+// The markup that readers who see, hear or print the report rely on.
 #include <string>
 #include <vector>
 
@@ -32,7 +32,7 @@ std::string simulated_report() {
                       methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
 }
 
-/// What stands from each `begin` to the next `end`.
+/// The texts from each `begin` to the next `end`.
 std::vector<std::string> parts(const std::string& html, const std::string& begin,
                                const std::string& end) {
   std::vector<std::string> found;
@@ -73,7 +73,7 @@ TEST(ReportLook, EveryFigureHasANameACaptionAndAMark) {
   EXPECT_THAT(figures, Each(HasSubstr("<text>Simulated data</text>")));
 }
 
-/// What is wider than the screen can be moved by keys.
+/// Parts that are wider than the screen can be scrolled by keys.
 TEST(ReportLook, WhateverScrollsIsReachedByKeys) {
   const std::string html = simulated_report();
   const std::vector<std::string> boxes = parts(html, "<div class=\"scroll\"", ">");

@@ -35,7 +35,7 @@ Colors dark() {
   return properties_after(std::string(report_style()), "(prefers-color-scheme: dark) {\n  :root {");
 }
 
-/// Of "#rrggbb", by WCAG 2.2's "relative luminance".
+/// The relative luminance of "#rrggbb", as WCAG 2.2 defines it.
 double luminance(const std::string& color) {
   const long rgb = std::strtol(color.substr(1).c_str(), nullptr, 16);
   const auto linear = [](long byte) {
@@ -45,7 +45,7 @@ double luminance(const std::string& color) {
   return 0.2126 * linear(rgb >> 16) + 0.7152 * linear(rgb >> 8) + 0.0722 * linear(rgb);
 }
 
-/// By WCAG 2.2's "contrast ratio", 1 to 21.
+/// The contrast ratio as WCAG 2.2 defines it, 1 to 21.
 double contrast(const std::string& a, const std::string& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});
   return (high + 0.05) / (low + 0.05);

@@ -71,12 +71,12 @@ TEST(Report, HasTheNumbersOfR) {
 
 TEST(Report, SaysWhichSessionsWereAmendedAndHow) {
   study::StudyRecords records = golden_study_records();
-  EXPECT_THAT(report_of(records), HasSubstr("None: every session went by the protocol"));
+  EXPECT_THAT(report_of(records), HasSubstr("None: every session followed the protocol"));
   records.amended.push_back({"P02", {"0a1b2c", {"timing.timeout_s"}, "title = 'x'"}});
   const std::string html = report_of(records);
   EXPECT_THAT(html, HasSubstr("<th scope=\"row\">P02</th><td>timing.timeout_s</td><td>0a1b2c</td>"
                               "<td>yes</td>"));
-  EXPECT_THAT(html, HasSubstr("1 of the 8 analysed sessions went by a protocol that was amended"));
+  EXPECT_THAT(html, HasSubstr("1 of the 8 analysed sessions followed a protocol that was amended"));
 }
 
 TEST(Report, NamesTheProtocolAndThePaper) {

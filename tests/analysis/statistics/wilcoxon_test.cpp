@@ -40,7 +40,7 @@ TEST(Wilcoxon, RankSumsAndPValuesAreThoseOfR) {
   EXPECT_EQ(exact, 9);
 }
 
-/// Over all 2^n signs: what the dynamic programme must find.
+/// The P-value by enumeration of all 2^n signs, which the dynamic programme must give.
 double p_by_enumeration(const std::vector<double>& ranks, double smaller_sum) {
   std::size_t extreme = 0;
   const std::size_t all = std::size_t{1} << ranks.size();

@@ -1,4 +1,4 @@
-// What a session consists of.
+// The steps of a session.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

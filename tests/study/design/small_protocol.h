@@ -1,4 +1,4 @@
-// A protocol of so many scenes and methods, named by letters.
+// A protocol with given numbers of scenes and methods, named by letters.
 #pragma once
 
 #include "study/protocol/protocol.h"

@@ -13,14 +13,14 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds glance_interval(100);
 
-/// People without any chance in them.
+/// A population whose people do not vary at random.
 constexpr DecisionHabits plain{.outline_signal_to_noise = 5.0,
                                .material_jnd = 1.5,
                                .integration_s = 0.2,
                                .evidence_limit = 2.0,
                                .early_factor = 3.0};
 
-/// What is to be seen after so many glances.
+/// The evidence after a number of glances.
 using Show = std::function<Evidence(int glance)>;
 
 Evidence outline(double signal_to_noise) { return {.outline_signal_to_noise = signal_to_noise}; }
@@ -31,7 +31,7 @@ Show always(const Evidence& evidence) {
 }
 
 struct Press {
-  int glance = 0;  ///< the last one before it, from 0 on
+  int glance = 0;  ///< The last glance before the press, from 0 on.
   double delay_s = 0.0;
 };
 

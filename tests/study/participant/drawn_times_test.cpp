@@ -77,7 +77,8 @@ TEST(DrawnTimes, MarksFollowOneAnotherInAFixedRatio) {
   }
 }
 
-// ln of the times of one scene: normal around the scene's part, with the variances' sum.
+// The logarithms of the times of one scene are normal around the scene's effect, with the sum of
+// the other effects' variances.
 TEST(DrawnTimes, PeopleDifferAsTheModelSays) {
   const TimesModel model;
   double sum = 0.0;

@@ -162,8 +162,7 @@ TEST(PatchEnergies, ContrastIsTheDifferenceOfTwoTones) {
   }
 }
 
-/// The noise energy of grey pixels with so much noise, over `cells` ahead: the mean of many
-/// pictures.
+/// The mean noise energy, over many images, of grey pixels with this noise, over `cells` ahead.
 double noise_energy(const Cells& cells, int width, double deviation) {
   constexpr int pictures = 40;
   const Viewport viewport(head_orientation({}), radians(100.0), radians(100.0));
@@ -195,8 +194,8 @@ TEST(PatchEnergies, NoiseIsThatOfASolidAngleAndNotOfThePixels) {
   EXPECT_NEAR(noise_energy(cells, 400, 0.1) / of_many, 1.0, 0.03);
 }
 
-// A scaled study has fewer pixels of the same noise: what four cells, or nine, have together there
-// is what one has at full size.
+// A scaled study has fewer pixels of the same noise: four cells, or nine, have together there the
+// noise that one cell has at full size.
 TEST(PatchEnergies, NoiseOfAScaledStudyIsThatOfTheFullOne) {
   for (const int factor : {2, 3}) {
     Vision scaled = vision;

@@ -1,4 +1,4 @@
-// What simulated participants are not asked, since their answers would be made up.
+// The measures that simulated participants refuse, since they have no judgement for them.
 #include "study/participant/judged_measures.h"
 
 #include "tests/study/protocol/protocol_folder.h"
@@ -26,10 +26,10 @@ TEST_F(JudgedMeasures, AreThePublishedOnesInAnyOrder) {
 TEST_F(JudgedMeasures, AreNoOtherMarks) {
   EXPECT_THAT(requiring("[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n"
                         "[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n"),
-              ThrowsMessage<Error>(AllOf(
-                  HasSubstr("p.toml:9:6: simulated participants do not know how to judge the mark "
-                            "third; "),
-                  HasSubstr("outline and material"), HasSubstr("--inject"))));
+              ThrowsMessage<Error>(
+                  AllOf(HasSubstr("p.toml:9:6: simulated participants cannot judge the mark "
+                                  "third; "),
+                        HasSubstr("outline and material"), HasSubstr("--inject"))));
 }
 
 TEST_F(JudgedMeasures, AreNoOtherRatingsButWords) {
@@ -38,8 +38,8 @@ TEST_F(JudgedMeasures, AreNoOtherRatingsButWords) {
   EXPECT_NO_THROW(requiring(artifacts + "[[rating]]\nid = \"why\"\ntext = \"?\"\n"
                                         "kind = \"text\"\nrequired = false\n")());
   EXPECT_THAT(requiring(artifacts + "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"),
-              ThrowsMessage<Error>(HasSubstr("p.toml:9:6: simulated participants do not know how "
-                                             "to judge the rating comfort")));
+              ThrowsMessage<Error>(HasSubstr("p.toml:9:6: simulated participants cannot judge the "
+                                             "rating comfort")));
 }
 
 }  // namespace

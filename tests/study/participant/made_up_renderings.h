@@ -23,7 +23,7 @@ inline const std::vector<OfferedObject> offered = {
     {.name = "Ball", .direction = direction_from({.azimuth_rad = 0.3}), .radius_deg = 8.0},
     {.name = "Cube", .direction = direction_from({.azimuth_rad = -0.3}), .radius_deg = 8.0}};
 
-/// A panorama with things to see in it: stripes, bands and colours of several sizes.
+/// A panorama with stripes, bands and colours of several sizes.
 inline RgbImage made_up_panorama() {
   RgbImage panorama(256, 128);
   for (int y = 0; y < panorama.height; ++y) {
@@ -72,7 +72,7 @@ inline void sit_down(SimulatedParticipant& person, std::size_t object, std::uint
 }
 
 struct Marks {
-  std::optional<double> outline_s;  ///< after the first frame
+  std::optional<double> outline_s;  ///< Time after the first frame.
   std::optional<double> material_s;
   friend bool operator==(const Marks&, const Marks&) = default;
 };
@@ -84,7 +84,7 @@ class SimulatedParticipantTest : public ::testing::Test {
             seed};
   }
 
-  /// What the view converges to; kept, since most looks are through the same view.
+  /// The image that the view converges to, kept because most glances are through the same view.
   const RgbImage& converged(const Viewport& viewport) const {
     if (!converged_head_ || *converged_head_ != viewport.head()) {
       converged_head_ = viewport.head();

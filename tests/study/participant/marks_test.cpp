@@ -93,7 +93,7 @@ TEST_F(SimulatedParticipantTest, SwappingTwoRenderingsSwapsTheirTimes) {
 }
 
 // A person who is shown, as another scene's knowledge has it, the same pixels through the same view
-// presses at the same time: there is nothing else that could tell.
+// presses at the same time: the press depends on nothing else.
 TEST_F(SimulatedParticipantTest, TheSamePixelsGiveTheSamePress) {
   std::vector<RgbImage> shown;
   const Display recorded = [&shown](const RgbImage& image, double time_s) {
@@ -107,8 +107,8 @@ TEST_F(SimulatedParticipantTest, TheSamePixelsGiveTheSamePress) {
   EXPECT_EQ(marks(participant(6), replayed), first);
 }
 
-// Noise in the left half of an object of 40 degrees: how much of it is put up with depends on where
-// the eye points, be the pixels the same.
+// Noise in the left half of an object of 40 degrees: its visibility depends on where the eye
+// points, even with the same pixels.
 TEST_F(SimulatedParticipantTest, WhatIsLookedAtCountsMoreThanWhatIsNot) {
   population_.decision.criterion_spread = 0.0;
   population_.decision.glance_noise = 0.0;

@@ -126,7 +126,7 @@ TEST(ScanPath, FixationsFollowOneAnotherWithoutAGapAndAreWhatTheGazeDoes) {
   for (ScanPath* each : {&path, &watched}) {
     each->examine(looked_for, object_radius_deg, seconds(1));
   }
-  path.gaze(seconds(30));  // the first half is looked up, the second made up as it is asked for
+  path.gaze(seconds(30));  // The first half is looked up, the second is extended on demand.
   ScanPath::Fixation fixation = path.fixation(seconds(1));
   for (int i = 0; i < 200; ++i) {
     const ScanPath::Fixation next = path.fixation(fixation.end);

@@ -1,4 +1,4 @@
-// Who a simulated participant is.
+// The identity of a simulated participant: the same seed is the same person.
 #include "study/participant/simulated_participant.h"
 
 #include "tests/study/participant/made_up_renderings.h"

@@ -30,7 +30,7 @@ timing = { rating_s = 3 }
 film = { width = 64 }
 )";
 
-/// With `before` of the protocol replaced by `after`.
+/// The changes when `before` in the protocol is replaced by `after`.
 ProtocolChanges changes_by(const std::string& before, const std::string& after) {
   std::string text = begun_with;
   const std::size_t found = text.find(before);

@@ -1,4 +1,4 @@
-// What of a protocol the analysis has tables of, and what it says of the rest.
+// The measures of a protocol that the analysis has tables of, and the notes on the others.
 #include "study/protocol/analysed_measures.h"
 
 #include "tests/study/protocol/protocol_folder.h"
@@ -16,7 +16,7 @@ const std::string comfort =
 
 class AnalysedMeasures : public ProtocolTables {
  protected:
-  /// What is asked of the analysis and not given, in one line each, from the file's name on.
+  /// The planned analyses that cannot be done, in one line each, from the file's name on.
   std::vector<std::string> faults(const std::string& tables) const {
     std::vector<std::string> lines;
     for (const Error& fault : unanalysable(load(tables))) {

@@ -195,7 +195,7 @@ TEST(Procedure, KeysOfEarlierVersionsAreReadWithANote) {
                Error);
 }
 
-// What the issue of re-creating the published study says of it.
+// The settings of the published study (Koskela et al. 2018).
 TEST(Procedure, ThePublishedStudyIsTheOneThatWasPublished) {
   const Protocol protocol = load_protocol(find_protocol("koskela2018"));
   EXPECT_EQ(protocol.scenes.size(), 5U);

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// To which tables can be added; its four keys end at line 4.
+/// A minimal protocol that tables can be added to; its four keys end at line 4.
 inline const std::string minimal = R"(name = "small"
 title = "A small one"
 scenes = ["arcade", "room"]
@@ -39,7 +39,7 @@ class ProtocolFolder : public testing::Test {
   const fs::path path_ = folder_ / "p.toml";
 };
 
-/// The same of the minimal protocol with more tables.
+/// Loads the minimal protocol with more tables.
 class ProtocolTables : public ProtocolFolder {
  protected:
   Protocol load(const std::string& tables) const { return ProtocolFolder::load(minimal + tables); }

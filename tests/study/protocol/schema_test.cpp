@@ -47,7 +47,7 @@ std::string toml_file_of(const Json& document) {
   return text;
 }
 
-/// What the reader says of it; empty if it takes it.
+/// The reader's error for a protocol; empty if it accepts it.
 std::string complaint(const Json& document) {
   try {
     read_protocol(toml_file_of(document), "p.toml");
@@ -59,10 +59,10 @@ std::string complaint(const Json& document) {
 
 /// A table of the schema, and a document in which it stands.
 struct Table {
-  std::string name;          ///< "tracker.validation"
-  Json schema;               ///< with properties
-  Json document;             ///< valid, with the table in it
-  Json::json_pointer place;  ///< of the table in the document
+  std::string name;          ///< As "tracker.validation".
+  Json schema;               ///< The table's schema, with properties.
+  Json document;             ///< A valid document with the table in it.
+  Json::json_pointer place;  ///< The place of the table in the document.
 
   /// The document with the table replaced.
   Json with(const Json& content) const {
@@ -84,7 +84,7 @@ class Schema {
   const std::vector<Table>& tables() const { return tables_; }
   const Json& root() const { return root_; }
 
-  /// What a $ref stands for.
+  /// The schema that a $ref refers to.
   Json resolved(const Json& schema) const {
     if (!schema.contains("$ref")) {
       return schema;
