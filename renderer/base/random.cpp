@@ -48,7 +48,7 @@ constexpr float scrambled(std::uint32_t reversed, std::uint32_t seed) {
 constexpr std::uint32_t shuffled(std::uint32_t reversed, std::uint32_t key) {
   return reverse_bits(laine_karras(reversed, key));
 }
-/// The numbers of those dimensions.
+/// The first and the second number of those dimensions at place `index` of the sequence.
 constexpr float point_x(std::uint32_t index, std::uint32_t key) {
   return scrambled(index, mix(key));
 }

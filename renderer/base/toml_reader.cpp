@@ -17,7 +17,7 @@ std::string place_of(const std::string& file, const toml::source_region& source)
   return fmt::format("{}:{}:{}", file, source.begin.line, source.begin.column);
 }
 
-/// The same of the byte at `offset`.
+/// "FILE:LINE:COLUMN" of the byte at `offset`.
 std::string place_of(const std::string& file, std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0

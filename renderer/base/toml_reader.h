@@ -18,7 +18,7 @@
 namespace foveola {
 
 /// Throws Error with the place of what is no TOML, of a key of over 16 parts, or if the text has
-/// over four million bytes: files come from strangers.
+/// over four million bytes: files are untrusted.
 toml::table parse_toml(const std::string& file, const std::string& text, const std::string& remedy);
 
 /// The names of the TOML files in one of Foveola's own folders, without .toml, in alphabetical

@@ -12,8 +12,7 @@
 
 namespace foveola {
 
-/// What the header of an image file says. Files come from strangers: nothing of it has been
-/// checked.
+/// What the header of an image file says. Files are untrusted: nothing of it has been checked.
 struct ImageHeader {
   int width = 0;
   int height = 0;

@@ -32,7 +32,7 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-/// Writes it in one step.
+/// Writes the image, which takes the place of an older file in one step.
 void write_pixels(const fs::path& path, const EncodableImage& image) {
   const ImageCodec& codec = image_codec();
   replace_file(path, [&](const fs::path& temporary) {
@@ -134,7 +134,7 @@ RgbImage read_color(const ChannelReader& reader, const ImageHeader& header) {
   return color;
 }
 
-/// A count that came as a float, whatever a stranger's file says.
+/// A count that came as a float, whatever an untrusted file says.
 std::uint32_t count_from(float value) {
   constexpr float largest = 0x1.fffffep31F;
   return value > 0.0F ? static_cast<std::uint32_t>(std::min(value, largest)) : 0;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/confined_path.h"
-#include "renderer/scene/disarmed.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ bool has_scheme(std::string_view uri) {
 fs::path confined_file(const fs::path& folder, std::string_view uri) {
   const std::string name = percent_decoded(uri);
   const auto refusal = [&](const std::string& why) {
-    return std::runtime_error(fmt::format("refers to \"{}\", {}", disarmed(name), why));
+    return std::runtime_error(fmt::format("refers to \"{}\", {}", sanitised(name), why));
   };
   if (has_scheme(uri)) {
     throw refusal("which is not a relative path (only data: and relative references are read)");

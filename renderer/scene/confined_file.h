@@ -1,4 +1,4 @@
-// Keeps the references of a scene file inside the scene's own folder: scenes come from strangers.
+// Keeps the references of a scene file inside the scene's own folder: scene files are untrusted.
 #pragma once
 
 #include <filesystem>

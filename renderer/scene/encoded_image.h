@@ -1,4 +1,4 @@
-// Opens encoded images, which come from strangers, once their headers have been found sensible.
+// Opens encoded images, which are untrusted, once their headers have been found sensible.
 #pragma once
 
 #include <cstdint>

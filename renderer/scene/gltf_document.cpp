@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_schema.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace {
@@ -66,7 +66,7 @@ void require_version_2(const Json& asset) {
   const std::string version = asset["version"].get<std::string>();
   if (!version.starts_with("2.")) {
     throw GltfFault("asset.version",
-                    fmt::format("is {}, but only glTF 2 can be read", disarmed(version)));
+                    fmt::format("is {}, but only glTF 2 can be read", sanitised(version)));
   }
   const auto minimum = asset.find("minVersion");
   if (minimum != asset.end() && *minimum != "2.0") {
@@ -82,7 +82,7 @@ void require_known_extensions(const Json& document) {
   for (std::size_t i = 0; i < extensions->size(); ++i) {
     if (const auto name = (*extensions)[i].get<std::string>(); !is_supported_extension(name)) {
       throw GltfFault(fmt::format("extensionsRequired[{}]", i),
-                      fmt::format("the extension {} is not supported", disarmed(name)));
+                      fmt::format("the extension {} is not supported", sanitised(name)));
     }
   }
 }

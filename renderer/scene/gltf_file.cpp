@@ -14,9 +14,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/confined_file.h"
-#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace {
@@ -190,7 +190,7 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
              : loader.LoadASCIIFromString(model.get(), &error, &warning, content.data(),
                                           static_cast<unsigned>(content.size()), "");
   if (!loaded) {
-    throw GltfFault("", disarmed(error));  // which can repeat a whole data: uri
+    throw GltfFault("", sanitised(error));  // which can repeat a whole data: uri
   }
   return {.model = model,
           .folder = referred.folder,

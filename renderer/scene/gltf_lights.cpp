@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "renderer/scene/disarmed.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace {
@@ -94,7 +94,7 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
     const DMat4& world_from_local = item.placement.world_from_local;
     const std::string place = fmt::format("lights[{}]", item.index);
     PunctualLight light;
-    light.name = disarmed(node.name.empty() ? source.name : node.name);
+    light.name = sanitised(node.name.empty() ? source.name : node.name);
     light.kind = kind_of(source);
     light.intensity = intensity_of(source, meant, place, warnings);
     light.position = Vec3(DVec3(world_from_local[3]) - origin);

@@ -10,9 +10,9 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <tiny_gltf.h>
 
-#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_values.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace {
@@ -210,7 +210,7 @@ std::vector<CameraView> read_cameras(const tinygltf::Model& model,
     if (rolls(world_from_local, heading)) {
       warnings.add("the roll of a camera is ignored: its horizon stays level", place);
     }
-    views.push_back({.name = disarmed(camera.name.empty() ? node.name : camera.name),
+    views.push_back({.name = sanitised(camera.name.empty() ? node.name : camera.name),
                      .position = Vec3(DVec3(world_from_local[3]) - origin),
                      .heading = heading});
   }

@@ -11,9 +11,9 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/angles.h"
-#include "renderer/scene/disarmed.h"
 #include "renderer/scene/mesh_edit.h"
 #include "renderer/scene/rebase.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace {
@@ -85,7 +85,7 @@ std::size_t triangle_count(const LocalMesh& meshes) {
 std::string object_name(const tinygltf::Model& model, std::size_t mesh,
                         const Placement& placement) {
   const std::string& name = model.nodes[static_cast<std::size_t>(placement.node)].name;
-  return disarmed(name.empty() ? model.meshes[mesh].name : name);
+  return sanitised(name.empty() ? model.meshes[mesh].name : name);
 }
 
 /// A transform can flatten what had an area.
@@ -171,7 +171,7 @@ class MeshPlacer {
     }
     for (std::size_t i = 0; i < meshes.size() && instances > 0; ++i) {
       Mesh& mesh = meshes[i];
-      mesh.name = disarmed(model_.meshes[index].name);
+      mesh.name = sanitised(model_.meshes[index].name);
       scene_.prototypes.push_back(std::move(mesh));
     }
   }

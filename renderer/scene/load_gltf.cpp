@@ -7,7 +7,6 @@
 #include <tiny_gltf.h>
 
 #include "renderer/base/error.h"
-#include "renderer/scene/disarmed.h"
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
@@ -18,6 +17,7 @@
 #include "renderer/scene/gltf_nodes.h"
 #include "renderer/scene/gltf_placing.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/scene/sanitised.h"
 #include "renderer/scene/warnings.h"
 
 namespace foveola {
@@ -28,7 +28,7 @@ constexpr const char* remedy = "export it again, or look at it with a glTF valid
 void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
   for (const std::string& name : model.extensionsUsed) {
     if (!is_supported_extension(name)) {
-      warnings.add("the extension " + disarmed(name) + " is ignored");
+      warnings.add("the extension " + sanitised(name) + " is ignored");
     }
   }
   if (!model.animations.empty()) {

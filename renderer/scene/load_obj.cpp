@@ -10,7 +10,6 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/confined_file.h"
-#include "renderer/scene/disarmed.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/mtl_file.h"
 #include "renderer/scene/mtl_materials.h"
@@ -18,6 +17,7 @@
 #include "renderer/scene/obj_meshes.h"
 #include "renderer/scene/obj_textures.h"
 #include "renderer/scene/rebase.h"
+#include "renderer/scene/sanitised.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/tangents.h"
 #include "renderer/scene/text_lines.h"
@@ -90,7 +90,7 @@ Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFi
         const std::string key = material.name;
         library.materials.try_emplace(
             key, LibraryMaterial{std::move(material), subfolder,
-                                 fmt::format("{}: {}", file.filename().string(), disarmed(key))});
+                                 fmt::format("{}: {}", file.filename().string(), sanitised(key))});
       }
     }
   }
@@ -121,7 +121,7 @@ class UsedMaterials {
     const auto found = library_.materials.find(name);
     if (found == library_.materials.end()) {
       if (!name.empty()) {
-        warnings_.add("a material that no library describes is white", disarmed(name));
+        warnings_.add("a material that no library describes is white", sanitised(name));
       }
       return default_obj_material();
     }

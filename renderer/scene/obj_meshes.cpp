@@ -92,7 +92,7 @@ class MeshBuilder {
     return known->second;
   }
 
-  /// With v downwards.
+  /// Texture coordinates with v downwards.
   Vec2 uv_of(const ObjCorner& corner) const {
     if (corner.uv < 0) {
       return Vec2(0.0F);

@@ -28,6 +28,11 @@ std::vector<DVec2> flattened(std::span<const Vec3> corners) {
   return flat;
 }
 
+bool are_finite(std::span<const Vec3> corners) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [](const Vec3& corner) { return is_finite(corner); });
+}
+
 /// Twice the signed area of a triangle: positive where it turns counter-clockwise.
 double turn_of(const DVec2& a, const DVec2& b, const DVec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -120,7 +125,7 @@ Triangles triangulate(std::span<const Vec3> corners) {
   if (corners.size() < 3) {
     return {};
   }
-  if (corners.size() == 3 || !std::all_of(corners.begin(), corners.end(), is_finite)) {
+  if (corners.size() == 3 || !are_finite(corners)) {
     return fan(corners.size());
   }
   const std::vector<DVec2> flat = flattened(corners);

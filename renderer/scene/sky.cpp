@@ -115,7 +115,7 @@ class ClearSky {
   double zenith_y_;
 };
 
-/// Of the colour matching functions (Wyman, Sloan and Shirley 2013, "Simple Analytic Approximations
+/// The colour matching functions (Wyman, Sloan and Shirley 2013, "Simple Analytic Approximations
 /// to the CIE XYZ Color Matching Functions", equation 4).
 DVec3 cie_xyz(double wavelength_nm) {
   const auto lobe = [&](double peak, double width_below, double width_above) {
@@ -131,19 +131,19 @@ DVec3 cie_xyz(double wavelength_nm) {
 
 constexpr int bands = 38;  ///< each 10 nm wide, from 380 nm on
 
-/// Outside the atmosphere, in 100 W m^-2 sr^-1 nm^-1 (table 2).
+/// The sun's spectral radiance outside the atmosphere, in 100 W m^-2 sr^-1 nm^-1 (table 2).
 constexpr std::array<double, bands> sun_radiance = {
     165.5, 162.3, 211.2, 258.8, 258.2, 242.3, 267.6, 296.6, 305.4, 300.6, 306.6, 288.3, 287.1,
     278.2, 271.0, 272.3, 263.6, 255.0, 250.6, 253.1, 253.5, 251.3, 246.3, 241.7, 236.8, 232.1,
     228.2, 223.4, 219.7, 215.3, 211.0, 207.3, 202.4, 198.7, 194.3, 190.7, 186.3, 182.6};
 
-/// Absorption by ozone, per centimetre (table 2).
+/// The absorption coefficient of ozone, per centimetre (table 2).
 constexpr std::array<double, bands> ozone = {
     0.0,   0.0,   0.0,   0.0,   0.0,   0.0,   0.003, 0.003, 0.006, 0.009, 0.014, 0.021, 0.03,
     0.04,  0.048, 0.063, 0.075, 0.085, 0.103, 0.12,  0.12,  0.115, 0.125, 0.12,  0.105, 0.09,
     0.079, 0.067, 0.057, 0.048, 0.036, 0.028, 0.023, 0.018, 0.014, 0.011, 0.01,  0.009};
 
-/// Across the sun's direction.
+/// The sun's irradiance of a surface across its direction.
 Rgb sun_irradiance(double elevation_rad, double turbidity) {
   const double zenith_angle = 0.5 * pi - elevation_rad;
   const double air_mass =

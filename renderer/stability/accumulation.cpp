@@ -11,7 +11,7 @@
 namespace foveola {
 namespace {
 
-/// So many samples go into the film at once, again and again.
+/// Samples that go into the film at a time.
 constexpr std::uint64_t batch_samples = 1 << 20;
 
 /// A batch of radiance with a mean that whole numbers give: each channel in units of 2^-24.

@@ -32,14 +32,14 @@ Mesh loose_triangles(const std::vector<std::array<Vec3, 3>>& triangles, int mate
   return mesh;
 }
 
-/// Points and lines in the middle of the room.
+/// Triangles that are points and lines, in the middle of the room.
 Mesh without_area(int material) {
   const Vec3 p(0.0F, 0.25F, 0.5F);
   const Vec3 q(0.5F, 0.25F, 0.0F);
   return loose_triangles({{p, p, p}, {p, p, q}, {p, q, p}, {p, 0.5F * (p + q), q}}, material);
 }
 
-/// As long as the room and as wide as a few units in the last place, on its floor.
+/// Triangles as long as the room and as wide as a few units in the last place, on its floor.
 Mesh needles() {
   const float width = 4.0F * std::numeric_limits<float>::epsilon();
   return loose_triangles({{Vec3(-1, -1, 0), Vec3(1, -1, width), Vec3(1, -1, 0)},
@@ -75,7 +75,7 @@ Scene spoilt_room() {
   return scene;
 }
 
-/// The spoilt room with balls of extreme materials, which do change it.
+/// The same room with balls of extreme materials, which do change it.
 Scene extreme_room() {
   Scene scene = spoilt_room();
   scene.materials.insert(scene.materials.end(), {matte(Rgb(0.0F)), metal(1.0F, 0.0F), glass()});

@@ -1,4 +1,4 @@
-// Means of radiance with honest standard errors, and their comparison with what they must be.
+// Means of radiance with their standard errors, and their comparison with expected values.
 #pragma once
 
 #include <cstdint>

@@ -42,7 +42,7 @@ float between(Pcg32& random, float lower, float upper) {
   return lower + (upper - lower) * static_cast<float>(random.uniform());
 }
 
-/// Up to a hundredth of its half side from the walls.
+/// A point of the box at least a hundredth of its half side away from the walls.
 Vec3 point_in_box(Pcg32& random) {
   const float x = between(random, -0.99F, 0.99F);
   const float y = between(random, -0.99F, 0.99F);
@@ -57,7 +57,7 @@ Room box_of_many_triangles() {
   return room;
 }
 
-/// Where a point that is moved off one wall comes close to the next.
+/// At its edges a point that is moved off one wall comes close to the next.
 Room tetrahedron_of_sharp_edges() {
   Room room{.name = "tetrahedron of 16000 triangles",
             .scene = under_blue_sky(),
@@ -89,7 +89,7 @@ Room room_behind_a_sheet() {
   return room;
 }
 
-/// Whose walls send light where their normals, which are interpolated, say.
+/// Its walls reflect light by their interpolated normals.
 Room ball_of_smooth_mirrors() {
   Room room{.name = "ball of 1280 smooth-shaded mirrors",
             .scene = under_blue_sky(),

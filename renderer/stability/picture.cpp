@@ -53,7 +53,7 @@ std::vector<RadianceEstimate> render_blocks(const PathTracer& tracer, const Vec3
   const auto samples_each = static_cast<std::uint32_t>(
       std::max(1, run.effort.picture_samples_per_pixel / picture_batches));
   const double block_samples = static_cast<double>(samples_each) * grid.block * grid.block;
-  // By block, then by batch.
+  // Indexed by block, then by batch.
   std::vector<std::vector<DVec3>> means(grid.blocks(),
                                         std::vector<DVec3>(picture_batches, DVec3(0.0)));
   std::vector<Rgb> radiance;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<float, 9> scales{1e-3F, 1e-2F, 1e-1F, 1e1F, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F};
 
-/// Along no axis, so that all three coordinates are large.
+/// A direction along no axis, so that all three coordinates are large.
 const DVec3 away = glm::normalize(DVec3(1.0, -0.7, 0.8));
 
 /// Moving vertices that far, in multiples of the scene's size, rounds them, which changes the scene

@@ -88,7 +88,7 @@ void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTabl
   glass_.emplace(microfacets_.ggx(), outgoing_, eta, albedo);
 }
 
-/// By the light that each lobe sends back; returns that of all.
+/// Chooses lobes in proportion to the light that each sends back; returns that of all.
 float Bsdf::choose_probabilities() {
   float transmission_albedo = 0.0F;
   if (glass_) {
@@ -236,7 +236,8 @@ std::optional<BsdfSample> Bsdf::weighed(const Vec3& incoming) const {
       .incoming = incoming, .weight = value.times_cosine / value.pdf, .pdf = value.pdf};
 }
 
-/// share: of the light that comes from there, without the covers. probability: given the base.
+/// share: how much of the light from `incoming` is scattered, without the covers. probability: of
+/// this direction if the base is sampled.
 BsdfSample Bsdf::specular(const Vec3& incoming, const Rgb& share, float probability) const {
   const float total = base_probability_ * probability;
   return {.incoming = incoming,

@@ -18,7 +18,7 @@ struct Layer {
   Rgb passes{0.0F};
 };
 
-/// Of the same hue, and no channel above 1.
+/// The colour scaled so that no channel is above 1, which keeps its hue.
 Rgb limited(const Rgb& color) { return color / std::max(1.0F, max_component(color)); }
 
 Rgb lit(const SurfacePoint& point, const Vec3& direction) {

@@ -77,7 +77,7 @@ struct AnyHit {
   static RTCRay8& rays_of(Packet& packet) { return packet; }
 };
 
-/// The rays again and again, by one query.
+/// Traces the same rays repeatedly, by one query.
 template <typename Query>
 class Replay {
  public:

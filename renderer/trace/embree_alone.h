@@ -1,4 +1,5 @@
-// What Embree alone takes for given rays, by each of its ways of asking: the yardstick of a tracer.
+// How long Embree alone takes for given rays, by each of its entry points: the baseline for a
+// tracer.
 #pragma once
 
 #include <span>

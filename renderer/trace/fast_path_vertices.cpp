@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-/// Stands in for directions in lanes that nobody asks for.
+/// The direction in lanes that are not used.
 constexpr Vec3 straight_up(0.0F, 0.0F, 1.0F);
 
 }  // namespace

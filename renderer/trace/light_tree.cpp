@@ -20,14 +20,14 @@ constexpr int most_bins = 12;
 /// an angle that is wrong by 4e-4. Nothing is left out for being turned away by less.
 constexpr float slack = 1e-3F;
 
-/// Square metres; keeps what is divided by it finite.
+/// In square metres; keeps quotients by it finite.
 constexpr float smallest_squared_distance = 1e-20F;
 
-/// In place of the sine of a sphere's half size, seen from inside it.
+/// Stands for the sine of a sphere's half size where it is seen from inside.
 constexpr float inside = 2.0F;
 
-/// Of what a child gives beside its strongest sibling: what reaches the shading point is never
-/// nothing.
+/// The least importance of a child relative to its strongest sibling, so that light which reaches
+/// the shading point never has none.
 constexpr float smallest_importance = 1e-30F;
 
 struct Angle {

@@ -44,7 +44,8 @@ float cone_factor(const PunctualLight& light, const Vec3& direction) {
   return clamped * clamped;
 }
 
-/// Towards a light's sphere, whose centre is at distance * to_centre. intensity: towards the place.
+/// A sample of a light's sphere, whose centre is at distance * to_centre. intensity: towards the
+/// place.
 LocalLightSample sample_sphere(float radius, const Vec3& to_centre, float distance,
                                const Rgb& intensity, const Vec2& u) {
   const Rgb radiance = intensity / (pi_v<float> * radius * radius);

@@ -45,17 +45,17 @@ template <typename Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
 /// What the filters know of a mesh that does not stop every ray.
-struct Sieve {
+struct FilteredMesh {
   const Scene* scene = nullptr;
   const Mesh* mesh = nullptr;
 };
 
-/// Calls `passes(sieve, ray id, hit)` for each hit that Embree asks about, and takes back those
+/// Calls `passes(mesh, ray id, hit)` for each hit that Embree asks about, and rejects those
 /// that it is true for. Embree may ask about the same hit more than once, so the answer must not
 /// change.
 template <typename Passes>
-void take_back_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
-  const auto& sieve = *static_cast<const Sieve*>(arguments->geometryUserPtr);
+void reject_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
+  const auto& filtered = *static_cast<const FilteredMesh*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
     if (arguments->valid[i] == 0) {
@@ -66,7 +66,7 @@ void take_back_hits(const RTCFilterFunctionNArguments* arguments, Passes passes)
         .object = object_number(RTCHitN_instID(arguments->hit, count, i, 0),
                                 RTCHitN_geomID(arguments->hit, count, i)),
         .triangle = RTCHitN_primID(arguments->hit, count, i)};
-    if (passes(sieve, RTCRayN_id(arguments->ray, count, i), hit)) {
+    if (passes(filtered, RTCRayN_id(arguments->ray, count, i), hit)) {
       arguments->valid[i] = 0;
     }
   }
@@ -77,9 +77,9 @@ const RayQueryContext& context_of(const RTCFilterFunctionNArguments* arguments) 
 }
 
 /// Every pair of a ray and a triangle has one random number that decides.
-bool passes_opacity(const Sieve& sieve, std::uint32_t id, const Hit& hit,
+bool passes_opacity(const FilteredMesh& filtered, std::uint32_t id, const Hit& hit,
                     const RayQueryContext& context) {
-  const float opaque = opacity(*sieve.scene, *sieve.mesh, hit.triangle, hit.barycentric);
+  const float opaque = opacity(*filtered.scene, *filtered.mesh, hit.triangle, hit.barycentric);
   if (context.meets_any_opacity) {
     return opaque <= 0.0F;
   }
@@ -89,16 +89,17 @@ bool passes_opacity(const Sieve& sieve, std::uint32_t id, const Hit& hit,
 
 void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
   const RayQueryContext& context = context_of(arguments);
-  take_back_hits(arguments, [&context](const Sieve& sieve, std::uint32_t id, const Hit& hit) {
-    return passes_opacity(sieve, id, hit, context);
-  });
+  reject_hits(arguments,
+              [&context](const FilteredMesh& filtered, std::uint32_t id, const Hit& hit) {
+                return passes_opacity(filtered, id, hit, context);
+              });
 }
 
 /// Also for thin transmissive surfaces with cut-outs: what they tint is found later, by closest
 /// hits.
 void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
   std::uint32_t* met_thin_surface = context_of(arguments).met_thin_surface;
-  take_back_hits(arguments, [met_thin_surface](const Sieve&, std::uint32_t id, const Hit&) {
+  reject_hits(arguments, [met_thin_surface](const FilteredMesh&, std::uint32_t id, const Hit&) {
     if (met_thin_surface != nullptr) {
       met_thin_surface[id] = 1;
     }
@@ -126,7 +127,7 @@ struct RayScene::Embree {
   std::string error;
   bool has_thin_surfaces = false;
   bool asks_for_keys = false;
-  std::vector<std::unique_ptr<Sieve>> sieves;  ///< Embree keeps their addresses
+  std::vector<std::unique_ptr<FilteredMesh>> filtered_meshes;  ///< Embree keeps their addresses
   Owned<RTCDevice> device;
   std::vector<Owned<RTCScene>> prototypes;  ///< null where invisible
   Owned<RTCScene> scene;
@@ -157,13 +158,13 @@ struct RayScene::Embree {
   }
 
   void set_filters(RTCGeometry geometry, const Scene& source, const Mesh& mesh) {
-    const bool is_sieve = has_opacity(source, mesh);
+    const bool has_varying_opacity = has_opacity(source, mesh);
     const bool is_thin = is_thin_transmissive(material_of(source, mesh));
-    if (is_sieve || is_thin) {
-      sieves.push_back(std::make_unique<Sieve>(Sieve{&source, &mesh}));
-      rtcSetGeometryUserData(geometry, sieves.back().get());
+    if (has_varying_opacity || is_thin) {
+      filtered_meshes.push_back(std::make_unique<FilteredMesh>(FilteredMesh{&source, &mesh}));
+      rtcSetGeometryUserData(geometry, filtered_meshes.back().get());
     }
-    if (is_sieve) {
+    if (has_varying_opacity) {
       asks_for_keys = true;
       rtcSetGeometryIntersectFilterFunction(geometry, filter_by_opacity);
       rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);

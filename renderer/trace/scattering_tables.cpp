@@ -6,7 +6,7 @@
 namespace foveola {
 namespace {
 
-/// A texture makes a surface smoother, from place to place.
+/// The roughnesses of a surface: a texture makes it smoother in places.
 RoughnessInterval roughnesses(float roughness, const TextureUse& texture) {
   return {.least = texture.exists() ? 0.0F : roughness, .most = roughness};
 }

@@ -19,7 +19,7 @@ constexpr std::size_t sheen_nodes_in_row = sheen_cosine_steps + 1;
 
 constexpr float roughness_range = 1.0F - CharlieSheen::smallest_roughness;
 
-/// Denser where fibres are fine.
+/// A roughness on the table's axis, whose nodes are denser where fibres are fine.
 float roughness_position(float roughness) {
   return std::sqrt(std::max(0.0F, roughness - CharlieSheen::smallest_roughness) / roughness_range);
 }
@@ -29,7 +29,7 @@ float roughness_of_row(std::size_t row) {
   return CharlieSheen::smallest_roughness + roughness_range * position * position;
 }
 
-/// Denser towards grazing angles.
+/// A cosine on the table's axis, whose nodes are denser towards grazing angles.
 float cosine_position(float cosine) { return std::sqrt(std::sqrt(cosine)); }
 
 float cosine_of_node(std::size_t node) {

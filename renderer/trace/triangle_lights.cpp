@@ -18,7 +18,7 @@ namespace {
 /// by 5 to 18 %.
 constexpr float near_share = 1.0F;
 
-/// Steradians; what is less is seen edge-on, and gives next to nothing.
+/// In steradians; triangles with less are seen edge-on, and give next to nothing.
 constexpr float smallest_solid_angle = 1e-3F;
 
 /// The mean over the texels, or over a grid of 1024 of them a side, so that small bright spots are
@@ -69,14 +69,15 @@ Point sample_barycentric(const Point& u) {
           chosen(is_upper, u.y - 0.5F * u.x, 0.5F * u.y)};
 }
 
-/// Points, or lanes of them.
+/// The squared distance between two points, or lanes of them.
 template <typename Vector>
 auto squared_distance(const Vector& a, const Vector& b) {
   return dot(a - b, a - b);
 }
 
-/// Per steradian, of a point drawn uniformly in the solid angle, or in the area where the solid
-/// angle is 0. distance: of the point. cosine: between the triangle's normal and the way to it.
+/// The density per steradian of a point drawn uniformly in the solid angle, or in the area where
+/// the solid angle is 0. distance: of the point. cosine: between the triangle's normal and the way
+/// to it.
 template <typename Number>
 Number density(const Number& solid_angle, const Number& area, const Number& distance,
                const Number& cosine) {

@@ -1,4 +1,4 @@
-// One input of the loaders' fuzzer: the bytes of a scene file or an environment from a stranger.
+// One input of the loaders' fuzzer: the bytes of an untrusted scene or environment file.
 #pragma once
 
 #include <filesystem>

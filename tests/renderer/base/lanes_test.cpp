@@ -1,5 +1,6 @@
 #include "renderer/base/lanes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -53,6 +54,12 @@ TEST(LanesTest, FunctionsAreThoseOfSingleNumbers) {
   }
   EXPECT_EQ(truncated(x)[1], -2);
   EXPECT_EQ(truncated(x)[2], 3);
+  const Ints whole{-5, 0, 3, 7, 8, 9, 100, -1};
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    EXPECT_EQ(clamped(whole, 7)[i], std::clamp(whole[i], 0, 7));
+    EXPECT_EQ(clamped(whole[i], 7), std::clamp(whole[i], 0, 7));
+    EXPECT_EQ(floats_of(whole)[i], floats_of(whole[i]));
+  }
 }
 
 TEST(LanesTest, VectorsAreThoseOfGlm) {

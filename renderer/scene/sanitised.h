@@ -1,4 +1,4 @@
-// Text from strangers' files, made fit to appear in a message.
+// Text from untrusted files, sanitised so that it can appear in a message.
 #pragma once
 
 #include <string>
@@ -9,6 +9,6 @@ namespace foveola {
 /// `text` with everything but printable ASCII and UTF-8's multi-byte characters replaced by "?" (a
 /// terminal obeys control characters), and cut at 120 bytes or before the character that stands
 /// there.
-std::string disarmed(std::string_view text);
+std::string sanitised(std::string_view text);
 
 }  // namespace foveola

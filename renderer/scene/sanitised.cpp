@@ -1,10 +1,10 @@
-#include "renderer/scene/disarmed.h"
+#include "renderer/scene/sanitised.h"
 
 #include <algorithm>
 
 namespace foveola {
 
-std::string disarmed(std::string_view text) {
+std::string sanitised(std::string_view text) {
   constexpr std::size_t longest = 120;
   std::size_t size = std::min(text.size(), longest);
   const auto is_inside_character = [&](std::size_t i) {
