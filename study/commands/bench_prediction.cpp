@@ -95,7 +95,7 @@ void run_bench(const BenchArguments& arguments, const SceneFinder& find_scene,
     fmt::print("{}", text_of(agreements));
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped; to go on, give the same command again.\n");
+    fmt::print("Stopped. The same command goes on.\n");
   }
 }
 

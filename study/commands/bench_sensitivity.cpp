@@ -190,7 +190,7 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_sc
         text_of(outcomes));
   }
   if (stop.stop_requested()) {
-    fmt::print(stderr, "Stopped; to go on, give the same command again.\n");
+    fmt::print(stderr, "Stopped. The same command goes on.\n");
   }
 }
 

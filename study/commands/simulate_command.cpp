@@ -93,7 +93,7 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
     fmt::print("{} participants withdrew\n", report.sessions_withdrawn);
   }
   if (stop.stop_requested()) {
-    fmt::print("Stopped; to go on, give the same command with --resume.\n");
+    fmt::print("Stopped. The same command with --resume goes on.\n");
   }
   fmt::print("{}", about_report);
 }

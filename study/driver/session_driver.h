@@ -18,30 +18,29 @@ namespace foveola::study {
 struct DrivenSession {
   const Protocol& protocol;  ///< must outlive the driver, as the plan
   const Plan& plan;
-  SessionPosition position;        ///< to go on from; its session is not over
+  SessionPosition position;        ///< where it goes on; it is not over there
   std::vector<std::string> notes;  ///< written when the session begins or goes on
 };
 
 struct SessionOutcome {
-  Phase phase =
-      Phase::created;  ///< where it ended: completed, refused, withdrawn, excluded or interrupted
-  std::size_t trials = 0;     ///< how many were completed in this run
-  Nanoseconds duration{0};    ///< how long this run took, by the session's clock
-  std::uint64_t samples = 0;  ///< traced in the attempts that are over
+  Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
+  std::size_t trials = 0;        ///< how many were completed in this run
+  Nanoseconds duration{0};       ///< how long this run took, by the session's clock
+  std::uint64_t samples = 0;     ///< traced in the attempts that are over
   std::uint64_t non_finite = 0;
 };
 
 class SessionDriver {
  public:
-  /// All must outlive it.
+  /// Ports and recorder must outlive it.
   SessionDriver(DrivenSession session, const ClockPort& clock, DisplayPort& display,
                 InputPort& input, SessionRecorder& recorder);
 
-  /// Until a port leaves the session, or `stop` is requested: then it is recorded as interrupted.
+  /// Drives it until a port leaves it, or `stop` is requested: then it is recorded as interrupted.
   /// Rethrows what kept the record from being written.
   SessionOutcome run(const std::stop_token& stop);
 
-  // For the ports.
+  // What the ports may ask and do.
 
   /// Records the event and takes the session's step; its effects come once it is on the disk.
   /// Returns false, and does nothing, if it is not allowed in this state.

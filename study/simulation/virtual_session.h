@@ -1,5 +1,5 @@
-// A session of a simulated participant in virtual time: the ports by which its driver gets
-// everything at once.
+// A session of a simulated participant in virtual time: ports by which the driver gets every answer
+// at once.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,8 @@ struct SessionSetting {
   std::stop_token stop;
 };
 
-/// Until the session is completed, refused by the protocol's gate, withdrawn from, or interrupted
-/// because a stop was requested.
+/// Runs one session until it is completed, refused by the protocol's gate, withdrawn from, or
+/// interrupted because a stop was requested.
 class VirtualSession final : private ClockPort, private DisplayPort, private InputPort {
  public:
   /// position: where the session, which is not over, goes on. All that is referred to must outlive
