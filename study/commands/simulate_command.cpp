@@ -85,9 +85,8 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
     fmt::print("{} sessions were over before\n", report.sessions_before);
   }
   if (report.sessions_refused > 0) {
-    fmt::print(
-        "{} sessions refused: the tracker did not see the gaze well enough for the protocol\n",
-        report.sessions_refused);
+    fmt::print("{} refused, since the tracker did not see the gaze well enough for the protocol\n",
+               report.sessions_refused);
   }
   if (report.sessions_withdrawn > 0) {
     fmt::print("{} participants withdrew\n", report.sessions_withdrawn);

@@ -73,7 +73,8 @@ TEST(PointerEyeTracker, IsSampledEvenlyHoweverSeldomItIsAsked) {
   const std::vector<GazeSample> samples = polled(pointer, milliseconds(110));
   ASSERT_EQ(samples.size(), 13U);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    EXPECT_NEAR(seconds(samples[i].time), 0.010 + 0.1 / 13.0 * static_cast<double>(i + 1), 1e-6);
+    EXPECT_NEAR(foveola::seconds(samples[i].time), 0.010 + 0.1 / 13.0 * static_cast<double>(i + 1),
+                1e-6);
     EXPECT_TRUE(samples[i].valid);
     EXPECT_EQ(samples[i].direction, to_the_right);
   }
