@@ -94,7 +94,7 @@ std::uint64_t count_not_finite(const Scene& scene, const Vec3& viewpoint, const 
   const auto jobs =
       jobs_all_around(pixels * static_cast<std::uint32_t>(run.effort.picture_samples_per_pixel), 5);
   std::vector<Rgb> radiance(jobs.size());
-  tracer.trace(viewpoint, jobs, radiance, {.max_depth = 8, .seed = 5}, run.workers);
+  tracer.trace(viewpoint, jobs, radiance, {.seed = 5}, run.workers);
   return static_cast<std::uint64_t>(std::count_if(
       radiance.begin(), radiance.end(), [](const Rgb& value) { return !is_finite(value); }));
 }

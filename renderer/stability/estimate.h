@@ -35,7 +35,7 @@ struct Measurement {
   Vec3 viewpoint{0.0F};
   /// A unit direction for a point of the unit square.
   std::function<Vec3(const Vec2&)> direction;
-  int max_depth = 8;
+  int max_depth = TraceSettings{}.max_depth;
   double expected = 1.0;  ///< what the tolerance is relative to
 };
 

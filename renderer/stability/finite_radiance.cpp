@@ -50,7 +50,7 @@ void trace_method(const PathTracer& tracer, const Vec3& viewpoint, const SceneSo
   EquirectFilm film(film_width, film_height);
   SamplePass pass;
   const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    tracer.trace(viewpoint, jobs, radiance, {.max_depth = 8, .seed = seed}, run.workers);
+    tracer.trace(viewpoint, jobs, radiance, {.seed = seed}, run.workers);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!is_sound(radiance[i])) {
         faults.add(jobs[i], radiance[i], where);
