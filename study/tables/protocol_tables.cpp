@@ -82,7 +82,7 @@ std::string text_of(const FilmSettings& film) {
 std::string text_of(const TrialSettings& settings) {
   return fmt::format("{}; marks within {} s, looking around for {} s{}", text_of(settings.film),
                      settings.timing.mark_timeout_s, settings.timing.rating_s,
-                     settings.fill_unsampled ? "; holes filled" : "");
+                     settings.fill_unsampled ? "; unsampled pixels filled" : "");
 }
 
 void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
