@@ -1,6 +1,6 @@
 // The JSON part of a glTF file, checked before tinygltf, which takes much on trust, may read it.
-// The text is parsed here and by tinygltf, which takes nothing else: one of the two takes about 1 ms
-// for the 80 to 180 kB of the built-in scenes.
+// The text is parsed here and by tinygltf, which takes nothing else: each of the two takes about
+// 1 ms for the 80 to 180 kB of the built-in scenes.
 #pragma once
 
 #include <string>
