@@ -276,7 +276,7 @@ struct HostileDescriptor {
   std::string what;
   Bytes bytes;
   bool reaches_the_reader = false;  ///< or else the kernel refuses it
-  std::string verdict;  ///< a part of what it says of the trouble that the reader has with it
+  std::string verdict;              ///< a part of the status that the reader reports
 };
 
 Bytes repeated(const std::string& digits, int times) {
