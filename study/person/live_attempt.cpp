@@ -42,8 +42,7 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
 }
 
 Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
-  const bool is_blank = setting_.trial.kind == TrialKind::catch_trial;
-  const LiveFrame frame = is_blank ? next_blank() : frames_.next();
+  const LiveFrame frame = is_rendered(setting_.trial) ? frames_.next() : next_blank();
   keep(frame);
   setting_.display.set_refresh(frames_.refresh());
   return frame.shown - setting_.session_zero;

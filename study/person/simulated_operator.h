@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <future>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "renderer/base/clock.h"
 #include "renderer/window/window_event.h"
 #include "study/participant/participant.h"
 #include "study/person/prompt_state.h"
-#include "study/stage/seeds.h"
+#include "study/stage/conduct.h"
 
 namespace foveola::study {
 
@@ -38,7 +37,7 @@ struct SeenFrame {
 /// begins where a trial is prepared or a validation begins, and has another number each time. Looks
 /// take a thread of their own, since frames must not wait for them; while one goes on, there is no
 /// other.
-class SimulatedOperator {
+class SimulatedOperator final : private ParticipantActions {
  public:
   /// All that is referred to must outlive the operator.
   struct Parts {
@@ -51,7 +50,7 @@ class SimulatedOperator {
     WindowEvents& window;
   };
 
-  explicit SimulatedOperator(const Parts& parts) : parts_(parts), zero_(parts.clock.now()) {}
+  explicit SimulatedOperator(const Parts& parts);
 
   /// What the session takes in place of the window's events.
   WindowEvents& events() { return events_; }
@@ -67,38 +66,41 @@ class SimulatedOperator {
   void follow(SeenFrame frame, bool may_answer);
 
  private:
-  /// Trial (index into the plan) and attempt.
-  using AttemptOfTrial = std::pair<std::size_t, int>;
-  using Mark = std::pair<AttemptOfTrial, std::size_t>;
+  void act(SeenFrame& frame);
 
-  void answer(SeenFrame& frame);
-  void fill_in(const Form& form, const std::vector<Answer>& answers);
-  void look_at_targets(const SeenFrame& frame);
-  void press_at_what_appears(const SeenFrame& frame);
-  void choose_object(const SeenFrame& frame);
-  void get_ready(const SeenFrame& frame);
-  void watch(SeenFrame& frame);
-  void rate(SeenFrame& frame);
-  /// Begins the trial's attempt, unless it has begun. Returns false, and asks for a pause, if the
-  /// participant wants to stop.
-  bool enter_attempt(const SeenFrame& frame);
-  void begin_attempt(const Attempt& attempt);
-  void turn_to(const std::string& scene, const OfferedObject& object);
-  /// Begins the task, unless it has begun. Returns false, and asks to time the trial again, if the
-  /// timing before it has failed.
-  bool begin(Task task, const Mark& mark, Nanoseconds shown);
-  /// Begins a look at the frame, if its pixels were wanted.
-  void look(SeenFrame& frame);
-  /// Knows what came of a look that is over.
-  void take_thought();
-
-  /// The participant, once a look that goes on is over.
-  Participant& participant() {
+  // What the participant does.
+  Participant& participant() override {
     if (thought_.valid()) {
       thought_.wait();
     }
     return parts_.participant;
   }
+  void consent() override { fill_in({}); }
+  void hand_in(const Questionnaire& /*form*/, const std::vector<Answer>& answers) override {
+    fill_in(answers);
+  }
+  void validate_gaze(const Attempt& attempt) override;
+  void react(std::uint32_t conduct) override;
+  void withdraw() override;
+  void begin_attempt(const Attempt& attempt) override;
+  void choose_object() override;
+  void start_trial() override;
+  void ask_for_retime() override;
+  void begin_task(Task task) override;
+  void look_for_mark() override;
+  void look_around() override;
+  void rate() override;
+  void resume() override { press(withdraws_ ? PersonKey::back : PersonKey::confirm); }
+  void leave() override { press(PersonKey::confirm); }
+
+  /// Types the answer to the question that the form shows, and the key that goes on.
+  void fill_in(const std::vector<Answer>& answers);
+  void turn_to(const std::string& scene, const OfferedObject& object);
+  /// Begins a look at the frame, if its pixels were wanted.
+  void look();
+  /// Knows what came of a look that is over.
+  void take_thought();
+
   Nanoseconds now() const { return parts_.clock.now(); }
   bool is_settled() const;
   void press(PersonKey key) { events_.push(press_of(key, now())); }
@@ -107,12 +109,12 @@ class SimulatedOperator {
   void pass_on_window_events();
 
   Parts parts_;
+  SimulatedConduct conduct_;
+  SeenFrame* frame_ = nullptr;  ///< the frame that is acted upon, meanwhile
   WindowEvents events_;
-  Nanoseconds zero_;  ///< the clock's time at which the attempt's is 0
-  std::optional<AttemptOfTrial> attempt_;
-  Nanoseconds turned_{0};     ///< when it last turned to an object
-  std::string object_;        ///< the object that it last turned to
-  std::optional<Mark> mark_;  ///< what is looked for; the marks' count: the rating
+  Nanoseconds zero_;       ///< the clock's time at which the attempt's is 0
+  Nanoseconds turned_{0};  ///< when it last turned to an object
+  std::string object_;     ///< the object that it last turned to
   std::optional<Nanoseconds> last_glance_;
   std::future<std::optional<Nanoseconds>> thought_;  ///< what see() returns, while it looks
   std::optional<Nanoseconds> due_;                   ///< when the mark's key goes down

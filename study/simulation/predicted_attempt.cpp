@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/prediction/judged_view.h"
+#include "study/stage/trial_preview.h"
 
 namespace foveola::study {
 namespace {
@@ -16,13 +17,6 @@ Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
   return nanoseconds_from_seconds(tracker.latency_s + intervals / tracker.rate_hz);
 }
 
-double samples_per_frame(const TrialAttemptSetting& setting) {
-  const MachineModel& machine = setting.protocol.machine;
-  return setting.trial.kind == TrialKind::catch_trial
-             ? 0.0
-             : machine.samples_per_second / machine.frame_rate_hz;
-}
-
 }  // namespace
 
 PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
@@ -32,8 +26,7 @@ PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Simulated
       observer_(observer),
       sampler_(std::move(sampler)),
       start_(setting.clock.now()),
-      tracker_delay_(mean_delay(setting.protocol.tracker.simulated)),
-      samples_per_frame_(samples_per_frame(setting)) {
+      tracker_delay_(mean_delay(setting.protocol.tracker.simulated)) {
   if (trial != nullptr) {
     sight_.emplace(*trial, *sampler_, aim_at(setting.object.direction, setting.protocol.display),
                    setting.seeds.rendering);
@@ -59,8 +52,8 @@ Evidence PredictedAttempt::look(Nanoseconds now) {
   return sight_ ? sight_->look(task_, observer_.gaze(now), viewport(now)) : Evidence{};
 }
 
-std::uint64_t PredictedAttempt::samples_after(std::uint64_t frames) const {
-  return static_cast<std::uint64_t>(std::floor(samples_per_frame_ * static_cast<double>(frames)));
+std::uint64_t PredictedAttempt::samples_until(std::uint64_t frames) const {
+  return samples_after(frames, setting_.protocol.machine, setting_.trial);
 }
 
 Nanoseconds PredictedAttempt::presented(std::uint64_t frame) const {
@@ -79,7 +72,7 @@ std::uint64_t PredictedAttempt::frame_at(Nanoseconds time) const {
 
 void PredictedAttempt::render_until(std::uint64_t frames) {
   if (sight_) {
-    const auto samples = static_cast<double>(samples_after(frames) - samples_after(frames_));
+    const auto samples = static_cast<double>(samples_until(frames) - samples_until(frames_));
     // The frames of one glance are taken as one, aimed as in their midst.
     const Nanoseconds begin = presented(frames_);
     sight_->add(samples, aim(begin + (presented(frames - 1) - begin) / 2));

@@ -24,11 +24,11 @@ class PredictedAttempt final : public TrialAttempt {
   std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task task) override { task_ = task; }
   void keep() override {}
-  std::uint64_t samples() const override { return samples_after(frames_); }
+  std::uint64_t samples() const override { return samples_until(frames_); }
   std::uint64_t non_finite() const override { return 0; }
 
  private:
-  std::uint64_t samples_after(std::uint64_t frames) const;
+  std::uint64_t samples_until(std::uint64_t frames) const;
   /// By the attempt's clock: the frame of this number, counted from 0, is on the display.
   Nanoseconds presented(std::uint64_t frame) const;
   /// The first frame that is presented at `time` or later.
@@ -45,7 +45,6 @@ class PredictedAttempt final : public TrialAttempt {
   std::unique_ptr<ViewSampler> sampler_;
   Nanoseconds start_;
   Nanoseconds tracker_delay_;
-  double samples_per_frame_ = 0.0;
   std::uint64_t frames_ = 0;
   Task task_ = Task::mark_outline;
   std::optional<PredictedFilm> sight_;

@@ -1,29 +1,17 @@
 #include "study/simulation/virtual_preview.h"
 
-#include <cmath>
-
 #include "study/simulation/watched_participant.h"
 #include "study/stage/trial_preview.h"
 
 namespace foveola::study {
-namespace {
-
-MachineModel machine_for(const Protocol& protocol, const PlannedTrial& trial) {
-  MachineModel machine = protocol.machine;
-  if (trial.kind == TrialKind::catch_trial) {
-    machine.samples_per_second = 0.0;
-  }
-  return machine;
-}
-
-}  // namespace
 
 VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol,
                                const PlannedTrial& trial, const TrialSeeds& seeds,
                                Participant& participant,
                                const std::optional<GazeCorrection>& correction, VirtualClock& clock,
                                const Workers& workers)
-    : machine_(machine_for(protocol, trial)),
+    : machine_(protocol.machine),
+      trial_(trial),
       clock_(clock),
       start_(clock.now()),
       eye_(watch(participant, protocol.tracker, seeds.tracker, correction)),
@@ -36,11 +24,8 @@ VirtualPreview::VirtualPreview(const SceneStage& stage, const Protocol& protocol
 }
 
 FrameReport VirtualPreview::next_frame() {
-  const double samples_per_frame = machine_.samples_per_second / machine_.frame_rate_hz;
-  const auto samples_after = [&](std::uint64_t frames) {
-    return static_cast<std::uint64_t>(std::floor(samples_per_frame * static_cast<double>(frames)));
-  };
-  const std::uint64_t samples = samples_after(frames_ + 1) - samples_after(frames_);
+  const std::uint64_t samples =
+      samples_after(frames_ + 1, machine_, trial_) - samples_after(frames_, machine_, trial_);
   const FrameReport report = preview_.render_frame(clock_.now(), samples);
   ++frames_;
   const Nanoseconds presented =

@@ -39,7 +39,8 @@ class VirtualPreview {
   std::uint64_t non_finite() const { return preview_.dropped().size(); }
 
  private:
-  MachineModel machine_;
+  const MachineModel& machine_;
+  const PlannedTrial& trial_;
   VirtualClock& clock_;
   Nanoseconds start_;
   std::uint64_t frames_ = 0;

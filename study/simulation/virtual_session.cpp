@@ -4,7 +4,6 @@
 
 #include "study/driver/reaction_test.h"
 #include "study/simulation/gaze_validation.h"
-#include "study/stage/conduct.h"
 
 namespace foveola::study {
 
@@ -39,8 +38,8 @@ class VirtualSession::RunningAttempt final : public AttemptPort {
 VirtualSession::VirtualSession(const SessionSetting& setting, const Plan& plan,
                                Participant& participant, const SessionPosition& position)
     : setting_(setting),
-      plan_(plan),
       participant_(participant),
+      conduct_(setting.protocol, plan, setting.seed),
       attempt_start_(position.time),
       driver_({.protocol = setting.protocol, .plan = plan, .position = position, .notes = {}},
               *this, *this, *this, setting.recorder) {}
@@ -61,127 +60,67 @@ std::unique_ptr<AttemptPort> VirtualSession::begin_attempt() {
                                     .key = driver_.attempt_key()}));
 }
 
-void VirtualSession::act(SessionDriver& driver) {
-  switch (state().phase) {
-    case Phase::consent:
-      driver.feed(ConsentGiven{});
-      break;
-    case Phase::questionnaire:
-      answer_questionnaire();
-      break;
-    case Phase::validation:
-      validate();
-      break;
-    case Phase::reaction:
-      press();
-      break;
-    case Phase::choosing_object:
-      choose_object();
-      break;
-    case Phase::ready:
-      start_trial();
-      break;
-    case Phase::armed:
-    case Phase::marking:
-      mark();
-      break;
-    case Phase::rating:
-      rate();
-      break;
-    case Phase::paused:
-      driver.feed(Resumed{});
-      break;
-    case Phase::created:
-    case Phase::interrupted:
-    case Phase::completed:
-    case Phase::withdrawn:
-    case Phase::excluded:
-    case Phase::refused:
-      driver.leave();
-      break;
-  }
+void VirtualSession::act(SessionDriver& /*driver*/) {
+  conduct_.act({.procedure = driver_.procedure(),
+                .state = state(),
+                .now = now(),
+                .look_around_until = driver_.look_around_until()},
+               *this);
 }
 
-void VirtualSession::answer_questionnaire() {
-  const auto& step = std::get<QuestionnaireStep>(driver_.procedure().agenda[state().step]);
-  const Questionnaire& form = questionnaire_of(setting_.protocol, step.questionnaire);
-  driver_.feed(QuestionnaireAnswered{.questionnaire = form.id,
-                                     .answers = participant_.answer(form.id, form.questions)});
+void VirtualSession::hand_in(const Questionnaire& form, const std::vector<Answer>& answers) {
+  driver_.feed(QuestionnaireAnswered{.questionnaire = form.id, .answers = answers});
 }
 
-void VirtualSession::validate() {
-  restart(attempt_at_validation(setting_.seed, state()));
-  const std::optional<GazeValidated> validated =
-      validate_gaze(setting_.protocol, participant_,
-                    step_seed(setting_.seed, SeedPurpose::tracker, state()), clock_, setting_.stop);
+void VirtualSession::validate_gaze(const Attempt& attempt) {
+  begin_attempt(attempt);
+  const std::optional<GazeValidated> validated = study::validate_gaze(
+      setting_.protocol, participant_, step_seed(setting_.seed, SeedPurpose::tracker, state()),
+      clock_, setting_.stop);
   if (validated) {
     driver_.feed(*validated);
   }
 }
 
-void VirtualSession::press() {
+void VirtualSession::react(std::uint32_t conduct) {
   Pcg32 random(step_seed(setting_.seed, SeedPurpose::waiting, state()));
   ReactionTest test(*setting_.protocol.reaction, now(), random);
   clock_.advance(test.due() - now());
   test.was_shown(now());
-  clock_.advance(participant_.react(step_seed(setting_.seed, SeedPurpose::conduct, state())));
+  clock_.advance(participant_.react(conduct));
   test.was_pressed(now());
   driver_.feed(test.result().value());
 }
 
+void VirtualSession::begin_attempt(const Attempt& attempt) {
+  attempt_start_ = now();
+  clock_ = VirtualClock();
+  participant_.begin_attempt(attempt);
+}
+
 void VirtualSession::choose_object() {
-  if (withdraws()) {
-    return;
-  }
   const std::vector<OfferedObject>& objects = stage().objects();
   driver_.feed(
       ObjectChosen{objects[participant_.choose_object(driver_.trial().scene, objects)].name});
 }
 
 void VirtualSession::start_trial() {
-  if (withdraws()) {
-    return;
-  }
   setting_.on_trial(driver_.trial_index());
-  restart(attempt_at_trial(setting_.seed, setting_.protocol, driver_.procedure(), plan_, state()));
   participant_.turn_to(driver_.trial().scene, object_named(stage().objects(), state().object),
                        clock_.now());
   clock_.advance(nanoseconds_from_seconds(settling_s));
   driver_.feed(TrialStarted{});
 }
 
-void VirtualSession::mark() {
-  begin(task_of(setting_.protocol.marks[state().mark]), state().mark);
-  if (pressed_ && now() >= *pressed_ && driver_.mark(*pressed_) && participant_.wants_retime()) {
-    driver_.feed(RetimeRequested{});
-  }
+void VirtualSession::begin_task(Task task) {
+  pressed_.reset();
+  participant_.begin(task, clock_.now());
+  attempt_->begin(task);
 }
 
-void VirtualSession::rate() {
-  begin(Task::look_around, setting_.protocol.marks.size());
-  if (now() >= driver_.look_around_until()) {
-    driver_.feed(Rated{participant_.rate(setting_.protocol.ratings)});
-  }
-}
-
-bool VirtualSession::withdraws() {
-  return participant_.wants_to_withdraw(static_cast<int>(driver_.trial_index())) &&
-         driver_.feed(Withdrawn{});
-}
-
-void VirtualSession::restart(const Attempt& attempt) {
-  attempt_start_ = now();
-  clock_ = VirtualClock();
-  task_.reset();
-  participant_.begin_attempt(attempt);
-}
-
-void VirtualSession::begin(Task task, std::size_t index) {
-  if (task_ != index) {
-    task_ = index;
-    pressed_.reset();
-    participant_.begin(task, clock_.now());
-    attempt_->begin(task);
+void VirtualSession::look_for_mark() {
+  if (pressed_ && now() >= *pressed_) {
+    driver_.mark(*pressed_);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "study/participant/participant.h"
 #include "study/session/session.h"
 #include "study/simulation/trial_attempt.h"
+#include "study/stage/conduct.h"
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
 
@@ -34,7 +35,10 @@ struct SessionSetting {
 
 /// Runs one session until it is completed, refused by the protocol's gate, withdrawn from, or
 /// interrupted because a stop was requested.
-class VirtualSession final : private ClockPort, private DisplayPort, private InputPort {
+class VirtualSession final : private ClockPort,
+                             private DisplayPort,
+                             private InputPort,
+                             private ParticipantActions {
  public:
   /// position: where the session, which is not over, goes on. All that is referred to must outlive
   /// it.
@@ -57,35 +61,37 @@ class VirtualSession final : private ClockPort, private DisplayPort, private Inp
 
   void act(SessionDriver& driver) override;
   std::optional<Nanoseconds> next_press() const override { return pressed_; }
-  void answer_questionnaire();
-  void validate();
-  void press();
-  void choose_object();
-  void start_trial();
-  void mark();
-  void rate();
 
-  /// Returns whether the participant ends the session here.
-  bool withdraws();
+  Participant& participant() override { return participant_; }
+  void consent() override { driver_.feed(ConsentGiven{}); }
+  void hand_in(const Questionnaire& form, const std::vector<Answer>& answers) override;
+  void validate_gaze(const Attempt& attempt) override;
+  void react(std::uint32_t conduct) override;
+  void withdraw() override { driver_.feed(Withdrawn{}); }
   /// The attempt's clock starts anew.
-  void restart(const Attempt& attempt);
-  /// Unless the participant is at it: looks for something else, as the `index`-th task of the
-  /// attempt.
-  void begin(Task task, std::size_t index);
+  void begin_attempt(const Attempt& attempt) override;
+  void choose_object() override;
+  void start_trial() override;
+  void ask_for_retime() override { driver_.feed(RetimeRequested{}); }
+  void begin_task(Task task) override;
+  void look_for_mark() override;
+  void look_around() override {}
+  void rate() override { driver_.feed(Rated{participant_.rate(setting_.protocol.ratings)}); }
+  void resume() override { driver_.feed(Resumed{}); }
+  void leave() override { driver_.leave(); }
 
   const SessionState& state() const { return driver_.state(); }
   const SceneStage& stage() const { return *setting_.stages.at(driver_.trial().scene); }
   std::uint32_t seed_of_trial(SeedPurpose purpose) const;
 
   SessionSetting setting_;
-  const Plan& plan_;
   Participant& participant_;
+  SimulatedConduct conduct_;
   /// The session's clock is at attempt_start_ when the attempt's, clock_, is at 0. What a
   /// participant sees and does is a matter of the latter, to the last bit.
   Nanoseconds attempt_start_;
   VirtualClock clock_;
-  TrialAttempt* attempt_ = nullptr;  ///< while a trial is rendered
-  std::optional<std::size_t> task_;  ///< index of the mark that is looked for; their count: rating
+  TrialAttempt* attempt_ = nullptr;     ///< while a trial is rendered
   std::optional<Nanoseconds> pressed_;  ///< the key, by the session's clock, for the task
   SessionDriver driver_;
 };

@@ -1,7 +1,9 @@
 // How simulated participants take part, in virtual time and in real time alike.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/participant/participant.h"
@@ -17,21 +19,85 @@ constexpr double glance_interval_s = 0.1;
 /// Until a participant is ready for a trial: head and eye have turned to the object.
 constexpr double settling_s = 1.0;
 
-/// What they look for until they make this mark. Whoever makes one that nobody judges, at a drawn
-/// time, keeps the eyes on the object as for its material.
-Task task_of(const MarkEntry& mark);
-
-/// The attempt at the trial that `state` is in, as the participant takes part in it.
-Attempt attempt_at_trial(const SessionSeed& seed, const Protocol& protocol,
-                         const Procedure& procedure, const Plan& plan, const SessionState& state);
-
-/// The look at all targets of a validation in which `state` is.
-inline Attempt attempt_at_validation(const SessionSeed& seed, const SessionState& state) {
-  return {.conduct = step_seed(seed, SeedPurpose::conduct, state), .trials_before = 0};
-}
-
 /// The object of this name. Throws Error if the scene does not offer it any more.
 const OfferedObject& object_named(const std::vector<OfferedObject>& offered,
                                   const std::string& name);
+
+/// How what a simulated participant does reaches the session: fed to its driver at once, or typed
+/// as keys. What a phase asks for may be called frame after frame until the phase is over.
+class ParticipantActions {
+ public:
+  virtual ~ParticipantActions() = default;
+
+  /// Who takes part, as soon as nothing else asks the participant.
+  virtual Participant& participant() = 0;
+
+  virtual void consent() = 0;
+  virtual void hand_in(const Questionnaire& form, const std::vector<Answer>& answers) = 0;
+  /// attempt: the look at all targets.
+  virtual void validate_gaze(const Attempt& attempt) = 0;
+  /// conduct: the number of the reaction.
+  virtual void react(std::uint32_t conduct) = 0;
+  /// Ends the session between two trials.
+  virtual void withdraw() = 0;
+  /// Once for an attempt at a trial, before its object is chosen or it is started.
+  virtual void begin_attempt(const Attempt& attempt) = 0;
+  virtual void choose_object() = 0;
+  virtual void start_trial() = 0;
+  /// Asks for the trial to be timed again.
+  virtual void ask_for_retime() = 0;
+  /// Once for a task of an attempt, before it is looked for or around.
+  virtual void begin_task(Task task) = 0;
+  virtual void look_for_mark() = 0;
+  virtual void look_around() = 0;
+  virtual void rate() = 0;
+  /// Goes on after a pause.
+  virtual void resume() = 0;
+  /// Leaves the session, which is over.
+  virtual void leave() = 0;
+};
+
+/// A session at the moment in which its participant acts.
+struct SessionMoment {
+  const Procedure& procedure;
+  const SessionState& state;
+  Nanoseconds now{0};                ///< session clock
+  Nanoseconds look_around_until{0};  ///< session clock: the trial is rated from then on
+};
+
+/// Decides what a simulated participant does in each phase of a session.
+class SimulatedConduct {
+ public:
+  /// protocol, plan: must outlive this.
+  SimulatedConduct(const Protocol& protocol, const Plan& plan, const SessionSeed& seed)
+      : protocol_(protocol), plan_(plan), seed_(seed) {}
+
+  /// Does what the session waits for; nothing if it waits for nothing of its participant.
+  void act(const SessionMoment& moment, ParticipantActions& actions);
+
+ private:
+  /// Trial (index into the plan) and attempt.
+  using AttemptOfTrial = std::pair<std::size_t, int>;
+  using TaskOfAttempt = std::pair<AttemptOfTrial, std::size_t>;
+
+  AttemptOfTrial attempt_in(const SessionMoment& moment) const;
+  /// Begins the trial's attempt unless it has begun. Returns false if the participant withdraws.
+  bool enter_attempt(const SessionMoment& moment, ParticipantActions& actions);
+  /// Begins the `index`-th task of the attempt unless it has begun. Returns false if the
+  /// participant asks to time the trial again.
+  bool enter_task(Task task, std::size_t index, const SessionMoment& moment,
+                  ParticipantActions& actions);
+  /// Whether the participant made the last mark and noticed that it was too early.
+  bool regrets_last_mark(const SessionMoment& moment, ParticipantActions& actions) const;
+  const PlannedTrial& trial_in(const SessionMoment& moment) const {
+    return plan_[attempt_in(moment).first];
+  }
+
+  const Protocol& protocol_;
+  const Plan& plan_;
+  SessionSeed seed_;
+  std::optional<AttemptOfTrial> attempt_;
+  std::optional<TaskOfAttempt> task_;  ///< its number is the mark's; the marks' count: the rating
+};
 
 }  // namespace foveola::study

@@ -1,5 +1,7 @@
 #include "study/stage/trial_preview.h"
 
+#include <cmath>
+
 namespace foveola::study {
 
 PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSettings& settings,
@@ -18,6 +20,15 @@ PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSett
   preview.unsampled = settings.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
   preview.exposure_stops = stage.source().exposure_stops;
   return preview;
+}
+
+bool is_rendered(const PlannedTrial& trial) { return trial.kind != TrialKind::catch_trial; }
+
+std::uint64_t samples_after(std::uint64_t frames, const MachineModel& machine,
+                            const PlannedTrial& trial) {
+  const double per_frame =
+      is_rendered(trial) ? machine.samples_per_second / machine.frame_rate_hz : 0.0;
+  return static_cast<std::uint64_t>(std::floor(per_frame * static_cast<double>(frames)));
 }
 
 double mark_timeout_s(const Protocol& protocol, const PlannedTrial& trial) {
