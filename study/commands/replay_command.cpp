@@ -72,7 +72,10 @@ void print_json(const ReplayReport& report) {
   for (const ReplayedAttempt& attempt : report.attempts) {
     attempts.push_back(json_of(attempt));
   }
-  const nlohmann::json json = {{"attempts", attempts}, {"approximate", report.approximate}};
+  nlohmann::json json = {{"attempts", attempts}, {"approximate", report.approximate}};
+  if (!report.difference.empty()) {
+    json["difference"] = report.difference;
+  }
   fmt::print("{}\n", json.dump(2));
 }
 
@@ -83,6 +86,15 @@ void print_lines(const ReplayReport& report) {
   }
   for (const ReplayedAttempt& attempt : report.attempts) {
     fmt::print("{}", line_of(attempt, is_approximate));
+  }
+}
+
+/// What a session does at its recorded answers depends on neither the program's build nor the
+/// processor.
+void require_same_events(const ReplayReport& report, const std::string& database) {
+  if (!report.difference.empty()) {
+    throw Error(database, report.difference,
+                "foveola study verify says whether the record is whole");
   }
 }
 
@@ -119,6 +131,7 @@ void run_replay(const ReplayArguments& arguments, const SceneFinder& find_scene,
   } else {
     print_lines(report);
   }
+  require_same_events(report, arguments.database);
   require_same_films(report, arguments.database);
 }
 
@@ -128,7 +141,7 @@ void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command =
       add_command(study, "replay",
-                  "Render a recorded session again, and compare its films with the recorded ones",
+                  "Run a recorded session again, and compare its events and films with the recorded ones",
                   "replay study.sqlite --participant P001 --trial 0 -o pictures");
   add_database(command, arguments->database);
   command->add_option("--participant", arguments->participant, "The participant's code")

@@ -1,5 +1,5 @@
-// What the driver of a session needs of the world. Virtual time, real time in a window and a
-// headset differ in these ports alone: in their clock, in what they show, and in who answers.
+// What the driver of a session needs of the world. Virtual time, real time in a window, a headset
+// and a replay differ in these ports alone: in their clock, in what they show, and in who answers.
 #pragma once
 
 #include <cstdint>

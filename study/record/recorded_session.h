@@ -26,6 +26,8 @@ struct RecordedAttempt {
   std::size_t trial = 0;  ///< index into the plan
   int attempt = 1;
   int timing = 1;
+
+  friend bool operator==(const RecordedAttempt&, const RecordedAttempt&) = default;
 };
 
 struct RecordedSession {
@@ -35,6 +37,7 @@ struct RecordedSession {
   std::optional<RecordedDisplay> display;    ///< there in a person's session
   std::optional<SimulationKind> simulation;  ///< there in a simulated one
   Plan plan;
+  std::vector<LoggedEvent> events;        ///< in their order
   std::vector<RecordedAttempt> attempts;  ///< in the order of time
 };
 

@@ -7,15 +7,16 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
-#include "renderer/film/film_hash.h"
-#include "renderer/film/viewport_image.h"
-#include "renderer/image/image_file.h"
 #include "study/protocol/scaled_protocol.h"
 #include "study/record/recorded_session.h"
 #include "study/record/same_scenes.h"
+#include "study/replay/attempt_replay.h"
+#include "study/replay/driven_replay.h"
 #include "study/stage/scene_stage.h"
 #include "study/stage/seeds.h"
 #include "study/stage/trial_preview.h"
+
+namespace fs = std::filesystem;
 
 namespace foveola::study {
 namespace {
@@ -81,57 +82,50 @@ class Replay {
 
   ReplayReport run(const std::stop_token& stop) {
     ReplayReport report{.approximate = why_approximate(session_, protocol_)};
-    const std::vector<RecordedAttempt> attempts = chosen_attempts(session_, settings_);
+    chosen_ = chosen_attempts(session_, settings_);
     Progress progress("Replaying");
-    for (const RecordedAttempt& attempt : attempts) {
-      if (stop.stop_requested()) {
-        break;
-      }
-      report.attempts.push_back(show(attempt));
+    const auto add = [&](const ReplayedAttempt& attempt) {
+      report.attempts.push_back(attempt);
       progress.update(static_cast<double>(report.attempts.size()) /
-                      static_cast<double>(attempts.size()));
-    }
+                      static_cast<double>(chosen_.size()));
+    };
+    report.difference = drive_again(
+        {.session = session_,
+         .protocol = protocol_,
+         .amended = [&](const Amendment& amendment) { return amended_protocol(amendment); },
+         .begin_attempt = [&](const RecordedAttempt& attempt) -> std::unique_ptr<AttemptPort> {
+           return is_chosen(attempt) ? begin(attempt, add) : nullptr;
+         }},
+        stop);
     return report;
   }
 
  private:
-  ReplayedAttempt show(const RecordedAttempt& attempt) {
-    const PlannedTrial& trial = session_.plan.at(attempt.trial);
-    const RecordedFrames recorded = read_frames(settings_.database, session_.known, attempt);
-    ReplayedAttempt replayed{.trial = attempt.trial,
-                             .attempt = attempt.attempt,
-                             .planned = trial,
-                             .frames = recorded.frames.size()};
-    const SceneStage& stage = stage_of(trial.scene);
-    // Nobody watches: where head and eye were is in the frames.
-    FixedEyeTracker eye(Vec3(0.0F, 0.0F, -1.0F));
-    SimulatedHeadTracker head([](Nanoseconds) { return AzimuthElevation{}; });
-    Preview preview(stage.tracer(), preview_settings(trial, stage), eye, head, workers_);
-    preview.restart(make_sampler(protocol_, trial.method),
-                    rendering_seed(session_.known.seed, session_.known.design_row, protocol_, trial,
-                                   attempt.timing));
-    auto hash = recorded.hashes.begin();
-    for (std::uint64_t frame = 0; frame < recorded.frames.size(); ++frame) {
-      render(recorded.frames[frame], preview);
-      if (hash != recorded.hashes.end() && hash->frame == frame) {
-        ++replayed.hashes;
-        if (!replayed.first_difference && film_sha256(preview.film()) != hash->sha256) {
-          replayed.first_difference = frame;
-        }
-        ++hash;
-      }
-    }
-    replayed.samples = preview.film().total_samples();
-    write_picture(attempt, preview);
-    return replayed;
+  bool is_chosen(const RecordedAttempt& attempt) const {
+    return std::find(chosen_.begin(), chosen_.end(), attempt) != chosen_.end();
   }
 
-  static void render(const FrameRow& frame, Preview& preview) {
-    FrameReport report = preview.begin_frame(
-        frame.time,
-        {.azimuth_rad = frame.head_azimuth_rad, .elevation_rad = frame.head_elevation_rad},
-        frame.gaze);
-    preview.trace(frame.samples, report);
+  std::unique_ptr<AttemptPort> begin(const RecordedAttempt& attempt,
+                                     std::function<void(const ReplayedAttempt&)> report) {
+    const PlannedTrial& trial = session_.plan.at(attempt.trial);
+    RecordedFrames recorded = read_frames(settings_.database, session_.known, attempt);
+    const SceneStage& stage = stage_of(trial.scene);
+    return std::make_unique<AttemptReplay>(AttemptReplaySetting{
+        .stage = stage,
+        .workers = workers_,
+        .preview = preview_settings(trial, stage),
+        .sampler = make_sampler(protocol_, trial.method),
+        .seed = rendering_seed(session_.known.seed, session_.known.design_row, protocol_, trial,
+                               attempt.timing),
+        .recorded = std::move(recorded),
+        .attempt = {.trial = attempt.trial, .attempt = attempt.attempt, .planned = trial},
+        .picture = picture_of(attempt),
+        .report = std::move(report)});
+  }
+
+  /// Of the same design, so that only what is waited for may differ.
+  Protocol amended_protocol(const Amendment& amendment) const {
+    return read_protocol(amendment.text, settings_.folder / (protocol_.name + ".toml"));
   }
 
   PreviewSettings preview_settings(const PlannedTrial& trial, const SceneStage& stage) const {
@@ -145,17 +139,12 @@ class Replay {
     return preview;
   }
 
-  void write_picture(const RecordedAttempt& attempt, const Preview& preview) const {
-    if (settings_.pictures.empty()) {
-      return;
-    }
-    const PreviewSettings& shown = preview.settings();
-    write_image(
-        settings_.pictures / fmt::format("{}-trial-{:02}-attempt-{}.png", settings_.participant,
-                                         attempt.trial, attempt.attempt),
-        viewport_image(preview.film(), preview.viewport(), shown.view_size.x, shown.view_size.y,
-                       shown.unsampled, workers_),
-        shown.exposure_stops);
+  fs::path picture_of(const RecordedAttempt& attempt) const {
+    return settings_.pictures.empty()
+               ? fs::path()
+               : settings_.pictures / fmt::format("{}-trial-{:02}-attempt-{}.png",
+                                                  settings_.participant, attempt.trial,
+                                                  attempt.attempt);
   }
 
   /// Loaded when it is first needed.
@@ -175,6 +164,7 @@ class Replay {
   Protocol protocol_;
   Workers workers_;
   SceneStages stages_;
+  std::vector<RecordedAttempt> chosen_;
 };
 
 }  // namespace

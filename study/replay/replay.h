@@ -38,11 +38,15 @@ struct ReplayReport {
   /// Why the films may differ in their last bits: another program or processor. Empty if nothing is
   /// known to be another.
   std::string approximate;
+  /// How the first event that the session, driven again, makes differs from the recorded one, with
+  /// its number in the session; empty if none does.
+  std::string difference;
 };
 
-/// Renders a session's attempts again: the protocol, head, gaze, samples and seeds are those of the
-/// record, the scenes are found by name. Throws Error if one of the scenes, or of what the protocol
-/// names, is another now. A requested stop ends it after an attempt.
+/// Drives a session again by its recorded answers, and renders its attempts: the protocol, head,
+/// gaze, samples and seeds are those of the record, the scenes are found by name. Throws Error if
+/// one of the scenes, or of what the protocol names, is another now. A requested stop ends it after
+/// an attempt.
 ReplayReport replay_session(const ReplaySettings& settings, const SceneFinder& find_scene,
                             const std::stop_token& stop);
 
