@@ -66,7 +66,7 @@ std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
   for (const std::string& name : arguments.numbers) {
     if (std::none_of(chosen.begin(), chosen.end(),
                      [&](const StatedNumber& number) { return number.name == name; })) {
-      throw Error(fmt::format("--number {}", name), "is none of people",
+      throw Error(fmt::format("--number {}", name), "is not a number in a population file",
                   "see the names in data/participants/adults.toml");
     }
   }

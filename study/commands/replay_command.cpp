@@ -139,10 +139,10 @@ void run_replay(const ReplayArguments& arguments, const SceneFinder& find_scene,
 
 void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command =
-      add_command(study, "replay",
-                  "Run a recorded session again, and compare its events and films with the recorded ones",
-                  "replay study.sqlite --participant P001 --trial 0 -o pictures");
+  CLI::App* command = add_command(
+      study, "replay",
+      "Run a recorded session again, and compare its events and films with the recorded ones",
+      "replay study.sqlite --participant P001 --trial 0 -o pictures");
   add_database(command, arguments->database);
   command->add_option("--participant", arguments->participant, "The participant's code")
       ->required();

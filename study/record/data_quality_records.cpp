@@ -93,7 +93,7 @@ struct CountedAttempt {
   std::size_t trial = 0;
   int attempt = 0;
   std::vector<StoredFrames> frames;
-  std::vector<Nanoseconds> marks;  ///< by the session's clock; not those that timed out
+  std::vector<Nanoseconds> marks;  ///< session clock; without right-censored ones
 
   FrameSums sums() const {
     try {

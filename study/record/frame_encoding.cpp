@@ -10,7 +10,7 @@ constexpr std::uint32_t gaze_valid_bit = 1;
 constexpr std::uint32_t gaze_held_bit = 2;
 constexpr std::uint32_t late_bit = 4;
 
-bool tells_presentation(const std::string& encoding) {
+bool keeps_presentation(const std::string& encoding) {
   return encoding != encoding_without_presentation;
 }
 
@@ -30,10 +30,10 @@ void append_frame(std::string& bytes, const FrameRow& frame) {
   append(bytes, flags_of(frame));
 }
 
-FrameRow take_frame(std::string_view& bytes, bool tells_presentation) {
+FrameRow take_frame(std::string_view& bytes, bool keeps_presentation) {
   FrameRow frame;
   frame.time = take_nanoseconds(bytes);
-  frame.presented = tells_presentation ? take_nanoseconds(bytes) : frame.time;
+  frame.presented = keeps_presentation ? take_nanoseconds(bytes) : frame.time;
   frame.head_azimuth_rad = take_float(bytes);
   frame.head_elevation_rad = take_float(bytes);
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,7 +51,7 @@ FrameRow take_frame(std::string_view& bytes, bool tells_presentation) {
 }  // namespace
 
 std::int64_t bytes_per_frame(const std::string& encoding) {
-  return tells_presentation(encoding) ? 52 : 44;
+  return keeps_presentation(encoding) ? 52 : 44;
 }
 
 std::string encode_frames(const std::vector<FrameRow>& frames) {
@@ -66,7 +66,7 @@ std::string encode_frames(const std::vector<FrameRow>& frames) {
 std::vector<FrameRow> decode_frames(const std::string& encoding, std::string_view bytes) {
   std::vector<FrameRow> frames;
   while (std::ssize(bytes) >= bytes_per_frame(encoding)) {
-    frames.push_back(take_frame(bytes, tells_presentation(encoding)));
+    frames.push_back(take_frame(bytes, keeps_presentation(encoding)));
   }
   return frames;
 }

@@ -22,7 +22,7 @@ std::vector<GazeSample> read_gaze(const std::filesystem::path& path, const std::
 struct MarkedMoment {
   std::string mark;  ///< its name in the protocol
   Nanoseconds time{0};
-  bool censored = false;  ///< it timed out
+  bool censored = false;  ///< right-censored: no mark came in time
 };
 
 /// One timing of a trial with all of its gaze; times are of the session's clock.

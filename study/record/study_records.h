@@ -21,7 +21,7 @@ struct TrialRow {
   int attempts = 0;                  ///< 0 if the session ended before it
   std::optional<double> outline_s;   ///< from the first presented frame to the outline mark
   std::optional<double> material_s;  ///< from the first presented frame to the material mark
-  bool outline_censored = false;     ///< timed out: outline_s is a lower bound
+  bool outline_censored = false;     ///< right-censored: outline_s is a lower bound
   bool material_censored = false;
   std::optional<int> artifact_rating;  ///< the rating "artifacts", a whole number from 1 to 5
 };

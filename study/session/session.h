@@ -72,7 +72,7 @@ struct FirstFramePresented {
 struct Marked {
   Nanoseconds time{0};
 };
-/// The mark that is waited for did not come in time: it is censored.
+/// The mark that is waited for did not come in time: it is right-censored.
 struct TimedOut {
   Nanoseconds time{0};
 };

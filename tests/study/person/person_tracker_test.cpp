@@ -3,24 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/angles.h"
+#include "tests/renderer/gaze/test_eye_tracker.h"
 
 namespace foveola::study {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// Sends what the test puts into it.
-class TestTracker final : public EyeTracker {
- public:
-  void poll(Nanoseconds /*now*/, std::vector<GazeSample>& arrived) override {
-    arrived.insert(arrived.end(), next.begin(), next.end());
-    next.clear();
-  }
-  std::string status() const override { return why; }
-
-  std::vector<GazeSample> next;
-  std::string why;
-};
 
 class PersonTrackerTest : public ::testing::Test {
  protected:
@@ -33,7 +21,7 @@ class PersonTrackerTest : public ::testing::Test {
     source_.next.push_back({.time = time, .valid = valid});
   }
 
-  TestTracker source_;
+  foveola::test::TestEyeTracker source_;
   PersonTracker tracker_{source_};
 };
 
@@ -100,7 +88,7 @@ TEST_F(PersonTrackerTest, ABlinkIsNoLoss) {
 TEST_F(PersonTrackerTest, IsLostAtOnceWhenItSaysWhy) {
   send(0s);
   poll(1ms);
-  source_.why = "unplugged";
+  source_.says = "unplugged";
   poll(2ms);
   EXPECT_TRUE(tracker_.is_lost());
 }
