@@ -11,8 +11,8 @@ InjectedEffectParticipant::InjectedEffectParticipant(const InjectedEffect& effec
                                                      const SimulatedParticipant& person,
                                                      const Background& background,
                                                      std::uint64_t seed, int row, const Plan& plan)
-    : effect_(effect),
-      person_(person),
+    : SimulatedParticipant(person),
+      effect_(effect),
       background_(background),
       seed_(seed),
       row_(row),
@@ -32,12 +32,12 @@ void InjectedEffectParticipant::begin_attempt(const Attempt& attempt) {
   first_frame_.reset();
   is_marking_ = false;
   marks_ = 0;
-  person_.begin_attempt(attempt);
+  SimulatedParticipant::begin_attempt(attempt);
 }
 
 void InjectedEffectParticipant::begin(Task task, Nanoseconds now) {
   is_marking_ = task != Task::look_around;
-  person_.begin(task, now);
+  SimulatedParticipant::begin(task, now);
 }
 
 bool InjectedEffectParticipant::wants_to_withdraw(int trials_before) const {

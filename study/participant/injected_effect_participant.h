@@ -8,7 +8,7 @@
 
 namespace foveola::study {
 
-class InjectedEffectParticipant final : public SimulatedObserver {
+class InjectedEffectParticipant final : public SimulatedParticipant {
  public:
   /// `person` answers forms, chooses objects and moves the eyes. `row` is the participant's, from 0
   /// on. `plan` is the session's, from which the scene and method of a trial are known.
@@ -16,23 +16,8 @@ class InjectedEffectParticipant final : public SimulatedObserver {
                             const Background& background, std::uint64_t seed, int row,
                             const Plan& plan);
 
-  std::vector<Answer> answer(const std::string& form,
-                             const std::vector<Question>& questions) override {
-    return person_.answer(form, questions);
-  }
-  Nanoseconds react(std::uint32_t attempt) override { return person_.react(attempt); }
-  std::size_t choose_object(const std::string& scene,
-                            const std::vector<OfferedObject>& offered) override {
-    return person_.choose_object(scene, offered);
-  }
   void begin_attempt(const Attempt& attempt) override;
-  void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override {
-    person_.turn_to(scene, object, now);
-  }
-  void look_at(const Vec3& target, Nanoseconds now) override { person_.look_at(target, now); }
   void begin(Task task, Nanoseconds now) override;
-  AzimuthElevation head(Nanoseconds time) override { return person_.head(time); }
-  Vec3 gaze(Nanoseconds time) override { return person_.gaze(time); }
   std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
     return consider({}, stimulus.presented);
   }
@@ -45,14 +30,12 @@ class InjectedEffectParticipant final : public SimulatedObserver {
   /// The first glance of an attempt counts as its first frame. There is no mark in a catch trial.
   std::optional<Nanoseconds> consider(const Evidence& evidence, Nanoseconds now) override;
   bool looks() const override { return false; }
-  ScanPath& path() override { return person_.path(); }
 
  private:
   /// The number of trials before withdrawing; empty for a participant who stays.
   std::optional<int> draw_dropout() const;
 
   InjectedEffect effect_;
-  SimulatedParticipant person_;
   Background background_;
   std::uint64_t seed_;
   int row_;

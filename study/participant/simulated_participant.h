@@ -20,7 +20,7 @@ using SceneKnowledge = std::function<KnownScene(const std::string& scene)>;
 /// Marks an outline when its contrast stands out of the noise, the difference from the expected
 /// image, and a material when that difference is no longer noticed; both after a reaction time.
 /// Rates by the difference noticed while looking around. The same seed is the same person.
-class SimulatedParticipant final : public SimulatedObserver {
+class SimulatedParticipant : public SimulatedObserver {
  public:
   SimulatedParticipant(const Population& population, SceneKnowledge knowledge, std::uint64_t seed);
 

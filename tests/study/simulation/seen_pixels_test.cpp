@@ -25,49 +25,25 @@ using Glasses = std::function<RgbImage(std::size_t trial, std::size_t glance, Rg
 
 /// Somebody who wears glasses, and takes every trial as if it were the first one: all trials leave
 /// the same to chance.
-class WearsGlasses final : public Participant {
+class WearsGlasses final : public SimulatedParticipant {
  public:
-  WearsGlasses(SimulatedParticipant person, Glasses glasses)
-      : person_(std::move(person)), glasses_(std::move(glasses)) {}
+  WearsGlasses(const SimulatedParticipant& person, Glasses glasses)
+      : SimulatedParticipant(person), glasses_(std::move(glasses)) {}
 
-  std::vector<Answer> answer(const std::string& form,
-                             const std::vector<Question>& questions) override {
-    return person_.answer(form, questions);
-  }
-  Nanoseconds react(std::uint32_t attempt) override { return person_.react(attempt); }
-  std::size_t choose_object(const std::string& scene,
-                            const std::vector<OfferedObject>& offered) override {
-    return person_.choose_object(scene, offered);
-  }
   void begin_attempt(const Attempt& attempt) override {
     trial_ = static_cast<std::size_t>(attempt.trials_before);
     glance_ = 0;
-    person_.begin_attempt({.conduct = 1});
+    SimulatedParticipant::begin_attempt({.conduct = 1});
   }
-  void turn_to(const std::string& scene, const OfferedObject& object, Nanoseconds now) override {
-    person_.turn_to(scene, object, now);
-  }
-  void look_at(const Vec3& target, Nanoseconds now) override { person_.look_at(target, now); }
-  void begin(Task task, Nanoseconds now) override { person_.begin(task, now); }
-  AzimuthElevation head(Nanoseconds time) override { return person_.head(time); }
-  Vec3 gaze(Nanoseconds time) override { return person_.gaze(time); }
   std::optional<Nanoseconds> see(const Stimulus& stimulus) override {
     const RgbImage image = glasses_(trial_, glance_++, stimulus.image);
-    return person_.see({.image = image,
-                        .viewport = stimulus.viewport,
-                        .gaze = stimulus.gaze,
-                        .presented = stimulus.presented});
-  }
-  bool wants_retime() const override { return person_.wants_retime(); }
-  bool wants_to_withdraw(int trials_before) const override {
-    return person_.wants_to_withdraw(trials_before);
-  }
-  std::vector<Answer> rate(const std::vector<Question>& ratings) override {
-    return person_.rate(ratings);
+    return SimulatedParticipant::see({.image = image,
+                                      .viewport = stimulus.viewport,
+                                      .gaze = stimulus.gaze,
+                                      .presented = stimulus.presented});
   }
 
  private:
-  SimulatedParticipant person_;
   Glasses glasses_;
   std::size_t trial_ = 0;
   std::size_t glance_ = 0;
