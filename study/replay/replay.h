@@ -1,4 +1,5 @@
-// A recorded session shown again: each attempt's film, frame by frame, from what the record keeps.
+// A recorded session run again from what the record keeps: its events by the session's driver, and
+// each attempt's film frame by frame.
 #pragma once
 
 #include <cstdint>

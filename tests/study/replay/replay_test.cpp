@@ -201,6 +201,27 @@ TEST_F(ReplayTest, AnExcludedSessionIsMadeAgain) {
   EXPECT_THAT(same_attempts(), ElementsAre("0.1"));
 }
 
+TEST_F(ReplayTest, TheFirstFrameWasPresentedWhenItsRowSays) {
+  PlayedSession session(store_, facts(), plan_, protocol_);
+  session.happen(ms(0), SessionStarted{});
+  session.choose_and_start(ms(20));
+  StoreRecorder recorder(store_, session.id());
+  recorder.record(FrameChunk{.frames = {{.time = ms(25), .presented = ms(31)}}});
+  session.happen(ms(30), FirstFramePresented{ms(30)});
+  EXPECT_THAT(replay().difference, HasSubstr("makes first_frame_presented {\"time_ns\":31000000}"));
+}
+
+// The oldest files do not keep it: there, a frame is presented when it is begun.
+TEST_F(ReplayTest, WhereThatIsNotKeptTheEventIsTrusted) {
+  PlayedSession session(store_, facts(), plan_, protocol_);
+  session.happen(ms(0), SessionStarted{});
+  session.choose_and_start(ms(20));
+  StoreRecorder recorder(store_, session.id());
+  recorder.record(FrameChunk{.frames = {{.time = ms(25), .presented = ms(25)}}});
+  session.happen(ms(30), FirstFramePresented{ms(30)});
+  EXPECT_EQ(replay().difference, "");
+}
+
 // The notes of a moment may come between a deadline and its time-out.
 TEST_F(ReplayTest, TheOrderOfTheRecordCounts) {
   PlayedSession session(store_, facts(), plan_, protocol_);
