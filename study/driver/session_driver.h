@@ -16,9 +16,9 @@
 namespace foveola::study {
 
 struct DrivenSession {
-  const Protocol& protocol;  ///< must outlive the driver, as the plan
+  const Protocol& protocol;  ///< protocol and plan must outlive the driver
   const Plan& plan;
-  SessionPosition position;        ///< where it goes on; it is not over there
+  SessionPosition position;        ///< where the session goes on, before its end
   std::vector<std::string> notes;  ///< written when the session begins or goes on
 };
 
@@ -26,7 +26,7 @@ struct SessionOutcome {
   Phase phase = Phase::created;  ///< completed, refused, withdrawn, excluded or interrupted
   std::size_t trials = 0;        ///< how many were completed in this run
   Nanoseconds duration{0};       ///< how long this run took, by the session's clock
-  std::uint64_t samples = 0;     ///< traced in the attempts that are over
+  std::uint64_t samples = 0;     ///< samples traced in the attempts that are over
   std::uint64_t non_finite = 0;
 };
 
@@ -96,7 +96,7 @@ class SessionDriver {
   SessionLog log_;
   SessionState seen_;
   std::optional<GazeCorrection> correction_;
-  std::unique_ptr<AttemptPort> attempt_;  ///< while it goes on
+  std::unique_ptr<AttemptPort> attempt_;  ///< while an attempt goes on
   bool is_to_render_ = false;             ///< whether an attempt goes on, or waits to begin
   Nanoseconds look_around_until_{0};
   std::uint64_t events_fed_ = 0;

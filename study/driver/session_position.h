@@ -11,7 +11,7 @@ namespace foveola::study {
 
 struct SessionPosition {
   SessionState state;
-  Nanoseconds time{0};  ///< session clock: the last that is recorded
+  Nanoseconds time{0};  ///< session clock: time of the last event
   std::optional<GazeCorrection>
       correction;  ///< what the gaze goes through since the last validation
 };

@@ -17,7 +17,7 @@ struct SessionSoFar {
 
 struct Resumption {
   bool resumes = false;          ///< whether the experimenter wants to go on with it
-  bool despite_changes = false;  ///< even by another version of the program
+  bool despite_changes = false;  ///< whether it may go on by another version of the program
 };
 
 /// What a session in `store` was. Throws Error if its record cannot have come about.

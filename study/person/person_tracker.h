@@ -42,8 +42,9 @@ class PersonTracker final : public EyeTracker {
  private:
   EyeTracker* source_;
   std::optional<GazeCorrection> correction_;
-  std::optional<Nanoseconds> last_arrival_;  ///< or the first poll
-  std::optional<GazeSample> newest_valid_;   ///< corrected
+  /// When the newest sample arrived; before there is one, the time of the first poll.
+  std::optional<Nanoseconds> last_arrival_;
+  std::optional<GazeSample> newest_valid_;  ///< the newest valid sample, corrected
   bool repeats_newest_ = false;
   bool is_lost_ = false;
 };

@@ -16,16 +16,16 @@ namespace foveola::study {
 
 /// Each is there while it is needed. Times are of the session's clock.
 struct PromptState {
-  std::optional<Confirmation> confirmation;  ///< before all else
-  std::deque<ScreenPage> notices;            ///< to be read before the rest
+  std::optional<Confirmation> confirmation;  ///< asked before everything else
+  std::deque<ScreenPage> notices;            ///< to be read before anything is asked
   std::optional<Form> form;
   std::string form_of;  ///< the questionnaire's id; empty: consent, or the ratings
-  std::optional<GazeValidationRuns> validation;  ///< driven by the steady clock
-  ReactionPresses reaction;                      ///< driven by the steady clock, too
-  bool awaits_gaze = false;                      ///< armed, and shown nothing before it
-  Nanoseconds acknowledged_until{0};             ///< a mark
+  std::optional<GazeValidationRuns> validation;  ///< its times are of the steady clock
+  ReactionPresses reaction;                      ///< its times are of the steady clock
+  bool awaits_gaze = false;  ///< whether an armed trial shows nothing until there is a gaze
+  Nanoseconds acknowledged_until{0};  ///< until then it is shown that a mark was taken
   bool wants_to_rate = false;
-  Nanoseconds look_around_until{0};  ///< before the rating
+  Nanoseconds look_around_until{0};  ///< the rating form does not come up before
 };
 
 /// An event is on the disk: `context` is after it.

@@ -15,7 +15,7 @@ namespace foveola::study {
 
 struct RunSettings {
   std::filesystem::path protocol;
-  std::filesystem::path database;  ///< made, or a study of the same protocol
+  std::filesystem::path database;  ///< a new file, or a study of the same protocol
   std::string participant;         ///< a code: letters, digits, - and _
   SessionKind kind = SessionKind::human;
   std::optional<std::uint64_t> seed;  ///< seed of orders and noise; default: drawn at random

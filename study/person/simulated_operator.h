@@ -28,7 +28,7 @@ struct SeenFrame {
   /// The objects of the scene that the session is in; null if it is in none.
   const std::vector<OfferedObject>* offered;
   Nanoseconds shown{0};
-  Nanoseconds session_time{0};        ///< now
+  Nanoseconds session_time{0};        ///< the present, by the session's clock
   std::optional<ShownPixels> pixels;  ///< the pixels of a trial's frame, if they were wanted
 };
 
@@ -116,10 +116,11 @@ class SimulatedOperator final : private ParticipantActions {
   Nanoseconds turned_{0};  ///< when it last turned to an object
   std::string object_;     ///< the object that it last turned to
   std::optional<Nanoseconds> last_glance_;
-  std::future<std::optional<Nanoseconds>> thought_;  ///< what see() returns, while it looks
-  std::optional<Nanoseconds> due_;                   ///< when the mark's key goes down
-  bool has_reacted_ = false;    ///< whether it has reacted to what has appeared
-  std::optional<Vec3> target_;  ///< in the head's axes
+  /// What see() returns, while a look goes on.
+  std::future<std::optional<Nanoseconds>> thought_;
+  std::optional<Nanoseconds> due_;  ///< when the mark's key goes down
+  bool has_reacted_ = false;        ///< whether it has reacted to what has appeared
+  std::optional<Vec3> target_;      ///< in the head's axes
   std::optional<std::vector<Answer>> ratings_;
   bool withdraws_ = false;
 };

@@ -28,10 +28,10 @@ enum class Notice {
   welcome,
   loading,           ///< something takes a moment
   validation,        ///< before the first look at the targets
-  validation_again,  ///< before another
-  refused,           ///< by the gate
+  validation_again,  ///< before another look at the targets
+  refused,           ///< the gaze did not pass the protocol's gate
   practice,          ///< before the practice trials
-  first_trial,       ///< after them
+  first_trial,       ///< after the practice trials
   next_scene,
   pause,
   stopping,  ///< asks whether to stop taking part

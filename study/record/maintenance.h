@@ -30,7 +30,7 @@ Verification verify_study(const std::filesystem::path& path);
 
 struct Merge {
   std::size_t sessions_added = 0;
-  std::size_t sessions_known = 0;  ///< the same in both, by UUID
+  std::size_t sessions_known = 0;  ///< sessions that an earlier source had, too, by UUID
 };
 
 /// Adds the sessions of `sources` to a new file at `target`, each once, by UUID. Throws Error, and

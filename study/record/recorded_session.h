@@ -34,8 +34,8 @@ struct RecordedSession {
   KnownSession known;
   BuildInfo build;                           ///< the program that showed it
   std::string processor;                     ///< the processor it ran on
-  std::optional<RecordedDisplay> display;    ///< there in a person's session
-  std::optional<SimulationKind> simulation;  ///< there in a simulated one
+  std::optional<RecordedDisplay> display;    ///< only of a person's session
+  std::optional<SimulationKind> simulation;  ///< only of a simulated session
   Plan plan;
   std::vector<LoggedEvent> events;        ///< in their order
   std::vector<RecordedAttempt> attempts;  ///< in the order of time

@@ -33,7 +33,7 @@ struct SessionFacts {
   std::string participant;  ///< code, never a name
   SessionKind kind = SessionKind::simulated;
   std::uint64_t seed = 0;
-  int design_row = 0;  ///< that the plan was made of
+  int design_row = 0;  ///< row of the design that the plan was made of
   BuildInfo build;
   MachineInfo machine;
   /// A JSON object: of a person's session what the display turned out to be (its size, refresh

@@ -50,7 +50,7 @@ class AttemptReplay final : public AttemptPort {
   FixedEyeTracker eye_{Vec3(0.0F, 0.0F, -1.0F)};
   SimulatedHeadTracker head_{[](Nanoseconds) { return AzimuthElevation{}; }};
   Preview preview_;
-  std::optional<Nanoseconds> first_presented_;  ///< until it is shown
+  std::optional<Nanoseconds> first_presented_;  ///< empty once it is shown
 };
 
 }  // namespace foveola::study

@@ -29,7 +29,7 @@ struct ReplayedAttempt {
   int attempt = 1;
   PlannedTrial planned;
   std::uint64_t frames = 0;   ///< 0: the program died before any reached the disk
-  std::uint64_t samples = 0;  ///< that were traced again
+  std::uint64_t samples = 0;  ///< how many samples were traced again
   std::size_t hashes = 0;     ///< how many films were compared
   std::optional<std::uint64_t> first_difference;  ///< the frame after which the film was another
 };

@@ -135,12 +135,12 @@ struct SessionState {
   std::size_t step = 0;        ///< index into the agenda; its size once completed
   int validations_left = 0;    ///< how many validations this step still allows, the next included
   int presses_left = 0;        ///< how many presses this step still asks for, the next included
-  int attempt = 1;             ///< at the trial; counts up when one ends that has to be done again
+  int attempt = 1;             ///< attempt at the trial; counts up when it has to be done again
   int timing = 1;              ///< counts up only when an attempt was asked to be retimed
-  std::size_t mark = 0;        ///< index of the one that is waited for
-  std::string object;          ///< chosen last
+  std::size_t mark = 0;        ///< index of the mark that is waited for
+  std::string object;          ///< name of the object that was chosen last
   Nanoseconds first_frame{0};  ///< when the attempt's first frame was presented
-  Nanoseconds last_mark{0};    ///< or its time-out; the first frame before there is one
+  Nanoseconds last_mark{0};    ///< time of the last mark or time-out, at first the first frame's
   /// Where a pause or an interruption ends. An attempt that had begun ends with them: then `ready`.
   Phase resumes_at = Phase::created;
 

@@ -12,7 +12,7 @@ namespace foveola::study {
 /// cut off.
 struct MarkAgreement {
   std::string mark;    ///< "outline" or "material"
-  std::string method;  ///< empty: all
+  std::string method;  ///< empty: all methods
   int trials = 0;
   double rendered_median_s = 0.0;
   double predicted_median_s = 0.0;

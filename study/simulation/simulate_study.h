@@ -20,8 +20,8 @@ struct SimulateSettings {
   int threads = 0;                ///< 0: every core
   int jobs = 1;                   ///< sessions side by side, which share the threads
   double scale = 1.0;             ///< see scaled_protocol
-  bool predicted = false;         ///< nothing is rendered but pilots, of which looks are predicted
-  bool real_time = false;         ///< before the real window, at this machine's speed
+  bool predicted = false;         ///< renders pilots only, from which looks are predicted
+  bool real_time = false;         ///< shows the trials in a window, at this machine's speed
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;

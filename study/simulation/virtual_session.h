@@ -92,7 +92,7 @@ class VirtualSession final : private ClockPort,
   Nanoseconds attempt_start_;
   VirtualClock clock_;
   TrialAttempt* attempt_ = nullptr;     ///< while a trial is rendered
-  std::optional<Nanoseconds> pressed_;  ///< the key, by the session's clock, for the task
+  std::optional<Nanoseconds> pressed_;  ///< session clock: when the task's key goes down
   SessionDriver driver_;
 };
 

@@ -97,7 +97,7 @@ class SimulatedConduct {
   const Plan& plan_;
   SessionSeed seed_;
   std::optional<AttemptOfTrial> attempt_;
-  std::optional<TaskOfAttempt> task_;  ///< its number is the mark's; the marks' count: the rating
+  std::optional<TaskOfAttempt> task_;  ///< number: the mark's index; count of marks: the rating
 };
 
 }  // namespace foveola::study
