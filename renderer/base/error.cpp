@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/base/utf8.h"
+
 namespace foveola {
 namespace {
 
@@ -11,8 +13,8 @@ std::string one_line(const std::string& where, const std::string& what, const st
     text += "; " + remedy;
   }
   std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return printable(text);
 }
 
 }  // namespace

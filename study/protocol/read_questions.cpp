@@ -178,7 +178,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
 }
 
 Questionnaire read_file_of(const fs::path& file) {
-  Questionnaire questionnaire{.toml = read_file(file)};
+  Questionnaire questionnaire{.toml = read_toml_file(file)};
   const toml::table content =
       parse_toml(file.string(), questionnaire.toml,
                  fmt::format("see those in {}", ready_questionnaires().string()));
