@@ -12,6 +12,7 @@
 #include "study/record/chunk.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
+#include "study/record/database_checks.h"
 #include "study/record/event_log.h"
 #include "study/record/event_rows.h"
 #include "study/record/frame_encoding.h"
@@ -32,6 +33,7 @@ std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& pro
     create_study(path, protocol);
   }
   SQLite::Database checked = open_study_to_read(path);
+  require_only_own_effects(checked, path);
   return require_same_protocol(checked, path, protocol, other);
 }
 
