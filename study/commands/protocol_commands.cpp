@@ -10,6 +10,7 @@
 #include "study/design/participant_code.h"
 #include "study/design/plan.h"
 #include "study/person/missing_letters.h"
+#include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
 #include "study/stage/analysable.h"
 #include "study/tables/design_tables.h"
@@ -72,6 +73,9 @@ void run_check(const ProtocolArguments& arguments, const SceneFinder& find_scene
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
   warn_of_recorded_only(protocol);
+  for (const std::string& caution : cautions(protocol, scenes)) {
+    fmt::print(stderr, "foveola: warning: {}\n", caution);
+  }
   if (arguments.json) {
     fmt::print("{}\n", json_check(protocol).dump(2));
   } else {

@@ -35,6 +35,19 @@ MethodFile read_method_file(const std::string& method, const std::string& file,
   return {.method = method, .file = file, .sha256 = digest, .weights = std::move(weights)};
 }
 
+/// What is made of a protocol may take each of its trials with each other.
+void require_moderate_number(const TomlReader& reader, const Protocol& protocol) {
+  constexpr std::size_t most_trials = 1000;
+  const std::size_t trials = protocol.scenes.size() * protocol.methods.size();
+  if (trials > most_trials) {
+    reader.fail(
+        reader.source("methods"),
+        fmt::format("{} scenes with {} methods make {} trials, and a session has at most {}",
+                    protocol.scenes.size(), protocol.methods.size(), trials, most_trials),
+        "name fewer");
+  }
+}
+
 /// Throws Error for what no session could use.
 void require_usable(const std::string& method, const fs::path& folder,
                     std::vector<MethodFile>& files) {
@@ -80,6 +93,7 @@ void read_methods(TomlReader& reader, Protocol& protocol) {
     }
     protocol.methods.push_back(method.value);
   }
+  require_moderate_number(reader, protocol);
 }
 
 }  // namespace foveola::study
