@@ -1,5 +1,6 @@
 #include "study/commands/protocol_commands.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -36,9 +37,13 @@ std::vector<Plan> plans_of(const Protocol& protocol, int participants, std::uint
   return plans;
 }
 
-/// As many as are planned, else one of each row of the design; 0 if neither says a number.
+/// As many as are planned, else one of each row of the design; 0 if neither says a number. Fewer if
+/// their trials would not fit in memory.
 int expected_participants(const Protocol& protocol) {
-  return protocol.analysis.participants.value_or(design_rows(protocol));
+  constexpr int most_trials = 2'000'000;
+  const auto trials = static_cast<int>(protocol.scenes.size() * protocol.methods.size());
+  return std::min(protocol.analysis.participants.value_or(design_rows(protocol)),
+                  most_trials / trials);
 }
 
 std::string balance_heading(const Protocol& protocol, int participants) {

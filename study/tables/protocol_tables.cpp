@@ -141,8 +141,9 @@ void add_analysis(std::vector<TextRow>& rows, const Protocol& protocol) {
                                            comparison.method, comparison.baseline)});
   }
   if (!plan.primary.empty()) {
-    rows.push_back({"family", fmt::format("the {} primary comparisons, by Holm's method; alpha {}",
-                                          plan.primary.size(), plan.alpha)});
+    rows.push_back({"family", fmt::format("the {} primary comparison{}, by Holm's method; alpha {}",
+                                          plan.primary.size(), plan.primary.size() == 1 ? "" : "s",
+                                          plan.alpha)});
   }
   for (const auto& [measure, margin] : plan.equivalence_margins) {
     rows.push_back({"equivalent", fmt::format("{} within {}", measure, margin)});
