@@ -31,6 +31,22 @@ std::string many_trials() {
   return "name = \"a\"\ntitle = \"b\"\nscenes = [" + scenes + "]\nmethods = [\"od\", \"fv\"]\n";
 }
 
+std::string many_methods() {
+  std::string methods;
+  for (int i = 0; i < 101; ++i) {
+    methods += "\"fv:cutoff=" + std::to_string(i + 10) + "\", ";
+  }
+  return "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [" + methods + "]\n";
+}
+
+std::string many_questionnaires() {
+  std::string tables;
+  for (int i = 0; i < 101; ++i) {
+    tables += "[[questionnaire]]\nid = \"q" + std::to_string(i) + "\"\nfile = \"sus\"\n";
+  }
+  return minimal + tables;
+}
+
 class ProtocolFault : public ProtocolFolder, public testing::WithParamInterface<Fault> {};
 
 TEST_P(ProtocolFault, IsRefusedWithItsPlace) {
@@ -81,6 +97,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"too_many_trials", many_trials(), "4:11",
               "501 scenes with 2 methods make 1002 trials, and a session has at most 1000; name "
               "fewer"},
+        Fault{"too_many_methods", many_methods(), "4:11",
+              "101 methods, and a study has at most 100; name fewer"},
+        Fault{"endless_method",
+              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"hybrid:1*fv" +
+                  std::string(1000, '+') + "\"]\n",
+              "4:18", "a method of 1011 characters, and the longest has 1000"},
         Fault{"negative_size", minimal + "[film]\nwidth = -64\n", "6:9", "film.width"},
         Fault{"nan_rate", minimal + "[machine]\nframe_rate_hz = nan\n", "6:17", "frame_rate_hz"},
         Fault{"infinite_rate", minimal + "[machine]\nframe_rate_hz = inf\n", "6:17",
@@ -151,6 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
               minimal + "[[questionnaire]]\nid = \"a\"\n[[questionnaire.question]]\nid = \"q\"\n"
                         "text = \"?\"\n",
               "5:1", "no title"},
+        Fault{"too_many_questionnaires", many_questionnaires(), "5:1",
+              "101 questionnaires, and a study has at most 100; leave some out"},
         Fault{"questionnaire_called_like_a_phase", minimal + "[[questionnaire]]\nid = \"trials\"\n",
               "6:6", "twice"},
         Fault{"questionnaire_that_is_not_ready",

@@ -208,6 +208,30 @@ TEST(Database, NoSecondProgramWritesByAnotherName) {
   EXPECT_EQ(store.events_of(session.id()).size(), 8U);
 }
 
+TEST(Database, WriterStopsWhenItsFileIsMoved) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  const fs::path moved = folder / "moved.sqlite";
+  {
+    StudyStore store(path, small_protocol());
+    PlayedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    fs::rename(path, moved);
+    const auto go_on = [&] {
+      store.record(session.id(), EventEntry{.time = ms(100),
+                                            .event = NoteWritten{.text = "a note"},
+                                            .before = session.state(),
+                                            .after = session.state()});
+    };
+    EXPECT_THAT(refusal(go_on),
+                AllOf(StartsWith(path.string() + ": was moved"), HasSubstr("put it back")));
+    fs::rename(moved, path);
+    go_on();
+  }
+  EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "3");
+  EXPECT_THAT(verify_study(path).faults, IsEmpty());
+}
+
 TEST(Database, WriterRefusesWhatCouldChangeWhatItWrites) {
   const TemporaryFolder folder;
   const fs::path path = folder / "study.sqlite";
