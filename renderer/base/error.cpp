@@ -1,7 +1,5 @@
 #include "renderer/base/error.h"
 
-#include <algorithm>
-
 #include "renderer/base/utf8.h"
 
 namespace foveola {
@@ -12,8 +10,6 @@ std::string one_line(const std::string& where, const std::string& what, const st
   if (!remedy.empty()) {
     text += "; " + remedy;
   }
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return printable(text);
 }
 

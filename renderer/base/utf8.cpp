@@ -57,7 +57,8 @@ std::string printable(std::string_view text) {
     const unsigned char next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
     const bool begins_upper_control = byte == 0xC2 && next >= 0x80 && next < 0xA0;
     const bool is_control = byte < 0x20 || byte == 0x7F || begins_upper_control;
-    result += is_control ? '?' : text[i];
+    const bool is_space = byte == '\n' || byte == '\r' || byte == '\t';
+    result += is_space ? ' ' : is_control ? '?' : text[i];
     i += begins_upper_control ? 1 : 0;
   }
   return result;

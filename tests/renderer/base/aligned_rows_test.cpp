@@ -12,7 +12,7 @@ TEST(AlignedRows, ColumnsAreAsWideAsTheirWidestCell) {
 }
 
 TEST(AlignedRows, NoCellControlsTheTerminalOrBeginsALine) {
-  EXPECT_EQ(aligned({{"scene", "a\x1b[31mred"}, {"a\nb", "c"}}), "scene  a?[31mred\na?b    c\n");
+  EXPECT_EQ(aligned({{"scene", "a\x1b[31mred"}, {"a\nb", "c"}}), "scene  a?[31mred\na b    c\n");
 }
 
 TEST(AlignedRows, NumbersAreAlignedToTheRightWhereAsked) {
