@@ -261,8 +261,8 @@ std::vector<fs::path> descriptor_files() {
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  return descriptor_from(
-      file, parse_toml(file.string(), read_file(file), "see scenes/arcade.toml for an example"));
+  return descriptor_from(file, parse_toml(file.string(), read_toml_file(file),
+                                          "see scenes/arcade.toml for an example"));
 }
 
 std::optional<Descriptor> find_descriptor(const std::string& name) {

@@ -5,8 +5,19 @@
 #include "renderer/base/utf8.h"
 
 namespace foveola {
+namespace {
 
-std::string aligned(const std::vector<TextRow>& rows, const ColumnLayout& layout) {
+std::vector<TextRow> printable_rows(std::vector<TextRow> rows) {
+  for (TextRow& row : rows) {
+    std::transform(row.begin(), row.end(), row.begin(), printable);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string aligned(const std::vector<TextRow>& cells, const ColumnLayout& layout) {
+  const std::vector<TextRow> rows = printable_rows(cells);
   std::vector<std::size_t> widths;
   for (const TextRow& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));

@@ -15,7 +15,8 @@ struct ColumnLayout {
   bool numbers_to_the_right = false;  ///< aligns all columns but the first to the right
 };
 
-/// A line a row, with columns as wide as their widest cell. Cells are valid UTF-8.
+/// A line a row, with columns as wide as their widest cell. Cells are valid UTF-8, and are made
+/// printable().
 std::string aligned(const std::vector<TextRow>& rows, const ColumnLayout& layout = {});
 
 }  // namespace foveola

@@ -1,6 +1,6 @@
 #include "renderer/base/error.h"
 
-#include <algorithm>
+#include "renderer/base/utf8.h"
 
 namespace foveola {
 namespace {
@@ -10,9 +10,7 @@ std::string one_line(const std::string& where, const std::string& what, const st
   if (!remedy.empty()) {
     text += "; " + remedy;
   }
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
+  return printable(text);
 }
 
 }  // namespace

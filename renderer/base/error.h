@@ -11,7 +11,8 @@ namespace foveola {
 class Error : public std::runtime_error {
  public:
   /// where: a file, file:line:column, option or record. what: what is wrong with it. remedy: what
-  /// the user can do about it; may be empty. Line breaks inside the parts become spaces.
+  /// the user can do about it; may be empty. Line breaks and tabs inside the parts become spaces,
+  /// and other control characters, which a terminal would obey, question marks.
   Error(const std::string& where, const std::string& what, const std::string& remedy = {});
 };
 

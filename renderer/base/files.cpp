@@ -36,6 +36,31 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+Error cannot_be_read(const fs::path& path) {
+  return {path.string(), "cannot be read", "check its permissions"};
+}
+
+/// Throws Error if there is no file, or only a folder.
+std::ifstream open_to_read(const fs::path& path) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(path, failure);
+  if (failure == std::errc::permission_denied) {
+    throw Error(path.string(), "cannot be reached: " + failure.message(),
+                "check the permissions of the folders above it");
+  }
+  if (!fs::exists(status)) {
+    throw Error(path.string(), "no such file", "check the path");
+  }
+  if (fs::is_directory(status)) {
+    throw Error(path.string(), "is a folder, not a file", "name a file in it");
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw cannot_be_read(path);
+  }
+  return file;
+}
+
 /// Removes a file at the end of its scope, unless it was renamed.
 class TemporaryFile {
  public:
@@ -79,24 +104,34 @@ fs::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 fs::path data_folder() { return user_folder("XDG_DATA_HOME", fs::path(".local") / "share"); }
 
 std::string read_file(const fs::path& path) {
-  std::error_code failure;
-  const fs::file_status status = fs::status(path, failure);
-  if (failure == std::errc::permission_denied) {
-    throw Error(path.string(), "cannot be reached: " + failure.message(),
-                "check the permissions of the folders above it");
-  }
-  if (!fs::exists(status)) {
-    throw Error(path.string(), "no such file", "check the path");
-  }
-  if (fs::is_directory(status)) {
-    throw Error(path.string(), "is a folder, not a file", "name a file in it");
-  }
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = open_to_read(path);
   std::ostringstream content;
-  if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(content << file.rdbuf()))) {
-    throw Error(path.string(), "cannot be read", "check its permissions");
+  if (file.peek() != std::ifstream::traits_type::eof() && !(content << file.rdbuf())) {
+    throw cannot_be_read(path);
   }
   return std::move(content).str();
+}
+
+std::string read_file(const fs::path& path, std::size_t most_bytes, const std::string& remedy) {
+  constexpr std::size_t portion = 65536;
+  std::ifstream file = open_to_read(path);
+  std::string content;
+  std::size_t size = 0;
+  while (file && size <= most_bytes) {
+    content.resize(size + portion);
+    file.read(content.data() + size, portion);
+    size += static_cast<std::size_t>(file.gcount());
+  }
+  if (size > most_bytes) {
+    throw Error(path.string(),
+                fmt::format("has over {} bytes, which are the most that are read", most_bytes),
+                remedy);
+  }
+  if (!file.eof()) {
+    throw cannot_be_read(path);
+  }
+  content.resize(size);
+  return content;
 }
 
 void require_writable(const fs::path& path) {

@@ -25,6 +25,11 @@ std::filesystem::path data_folder();
 /// unreadable or out of reach.
 std::string read_file(const std::filesystem::path& path);
 
+/// The same of a file of at most `most_bytes`. Throws Error with `remedy` for a larger one, of
+/// which no more are read.
+std::string read_file(const std::filesystem::path& path, std::size_t most_bytes,
+                      const std::string& remedy);
+
 /// Throws Error unless a file at `path` could be written: its folder exists and is writable, and
 /// it is no folder itself. For refusing a bad output before the work instead of after it.
 void require_writable(const std::filesystem::path& path);

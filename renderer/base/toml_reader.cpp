@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 
 namespace fs = std::filesystem;
 
@@ -44,12 +45,14 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-/// Each part of a dotted key is a table within a table, which toml++ reads and destroys by
-/// recursion, without a limit of its own as it has for arrays and inline tables: a long key would
-/// exhaust the stack.
-void require_short_keys(const std::string& file, std::string_view text, const std::string& remedy) {
+/// Each part of a dotted key is a table within a table, as is an inline table in another, and
+/// toml++ reads and destroys them by recursion: deep ones would exhaust the stack. It limits how
+/// deep values nest, but neither the parts of a key nor both together.
+void require_shallow(const std::string& file, std::string_view text, const std::string& remedy) {
   constexpr std::size_t most_parts = 16;
+  constexpr int deepest_nesting = 16;
   std::size_t parts = 1;
+  int nesting = 0;
   for (std::size_t i = 0; i < text.size();) {
     const char letter = text[i];
     if (letter == '"' || letter == '\'') {
@@ -64,6 +67,13 @@ void require_short_keys(const std::string& file, std::string_view text, const st
       throw Error(place_of(file, text, i), fmt::format("a key of over {} parts", most_parts),
                   remedy);
     }
+    if ((letter == '[' || letter == '{') && ++nesting > deepest_nesting) {
+      throw Error(place_of(file, text, i),
+                  fmt::format("lists or tables nested over {} deep", deepest_nesting), remedy);
+    }
+    if (letter == ']' || letter == '}') {
+      --nesting;
+    }
     if (std::string_view("=,[]{}\n").find(letter) != std::string_view::npos) {
       parts = 1;
     }
@@ -71,11 +81,13 @@ void require_short_keys(const std::string& file, std::string_view text, const st
   }
 }
 
+constexpr std::size_t most_bytes = 4'000'000;
+
 void require_moderate_size(const std::string& file, std::string_view text,
                            const std::string& remedy) {
-  constexpr std::size_t most_bytes = 4'000'000;
   if (text.size() > most_bytes) {
-    throw Error(file, fmt::format("has {} bytes, and at most {} are read", text.size(), most_bytes),
+    throw Error(file,
+                fmt::format("has over {} bytes, which are the most that are read", most_bytes),
                 remedy);
   }
 }
@@ -85,10 +97,14 @@ constexpr std::size_t longest_list = 1000;
 
 }  // namespace
 
+std::string read_toml_file(const fs::path& path) {
+  return read_file(path, most_bytes, "name a TOML file");
+}
+
 toml::table parse_toml(const std::string& file, const std::string& text,
                        const std::string& remedy) {
   require_moderate_size(file, text, remedy);
-  require_short_keys(file, text, remedy);
+  require_shallow(file, text, remedy);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

@@ -17,8 +17,12 @@
 
 namespace foveola {
 
-/// Throws Error with the place of what is no TOML, of a key of over 16 parts, or if the text has
-/// over four million bytes: files are untrusted.
+/// The content of a TOML file, which is still to be parsed. Throws Error as read_file() does, and
+/// for a file of over four million bytes, of which no more are read.
+std::string read_toml_file(const std::filesystem::path& path);
+
+/// Throws Error with the place of what is no TOML, of a key of over 16 parts, of lists or tables
+/// nested over 16 deep, or if the text has over four million bytes: files are untrusted.
 toml::table parse_toml(const std::string& file, const std::string& text, const std::string& remedy);
 
 /// The names of the TOML files in one of Foveola's own folders, without .toml, in alphabetical

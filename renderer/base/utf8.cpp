@@ -49,6 +49,21 @@ std::size_t count_characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char byte) { return !goes_on(byte); }));
 }
 
+std::string printable(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const unsigned char next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    const bool begins_upper_control = byte == 0xC2 && next >= 0x80 && next < 0xA0;
+    const bool is_control = byte < 0x20 || byte == 0x7F || begins_upper_control;
+    const bool is_space = byte == '\n' || byte == '\r' || byte == '\t';
+    result += is_space ? ' ' : is_control ? '?' : text[i];
+    i += begins_upper_control ? 1 : 0;
+  }
+  return result;
+}
+
 std::size_t bytes_of_first(std::string_view text, std::size_t characters) {
   const auto end = std::find_if(text.begin(), text.end(), [&](char byte) {
     if (goes_on(byte)) {

@@ -17,6 +17,11 @@ void erase_last_character(std::string& text);
 /// How many characters (code points) valid UTF-8 has.
 std::size_t count_characters(std::string_view text);
 
+/// The text as part of a line of output, for what a file says or is called: line breaks and tabs
+/// become spaces, and other control characters (U+0000 to U+001F, U+007F to U+009F), which a
+/// terminal would obey, question marks.
+std::string printable(std::string_view text);
+
 /// The bytes of the first `characters` of a text, or of all of it if it has fewer.
 std::size_t bytes_of_first(std::string_view text, std::size_t characters);
 

@@ -10,6 +10,7 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/progress.h"
+#include "renderer/base/utf8.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene_facts.h"
@@ -89,8 +90,9 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
 
 void print_text(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
-  fmt::print("{}\n", loaded.source.title);
-  fmt::print("file       {}\nsha256     {}\n", loaded.source.file.string(), loaded.sha256);
+  fmt::print("{}\n", printable(loaded.source.title));
+  fmt::print("file       {}\nsha256     {}\n", printable(loaded.source.file.string()),
+             loaded.sha256);
   fmt::print("loaded in  {}\n", human_duration(loaded.load_s));
   fmt::print("triangles  {} ({} in memory) in {} objects, {} of them instances\n", facts.triangles,
              facts.stored_triangles, facts.objects, facts.instances);
@@ -106,7 +108,7 @@ void print_text(const LoadedFacts& loaded) {
   fmt::print("has        {}\n", fmt::join(facts.features, ", "));
   fmt::print("has no     {}\n", fmt::join(facts.absent_features, ", "));
   for (const std::string& warning : loaded.warnings) {
-    fmt::print("warning    {}\n", warning);
+    fmt::print("warning    {}\n", printable(warning));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/light_units_option.h"
 #include "renderer/commands/warnings.h"
@@ -64,9 +65,9 @@ void print(const std::optional<Answer>& answer, bool as_json) {
     }
     fmt::print("{}\n", json.dump(2));
   } else if (answer) {
-    fmt::print("'{}' of '{}' at ({:.6g}, {:.6g}, {:.6g}), {:.6g} m away\n", answer->object,
-               answer->material, answer->position.x, answer->position.y, answer->position.z,
-               answer->distance_m);
+    fmt::print("'{}' of '{}' at ({:.6g}, {:.6g}, {:.6g}), {:.6g} m away\n",
+               printable(answer->object), printable(answer->material), answer->position.x,
+               answer->position.y, answer->position.z, answer->distance_m);
   } else {
     fmt::print("nothing\n");
   }

@@ -179,7 +179,7 @@ TrackerProfile tracker_from(TomlReader table) {
 template <typename From>
 auto read_profile(std::string_view folder, const std::string& name_or_path, const From& from) {
   const fs::path file = profile_file(folder, name_or_path);
-  std::string text = read_file(file);
+  std::string text = read_toml_file(file);
   const toml::table content = parse_toml(
       file.string(), text, fmt::format("see those in {}", profile_folder(folder).string()));
   auto profile = from(TomlReader(file.string(), content, ""));

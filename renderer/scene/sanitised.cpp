@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/base/utf8.h"
+
 namespace foveola {
 
 std::string sanitised(std::string_view text) {
@@ -13,10 +15,7 @@ std::string sanitised(std::string_view text) {
   while (size > 0 && size < text.size() && is_inside_character(size)) {
     --size;
   }
-  std::string result(text.substr(0, size));
-  std::replace_if(
-      result.begin(), result.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  return result;
+  return printable(text.substr(0, size));
 }
 
 }  // namespace foveola

@@ -6,9 +6,7 @@
 
 namespace foveola {
 
-/// `text` with everything but printable ASCII and UTF-8's multi-byte characters replaced by "?" (a
-/// terminal obeys control characters), and cut at 120 bytes or before the character that stands
-/// there.
+/// `text` made printable(), and cut at 120 bytes or before the character that stands there.
 std::string sanitised(std::string_view text);
 
 }  // namespace foveola

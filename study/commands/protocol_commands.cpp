@@ -1,5 +1,6 @@
 #include "study/commands/protocol_commands.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "study/design/participant_code.h"
 #include "study/design/plan.h"
 #include "study/person/missing_letters.h"
+#include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
 #include "study/stage/analysable.h"
 #include "study/tables/design_tables.h"
@@ -35,9 +37,13 @@ std::vector<Plan> plans_of(const Protocol& protocol, int participants, std::uint
   return plans;
 }
 
-/// As many as are planned, else one of each row of the design; 0 if neither says a number.
+/// As many as are planned, else one of each row of the design; 0 if neither says a number. Fewer if
+/// their trials would not fit in memory.
 int expected_participants(const Protocol& protocol) {
-  return protocol.analysis.participants.value_or(design_rows(protocol));
+  constexpr int most_trials = 2'000'000;
+  const auto trials = static_cast<int>(protocol.scenes.size() * protocol.methods.size());
+  return std::min(protocol.analysis.participants.value_or(design_rows(protocol)),
+                  most_trials / trials);
 }
 
 std::string balance_heading(const Protocol& protocol, int participants) {
@@ -72,6 +78,9 @@ void run_check(const ProtocolArguments& arguments, const SceneFinder& find_scene
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
   warn_of_recorded_only(protocol);
+  for (const std::string& caution : cautions(protocol, scenes)) {
+    fmt::print(stderr, "foveola: warning: {}\n", caution);
+  }
   if (arguments.json) {
     fmt::print("{}\n", json_check(protocol).dump(2));
   } else {

@@ -190,7 +190,7 @@ void read_table(TomlReader& file, std::string_view name, People& people) {
 
 People read_people(const std::string& name_or_path) {
   const fs::path file = people_file(name_or_path);
-  People people{.name = file.stem().string(), .toml = read_file(file)};
+  People people{.name = file.stem().string(), .toml = read_toml_file(file)};
   const toml::table content =
       parse_toml(file.string(), people.toml,
                  fmt::format("see {}", (people_folder() / "adults.toml").string()));

@@ -105,7 +105,8 @@ std::string warning_of(const MissingLetters& missing) {
 
 void warn_of_missing_letters(const Protocol& protocol) {
   for (const MissingLetters& missing : missing_letters(protocol)) {
-    fmt::print(stderr, "foveola: warning: {}: {}\n", protocol.path.string(), warning_of(missing));
+    fmt::print(stderr, "foveola: warning: {}\n",
+               printable(protocol.path.string() + ": " + warning_of(missing)));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/utf8.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/gaze/gaze_source.h"
 #include "study/driver/session_so_far.h"
@@ -18,6 +20,7 @@
 #include "study/person/person_session.h"
 #include "study/person/session_window.h"
 #include "study/person/words.h"
+#include "study/record/clock_steps.h"
 #include "study/record/maintenance.h"
 #include "study/record/same_scenes.h"
 #include "study/record/threaded_recorder.h"
@@ -69,8 +72,11 @@ std::string devices_json(const SessionDisplay& display, const DisplayProfile& pr
   return json.dump();
 }
 
-void say(const std::string& line) {
-  fmt::print("{}\n", line);
+void say(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    fmt::print("{}\n", printable(line));
+  }
   std::fflush(stdout);
 }
 
@@ -177,8 +183,12 @@ class PersonRun {
     say(fmt::format("Participant {} goes on after {:.0f} s. help says what can be typed here.",
                     known.participant, seconds(so_far_->position.time)));
     row_ = known.id;
+    std::vector<std::string> notes = {"goes on with " + devices};
+    if (std::optional<std::string> note = note_of_clock(store_.events_of(row_), utc_now())) {
+      notes.push_back(std::move(*note));
+    }
     return settings_of({.seed = known.seed, .design_row = known.design_row}, so_far_->position,
-                       {"goes on with " + devices});
+                       std::move(notes));
   }
 
   PersonSessionSettings settings_of(const SessionSeed& seed, const SessionPosition& position,

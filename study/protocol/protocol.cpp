@@ -58,7 +58,7 @@ fs::path find_protocol(const std::string& name_or_path) {
       fmt::format("give a .toml file or one of {}", fmt::join(toml_names_in(folder), ", ")));
 }
 
-Protocol load_protocol(const fs::path& path) { return read_protocol(read_file(path), path); }
+Protocol load_protocol(const fs::path& path) { return read_protocol(read_toml_file(path), path); }
 
 Protocol read_protocol(const std::string& text, const fs::path& path) {
   Protocol protocol;

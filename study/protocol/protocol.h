@@ -59,7 +59,15 @@ struct FilmSettings {
   /// Adaptive sampling: pixels below this VisibleNoise::contrast get no more samples. At 0, as
   /// published, all get them.
   double adaptive_contrast = 0.0;
+
+  friend bool operator==(const FilmSettings&, const FilmSettings&) = default;
 };
+
+/// The memory in bytes that a film takes once samples fell everywhere: 32 bytes a pixel
+/// (FilmTile::Pixel), and 512 bytes above each 8 x 8 pixels and each 32 x 32 (FilmTile::Node).
+constexpr double memory_of(const FilmSettings& film) {
+  return (32.0 + 512.0 / 64.0 + 512.0 / 1024.0) * film.width * film.height;
+}
 
 /// Validation of the gaze: before the trials, participants look at targets, and the session goes on
 /// only if the tracker's accuracy, precision and loss of data are good enough.
@@ -79,6 +87,8 @@ struct TrackerSettings {
 struct Timing {
   double mark_timeout_s = 120.0;  ///< From the first frame; later marks are right-censored.
   double rating_s = 4.0;          ///< The least time for looking around before rating.
+
+  friend bool operator==(const Timing&, const Timing&) = default;
 };
 
 /// How participants' orders are made.
@@ -104,6 +114,8 @@ struct TrialSettings {
   FilmSettings film;
   Timing timing;
   bool fill_unsampled = false;
+
+  friend bool operator==(const TrialSettings&, const TrialSettings&) = default;
 };
 
 /// A practice trial, in one of the study's scenes, with one of its methods.

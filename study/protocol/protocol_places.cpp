@@ -15,4 +15,8 @@ std::string ProtocolPlaces::of(const std::string& toml_path) const {
                                        node->source().begin.column);
 }
 
+bool ProtocolPlaces::has(const std::string& toml_path) const {
+  return static_cast<bool>(toml::at_path(table_, toml_path));
+}
+
 }  // namespace foveola::study

@@ -16,6 +16,8 @@ class ProtocolPlaces {
   /// "analysis.primary[0].measure"; FILE alone if there is none.
   std::string of(const std::string& toml_path) const;
 
+  bool has(const std::string& toml_path) const;
+
  private:
   std::string file_;
   toml::table table_;

@@ -64,8 +64,11 @@ PlannedComparison read_comparison(TomlReader reader, const Protocol& protocol,
   return comparison;
 }
 
+/// In either direction: its P-value is the same, and the family of planned tests would have it
+/// twice.
 bool is_same(const PlannedComparison& a, const PlannedComparison& b) {
-  return a.measure == b.measure && a.method == b.method && a.baseline == b.baseline;
+  return a.measure == b.measure &&
+         std::minmax(a.method, a.baseline) == std::minmax(b.method, b.baseline);
 }
 
 std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protocol& protocol) {

@@ -35,6 +35,34 @@ MethodFile read_method_file(const std::string& method, const std::string& file,
   return {.method = method, .file = file, .sha256 = digest, .weights = std::move(weights)};
 }
 
+/// What is made of a protocol may take each of its methods and trials with each other.
+void require_moderate_number(const TomlReader& reader, std::size_t scenes, std::size_t methods) {
+  constexpr std::size_t most_methods = 100;
+  constexpr std::size_t most_trials = 1000;
+  if (methods > most_methods) {
+    reader.fail(reader.source("methods"),
+                fmt::format("{} methods, and a study has at most {}", methods, most_methods),
+                "name fewer");
+  }
+  if (scenes * methods > most_trials) {
+    reader.fail(
+        reader.source("methods"),
+        fmt::format("{} scenes with {} methods make {} trials, and a session has at most {}",
+                    scenes, methods, scenes * methods, most_trials),
+        "name fewer");
+  }
+}
+
+void require_moderate_length(const TomlReader& reader, const TomlReader::Text& method) {
+  constexpr std::size_t longest = 1000;
+  if (method.value.size() > longest) {
+    reader.fail(method.source,
+                fmt::format("a method of {} characters, and the longest has {}",
+                            method.value.size(), longest),
+                "write it shorter, or paint it as the image of a mask");
+  }
+}
+
 /// Throws Error for what no session could use.
 void require_usable(const std::string& method, const fs::path& folder,
                     std::vector<MethodFile>& files) {
@@ -72,7 +100,10 @@ const MethodFile* find_method_file(const std::vector<MethodFile>& files, const s
 }
 
 void read_methods(TomlReader& reader, Protocol& protocol) {
-  for (const TomlReader::Text& method : reader.require_texts("methods")) {
+  const std::vector<TomlReader::Text> methods = reader.require_texts("methods");
+  require_moderate_number(reader, protocol.scenes.size(), methods.size());
+  for (const TomlReader::Text& method : methods) {
+    require_moderate_length(reader, method);
     try {
       require_usable(method.value, folder_of(protocol), protocol.method_files);
     } catch (const Error& error) {

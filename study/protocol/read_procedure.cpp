@@ -15,6 +15,8 @@
 namespace foveola::study {
 namespace {
 
+constexpr const char* built_in_rating = "artifacts";
+
 constexpr std::array orders{
     Word<Order>{"fixed", Order::fixed},
     Word<Order>{"random", Order::random},
@@ -210,7 +212,14 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
   }
   std::vector<Question> ratings = read_questions(reader, "rating", taken);
   if (ratings.empty()) {
-    ratings.push_back({.id = "artifacts",
+    const auto same = std::find(taken.begin(), taken.end(), built_in_rating);
+    if (same != taken.end()) {
+      const TomlReader mark = reader.tables("mark")[static_cast<std::size_t>(same - taken.begin())];
+      mark.fail(mark.source("id"),
+                fmt::format("the id '{}' is that of the built-in rating", built_in_rating),
+                "give the mark another id, or write the ratings ([[rating]])");
+    }
+    ratings.push_back({.id = built_in_rating,
                        .text = "How prevalent were disturbing artifacts in the other areas?",
                        .labels = {"none", "not discernible at all"}});
   }

@@ -178,7 +178,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
 }
 
 Questionnaire read_file_of(const fs::path& file) {
-  Questionnaire questionnaire{.toml = read_file(file)};
+  Questionnaire questionnaire{.toml = read_toml_file(file)};
   const toml::table content =
       parse_toml(file.string(), questionnaire.toml,
                  fmt::format("see those in {}", ready_questionnaires().string()));
@@ -238,8 +238,16 @@ std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
 
 std::vector<Questionnaire> read_questionnaires(TomlReader& reader, const fs::path& folder) {
   std::vector<Questionnaire> questionnaires;
+  constexpr std::size_t most_questionnaires = 100;  // Each may be a large file.
   std::vector<std::string> ids{"consent", "validation", "reaction", "trials"};
-  for (TomlReader& entry : reader.tables("questionnaire")) {
+  std::vector<TomlReader> entries = reader.tables("questionnaire");
+  if (entries.size() > most_questionnaires) {
+    reader.fail(reader.source("questionnaire"),
+                fmt::format("{} questionnaires, and a study has at most {}", entries.size(),
+                            most_questionnaires),
+                "leave some out");
+  }
+  for (TomlReader& entry : entries) {
     ids.push_back(read_new_id(entry, ids));
     Questionnaire questionnaire = read_ready_one(entry, folder);
     questionnaire.id = ids.back();

@@ -19,6 +19,8 @@ namespace foveola::study {
 namespace {
 
 constexpr int largest_film_side = 65536;
+/// Of a film of 23170 x 11585 pixels, 64 in a degree: more than any eye resolves.
+constexpr double most_film_pixels = 268'435'456.0;
 constexpr int largest_view_side = 8192;
 constexpr int most_samples = std::numeric_limits<int>::max();
 
@@ -47,6 +49,16 @@ RadialLens read_eyes_lens(TomlReader reader, const RadialLens& profile) {
   reader.read("eye", is_right, eyes);
   reader.reject_unknown_keys();
   return is_right ? mirrored(lens) : lens;
+}
+
+void require_moderate_film(const TomlReader& reader, const FilmSettings& film) {
+  if (static_cast<double>(film.width) * film.height > most_film_pixels) {
+    reader.fail(reader.source(reader.has("width") ? "width" : "height"),
+                fmt::format("a film of {} x {} pixels would take {:.0f} GB of memory", film.width,
+                            film.height, 1e-9 * memory_of(film)),
+                fmt::format("make it smaller: films have at most {:.0f} million pixels, of 11 GB",
+                            1e-6 * most_film_pixels));
+  }
 }
 
 void require_view(const TomlReader& reader, const DisplaySettings& display) {
@@ -178,6 +190,7 @@ DisplaySettings read_display(TomlReader reader, const fs::path& folder) {
 FilmSettings read_film(TomlReader reader, FilmSettings film) {
   reader.read("width", film.width, 8, largest_film_side);
   reader.read("height", film.height, 4, largest_film_side);
+  require_moderate_film(reader, film);
   reader.read(reader.present_name("adaptive_contrast", "spare_done_contrast"),
               film.adaptive_contrast, 0.0, 0.99);
   reader.read("max_depth", film.max_depth, 1, 1000);

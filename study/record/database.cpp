@@ -12,6 +12,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
+#include "study/record/database_checks.h"
 #include "study/record/question_json.h"
 #include "study/record/schema.h"
 #include "study/record/temporary_database.h"
@@ -22,7 +23,6 @@ namespace foveola::study {
 namespace {
 
 constexpr int busy_timeout_ms = 5000;
-constexpr const char* damage_remedy = "restore it from a copy";
 
 Error error_of(const fs::path& path, const SQLite::Exception& fault) {
   const auto error = [&](const std::string& what, const std::string& remedy) {
@@ -101,13 +101,6 @@ void require_regular_file(const fs::path& path) {
   require_single_name(path);
 }
 
-void require_sound(SQLite::Database& database, const fs::path& path) {
-  const std::string finding = database.execAndGet("PRAGMA quick_check(1)").getString();
-  if (finding != "ok") {
-    throw Error(path.string(), fmt::format("is damaged ({})", finding), damage_remedy);
-  }
-}
-
 void insert_study(SQLite::Database& database, const Protocol& protocol) {
   SQLite::Statement study(database, "INSERT INTO study VALUES (1, ?, ?, ?, ?, ?)");
   SQLite::bind(study, protocol.name, protocol.title, protocol.text, protocol.sha256, utc_now());
@@ -165,29 +158,6 @@ void with_clear_errors(const fs::path& path, const std::function<void()>& work) 
   }
 }
 
-void require_schema(SQLite::Database& database, const fs::path& path) {
-  SQLite::Database known(":memory:", SQLite::OPEN_READWRITE);
-  known.exec(study_schema());
-  SQLite::Statement objects(known, "SELECT type, name, sql FROM sqlite_schema");
-  SQLite::Statement same(database,
-                         "SELECT 1 FROM sqlite_schema WHERE type = ? AND name = ? AND sql IS ?");
-  while (objects.executeStep()) {
-    same.reset();
-    same.clearBindings();
-    same.bind(1, objects.getColumn(0).getString());
-    same.bind(2, objects.getColumn(1).getString());
-    if (!objects.isColumnNull(2)) {
-      same.bind(3, objects.getColumn(2).getString());
-    }
-    if (!same.executeStep()) {
-      throw Error(path.string(),
-                  fmt::format("its {} {} is missing or was changed",
-                              objects.getColumn(0).getString(), objects.getColumn(1).getString()),
-                  damage_remedy);
-    }
-  }
-}
-
 void require_study(const fs::path& path) {
   require_regular_file(path);
   SQLite::Database database = open_as_it_is(path);
@@ -218,6 +188,7 @@ SQLite::Database open_as_it_is(const fs::path& path) {
 SQLite::Database open_study_to_read(const fs::path& path) {
   require_study(path);
   SQLite::Database database = open_as_it_is(path);
+  require_whole_pages(path);
   require_sound(database, path);
   require_schema(database, path);
   return database;
@@ -227,18 +198,6 @@ void create_study(const fs::path& path, const Protocol& protocol) {
   const TemporaryDatabase temporary(path);
   write_new_study(temporary.path(), protocol);
   temporary.take_free_name();
-}
-
-void require_intact(SQLite::Database& database, const fs::path& path) {
-  for (const char* check : {"integrity_check(1)", "foreign_key_check"}) {
-    SQLite::Statement findings(database, fmt::format("PRAGMA {}", check));
-    if (findings.executeStep() && findings.getColumn(0).getString() != "ok") {
-      throw Error(
-          path.string(),
-          fmt::format("its copy is damaged ({}: {})", check, findings.getColumn(0).getString()),
-          "check the disk");
-    }
-  }
 }
 
 void fold_in_log(const fs::path& path) {

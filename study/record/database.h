@@ -1,5 +1,5 @@
-// Study files as SQLite databases: making, opening, copying and checking them, and SQLite's faults
-// in the user's words.
+// Study files as SQLite databases: making, opening and copying them, and SQLite's faults in the
+// user's words.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,6 @@ void with_clear_errors(const std::filesystem::path& path, const std::function<vo
 /// it is missing, no study, of another schema, or if it has a second name (hard link).
 void require_study(const std::filesystem::path& path);
 
-/// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a
-/// query do anything else, and a file whose guards were removed is not trusted. Others may stand
-/// beside. Throws Error.
-void require_schema(SQLite::Database& database, const std::filesystem::path& path);
-
 /// The file at `path`, which exists, unchecked, to read only. Nothing beside it is made, even in a
 /// folder that cannot be written; a journal that lies beside it is played back, which only who may
 /// write can do. Throws what SQLite throws.
@@ -45,10 +40,6 @@ void require_writable_file(const std::filesystem::path& path);
 /// The study at `path`, which exists and was checked, to write: a commit is on the disk when it
 /// returns.
 SQLite::Database open_study_to_write(const std::filesystem::path& path);
-
-/// Throws Error if `database`, a copy that is to lie at `path`, is not whole: by SQLite's own
-/// checks of integrity and foreign keys.
-void require_intact(SQLite::Database& database, const std::filesystem::path& path);
 
 /// Leaves the database at `path` as one self-contained file, so that another can take its place.
 /// Throws Error if another program reads or writes it.

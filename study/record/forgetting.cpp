@@ -10,6 +10,7 @@
 #include "renderer/base/files.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
+#include "study/record/database_checks.h"
 #include "study/record/maintenance.h"
 #include "study/record/schema.h"
 #include "study/record/table_rows.h"

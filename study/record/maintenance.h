@@ -22,10 +22,13 @@ struct Verification {
   /// Sessions that are not over, trials without a mark or rating, attempts without frames: no
   /// damage, but not complete either.
   std::vector<RecordFault> gaps;
+  /// What makes dates doubtful and times not: a wall clock that was set back within a session.
+  std::vector<RecordFault> warnings;
 };
 
-/// Integrity, foreign keys, each session's hash chain, each chunk's checksum, whether the tables
-/// follow from the log, and completeness. Changes nothing. Throws Error for what is no study.
+/// The file's size, integrity, foreign keys, nothing beside the schema, each session's hash chain,
+/// each chunk's checksum, whether the tables follow from the log, completeness, and the wall clock.
+/// Changes nothing. Throws Error for what is no study.
 Verification verify_study(const std::filesystem::path& path);
 
 struct Merge {

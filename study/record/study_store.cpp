@@ -6,12 +6,14 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "study/record/chunk.h"
 #include "study/record/controller_lock.h"
 #include "study/record/database.h"
+#include "study/record/database_checks.h"
 #include "study/record/event_log.h"
 #include "study/record/event_rows.h"
 #include "study/record/frame_encoding.h"
@@ -32,7 +34,23 @@ std::optional<Amendment> make_or_check(const fs::path& path, const Protocol& pro
     create_study(path, protocol);
   }
   SQLite::Database checked = open_study_to_read(path);
+  require_only_own_effects(checked, path);
   return require_same_protocol(checked, path, protocol, other);
+}
+
+/// The file behind a name: another name, or another file of this name, does not change which it is.
+struct FileIdentity {
+  dev_t device = 0;
+  ino_t inode = 0;
+
+  friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
+};
+
+/// None, which is 0, if there is no file.
+FileIdentity identity_of(const fs::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? FileIdentity{status.st_dev, status.st_ino}
+                                            : FileIdentity{};
 }
 
 ChunkPlace place_of(std::int64_t session, const AttemptKey& attempt, std::uint64_t first,
@@ -57,6 +75,7 @@ struct StudyStore::Implementation {
       : path(usable(path_in)),
         lock(path),
         amendment(make_or_check(path, protocol_in, other)),
+        identity(identity_of(path)),
         database(open_study_to_write(path)),
         statements(database),
         protocol(protocol_in) {}
@@ -67,11 +86,21 @@ struct StudyStore::Implementation {
       work();
       return;
     }
+    require_same_file();
     with_clear_errors(path, [&] {
       SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
       work();
       transaction.commit();
     });
+  }
+
+  /// By another name, a second program could write the file beside this one: the lock and the log
+  /// are found by the name.
+  void require_same_file() const {
+    if (identity_of(path) != identity) {
+      throw Error(path.string(), "was moved, removed or replaced while it was written",
+                  "put it back, if it is still there, and go on with --resume");
+    }
   }
 
   /// Runs `work` as one commit; what it learnt of sessions that were then not made is forgotten.
@@ -128,6 +157,7 @@ struct StudyStore::Implementation {
   fs::path path;
   ControllerLock lock;
   std::optional<Amendment> amendment;
+  FileIdentity identity;
   SQLite::Database database;
   PreparedStatements statements;
   Protocol protocol;

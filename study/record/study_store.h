@@ -67,11 +67,11 @@ struct LoggedEvent {
 class StudyStore {
  public:
   /// Opens the study at `path` or makes it. Throws Error if the folder is missing or not writable,
-  /// the file is no database, damaged, of another schema, or of another protocol, other files of
-  /// its methods or other profiles (by their hashes), or if another program has it open to write:
-  /// then it says which, and since when. Nothing is then made or changed. An amended
-  /// protocol may be taken, too: the study keeps its own, and every session by the other is to have
-  /// a note of it.
+  /// the file is no database, damaged, of another schema, with triggers or indexes of others, or of
+  /// another protocol, other files of its methods or other profiles (by their hashes), or if
+  /// another program has it open to write: then it says which, and since when. Nothing is then made
+  /// or changed. An amended protocol may be taken, too: the study keeps its own, and every session
+  /// by the other is to have a note of it.
   StudyStore(const std::filesystem::path& path, const Protocol& protocol,
              OtherProtocol other = OtherProtocol::refuse);
   /// Leaves one self-contained file (the write-ahead log is folded in).

@@ -10,7 +10,9 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
+#include "study/record/clock_steps.h"
 #include "study/record/database.h"
+#include "study/record/database_checks.h"
 #include "study/record/event_log.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
@@ -64,11 +66,13 @@ class SessionCheck {
     check_chunks("frame_chunk", "first_frame", "frame_count");
     check_chunks("gaze_chunk", "first_sample", "sample_count");
     check_film_hashes();
+    check_clock();
     list_gaps();
   }
 
  private:
   void fault(const std::string& what) { found_.faults.push_back({participant_, what}); }
+  void warning(const std::string& what) { found_.warnings.push_back({participant_, what}); }
   void gap(const std::string& what) { found_.gaps.push_back({participant_, what}); }
 
   SQLite::Statement rows(const std::string& sql) const {
@@ -174,6 +178,22 @@ class SessionCheck {
     }
   }
 
+  void check_clock() {
+    SQLite::Statement log = rows(
+        "SELECT sequence, type, event.utc, coalesce(lag(event.utc) OVER (ORDER BY sequence),"
+        " started_utc) FROM event JOIN session ON id = session WHERE session = ?"
+        " ORDER BY sequence");
+    while (log.executeStep()) {
+      if (const std::optional<std::string> back =
+              clock_set_back(log.getColumn(3).getString(), log.getColumn(2).getString())) {
+        warning(
+            fmt::format("the computer's clock was set back by {} before event {} ({}): dates are "
+                        "in doubt, and times stand, since they are by another clock",
+                        *back, log.getColumn(0).getInt64(), log.getColumn(1).getString()));
+      }
+    }
+  }
+
   void list_gaps() {
     list_gaps(
         "SELECT 'is not over: ' || state FROM session WHERE id = ?"
@@ -224,6 +244,13 @@ bool is_intact(SQLite::Database& study, Verification& found) {
   return found.faults.empty();
 }
 
+void check_schema(SQLite::Database& study, const fs::path& path, Verification& found) {
+  require_schema(study, path);
+  for (const std::string& object : foreign_objects(study)) {
+    found.faults.push_back({"", fmt::format("has the {}, which is not Foveola's", object)});
+  }
+}
+
 void check_texts(SQLite::Database& study, Verification& found) {
   SQLite::Statement texts(study,
                           "SELECT 'the protocol' AS what, protocol_text, protocol_sha256 FROM study"
@@ -263,10 +290,13 @@ void check_sessions(SQLite::Database& study, Verification& found) {
 Verification verify(const fs::path& path) {
   Verification found;
   SQLite::Database study = copy_to_verify(path);
+  if (const std::optional<std::string> fault = size_fault(path)) {
+    found.faults.push_back({"", *fault});
+  }
   if (!is_intact(study, found)) {
     return found;
   }
-  require_schema(study, path);
+  check_schema(study, path, found);
   check_texts(study, found);
   check_sessions(study, found);
   return found;

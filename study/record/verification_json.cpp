@@ -16,11 +16,9 @@ nlohmann::ordered_json list_of(const std::vector<RecordFault>& faults) {
 }  // namespace
 
 nlohmann::ordered_json verification_json(const Verification& found) {
-  return {{"sessions", found.sessions},
-          {"events", found.events},
-          {"chunks", found.chunks},
-          {"faults", list_of(found.faults)},
-          {"gaps", list_of(found.gaps)}};
+  return {{"sessions", found.sessions},  {"events", found.events},
+          {"chunks", found.chunks},      {"faults", list_of(found.faults)},
+          {"gaps", list_of(found.gaps)}, {"warnings", list_of(found.warnings)}};
 }
 
 }  // namespace foveola::study

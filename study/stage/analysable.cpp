@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/utf8.h"
 #include "study/protocol/analysed_measures.h"
 
 namespace foveola::study {
@@ -22,10 +23,10 @@ void warn_of_unanalysable(const Protocol& protocol) {
 
 void warn_of_recorded_only(const Protocol& protocol) {
   for (const std::string& measure : recorded_only(protocol)) {
-    fmt::print(stderr, "foveola: warning: {}\n", measure);
+    fmt::print(stderr, "foveola: warning: {}\n", printable(measure));
   }
   for (const std::string& note : protocol.notes) {
-    fmt::print(stderr, "foveola: note: {}\n", note);
+    fmt::print(stderr, "foveola: note: {}\n", printable(note));
   }
 }
 

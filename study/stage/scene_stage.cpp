@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/files.h"
+#include "renderer/base/utf8.h"
 #include "renderer/measure/reference.h"
 #include "study/record/shown_scene.h"
 
@@ -74,7 +75,7 @@ std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
 void print_scene_warnings(const SceneStages& stages) {
   for (const auto& [name, stage] : stages) {
     for (const std::string& warning : stage->scene().warnings) {
-      fmt::print(stderr, "foveola: warning: {}: {}\n", name, warning);
+      fmt::print(stderr, "foveola: warning: {}\n", printable(name + ": " + warning));
     }
   }
 }

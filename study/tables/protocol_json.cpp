@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/protocol/untranslated.h"
+
 namespace foveola::study {
 namespace {
 
@@ -85,6 +87,8 @@ Json json_of(const Protocol& protocol) {
           {"name", protocol.name},
           {"title", protocol.title},
           {"language", protocol.language},
+          {"untranslated", untranslated_texts(protocol).keys},
+          {"film_bytes", memory_of(protocol.film)},
           {"sha256", protocol.sha256},
           {"scenes", json_scenes(protocol)},
           {"methods", protocol.methods},

@@ -1,5 +1,7 @@
 #include "study/tables/protocol_tables.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -111,8 +113,19 @@ void add_procedure(std::vector<TextRow>& rows, const Protocol& protocol) {
   }
 }
 
+/// Of the largest film of all trials, in megabytes.
+double film_megabytes(const Protocol& protocol) {
+  double most = memory_of(protocol.film);
+  for (const auto& [cell, settings] : protocol.cells) {
+    most = std::max(most, memory_of(settings.film));
+  }
+  return 1e-6 * most;
+}
+
 void add_settings(std::vector<TextRow>& rows, const Protocol& protocol) {
   rows.push_back({"trial", text_of(settings_of(protocol, "", ""))});
+  rows.push_back({"memory", fmt::format("up to {:.0f} MB for the film, beside the scenes",
+                                        std::ceil(film_megabytes(protocol)))});
   for (const auto& [cell, settings] : protocol.cells) {
     rows.push_back({"", fmt::format("{} with {}: {}", cell.first, cell.second, text_of(settings))});
   }
@@ -124,8 +137,13 @@ void add_analysis(std::vector<TextRow>& rows, const Protocol& protocol) {
     rows.push_back({"planned", fmt::format("{} participants", *plan.participants)});
   }
   for (const PlannedComparison& comparison : plan.primary) {
-    rows.push_back({"primary", fmt::format("{}: {} against {}, alpha {}", comparison.measure,
-                                           comparison.method, comparison.baseline, plan.alpha)});
+    rows.push_back({"primary", fmt::format("{}: {} against {}", comparison.measure,
+                                           comparison.method, comparison.baseline)});
+  }
+  if (!plan.primary.empty()) {
+    rows.push_back({"family", fmt::format("the {} primary comparison{}, by Holm's method; alpha {}",
+                                          plan.primary.size(), plan.primary.size() == 1 ? "" : "s",
+                                          plan.alpha)});
   }
   for (const auto& [measure, margin] : plan.equivalence_margins) {
     rows.push_back({"equivalent", fmt::format("{} within {}", measure, margin)});

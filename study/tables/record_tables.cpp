@@ -130,6 +130,9 @@ std::string verification_table(const Verification& found) {
   for (const RecordFault& gap : found.gaps) {
     rows.push_back({"gap", fmt::format("{}: {}", gap.participant, gap.what)});
   }
+  for (const RecordFault& warning : found.warnings) {
+    rows.push_back({"warning", fmt::format("{}: {}", warning.participant, warning.what)});
+  }
   return aligned(rows);
 }
 

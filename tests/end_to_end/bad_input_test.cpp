@@ -196,6 +196,31 @@ TEST_F(BadInput, FilesThatNestOrListWithoutEndAreRefused) {
   EXPECT_THAT(folder_.entries(), ElementsAre("asks.toml", "deep.toml", "long.toml", "room.gltf"));
 }
 
+TEST_F(BadInput, NamesInAProtocolDoNotControlTheTerminal) {
+  const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
+  write_file(folder_ / "p.toml",
+             replaced(protocol, "\"A small ", "\"\\u001b]0;mine\\u0007\\u009b31mA small "));
+  const ProgramResult checked = run_foveola({"study", "check", (folder_ / "p.toml").string()});
+  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  EXPECT_THAT(checked.output, HasSubstr("?]0;mine??31mA small "));
+  write_file(folder_ / "p.toml", replaced(protocol, "\"arcade\"", "\"\\u001b[2Jarcade\""));
+  expect_one_line(run_foveola({"study", "check", (folder_ / "p.toml").string()}), 1,
+                  ": ?[2Jarcade: no such scene");
+}
+
+TEST_F(BadInput, WhatAProtocolHardlyMeansIsWarnedOf) {
+  const std::string protocol = read_file(resource_folder() / "protocols" / "demo.toml");
+  write_file(folder_ / "p.toml",
+             "language = \"de\"\n" + replaced(protocol, "\"od\", \"vp\", \"fv\"",
+                                              "\"od\", \"fv\", \"fv:acuity=reddy\""));
+  const ProgramResult checked =
+      run_foveola({"study", "check", (folder_ / "p.toml").string(), "--json"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  EXPECT_THAT(checked.errors, HasSubstr("'fv:acuity=reddy' is the same method as 'fv'"));
+  EXPECT_THAT(checked.errors, HasSubstr("p.toml:1:12: the language is de, and "));
+  EXPECT_THAT(checked.output, HasSubstr("\"texts.welcome\""));
+}
+
 TEST_F(BadInput, DatabasesOfAnotherSchemaAreLeftAlone) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open((folder_ / "other.sqlite").c_str(), &database), SQLITE_OK);

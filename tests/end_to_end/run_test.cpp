@@ -8,10 +8,12 @@
 #include <thread>
 
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/coverable_tracker.h"
 #include "tests/end_to_end/seated_participant.h"
+#include "tests/end_to_end/study_rows.h"
 #include "tests/end_to_end/tracker_profile.h"
 
 namespace fs = std::filesystem;
@@ -331,6 +333,39 @@ TEST_F(StudyRun, WhatWasKilledGoesOn) {
       participant_.ask("SELECT type FROM event ORDER BY sequence"),
       ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
   EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
+}
+
+/// As if the last event had been recorded by a clock that was ten years ahead.
+void date_last_event_ahead(const fs::path& study) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(study.c_str(), &database), SQLITE_OK);
+  const std::string guard =
+      value_of(study, "SELECT sql FROM sqlite_schema WHERE name = 'event_is_fixed'");
+  const std::string sql =
+      "DROP TRIGGER event_is_fixed; UPDATE event SET utc ="
+      " strftime('%Y-%m-%dT%H:%M:%fZ', utc, '+10 years') WHERE sequence ="
+      " (SELECT max(sequence) FROM event); " +
+      guard;
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+}
+
+TEST_F(StudyRun, AClockThatWasSetBackMeanwhileIsNoted) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.wait_for_page();
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  date_last_event_ahead(participant_.database());
+
+  participant_.begin({"--resume"});
+  participant_.wait_for_page();
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  EXPECT_THAT(participant_.ask("SELECT text FROM note ORDER BY sequence"),
+              ElementsAre(testing::StartsWith("goes on with "),
+                          AllOf(testing::StartsWith("the computer's clock was set back by 365"),
+                                HasSubstr(" days since 20"))));
 }
 
 TEST_F(StudyRun, TheExperimenterMayExclude) {

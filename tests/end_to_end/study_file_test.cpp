@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include "renderer/base/files.h"
@@ -148,6 +149,33 @@ TEST_F(StudyFile, VerifyNamesTheChunkInWhichAByteWasFlipped) {
 TEST_F(StudyFile, VerifyRefusesAFileThatWasCutShort) {
   fs::resize_file(north_, sites().north.size() / 2);
   expect_one_line(study({"verify", north_}), 1, "north.sqlite: is damaged");
+}
+
+TEST_F(StudyFile, VerifyRefusesAFileThatLacksItsLastByte) {
+  fs::resize_file(north_, sites().north.size() - 1);
+  const ProgramResult verified = study({"verify", north_});
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_THAT(verified.output, HasSubstr("bytes, which are no whole number of its pages of 4096"));
+  expect_one_line(study({"status", north_}), 1, "north.sqlite: is damaged (has ");
+}
+
+TEST_F(StudyFile, WithATriggerOfSomebodyElseIsNeitherVerifiedNorWritten) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(north_.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database,
+                         "CREATE TRIGGER \"a\x1b[2Jb\" AFTER INSERT ON mark BEGIN SELECT 1; END",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(database);
+  const auto before = folder_.content();
+  const ProgramResult verified = study({"verify", north_});
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_THAT(verified.output,
+              HasSubstr("has the trigger a?[2Jb on mark, which is not Foveola's\n"));
+  expect_one_line(sites().hall.run({"study", "simulate", "hall", "--db", north_, "--participants",
+                                    "3", "--resume"}),
+                  1, "has the trigger a?[2Jb on mark, which is not Foveola's and could change");
+  EXPECT_EQ(folder_.content(), before);
 }
 
 TEST_F(StudyFile, BackupIsTheStudyOnceMore) {

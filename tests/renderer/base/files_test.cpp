@@ -50,6 +50,17 @@ TEST_F(Files, AnEmptyFileIsEmpty) {
   EXPECT_EQ(read_file(folder_ / "empty"), "");
 }
 
+TEST_F(Files, AreReadUpToALimit) {
+  const std::string content = std::string(70'000, 'a') + "b";
+  write_file(folder_ / "x", content);
+  EXPECT_EQ(read_file(folder_ / "x", content.size(), "name another"), content);
+  EXPECT_THAT([&] { read_file(folder_ / "x", content.size() - 1, "name another"); },
+              ThrowsMessage<Error>(HasSubstr("x: has over 70000 bytes, which are the most that are "
+                                             "read; name another")));
+  write_file(folder_ / "empty", "");
+  EXPECT_EQ(read_file(folder_ / "empty", 0, ""), "");
+}
+
 TEST_F(Files, MissingFilesAndFoldersAreNamed) {
   EXPECT_THAT([&] { read_file(folder_ / "absent.glb"); },
               ThrowsMessage<Error>(HasSubstr("absent.glb: no such file")));

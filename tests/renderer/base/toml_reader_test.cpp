@@ -143,6 +143,32 @@ TEST(TomlReader, DeepKeysAreRefusedBeforeTheyAreRead) {
   EXPECT_THAT(complaint(key_of(16) + " = 1\n", nothing), HasSubstr("unknown key"));
 }
 
+TEST(TomlReader, DeepValuesAreRefusedBeforeTheyAreRead) {
+  const auto nothing = [](TomlReader&) {};
+  for (const std::size_t depth : {17U, 50'000U}) {
+    const std::string open(depth, '[');
+    const std::string close(depth, ']');
+    EXPECT_THAT(complaint("b = 1\na = " + open + close + "\n", nothing),
+                AllOf(HasSubstr("a.toml:2:21"), HasSubstr("nested over 16 deep; look at")));
+    std::string begin;
+    std::string end;
+    for (std::size_t i = 0; i < depth; ++i) {
+      begin += "{" + key_of(16) + " = ";
+      end += "}";
+    }
+    EXPECT_THAT(complaint("a = " + begin + "1" + end + "\n", nothing),
+                HasSubstr("nested over 16 deep"))
+        << "toml++ alone goes 16 times as deep as it counts";
+  }
+  EXPECT_THAT(complaint("a = [[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]\n", nothing),
+              HasSubstr("unknown key"));
+  std::string side_by_side = "[[a]]\n";
+  for (int i = 0; i < 100; ++i) {
+    side_by_side += "b" + std::to_string(i) + " = [{}, [1]] # [[[[\n";
+  }
+  EXPECT_THAT(complaint(side_by_side, nothing), HasSubstr("unknown key"));
+}
+
 TEST(TomlReader, DotsThatAreOfNoKeyAreNotCounted) {
   const std::string dots(100, '.');
   const auto read = [](TomlReader& reader) {
@@ -162,7 +188,7 @@ TEST(TomlReader, DotsThatAreOfNoKeyAreNotCounted) {
 
 TEST(TomlReader, EndlessFilesAndListsAreRefused) {
   EXPECT_THAT(complaint("# " + std::string(4'000'000, 'a'), [](TomlReader&) {}),
-              HasSubstr("at most 4000000"));
+              HasSubstr("has over 4000000 bytes"));
   std::string names = "\"n0\"";
   std::string tables;
   for (int i = 1; i < 1000; ++i) {
@@ -176,6 +202,17 @@ TEST(TomlReader, EndlessFilesAndListsAreRefused) {
               AllOf(HasSubstr("a.toml:1:9"), HasSubstr("names has 1001 entries")));
   EXPECT_EQ(complaint(tables, read_tables), "");
   EXPECT_THAT(complaint(tables + tables, read_tables), HasSubstr("table has 1998 entries"));
+}
+
+TEST(TomlFile, OfEndlessContentIsRefusedBeforeAllOfItIsRead) {
+  const test::TemporaryFolder folder;
+  folder.write("a.toml", "a = 1\n");
+  EXPECT_EQ(read_toml_file(folder / "a.toml"), "a = 1\n");
+  EXPECT_THAT([] { read_toml_file("/dev/zero"); },
+              ::testing::ThrowsMessage<Error>("/dev/zero: has over 4000000 bytes, which are the "
+                                              "most that are read; name a TOML file"));
+  EXPECT_THAT([&] { read_toml_file(folder.path()); },
+              ::testing::ThrowsMessage<Error>(HasSubstr("is a folder")));
 }
 
 TEST(TomlReader, SaysWhereTheFileIsNoToml) {

@@ -39,6 +39,13 @@ TEST(Utf8Test, CountsCharacters) {
   EXPECT_EQ(count_characters("aä€𝄞"), 4U);
 }
 
+TEST(Utf8Test, ControlCharactersAreNotPrintable) {
+  EXPECT_EQ(printable("Küche 2 — 台所 𝄞\u00A0\u00BF"), "Küche 2 — 台所 𝄞\u00A0\u00BF");
+  EXPECT_EQ(printable(std::string_view("a\x1b[2J\0b\n\tc\x7f", 11)), "a?[2J?b  c?");
+  EXPECT_EQ(printable("\u0080a\u009B31mb\u009F"), "?a?31mb?");
+  EXPECT_EQ(printable("\xC2"), "\xC2");
+}
+
 TEST(Utf8Test, CountsTheBytesOfTheFirstCharacters) {
   const std::string text = "aä€𝄞";
   EXPECT_EQ(bytes_of_first(text, 0), 0U);

@@ -23,6 +23,30 @@ Fault with_mask(const char* name, const std::string& file, const char* says) {
           "4:18", says};
 }
 
+std::string many_trials() {
+  std::string scenes;
+  for (int i = 0; i < 501; ++i) {
+    scenes += "\"s" + std::to_string(i) + "\", ";
+  }
+  return "name = \"a\"\ntitle = \"b\"\nscenes = [" + scenes + "]\nmethods = [\"od\", \"fv\"]\n";
+}
+
+std::string many_methods() {
+  std::string methods;
+  for (int i = 0; i < 101; ++i) {
+    methods += "\"fv:cutoff=" + std::to_string(i + 10) + "\", ";
+  }
+  return "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [" + methods + "]\n";
+}
+
+std::string many_questionnaires() {
+  std::string tables;
+  for (int i = 0; i < 101; ++i) {
+    tables += "[[questionnaire]]\nid = \"q" + std::to_string(i) + "\"\nfile = \"sus\"\n";
+  }
+  return minimal + tables;
+}
+
 class ProtocolFault : public ProtocolFolder, public testing::WithParamInterface<Fault> {};
 
 TEST_P(ProtocolFault, IsRefusedWithItsPlace) {
@@ -64,6 +88,21 @@ INSTANTIATE_TEST_SUITE_P(
               "methods"},
         Fault{"text_for_number", minimal + "[film]\nwidth = \"wide\"\n", "6:9", "film.width"},
         Fault{"fraction_for_integer", minimal + "[film]\nwidth = 64.5\n", "6:9", "film.width"},
+        Fault{"film_too_large_for_any_memory", minimal + "[film]\nwidth = 65536\nheight = 65536\n",
+              "6:9", "65536 x 65536 pixels would take 174 GB of memory; make it smaller"},
+        Fault{"film_too_large_in_one_scene",
+              minimal + "[film]\nwidth = 32768\n[[override]]\nscene = \"room\"\nfilm.height = "
+                        "16384\n",
+              "9:15", "32768 x 16384 pixels would take 22 GB"},
+        Fault{"too_many_trials", many_trials(), "4:11",
+              "501 scenes with 2 methods make 1002 trials, and a session has at most 1000; name "
+              "fewer"},
+        Fault{"too_many_methods", many_methods(), "4:11",
+              "101 methods, and a study has at most 100; name fewer"},
+        Fault{"endless_method",
+              "name = \"a\"\ntitle = \"b\"\nscenes = [\"s\"]\nmethods = [\"od\", \"hybrid:1*fv" +
+                  std::string(1000, '+') + "\"]\n",
+              "4:18", "a method of 1011 characters, and the longest has 1000"},
         Fault{"negative_size", minimal + "[film]\nwidth = -64\n", "6:9", "film.width"},
         Fault{"nan_rate", minimal + "[machine]\nframe_rate_hz = nan\n", "6:17", "frame_rate_hz"},
         Fault{"infinite_rate", minimal + "[machine]\nframe_rate_hz = inf\n", "6:17",
@@ -134,6 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
               minimal + "[[questionnaire]]\nid = \"a\"\n[[questionnaire.question]]\nid = \"q\"\n"
                         "text = \"?\"\n",
               "5:1", "no title"},
+        Fault{"too_many_questionnaires", many_questionnaires(), "5:1",
+              "101 questionnaires, and a study has at most 100; leave some out"},
         Fault{"questionnaire_called_like_a_phase", minimal + "[[questionnaire]]\nid = \"trials\"\n",
               "6:6", "twice"},
         Fault{"questionnaire_that_is_not_ready",
@@ -211,6 +252,19 @@ INSTANTIATE_TEST_SUITE_P(
               minimal + "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n"
                         "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n",
               "8:1", "twice"},
+        Fault{"compared_twice_the_other_way_round",
+              minimal + "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n"
+                        "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"od\"\n"
+                        "baseline = \"fv\"\n",
+              "8:1", "twice"},
+        Fault{"mark_called_like_the_built_in_rating",
+              minimal + "[[mark]]\nid = \"a\"\ninstruction = \"Now.\"\n"
+                        "[[mark]]\nid = \"artifacts\"\ninstruction = \"Now.\"\n",
+              "9:6", "is that of the built-in rating; give the mark another id"},
+        Fault{"rating_called_like_a_mark",
+              minimal + "[[mark]]\nid = \"a\"\ninstruction = \"Now.\"\n"
+                        "[[rating]]\nid = \"a\"\ntext = \"?\"\n",
+              "9:6", "used twice"},
         Fault{"compared_with_another_study",
               minimal + "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n"
                         "baseline = \"vp\"\n",

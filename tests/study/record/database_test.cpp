@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "renderer/base/error.h"
 #include "study/record/study_records.h"
 #include "study_file.h"
 
@@ -131,6 +133,18 @@ std::vector<BadFile> bad_files() {
          run_sql(path, "DROP TRIGGER event_stays");
        },
        "its trigger event_stays is missing or was changed"},
+      {"ByteMissing",
+       [](const fs::path& path) {
+         write_small_study(path);
+         fs::resize_file(path, fs::file_size(path) - 1);
+       },
+       "is damaged (has "},
+      {"PageAppended",
+       [](const fs::path& path) {
+         write_small_study(path);
+         fs::resize_file(path, fs::file_size(path) + 4096);
+       },
+       "is damaged (has "},
       {"EndlessView",
        [](const fs::path& path) {
          write_small_study(path);
@@ -162,6 +176,86 @@ TEST(Database, WhileOneWriterIsAtWorkNoSecondComesByAnotherName) {
     session.run_trial(ms(100), ms(2000), ms(3000), 2);
   }
   EXPECT_EQ(read_study(path).trials.size(), 4U);
+}
+
+// By a program of its own, as whoever starts a second one is.
+TEST(Database, NoSecondProgramWritesByAnotherName) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  StudyStore store(path, small_protocol());
+  PlayedSession session(store, facts_of("P01"), small_plan());
+  session.begin();
+  fs::create_hard_link(path, folder / "hard.sqlite");
+  fs::create_symlink(path, folder / "soft.sqlite");
+  for (const auto& [name, words] : {std::pair("hard.sqlite", "has 2 names"),
+                                    std::pair("soft.sqlite", "is being written by ")}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::string message;
+      try {
+        const StudyStore second(folder / name, small_protocol());
+      } catch (const Error& error) {
+        message = error.what();
+      }
+      ::_exit(message.find(words) != std::string::npos ? 0 : 1);
+    }
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0) << name;
+  }
+  fs::remove(folder / "hard.sqlite");
+  session.run_trial(ms(100), ms(2000), ms(3000), 2);
+  EXPECT_EQ(store.events_of(session.id()).size(), 8U);
+}
+
+TEST(Database, WriterStopsWhenItsFileIsMoved) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  const fs::path moved = folder / "moved.sqlite";
+  {
+    StudyStore store(path, small_protocol());
+    PlayedSession session(store, facts_of("P01"), small_plan());
+    session.begin();
+    fs::rename(path, moved);
+    const auto go_on = [&] {
+      store.record(session.id(), EventEntry{.time = ms(100),
+                                            .event = NoteWritten{.text = "a note"},
+                                            .before = session.state(),
+                                            .after = session.state()});
+    };
+    EXPECT_THAT(refusal(go_on),
+                AllOf(StartsWith(path.string() + ": was moved"), HasSubstr("put it back")));
+    fs::rename(moved, path);
+    go_on();
+  }
+  EXPECT_EQ(query(path, "SELECT count(*) FROM event"), "3");
+  EXPECT_THAT(verify_study(path).faults, IsEmpty());
+}
+
+TEST(Database, WriterRefusesWhatCouldChangeWhatItWrites) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "study.sqlite";
+  write_small_study(path);
+  const std::string whole = folder.content().at("study.sqlite");
+  for (const auto& [sql, words] :
+       {std::pair("CREATE TRIGGER faster AFTER INSERT ON mark BEGIN SELECT 1; END",
+                  "has the trigger faster on mark, which is not Foveola's and could change what is "
+                  "recorded; remove it (DROP TRIGGER in sqlite3)"),
+        std::pair("CREATE UNIQUE INDEX one ON session (kind)",
+                  "has the index one on session, which is not Foveola's")}) {
+    folder.write("study.sqlite", whole);
+    run_sql(path, sql);
+    const auto before = folder.content();
+    EXPECT_THAT(refusal([&] { const StudyStore store(path, small_protocol()); }),
+                AllOf(StartsWith(path.string()), HasSubstr(words)));
+    EXPECT_EQ(folder.content(), before);
+    EXPECT_EQ(read_study(path).sessions.size(), 1U) << "it can still be read";
+  }
+  folder.write("study.sqlite", whole);
+  run_sql(path,
+          "CREATE VIEW marks AS SELECT * FROM mark;"
+          " CREATE TABLE remark (session INTEGER UNIQUE, text TEXT); ANALYZE");
+  const StudyStore store(path, small_protocol());
 }
 
 TEST(Database, ReaderRefusesWhatIsNotThereAndMakesNothing) {

@@ -143,6 +143,38 @@ TEST_F(VerifiedStudy, RefusesAFileWithoutItsGuards) {
   EXPECT_THAT(refusal([&] { verify_study(path_); }), HasSubstr("trigger event_stays is missing"));
 }
 
+TEST_F(VerifiedStudy, NamesWhatStandsBesideItsSchema) {
+  const std::string whole = folder_.content().at("study.sqlite");
+  for (const auto& [sql, object] :
+       {std::pair("CREATE TRIGGER faster AFTER INSERT ON mark BEGIN SELECT 1; END",
+                  "trigger faster on mark"),
+        std::pair("CREATE VIEW marks AS SELECT * FROM mark", "view marks"),
+        std::pair("CREATE TABLE other (x)", "table other"),
+        std::pair("CREATE INDEX times ON mark (time_ns)", "index times on mark")}) {
+    folder_.write("study.sqlite", whole);
+    SQLite::Database(path_, SQLite::OPEN_READWRITE).exec(sql);
+    EXPECT_THAT(
+        verify_study(path_).faults,
+        ElementsAre(FieldsAre("", fmt::format("has the {}, which is not Foveola's", object))));
+  }
+  folder_.write("study.sqlite", whole);
+  SQLite::Database(path_, SQLite::OPEN_READWRITE).exec("ANALYZE");
+  EXPECT_THAT(verify_study(path_).faults, IsEmpty()) << "SQLite's own statistics";
+}
+
+TEST_F(VerifiedStudy, NoByteIsMissingOrAppended) {
+  const std::string whole = folder_.content().at("study.sqlite");
+  const std::string page(4096, '\0');
+  for (const std::string& changed :
+       {whole.substr(0, whole.size() - 1), whole + "x", whole + page}) {
+    folder_.write("study.sqlite", changed);
+    EXPECT_THAT(
+        verify_study(path_).faults,
+        Contains(FieldsAre("", AllOf(StartsWith(fmt::format("has {} bytes", changed.size())),
+                                     HasSubstr("pages of 4096 bytes")))));
+  }
+}
+
 TEST_F(VerifiedStudy, RefusesWhatIsNoStudy) {
   EXPECT_THAT(refusal([&] { verify_study(folder_ / "none"); }), HasSubstr("no such file"));
   const fs::path text = folder_.write("text", std::string(5000, 'x'));

@@ -93,7 +93,18 @@ method = "fv"
   EXPECT_THAT(table, HasSubstr("6 presses after 1 to 3 s"));
   EXPECT_THAT(table, HasSubstr("sus_10 (1 to 5)"));
   EXPECT_THAT(table, HasSubstr("9 participants"));
-  EXPECT_THAT(table, HasSubstr("outline: fv against od"));
+  EXPECT_THAT(table, HasSubstr("outline: fv against od\n"));
+  EXPECT_THAT(table,
+              HasSubstr("family        the 1 primary comparison, by Holm's method; alpha 0.05"));
+}
+
+TEST(ProtocolTable, SaysTheMemoryOfTheLargestFilm) {
+  EXPECT_THAT(protocol_table(protocol_with("[film]\nwidth = 4096\nheight = 2048\n"), {}),
+              HasSubstr("memory        up to 340 MB for the film"));
+  EXPECT_THAT(protocol_table(protocol_with("[film]\nwidth = 4096\nheight = 2048\n[[override]]\n"
+                                           "scene = \"room\"\nfilm.height = 4096\n"),
+                             {}),
+              HasSubstr("memory        up to 680 MB for the film"));
 }
 
 TEST(ProtocolJson, HasTheSameForMachines) {

@@ -1,0 +1,45 @@
+// Whether a study's file is what Foveola makes of one: its schema, its size, its integrity.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace SQLite {
+class Database;
+}
+
+namespace foveola::study {
+
+/// What to do with a damaged file.
+inline constexpr const char* damage_remedy = "restore it from a copy";
+
+/// Every table, view, index and trigger must be the known one: so a stranger's file cannot make a
+/// query do anything else, and a file whose guards were removed is not trusted. Others may stand
+/// beside: see foreign_objects(). Throws Error.
+void require_schema(SQLite::Database& database, const std::filesystem::path& path);
+
+/// The tables, views, indexes and triggers that the schema does not have, each as "trigger NAME on
+/// TABLE". Those that SQLite makes for ANALYZE are left out.
+std::vector<std::string> foreign_objects(SQLite::Database& study);
+
+/// Throws Error if a trigger or an index stands beside those of the schema: either could change or
+/// refuse what is written.
+void require_only_own_effects(SQLite::Database& study, const std::filesystem::path& path);
+
+/// What is wrong with the size of the file at `path`, a database; empty if nothing is. SQLite takes
+/// what is missing of the last page for zeros, and does not see what is appended.
+std::optional<std::string> size_fault(const std::filesystem::path& path);
+
+/// Throws Error if there is a size_fault().
+void require_whole_pages(const std::filesystem::path& path);
+
+/// Throws Error if SQLite's quick check finds the file damaged.
+void require_sound(SQLite::Database& database, const std::filesystem::path& path);
+
+/// Throws Error if `database`, a copy that is to lie at `path`, is not whole: by SQLite's own
+/// checks of integrity and foreign keys.
+void require_intact(SQLite::Database& database, const std::filesystem::path& path);
+
+}  // namespace foveola::study

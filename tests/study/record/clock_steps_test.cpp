@@ -1,0 +1,41 @@
+#include "study/record/clock_steps.h"
+
+#include <gmock/gmock.h>
+
+namespace foveola::study {
+namespace {
+
+using testing::Optional;
+
+TEST(ClockSteps, AreReportedFromAMinuteOn) {
+  const std::string before = "2026-11-21T09:30:00.500Z";
+  EXPECT_EQ(clock_set_back(before, "2026-11-21T09:30:00.600Z"), std::nullopt);
+  EXPECT_EQ(clock_set_back(before, "2036-11-21T09:30:00.000Z"), std::nullopt) << "a long break";
+  EXPECT_EQ(clock_set_back(before, "2026-11-21T09:29:00.500Z"), std::nullopt);
+  EXPECT_THAT(clock_set_back(before, "2026-11-21T09:28:55.500Z"),
+              Optional(std::string("1 m 05 s")));
+  EXPECT_THAT(clock_set_back(before, "2026-11-21T08:30:00.500Z"),
+              Optional(std::string("1 h 00 m")));
+  EXPECT_THAT(clock_set_back(before, "2016-11-21T09:30:00.500Z"),
+              Optional(std::string("3652 days")));
+}
+
+TEST(ClockSteps, AreNoneOfWhatIsNoTime) {
+  EXPECT_EQ(clock_set_back("", "2026-11-21T09:30:00.500Z"), std::nullopt);
+  EXPECT_EQ(clock_set_back("2026-11-21T09:30:00.500Z", "yesterday"), std::nullopt);
+}
+
+TEST(ClockSteps, ASessionThatGoesOnNotesThem) {
+  EXPECT_EQ(note_of_clock({}, "2016-01-01T00:00:00.000Z"), std::nullopt);
+  const std::vector<LoggedEvent> events = {
+      {Nanoseconds(0), SessionStarted{}, "2026-11-21T09:30:00.000Z"},
+      {Nanoseconds(1), Interrupted{}, "2026-11-21T09:40:00.000Z"}};
+  EXPECT_EQ(note_of_clock(events, "2026-11-21T09:41:00.000Z"), std::nullopt);
+  EXPECT_THAT(note_of_clock(events, "2026-11-21T09:35:00.000Z"),
+              Optional(std::string(
+                  "the computer's clock was set back by 5 m 00 s since "
+                  "2026-11-21T09:40:00.000Z, when the session's last event was recorded")));
+}
+
+}  // namespace
+}  // namespace foveola::study
