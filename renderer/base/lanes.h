@@ -158,6 +158,8 @@ struct Vec3s {
   }
   friend Vec3s operator*(const Floats& s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
   friend Vec3s operator*(float s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
+  /// With one division instead of three.
+  friend Vec3s operator/(const Vec3s& v, const Floats& s) { return (1.0F / s) * v; }
 };
 
 inline Vec3s all_lanes(const Vec3& v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }

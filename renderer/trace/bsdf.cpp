@@ -12,7 +12,7 @@ namespace {
 Vec3 sample_uniform_hemisphere(const Vec2& u) {
   const float z = 1.0F - u.y;
   const float r = std::sqrt(u.y * (1.0F + z));
-  const SineCosine azimuth = sine_cosine_of_turns(u.x);
+  const SineCosine azimuth = azimuth_at(u.x);
   return {r * azimuth.cosine, r * azimuth.sine, z};
 }
 
@@ -127,7 +127,8 @@ BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
   BsdfValue value;
   if (specular_probability_ + glass_share_ > 0.0F && !microfacets_.is_smooth()) {
     const MicrofacetLobe::Facets facets = microfacets_.facets(incoming);
-    value = layers_.specular(facets, specular_probability_);
+    value = layers_.specular(facets);
+    value.pdf *= specular_probability_;
     if (glass_ && !is_glass_smooth_) {
       const float reflectance = glass_->reflectance(facets.cosine);
       value.times_cosine += glass_share_ * glass_->scale() * reflectance * facets.times_cosine;
@@ -165,7 +166,7 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
                         .pdf = clearcoat,
                         .is_specular = true};
     }
-    return reflection(covers_->clearcoat().sample(sine_cosine_of_turns(u.x), u.y));
+    return reflection(covers_->clearcoat().sample(azimuth_at(u.x), u.y));
   }
   const float above_base = clearcoat + covers_->sheen_probability();
   if (u_lobe < above_base) {
@@ -179,11 +180,11 @@ std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
     if (microfacets_.is_smooth()) {
       return specular(mirrored(), layers_.reflectance(outgoing_.z), specular_probability_);
     }
-    return reflection(microfacets_.sample(sine_cosine_of_turns(u.x), u.y));
+    return reflection(microfacets_.sample(azimuth_at(u.x), u.y));
   }
   const float opaque_probability = specular_probability_ + diffuse_probability_;
   if (u_lobe < opaque_probability || transmission_probability_ == 0.0F) {
-    return weighed(sample_cosine_hemisphere(sine_cosine_of_turns(u.x), u.y));
+    return weighed(sample_cosine_hemisphere(azimuth_at(u.x), u.y));
   }
   if (glass_) {
     return sample_glass(rescaled(u_lobe, opaque_probability, transmission_probability_), u);

@@ -64,7 +64,7 @@ struct GgxOf {
   }
   /// The same with the azimuth as a random number too. u: in the unit square.
   Vector visible_normal(const Vector& w, const Vec2Of<Number>& u) const {
-    return visible_normal(w, sine_cosine_of_turns(u.x), u.y);
+    return visible_normal(w, azimuth_at(u.x), u.y);
   }
 };
 using Ggx = GgxOf<float>;

@@ -103,11 +103,9 @@ class OpaqueLayersOf {
     return (1.0F - weight) * specular_normal_ + weight * specular_grazing_;
   }
 
-  /// What metal and coat reflect. probability: with which they are sampled.
-  BsdfValueOf<Number> specular(const typename MicrofacetLobeOf<Number>::Facets& facets,
-                               const Number& probability) const {
-    return {.times_cosine = facets.times_cosine * reflectance(facets.cosine),
-            .pdf = probability * facets.pdf};
+  /// What metal and coat reflect, with the microfacets' density.
+  BsdfValueOf<Number> specular(const typename MicrofacetLobeOf<Number>::Facets& facets) const {
+    return {.times_cosine = facets.times_cosine * reflectance(facets.cosine), .pdf = facets.pdf};
   }
 
   /// What the Lambertian layer reflects. cosine: of the incoming direction. probability: with which
