@@ -36,12 +36,16 @@ bool is_matte(const Reflectance& reflectance) {
 }  // namespace
 
 Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
+    : Bsdf(reflectance, outgoing, tables, is_matte(reflectance)) {}
+
+Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
+           bool is_matte)
     : outgoing_(raised_above_grazing(outgoing)),
-      layers_(is_matte(reflectance) ? OpaqueLayersOf<float>(reflectance.base_color)
-                                    : layers_of(reflectance, tables)),
-      microfacets_(is_matte(reflectance) ? MicrofacetLobe()
-                                         : MicrofacetLobe(reflectance.roughness, outgoing_)) {
-  if (is_matte(reflectance)) {
+      layers_(is_matte ? OpaqueLayersOf<float>(reflectance.base_color)
+                       : layers_of(reflectance, tables)),
+      microfacets_(is_matte ? MicrofacetLobe()
+                            : MicrofacetLobe(reflectance.roughness, outgoing_)) {
+  if (is_matte) {
     diffuse_probability_ = layers_.diffuse_albedo();
     return;
   }

@@ -35,6 +35,9 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
+  /// is_matte: nothing but the Lambertian layer reflects.
+  Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
+       bool is_matte);
   OpaqueLayersOf<float> layers_of(const Reflectance& reflectance,
                                   const ScatteringTables& tables) const;
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);

@@ -138,8 +138,10 @@ class GgxAlbedo {
   std::vector<SchlickAlbedo> means_;  ///< one a row
 };
 
+// Inline though templates: compilers weigh the word, and each BSDF's value asks for an albedo.
+
 template <typename Number>
-SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
+inline SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
   const NodePositionOf<Number> place(albedo_position(cosine, alpha_), cosine_steps);
   const auto cell = GgxAlbedo::cell(nodes_, first_node_ + place.below);
   const auto between = [&](Number Vec2Of<Number>::*value) {
@@ -154,7 +156,7 @@ SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const
 }
 
 template <typename Number>
-SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
+inline SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
   const SchlickAlbedoOf<Number> smoother = mean_of_row(means_, smoother_);
   const SchlickAlbedoOf<Number> rougher = mean_of_row(means_, smoother_ + 1);
   return {.white = smoother.white + rougher_weight_ * (rougher.white - smoother.white),
@@ -162,7 +164,7 @@ SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
 }
 
 template <typename Number>
-GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
+inline GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
   const NodePositionOf<Number> place(roughness, roughness_steps);
   RowOf<Number> row;
   row.nodes_ = nodes_.data();
