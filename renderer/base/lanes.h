@@ -60,6 +60,7 @@ void for_each_lane(const LaneMask& mask, const Visit& visit) {
 }
 
 // The names below exist for single numbers too, so that a formula can be written once for both.
+// Such templates are declared inline: GCC calls more of them where they are not.
 
 inline float square_root(float x) { return std::sqrt(x); }
 inline Floats square_root(const Floats& x) {

@@ -39,8 +39,8 @@ SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
           .cosine = chosen(((quadrant + 1) & 2) != 0, -second, second)};
 }
 
-/// Sine and cosine of an azimuth, in turns from 0 to 1. A single one is cheaper with the library's
-/// functions, eight are with polynomials.
+/// Sine and cosine of an azimuth, in turns from 0 to 1: of one by the library's functions, of eight
+/// by polynomials, for the library has none for lanes.
 inline SineCosine azimuth_at(float turns) {
   const float radians = 2.0F * std::numbers::pi_v<float> * turns;
   return {.sine = std::sin(radians), .cosine = std::cos(radians)};

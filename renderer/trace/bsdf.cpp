@@ -33,6 +33,21 @@ bool is_matte(const Reflectance& reflectance) {
          reflectance.transmission == 0.0F && !has_covers(reflectance);
 }
 
+/// cosine: of the outgoing direction.
+OpaqueLayersOf<float> layers_of(const Reflectance& reflectance, const ScatteringTables& tables,
+                                float cosine) {
+  const float dielectric = 1.0F - reflectance.metallic;
+  const float opaque = dielectric * (1.0F - reflectance.transmission);
+  const CoatReflectance coat = coat_reflectance(reflectance);
+  return OpaqueLayersOf<float>({.base_color = reflectance.base_color,
+                                .metallic = reflectance.metallic,
+                                .coat_normal = coat.normal,
+                                .coat_grazing = coat.grazing,
+                                .coated = reflectance.is_solid ? opaque : dielectric,
+                                .opaque = opaque},
+                               tables.ggx().row(reflectance.roughness), cosine);
+}
+
 }  // namespace
 
 Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
@@ -42,9 +57,8 @@ Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const Scatterin
            bool is_matte)
     : outgoing_(raised_above_grazing(outgoing)),
       layers_(is_matte ? OpaqueLayersOf<float>(reflectance.base_color)
-                       : layers_of(reflectance, tables)),
-      microfacets_(is_matte ? MicrofacetLobe()
-                            : MicrofacetLobe(reflectance.roughness, outgoing_)) {
+                       : layers_of(reflectance, tables, outgoing_.z)),
+      microfacets_(is_matte ? MicrofacetLobe() : MicrofacetLobe(reflectance.roughness, outgoing_)) {
   if (is_matte) {
     diffuse_probability_ = layers_.diffuse_albedo();
     return;
@@ -58,20 +72,6 @@ Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const Scatterin
     base_scale_ = covers_->base_scale();
     base_probability_ = covers_->base_probability();
   }
-}
-
-OpaqueLayersOf<float> Bsdf::layers_of(const Reflectance& reflectance,
-                                      const ScatteringTables& tables) const {
-  const float dielectric = 1.0F - reflectance.metallic;
-  const float opaque = dielectric * (1.0F - reflectance.transmission);
-  const CoatReflectance coat = coat_reflectance(reflectance);
-  return OpaqueLayersOf<float>({.base_color = reflectance.base_color,
-                                .metallic = reflectance.metallic,
-                                .coat_normal = coat.normal,
-                                .coat_grazing = coat.grazing,
-                                .coated = reflectance.is_solid ? opaque : dielectric,
-                                .opaque = opaque},
-                               tables.ggx().row(reflectance.roughness), outgoing_.z);
 }
 
 void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTables& tables) {

@@ -38,8 +38,6 @@ class Bsdf {
   /// is_matte: nothing but the Lambertian layer reflects.
   Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
        bool is_matte);
-  OpaqueLayersOf<float> layers_of(const Reflectance& reflectance,
-                                  const ScatteringTables& tables) const;
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
   float choose_probabilities();
   BsdfValue eval_reflection(const Vec3& incoming) const;

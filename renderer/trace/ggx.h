@@ -71,7 +71,7 @@ using Ggx = GgxOf<float>;
 
 /// `w` mirrored at `normal`; unit length. Vectors, or lanes of them.
 template <typename Vector>
-Vector reflected(const Vector& w, const Vector& normal) {
+inline Vector reflected(const Vector& w, const Vector& normal) {
   return normalized((2.0F * dot(w, normal)) * normal - w);
 }
 

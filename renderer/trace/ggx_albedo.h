@@ -138,8 +138,6 @@ class GgxAlbedo {
   std::vector<SchlickAlbedo> means_;  ///< one a row
 };
 
-// Inline though templates: compilers weigh the word, and each BSDF's value asks for an albedo.
-
 template <typename Number>
 inline SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
   const NodePositionOf<Number> place(albedo_position(cosine, alpha_), cosine_steps);

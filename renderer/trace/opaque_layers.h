@@ -16,7 +16,7 @@ namespace foveola {
 inline constexpr float smallest_cosine = 1e-4F;
 
 template <typename Vector>
-Vector raised_above_grazing(const Vector& w) {
+inline Vector raised_above_grazing(const Vector& w) {
   const auto is_grazing = w.z < smallest_cosine;
   if (!any_lane(is_grazing)) {
     return w;
@@ -26,7 +26,8 @@ Vector raised_above_grazing(const Vector& w) {
 
 /// A direction above the surface with density cosine / pi. u: in [0, 1].
 template <typename Number>
-Vec3Of<Number> sample_cosine_hemisphere(const SinesCosines<Number>& azimuth, const Number& u) {
+inline Vec3Of<Number> sample_cosine_hemisphere(const SinesCosines<Number>& azimuth,
+                                               const Number& u) {
   const Number r = square_root(u);
   return {r * azimuth.cosine, r * azimuth.sine, square_root(1.0F - u)};
 }

@@ -15,8 +15,8 @@ namespace foveola {
 /// ray is not exceeded, the rest goes along the normal. normal: on the side that the ray came from.
 /// distance: that it came. Numbers and vectors, or lanes of them.
 template <typename Number, typename Vector>
-Vector origin_before(const Vector& position, const Vector& direction, const Vector& normal,
-                     const Number& distance, const Number& rounding_error) {
+inline Vector origin_before(const Vector& position, const Vector& direction, const Vector& normal,
+                            const Number& distance, const Number& rounding_error) {
   constexpr float no_zero = std::numeric_limits<float>::min();
   const Number cosine = larger(-dot(normal, direction), no_zero);
   const Number back = smaller(rounding_error / cosine, 0.5F * distance);
@@ -26,7 +26,7 @@ Vector origin_before(const Vector& position, const Vector& direction, const Vect
 
 /// `normal` at unit length, or `otherwise` if it has no direction. Vectors, or lanes of them.
 template <typename Vector>
-Vector normalized_or(const Vector& normal, const Vector& otherwise) {
+inline Vector normalized_or(const Vector& normal, const Vector& otherwise) {
   const auto squared_length = dot(normal, normal);
   return chosen(squared_length > 0.0F, normal / square_root(squared_length), otherwise);
 }
