@@ -51,22 +51,23 @@ OpaqueLayersOf<float> layers_of(const Reflectance& reflectance, const Scattering
 }  // namespace
 
 Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
-    : Bsdf(reflectance, outgoing, tables, is_matte(reflectance)) {}
-
-Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
-           bool is_matte)
-    : outgoing_(raised_above_grazing(outgoing)),
-      layers_(is_matte ? OpaqueLayersOf<float>(reflectance.base_color)
-                       : layers_of(reflectance, tables, outgoing_.z)),
-      microfacets_(is_matte ? MicrofacetLobe() : MicrofacetLobe(reflectance.roughness, outgoing_)) {
-  if (is_matte) {
+    : outgoing_(raised_above_grazing(outgoing)) {
+  if (is_matte(reflectance)) {
+    layers_ = OpaqueLayersOf<float>(reflectance.base_color);
     diffuse_probability_ = layers_.diffuse_albedo();
-    return;
+  } else {
+    set_layers(reflectance, tables);
   }
+}
+
+void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables) {
+  microfacets_ = MicrofacetLobe(reflectance.roughness, outgoing_);
+  layers_ = layers_of(reflectance, tables, outgoing_.z);
   if ((1.0F - reflectance.metallic) * reflectance.transmission > 0.0F) {
     add_transmission(reflectance, tables);
   }
-  const float base_albedo = choose_probabilities();
+  const float base_albedo =
+      choose_probabilities(layers_.specular_albedo(), layers_.diffuse_albedo());
   if (has_covers(reflectance)) {
     covers_.emplace(reflectance, outgoing_, base_albedo, tables);
     base_scale_ = covers_->base_scale();
@@ -93,7 +94,7 @@ void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTabl
 }
 
 /// Chooses lobes in proportion to the light that each sends back; returns that of all.
-float Bsdf::choose_probabilities() {
+float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
   float transmission_albedo = 0.0F;
   if (glass_) {
     const float reflectance = glass_->reflectance(outgoing_.z);
@@ -101,11 +102,11 @@ float Bsdf::choose_probabilities() {
   } else if (wall_) {
     transmission_albedo = luminance(transmitted_);
   }
-  const float total = layers_.specular_albedo() + layers_.diffuse_albedo() + transmission_albedo;
+  const float total = specular_albedo + diffuse_albedo + transmission_albedo;
   // Quotients, not products with 1 / total: a single lobe has a probability of exactly 1.
   if (total > 0.0F) {
-    specular_probability_ = layers_.specular_albedo() / total;
-    diffuse_probability_ = layers_.diffuse_albedo() / total;
+    specular_probability_ = specular_albedo / total;
+    diffuse_probability_ = diffuse_albedo / total;
     transmission_probability_ = transmission_albedo / total;
   } else if (total != 0.0F) {
     // Not a number: so is every sample's weight, and the path is reported.

@@ -35,11 +35,9 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
-  /// is_matte: nothing but the Lambertian layer reflects.
-  Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables,
-       bool is_matte);
+  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
-  float choose_probabilities();
+  float choose_probabilities(float specular_albedo, float diffuse_albedo);
   BsdfValue eval_reflection(const Vec3& incoming) const;
   BsdfValue eval_transmission(const Vec3& incoming) const;
   std::optional<BsdfSample> sample_base(float u_lobe, const Vec2& u) const;

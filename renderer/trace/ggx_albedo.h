@@ -104,7 +104,9 @@ class GgxAlbedo {
   static Cell<float> cell(const Vec2* nodes, std::int32_t index) {
     const Vec2* smoother = nodes + index;
     const Vec2* rougher = smoother + nodes_in_row;
-    return {{smoother[0], smoother[1]}, {rougher[0], rougher[1]}};
+    // Number by number: GCC copies pairs by way of the stack.
+    return {{{smoother[0].x, smoother[0].y}, {smoother[1].x, smoother[1].y}},
+            {{rougher[0].x, rougher[0].y}, {rougher[1].x, rougher[1].y}}};
   }
   static Cell<Floats> cell(const Vec2* nodes, const Ints& index) {
     Cell<Floats> cells;

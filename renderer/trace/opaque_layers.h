@@ -49,6 +49,9 @@ class OpaqueLayersOf {
  public:
   using Vector = Vec3Of<Number>;
 
+  /// To be assigned to.
+  OpaqueLayersOf() = default;
+
   /// The Lambertian layer alone.
   explicit OpaqueLayersOf(const Vector& base_color)
       : diffuse_(white_diffuse * base_color),
