@@ -258,7 +258,7 @@ void add_fetch(CLI::App& app, const std::stop_token& stop) {
 
 CLI::App& add_scene_commands(CLI::App& app, std::stop_token stop) {
   CLI::App* scene =
-      app.add_subcommand("scene", "List the scenes, make built-in ones, fetch others");
+      app.add_subcommand("scene", "List, make or download scenes, and see what is in them");
   scene->require_subcommand(1);
   add_list(*scene);
   add_make(*scene, stop);

@@ -255,16 +255,19 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
           "Methods as render's --method, separated by commas; the others are compared with "
           "the first, the baseline")
       ->capture_default_str();
-  command
-      ->add_option("--options", arguments->options,
-                   "What to change of the first method, each in a configuration of its own: "
-                   "independent (random numbers instead of low-discrepancy sequences), clamp "
-                   "(samples are cut at a radiance of 10), adaptive (sampling as render's "
-                   "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
-                   "drawn by their power alone); or none")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  CLI::Option* const options =
+      command
+          ->add_option(
+              "--options", arguments->options,
+              "What to change of the first method, each in a configuration of its own: "
+              "independent (random numbers instead of low-discrepancy sequences), clamp "
+              "(samples are cut at a radiance of 10), adaptive (sampling as render's "
+              "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
+              "drawn by their power alone); or none")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->capture_default_str();
+  accept_former_values(*options, {{"spare-done", "adaptive"}, {"no-skip", "no-fast-path"}});
   command
       ->add_option("--gazes", arguments->gazes,
                    "Gaze points around the horizon, the first ahead of the scene's camera")

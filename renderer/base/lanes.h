@@ -60,6 +60,7 @@ void for_each_lane(const LaneMask& mask, const Visit& visit) {
 }
 
 // The names below exist for single numbers too, so that a formula can be written once for both.
+// Such templates are declared inline: GCC calls more of them where they are not.
 
 inline float square_root(float x) { return std::sqrt(x); }
 inline Floats square_root(const Floats& x) {
@@ -158,6 +159,8 @@ struct Vec3s {
   }
   friend Vec3s operator*(const Floats& s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
   friend Vec3s operator*(float s, const Vec3s& v) { return {s * v.x, s * v.y, s * v.z}; }
+  /// With one division instead of three.
+  friend Vec3s operator/(const Vec3s& v, const Floats& s) { return (1.0F / s) * v; }
 };
 
 inline Vec3s all_lanes(const Vec3& v) { return {all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)}; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "renderer/base/lanes.h"
 
@@ -37,6 +38,14 @@ SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
   return {.sine = chosen((quadrant & 2) != 0, -first, first),
           .cosine = chosen(((quadrant + 1) & 2) != 0, -second, second)};
 }
+
+/// Sine and cosine of an azimuth, in turns from 0 to 1: of one by the library's functions, of eight
+/// by polynomials, for the library has none for lanes.
+inline SineCosine azimuth_at(float turns) {
+  const float radians = 2.0F * std::numbers::pi_v<float> * turns;
+  return {.sine = std::sin(radians), .cosine = std::cos(radians)};
+}
+inline SinesCosines<Floats> azimuth_at(const Floats& turns) { return sine_cosine_of_turns(turns); }
 
 /// The angle of (x, y) from the x axis towards y, in [-0.5, 0.5] turns, within 4e-8; 0 for (0,
 /// 0). The polynomial is that of Moshier's Cephes library (atanf), 1992.

@@ -25,7 +25,7 @@ using Rgb = glm::vec3;
 
 /// Relative luminance of a linear Rec. 709 colour (ITU-R BT.709-6, item 3.2), or of lanes of them.
 template <typename Vector>
-auto luminance(const Vector& rgb) {
+inline auto luminance(const Vector& rgb) {
   return 0.2126F * rgb.x + 0.7152F * rgb.y + 0.0722F * rgb.z;
 }
 

@@ -179,7 +179,8 @@ void add_stability(CLI::App& bench, const std::vector<std::string>& scenes,
 
 CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scenes,
                              const SceneFinder& find_scene, const std::stop_token& stop) {
-  CLI::App* bench = app.add_subcommand("bench", "Benchmarks and stress tests of the renderer");
+  CLI::App* bench = app.add_subcommand(
+      "bench", "Measure how fast and how exact the renderer and the statistics are");
   bench->require_subcommand(1);
   add_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);

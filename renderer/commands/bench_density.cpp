@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/film/sample_pass.h"
+#include "renderer/progressive/progressive_render.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {
@@ -53,22 +53,16 @@ PixelIntegral integrate(const ViewSampler& sampler, int x, int y, int n) {
   return sum;
 }
 
-EquirectFilm sampled(const ViewSampler& sampler, const Workers& workers) {
-  constexpr std::uint64_t per_pass = std::uint64_t{1} << 20;
-  EquirectFilm film(width, height);
-  SamplePass pass;
-  const auto black = [](std::span<const SampleJob>, std::span<Rgb> radiance) {
-    std::fill(radiance.begin(), radiance.end(), Rgb(0.0F));
-  };
-  for (std::uint64_t first = 0; first < samples_in_all; first += per_pass) {
-    pass.run(sampler, {.first = first, .count = per_pass, .seed = 1}, black, film, workers);
-  }
-  return film;
-}
-
 std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
+  constexpr std::uint64_t per_pass = std::uint64_t{1} << 20;
   const Workers workers;
-  const EquirectFilm film = sampled(sampler, workers);
+  const Scene nothing;  // where samples fall depends on no scene, and none is traced
+  const PathTracer tracer(nothing, workers);
+  ProgressiveRender render(tracer, {.film_size = {width, height}}, workers);
+  render.begin_pattern(1);
+  while (render.points_drawn() < samples_in_all) {
+    render.pass_over(sampler, per_pass);
+  }
   std::vector<Ring> rings;
   for (const double end_deg : ring_ends_deg) {
     rings.push_back({.end_deg = end_deg});
@@ -82,7 +76,7 @@ std::vector<Ring> measure(const ViewSampler& sampler, const Vec3& gaze) {
       const PixelIntegral pixel = integrate(sampler, x, y, midpoints(e));
       ring.square_degrees += pixel.sr * degrees(1.0) * degrees(1.0);
       ring.stated += pixel.stated * static_cast<double>(samples_in_all);
-      ring.counted += film.sample_count(x, y);
+      ring.counted += render.film().sample_count(x, y);
     }
   }
   return rings;

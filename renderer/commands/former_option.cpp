@@ -21,4 +21,17 @@ void accept_former_name(CLI::App& command, CLI::Option& option, const std::strin
       ->group("");
 }
 
+void accept_former_values(CLI::Option& option,
+                          const std::map<std::string, std::string>& new_names) {
+  option.transform([&option, new_names](const std::string& value) {
+    const auto found = new_names.find(value);
+    if (found == new_names.end()) {
+      return value;
+    }
+    fmt::print(stderr, "foveola: note: {} {} is now called {}\n", option.get_name(), value,
+               found->second);
+    return found->second;
+  });
+}
+
 }  // namespace foveola

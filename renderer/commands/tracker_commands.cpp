@@ -191,8 +191,8 @@ void watch(const WatchArguments& arguments, const std::stop_token& stop) {
 
 void add_list(CLI::App& tracker) {
   const auto as_json = std::make_shared<bool>(false);
-  CLI::App* command =
-      tracker.add_subcommand("list", "List the HID eye trackers attached, and the profiles");
+  CLI::App* command = tracker.add_subcommand(
+      "list", "List the eye trackers attached over USB (HID), and the profiles that can be used");
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola tracker list");
   command->callback([as_json] {
@@ -222,7 +222,8 @@ void add_watch(CLI::App& tracker, const std::stop_token& stop) {
 }  // namespace
 
 void add_tracker_commands(CLI::App& app, const std::stop_token& stop) {
-  CLI::App* tracker = app.add_subcommand("tracker", "Eye trackers: list, watch");
+  CLI::App* tracker =
+      app.add_subcommand("tracker", "List the eye trackers attached, and watch what one measures");
   tracker->require_subcommand(1);
   add_list(*tracker);
   add_watch(*tracker, stop);

@@ -1,4 +1,4 @@
-// Head poses from a file: recordings as comma-separated values, written, read and replayed.
+// Head poses from a file: recordings as comma-separated values, read and replayed.
 //
 // The first line is "time_ns,azimuth_rad,elevation_rad". Each further line is a pose: its time in
 // whole nanoseconds from 0 on, later than the one before, and where the head points in the world,
@@ -10,7 +10,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <vector>
 
 #include "renderer/base/clock.h"
@@ -18,14 +17,9 @@
 
 namespace foveola {
 
-/// At least one pose. Throws Error with file:line for anything else than the above; lines may end
-/// with \r\n.
+/// At least one pose, bit for bit as written; azimuths of at most 1000 either way. Throws Error
+/// with file:line for anything else than the above; lines may end with \r\n.
 std::vector<HeadPose> read_head_file(const std::filesystem::path& file);
-
-/// Poses come back bit for bit. poses: at least one, times from 0 ascending, azimuths of at most
-/// 1000 either way, elevations as above. Throws Error if they are not so, or the file cannot be
-/// written.
-void write_head_file(const std::filesystem::path& file, std::span<const HeadPose> poses);
 
 /// Replays poses: one of time t is taken at start + t. poses: at least one, times ascending. Throws
 /// Error otherwise.

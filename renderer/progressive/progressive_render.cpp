@@ -62,6 +62,9 @@ TracedSamples ProgressiveRender::advance(const ViewSampler& sampler, std::uint64
   TracedSamples traced;
   draw(sampler, points, [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
     traced = {.samples = jobs.size(), .rays = trace(jobs, radiance)};
+    if (observe_) {
+      observe_(jobs, radiance);
+    }
   });
   return traced;
 }

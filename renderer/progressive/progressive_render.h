@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/film/adaptive_sampling.h"
@@ -55,6 +58,15 @@ class ProgressiveRender {
   /// Traces only what `filter` leaves of the samples that were drawn.
   void filter_samples(SamplePass::Adjust filter) { filter_ = std::move(filter); }
 
+  /// The radiance of samples that were traced, one element a job.
+  using Observe =
+      std::function<void(std::span<const SampleJob> jobs, std::span<const Rgb> radiance)>;
+  /// Shows `observe` what each call of advance() traces, whatever the film makes of it.
+  void observe_samples(Observe observe) { observe_ = std::move(observe); }
+
+  /// Goes on with another tracer, of the same scene.
+  void use(const PathTracer& tracer) { tracer_ = &tracer; }
+
   /// Draws so many points and traces what adaptive sampling and the filter leave of them.
   TracedSamples advance(const ViewSampler& sampler, std::uint64_t points);
 
@@ -83,6 +95,7 @@ class ProgressiveRender {
   const Workers* workers_;
   ProgressiveSettings settings_;
   SamplePass::Adjust filter_;
+  Observe observe_;
   EquirectFilm film_;
   SamplePass pass_;
   std::uint32_t pattern_seed_ = 0;

@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "renderer/film/sample_pass.h"
+#include "renderer/progressive/progressive_render.h"
 #include "renderer/stability/checks.h"
 #include "renderer/stability/furnished_room.h"
-#include "renderer/trace/path_tracer.h"
 
 namespace foveola {
 namespace {
@@ -32,25 +31,26 @@ FilmImage render(const Scene& scene, const std::string& method, const Manner& ma
   const Workers workers(manner.threads);
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
   sampler->aim({.viewport = Viewport(Quat(1, 0, 0, 0), view_extent_rad, view_extent_rad)});
-  EquirectFilm film(width, height);
-  const auto render_range = [&](std::uint64_t first, std::uint64_t end) {
-    const PathTracer tracer(scene, workers);
-    const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-      tracer.trace(room_viewpoint, jobs, radiance, {.max_depth = 6, .seed = 3}, workers);
-    };
-    SamplePass pass;
-    while (first < end) {
-      const std::uint64_t count = std::min(manner.pass, end - first);
-      pass.run(*sampler, {.first = first, .count = count, .seed = 7}, trace, film, workers);
-      first += count;
+  const PathTracer tracer(scene, workers);
+  ProgressiveRender render(tracer,
+                           {.viewpoint = room_viewpoint,
+                            .film_size = {width, height},
+                            .trace = {.max_depth = 6, .seed = 3}},
+                           workers);
+  const auto advance_to = [&](std::uint64_t end) {
+    while (render.points_drawn() < end) {
+      render.advance(*sampler, std::min(manner.pass, end - render.points_drawn()));
     }
   };
-  const std::uint64_t stop = manner.stops ? points / 3 : points;
-  render_range(0, stop);
-  if (stop < points) {
-    render_range(stop, points);
+  if (manner.stops) {
+    advance_to(points / 3);
+    const PathTracer another(scene, workers);
+    render.use(another);
+    advance_to(points);
+    return render.film().resolve();
   }
-  return film.resolve();
+  advance_to(points);
+  return render.film().resolve();
 }
 
 std::size_t pixels_that_differ(const FilmImage& a, const FilmImage& b) {

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "renderer/film/sample_pass.h"
+#include "renderer/progressive/progressive_render.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/stability/checks.h"
-#include "renderer/trace/path_tracer.h"
 
 namespace foveola {
 namespace {
@@ -46,21 +45,20 @@ void trace_method(const PathTracer& tracer, const Vec3& viewpoint, const SceneSo
   const std::unique_ptr<ViewSampler> sampler = make_view_sampler(method);
   sampler->aim(
       {.viewport = viewport_of(source), .gaze = head_orientation(source.heading) * Vec3(0, 0, -1)});
-  const std::uint32_t seed = run.effort.scene_seed;
-  EquirectFilm film(film_width, film_height);
-  SamplePass pass;
-  const auto trace = [&](std::span<const SampleJob> jobs, std::span<Rgb> radiance) {
-    tracer.trace(viewpoint, jobs, radiance, {.seed = seed}, run.workers);
+  ProgressiveRender render(tracer,
+                           {.viewpoint = viewpoint,
+                            .film_size = {film_width, film_height},
+                            .trace = {.seed = run.effort.scene_seed}},
+                           run.workers);
+  render.observe_samples([&](std::span<const SampleJob> jobs, std::span<const Rgb> radiance) {
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!is_sound(radiance[i])) {
         faults.add(jobs[i], radiance[i], where);
       }
     }
-  };
-  for (std::uint64_t first = 0; first < paths && !run.stop.stop_requested(); first += pass_points) {
-    const std::uint64_t count = std::min(pass_points, paths - first);
-    pass.run(*sampler, {.first = first, .count = count, .seed = seed}, trace, film, run.workers);
-    traced(count);
+  });
+  while (render.points_drawn() < paths && !run.stop.stop_requested()) {
+    traced(render.advance(*sampler, std::min(pass_points, paths - render.points_drawn())).samples);
   }
 }
 

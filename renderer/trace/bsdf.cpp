@@ -12,7 +12,7 @@ namespace {
 Vec3 sample_uniform_hemisphere(const Vec2& u) {
   const float z = 1.0F - u.y;
   const float r = std::sqrt(u.y * (1.0F + z));
-  const SineCosine azimuth = sine_cosine_of_turns(u.x);
+  const SineCosine azimuth = azimuth_at(u.x);
   return {r * azimuth.cosine, r * azimuth.sine, z};
 }
 
@@ -33,31 +33,9 @@ bool is_matte(const Reflectance& reflectance) {
          reflectance.transmission == 0.0F && !has_covers(reflectance);
 }
 
-}  // namespace
-
-Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
-    : outgoing_(raised_above_grazing(outgoing)),
-      layers_(is_matte(reflectance) ? OpaqueLayersOf<float>(reflectance.base_color)
-                                    : layers_of(reflectance, tables)),
-      microfacets_(is_matte(reflectance) ? MicrofacetLobe()
-                                         : MicrofacetLobe(reflectance.roughness, outgoing_)) {
-  if (is_matte(reflectance)) {
-    diffuse_probability_ = layers_.diffuse_albedo();
-    return;
-  }
-  if ((1.0F - reflectance.metallic) * reflectance.transmission > 0.0F) {
-    add_transmission(reflectance, tables);
-  }
-  const float base_albedo = choose_probabilities();
-  if (has_covers(reflectance)) {
-    covers_.emplace(reflectance, outgoing_, base_albedo, tables);
-    base_scale_ = covers_->base_scale();
-    base_probability_ = covers_->base_probability();
-  }
-}
-
-OpaqueLayersOf<float> Bsdf::layers_of(const Reflectance& reflectance,
-                                      const ScatteringTables& tables) const {
+/// cosine: of the outgoing direction.
+OpaqueLayersOf<float> layers_of(const Reflectance& reflectance, const ScatteringTables& tables,
+                                float cosine) {
   const float dielectric = 1.0F - reflectance.metallic;
   const float opaque = dielectric * (1.0F - reflectance.transmission);
   const CoatReflectance coat = coat_reflectance(reflectance);
@@ -67,7 +45,34 @@ OpaqueLayersOf<float> Bsdf::layers_of(const Reflectance& reflectance,
                                 .coat_grazing = coat.grazing,
                                 .coated = reflectance.is_solid ? opaque : dielectric,
                                 .opaque = opaque},
-                               tables.ggx().row(reflectance.roughness), outgoing_.z);
+                               tables.ggx().row(reflectance.roughness), cosine);
+}
+
+}  // namespace
+
+Bsdf::Bsdf(const Reflectance& reflectance, const Vec3& outgoing, const ScatteringTables& tables)
+    : outgoing_(raised_above_grazing(outgoing)) {
+  if (is_matte(reflectance)) {
+    layers_ = OpaqueLayersOf<float>(reflectance.base_color);
+    diffuse_probability_ = layers_.diffuse_albedo();
+  } else {
+    set_layers(reflectance, tables);
+  }
+}
+
+void Bsdf::set_layers(const Reflectance& reflectance, const ScatteringTables& tables) {
+  microfacets_ = MicrofacetLobe(reflectance.roughness, outgoing_);
+  layers_ = layers_of(reflectance, tables, outgoing_.z);
+  if ((1.0F - reflectance.metallic) * reflectance.transmission > 0.0F) {
+    add_transmission(reflectance, tables);
+  }
+  const float base_albedo =
+      choose_probabilities(layers_.specular_albedo(), layers_.diffuse_albedo());
+  if (has_covers(reflectance)) {
+    covers_.emplace(reflectance, outgoing_, base_albedo, tables);
+    base_scale_ = covers_->base_scale();
+    base_probability_ = covers_->base_probability();
+  }
 }
 
 void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTables& tables) {
@@ -89,7 +94,7 @@ void Bsdf::add_transmission(const Reflectance& reflectance, const ScatteringTabl
 }
 
 /// Chooses lobes in proportion to the light that each sends back; returns that of all.
-float Bsdf::choose_probabilities() {
+float Bsdf::choose_probabilities(float specular_albedo, float diffuse_albedo) {
   float transmission_albedo = 0.0F;
   if (glass_) {
     const float reflectance = glass_->reflectance(outgoing_.z);
@@ -97,11 +102,11 @@ float Bsdf::choose_probabilities() {
   } else if (wall_) {
     transmission_albedo = luminance(transmitted_);
   }
-  const float total = layers_.specular_albedo() + layers_.diffuse_albedo() + transmission_albedo;
+  const float total = specular_albedo + diffuse_albedo + transmission_albedo;
   // Quotients, not products with 1 / total: a single lobe has a probability of exactly 1.
   if (total > 0.0F) {
-    specular_probability_ = layers_.specular_albedo() / total;
-    diffuse_probability_ = layers_.diffuse_albedo() / total;
+    specular_probability_ = specular_albedo / total;
+    diffuse_probability_ = diffuse_albedo / total;
     transmission_probability_ = transmission_albedo / total;
   } else if (total != 0.0F) {
     // Not a number: so is every sample's weight, and the path is reported.
@@ -127,7 +132,8 @@ BsdfValue Bsdf::eval_reflection(const Vec3& incoming) const {
   BsdfValue value;
   if (specular_probability_ + glass_share_ > 0.0F && !microfacets_.is_smooth()) {
     const MicrofacetLobe::Facets facets = microfacets_.facets(incoming);
-    value = layers_.specular(facets, specular_probability_);
+    value = layers_.specular(facets);
+    value.pdf *= specular_probability_;
     if (glass_ && !is_glass_smooth_) {
       const float reflectance = glass_->reflectance(facets.cosine);
       value.times_cosine += glass_share_ * glass_->scale() * reflectance * facets.times_cosine;
@@ -165,7 +171,7 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const Vec2& u) const {
                         .pdf = clearcoat,
                         .is_specular = true};
     }
-    return reflection(covers_->clearcoat().sample(sine_cosine_of_turns(u.x), u.y));
+    return reflection(covers_->clearcoat().sample(azimuth_at(u.x), u.y));
   }
   const float above_base = clearcoat + covers_->sheen_probability();
   if (u_lobe < above_base) {
@@ -179,11 +185,11 @@ std::optional<BsdfSample> Bsdf::sample_base(float u_lobe, const Vec2& u) const {
     if (microfacets_.is_smooth()) {
       return specular(mirrored(), layers_.reflectance(outgoing_.z), specular_probability_);
     }
-    return reflection(microfacets_.sample(sine_cosine_of_turns(u.x), u.y));
+    return reflection(microfacets_.sample(azimuth_at(u.x), u.y));
   }
   const float opaque_probability = specular_probability_ + diffuse_probability_;
   if (u_lobe < opaque_probability || transmission_probability_ == 0.0F) {
-    return weighed(sample_cosine_hemisphere(sine_cosine_of_turns(u.x), u.y));
+    return weighed(sample_cosine_hemisphere(azimuth_at(u.x), u.y));
   }
   if (glass_) {
     return sample_glass(rescaled(u_lobe, opaque_probability, transmission_probability_), u);

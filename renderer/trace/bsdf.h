@@ -35,10 +35,9 @@ class Bsdf {
   std::optional<BsdfSample> sample(float u_lobe, const Vec2& u) const;
 
  private:
-  OpaqueLayersOf<float> layers_of(const Reflectance& reflectance,
-                                  const ScatteringTables& tables) const;
+  void set_layers(const Reflectance& reflectance, const ScatteringTables& tables);
   void add_transmission(const Reflectance& reflectance, const ScatteringTables& tables);
-  float choose_probabilities();
+  float choose_probabilities(float specular_albedo, float diffuse_albedo);
   BsdfValue eval_reflection(const Vec3& incoming) const;
   BsdfValue eval_transmission(const Vec3& incoming) const;
   std::optional<BsdfSample> sample_base(float u_lobe, const Vec2& u) const;

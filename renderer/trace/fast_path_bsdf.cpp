@@ -63,18 +63,18 @@ FastPathBsdfs::Values FastPathBsdfs::eval(const Vec3s& incoming) const {
   const LaneMask is_above = incoming.z > 0.0F;
   Values values = layers_.diffuse(is_above ? incoming.z : Floats{}, diffuse_probability_);
   if (any_shiny_) {
-    auto facets =
-        microfacets_->facets({incoming.x, incoming.y, is_above ? incoming.z : all_lanes(1.0F)});
+    auto facets = microfacets_->facets(
+        {incoming.x, incoming.y, is_above ? incoming.z : all_lanes(1.0F)}, specular_probability_);
     const LaneMask is_seen = is_above & (specular_probability_ > 0.0F);
     facets.times_cosine = is_seen ? facets.times_cosine : Floats{};
     facets.pdf = is_seen ? facets.pdf : Floats{};
-    values += layers_.specular(facets, specular_probability_);
+    values += layers_.specular(facets);
   }
   return values;
 }
 
 FastPathBsdfs::Samples FastPathBsdfs::sample(const Floats& u_lobe, const Vec2s& u) const {
-  const SinesCosines<Floats> azimuth = sine_cosine_of_turns(u.x);
+  const SinesCosines<Floats> azimuth = azimuth_at(u.x);
   Vec3s incoming = sample_cosine_hemisphere(azimuth, u.y);
   if (any_shiny_) {
     const LaneMask is_specular = u_lobe < specular_probability_;

@@ -64,14 +64,14 @@ struct GgxOf {
   }
   /// The same with the azimuth as a random number too. u: in the unit square.
   Vector visible_normal(const Vector& w, const Vec2Of<Number>& u) const {
-    return visible_normal(w, sine_cosine_of_turns(u.x), u.y);
+    return visible_normal(w, azimuth_at(u.x), u.y);
   }
 };
 using Ggx = GgxOf<float>;
 
 /// `w` mirrored at `normal`; unit length. Vectors, or lanes of them.
 template <typename Vector>
-Vector reflected(const Vector& w, const Vector& normal) {
+inline Vector reflected(const Vector& w, const Vector& normal) {
   return normalized((2.0F * dot(w, normal)) * normal - w);
 }
 

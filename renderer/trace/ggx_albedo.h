@@ -104,7 +104,9 @@ class GgxAlbedo {
   static Cell<float> cell(const Vec2* nodes, std::int32_t index) {
     const Vec2* smoother = nodes + index;
     const Vec2* rougher = smoother + nodes_in_row;
-    return {{smoother[0], smoother[1]}, {rougher[0], rougher[1]}};
+    // Number by number: GCC copies pairs by way of the stack.
+    return {{{smoother[0].x, smoother[0].y}, {smoother[1].x, smoother[1].y}},
+            {{rougher[0].x, rougher[0].y}, {rougher[1].x, rougher[1].y}}};
   }
   static Cell<Floats> cell(const Vec2* nodes, const Ints& index) {
     Cell<Floats> cells;
@@ -139,7 +141,7 @@ class GgxAlbedo {
 };
 
 template <typename Number>
-SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
+inline SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const {
   const NodePositionOf<Number> place(albedo_position(cosine, alpha_), cosine_steps);
   const auto cell = GgxAlbedo::cell(nodes_, first_node_ + place.below);
   const auto between = [&](Number Vec2Of<Number>::*value) {
@@ -154,7 +156,7 @@ SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::at(const Number& cosine) const
 }
 
 template <typename Number>
-SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
+inline SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
   const SchlickAlbedoOf<Number> smoother = mean_of_row(means_, smoother_);
   const SchlickAlbedoOf<Number> rougher = mean_of_row(means_, smoother_ + 1);
   return {.white = smoother.white + rougher_weight_ * (rougher.white - smoother.white),
@@ -162,7 +164,7 @@ SchlickAlbedoOf<Number> GgxAlbedo::RowOf<Number>::mean() const {
 }
 
 template <typename Number>
-GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
+inline GgxAlbedo::RowOf<Number> GgxAlbedo::rough_row(const Number& roughness) const {
   const NodePositionOf<Number> place(roughness, roughness_steps);
   RowOf<Number> row;
   row.nodes_ = nodes_.data();

@@ -98,7 +98,7 @@ std::optional<LightSample> Lights::sample(const ShadingPoint& shading_point, flo
 template <typename Number>
 LightSampleOf<Number> Lights::from_local(const LocalLightSampleOf<Number>& sample) const {
   const Number distance = square_root(dot(sample.to_light, sample.to_light));
-  return {.direction = (1.0F / distance) * sample.to_light,
+  return {.direction = sample.to_light / distance,
           .pdf = chosen(distance > 0.0F, local_probability_ * sample.pdf, Number{}),
           .radiance = sample.radiance,
           .is_delta = sample.is_delta,

@@ -19,13 +19,13 @@ inline const Material& material_of(const Scene& scene, const Mesh& mesh) {
 
 /// The value at `barycentric` of an attribute that is given at the corners, or lanes of them.
 template <typename Value, typename Barycentric>
-Value interpolate(const Value& p0, const Value& p1, const Value& p2,
-                  const Barycentric& barycentric) {
+inline Value interpolate(const Value& p0, const Value& p1, const Value& p2,
+                         const Barycentric& barycentric) {
   return (1.0F - barycentric.x - barycentric.y) * p0 + barycentric.x * p1 + barycentric.y * p2;
 }
 template <typename Value>
-Value interpolate(const std::vector<Value>& attribute, const std::array<std::uint32_t, 3>& triangle,
-                  const Vec2& barycentric) {
+inline Value interpolate(const std::vector<Value>& attribute,
+                         const std::array<std::uint32_t, 3>& triangle, const Vec2& barycentric) {
   return interpolate(attribute[triangle[0]], attribute[triangle[1]], attribute[triangle[2]],
                      barycentric);
 }

@@ -35,8 +35,9 @@ class MicrofacetLobeOf {
     Number cosine;        ///< between the half vector and either direction, in [0, 1]
   };
 
-  /// incoming: unit length, z > 0.
-  Facets facets(const Vector& incoming) const {
+  /// incoming: unit length, z > 0. probability: of sampling this lobe; the density has it as a
+  /// factor.
+  Facets facets(const Vector& incoming, const Number& probability) const {
     const Vector half = half_vector(ggx_.alpha, outgoing_, incoming);
     // Both share D / (4 cos(outgoing)), with D as in GgxOf::density(); the masking is G2 in the
     // BSDF and G1 in the density of visible normals (Heitz 2018, eq. 17). One division for both.
@@ -44,9 +45,11 @@ class MicrofacetLobeOf {
     const Number inverse_masking = 1.0F + lambda_outgoing_ + ggx_.lambda(incoming);
     const Number times_cosine = 1.0F / (density_scale_ * s * s * inverse_masking);
     return {.times_cosine = times_cosine,
-            .pdf = times_cosine * inverse_masking * masking_outgoing_,
+            .pdf = probability * times_cosine * inverse_masking * masking_outgoing_,
             .cosine = smaller(dot(outgoing_, half), 1.0F)};
   }
+
+  Facets facets(const Vector& incoming) const { return facets(incoming, Number{} + 1.0F); }
 
   /// Unit length; z <= 0 if it ends below the surface. u: see GgxOf::visible_normal().
   Vector sample(const SinesCosines<Number>& azimuth, const Number& u) const {

@@ -16,7 +16,7 @@ namespace foveola {
 inline constexpr float smallest_cosine = 1e-4F;
 
 template <typename Vector>
-Vector raised_above_grazing(const Vector& w) {
+inline Vector raised_above_grazing(const Vector& w) {
   const auto is_grazing = w.z < smallest_cosine;
   if (!any_lane(is_grazing)) {
     return w;
@@ -26,7 +26,8 @@ Vector raised_above_grazing(const Vector& w) {
 
 /// A direction above the surface with density cosine / pi. u: in [0, 1].
 template <typename Number>
-Vec3Of<Number> sample_cosine_hemisphere(const SinesCosines<Number>& azimuth, const Number& u) {
+inline Vec3Of<Number> sample_cosine_hemisphere(const SinesCosines<Number>& azimuth,
+                                               const Number& u) {
   const Number r = square_root(u);
   return {r * azimuth.cosine, r * azimuth.sine, square_root(1.0F - u)};
 }
@@ -47,6 +48,9 @@ template <typename Number>
 class OpaqueLayersOf {
  public:
   using Vector = Vec3Of<Number>;
+
+  /// To be assigned to.
+  OpaqueLayersOf() = default;
 
   /// The Lambertian layer alone.
   explicit OpaqueLayersOf(const Vector& base_color)
@@ -103,11 +107,9 @@ class OpaqueLayersOf {
     return (1.0F - weight) * specular_normal_ + weight * specular_grazing_;
   }
 
-  /// What metal and coat reflect. probability: with which they are sampled.
-  BsdfValueOf<Number> specular(const typename MicrofacetLobeOf<Number>::Facets& facets,
-                               const Number& probability) const {
-    return {.times_cosine = facets.times_cosine * reflectance(facets.cosine),
-            .pdf = probability * facets.pdf};
+  /// What metal and coat reflect, with the microfacets' density.
+  BsdfValueOf<Number> specular(const typename MicrofacetLobeOf<Number>::Facets& facets) const {
+    return {.times_cosine = facets.times_cosine * reflectance(facets.cosine), .pdf = facets.pdf};
   }
 
   /// What the Lambertian layer reflects. cosine: of the incoming direction. probability: with which

@@ -98,16 +98,32 @@ float relative_width(float ray_width_m, float facing, float double_area) {
   return ray_width_m / std::sqrt(double_area * std::max(std::abs(facing), most_grazing));
 }
 
+namespace {
+
+/// Interpolated between the front's normals at the corners in the world, of any length; zero where
+/// the mesh has none.
+Vec3 vertex_normal(const MeshPoint& point, const Instance* instance) {
+  if (point.mesh.normals.empty()) {
+    return Vec3(0.0F);
+  }
+  const Vec3 normal =
+      interpolate(point.mesh.normals, point.mesh.triangles[point.triangle], point.barycentric);
+  return instance == nullptr ? normal
+                             : world_normal_from_local(instance->world_from_local) * normal;
+}
+
+}  // namespace
+
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& direction,
                            float ray_width_m) {
   const Mesh& mesh = scene.mesh_of(hit.object);
   const Instance* instance = scene.instance_of(hit.object);
   const Triangle triangle(mesh, instance, hit.triangle);
   const Triangle::Front front = triangle.front();
-  SurfaceGeometryOf<float> geometry(triangle, triangle.normal_of(front),
-                                    corner_normals(mesh, instance, hit.triangle), hit.barycentric,
-                                    direction, hit.t);
   MeshPoint point{.mesh = mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
+  SurfaceGeometryOf<float> geometry(triangle, triangle.normal_of(front),
+                                    vertex_normal(point, instance), hit.barycentric, direction,
+                                    hit.t);
   if (ray_width_m > 0.0F && !mesh.uv_sets.empty()) {
     point.relative_width = relative_width(ray_width_m, geometry.facing, front.double_area);
   }

@@ -1,7 +1,28 @@
 #include "renderer/trace/surface_points.h"
 
+#include "renderer/trace/mesh_attributes.h"
+
 namespace foveola {
 namespace {
+
+struct CornerNormals {
+  Vec3 p0, p1, p2;
+};
+
+/// The front's normals at a triangle's corners in the world, of any length; zero where the mesh has
+/// none.
+CornerNormals corner_normals(const ObjectView& object, std::uint32_t triangle) {
+  const Mesh& mesh = *object.mesh;
+  if (mesh.normals.empty()) {
+    return {Vec3(0.0F), Vec3(0.0F), Vec3(0.0F)};
+  }
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  if (object.instance == nullptr) {
+    return {mesh.normals[a], mesh.normals[b], mesh.normals[c]};
+  }
+  const Mat3 turn = world_normal_from_local(object.instance->world_from_local);
+  return {turn * mesh.normals[a], turn * mesh.normals[b], turn * mesh.normals[c]};
+}
 
 Vec3 at(const Vec3s& vectors, std::size_t lane) {
   return {vectors.x[lane], vectors.y[lane], vectors.z[lane]};
@@ -17,7 +38,7 @@ void SurfaceHits::put(std::size_t lane, const ObjectView& object, const Hit& hit
   if (object.instance != nullptr && !has_instances_) {
     expect_instances();
   }
-  normals_.put(lane, corner_normals(*object.mesh, object.instance, hit.triangle));
+  normals_.put(lane, corner_normals(object, hit.triangle));
   if (!has_instances_) {
     const auto& [a, b, c] = object.mesh->triangles[hit.triangle];
     corners_.p0.put(lane, object.mesh->positions[a]);
@@ -83,8 +104,10 @@ void SurfacePoints::turn_shading_normal(std::size_t lane, const Vec3s& direction
 SurfacePoints SurfaceHits::points(const Vec3s& direction) const {
   const TriangleOf<Floats> triangle = triangles();
   const TriangleOf<Floats>::Front front = triangle.front();
-  const CornerNormalsOf<Floats> normals{normals_.p0.load(), normals_.p1.load(), normals_.p2.load()};
-  return {SurfaceGeometryOf<Floats>(triangle, front_normal(front), normals, {u_.load(), v_.load()},
+  const Vec2s barycentric{u_.load(), v_.load()};
+  const Vec3s vertex_normal =
+      interpolate(normals_.p0.load(), normals_.p1.load(), normals_.p2.load(), barycentric);
+  return {SurfaceGeometryOf<Floats>(triangle, front_normal(front), vertex_normal, barycentric,
                                     direction, distance_.load()),
           front.double_area};
 }

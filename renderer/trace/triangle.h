@@ -72,7 +72,7 @@ struct TriangleOf {
 
 /// The largest magnitude among three vectors' coordinates. Vectors, or lanes of them.
 template <typename Vector>
-auto largest_coordinate(const Vector& p0, const Vector& p1, const Vector& p2) {
+inline auto largest_coordinate(const Vector& p0, const Vector& p1, const Vector& p2) {
   return max_component(larger(magnitude(p0), larger(magnitude(p1), magnitude(p2))));
 }
 

@@ -22,7 +22,7 @@ inline constexpr float roulette_margin = 2.0F;
 /// The chance to survive of a path whose throughput's brightest channel is `brightest`, at least 1
 /// if it surely does. A number, or lanes of them.
 template <typename Number>
-Number survival(const Number& brightest) {
+inline Number survival(const Number& brightest) {
   return roulette_margin * brightest;
 }
 
@@ -37,7 +37,7 @@ inline constexpr float certain = std::numeric_limits<float>::infinity();
 /// that could also have come from a strategy of density `other`. As a ratio, which cannot overflow
 /// into infinity over infinity. A number, or lanes of them.
 template <typename Number>
-Number power_heuristic(const Number& pdf, const Number& other) {
+inline Number power_heuristic(const Number& pdf, const Number& other) {
   const Number ratio = other / pdf;
   return chosen(pdf == certain, Number{} + 1.0F, 1.0F / (1.0F + ratio * ratio));
 }
@@ -45,8 +45,9 @@ Number power_heuristic(const Number& pdf, const Number& other) {
 /// What a path of this throughput gains from a light sample if its shadow ray is not blocked.
 /// value: the BSDF's, for the sample's direction.
 template <typename Number>
-Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput, const BsdfValueOf<Number>& value,
-                            const LightSampleOf<Number>& light) {
+inline Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput,
+                                   const BsdfValueOf<Number>& value,
+                                   const LightSampleOf<Number>& light) {
   const Number weight =
       chosen(light.is_delta, Number{} + 1.0F, power_heuristic(light.pdf, value.pdf));
   return (weight / light.pdf) * (throughput * value.times_cosine * light.radiance);
@@ -55,8 +56,9 @@ Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput, const BsdfValueOf<
 /// The direction of the shadow ray to a light sample, which was drawn for `position`, if it starts
 /// at `origin` instead: where it ends stays.
 template <typename Number>
-Vec3Of<Number> shadow_direction(const LightSampleOf<Number>& light, const Vec3Of<Number>& position,
-                                const Vec3Of<Number>& origin) {
+inline Vec3Of<Number> shadow_direction(const LightSampleOf<Number>& light,
+                                       const Vec3Of<Number>& position,
+                                       const Vec3Of<Number>& origin) {
   return chosen(light.t_max < std::numeric_limits<float>::infinity(),
                 light.to_light + (position - origin), light.to_light);
 }
@@ -72,7 +74,7 @@ inline float camera_spread_rad(float pixel_angle_rad) { return 0.125F * pixel_an
 /// How much a scattered ray widens: a two-hundredth of the cone that holds as much solid angle as
 /// one sample stands for. A number, or lanes of them.
 template <typename Number>
-Number scattered_spread_rad(const Number& pdf) {
+inline Number scattered_spread_rad(const Number& pdf) {
   constexpr float widest_rad = 0.02F;
   return smaller(0.005F / square_root(pdf), widest_rad);
 }

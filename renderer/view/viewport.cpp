@@ -121,21 +121,4 @@ double Viewport::sr_per_area(const Vec2& plane) const {
   return area * cosine * cosine * cosine;
 }
 
-double Viewport::solid_angle_sr() const {
-  if (!(lens_ == RadialLens{})) {
-    constexpr int cells = 256;  // midpoints: within 1e-5
-    double sum = 0.0;
-    for (int y = 0; y < cells; ++y) {
-      for (int x = 0; x < cells; ++x) {
-        sum += sr_per_area((Vec2(x, y) + 0.5F) / static_cast<float>(cells));
-      }
-    }
-    return sum / (cells * cells);
-  }
-  // Of a rectangle seen from above its centre (Mathar 2015, "Solid Angle of a Rectangular Plate").
-  const double a = half_size_.x;
-  const double b = half_size_.y;
-  return 4.0 * std::atan(a * b / std::sqrt(1.0 + a * a + b * b));
-}
-
 }  // namespace foveola

@@ -50,8 +50,6 @@ class Viewport {
   /// The steradians of a patch of the display around `plane`, over its area, the whole display's
   /// being 1.
   double sr_per_area(const Vec2& plane) const;
-  /// Steradians of the whole view.
-  double solid_angle_sr() const;
 
   const Quat& head() const { return head_; }
   /// Half the width and height of the image plane at distance 1.

@@ -1,5 +1,8 @@
 #include "renderer/commands/former_option.h"
 
+#include <string>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +10,7 @@
 namespace foveola {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::internal::CaptureStderr;
@@ -15,6 +19,7 @@ using testing::internal::GetCapturedStderr;
 struct Parsed {
   int repetitions = 1;
   bool no_fast_path = false;
+  std::vector<std::string> changes;
   std::string help;
 
   explicit Parsed(const std::string& line) {
@@ -24,6 +29,8 @@ struct Parsed {
     accept_former_name(app, *number, "--rounds");
     CLI::Option* const flag = app.add_flag("--no-fast-path", no_fast_path);
     accept_former_name(app, *flag, "--no-skip");
+    CLI::Option* const list = app.add_option("--changes", changes)->delimiter(',');
+    accept_former_values(*list, {{"spare-done", "adaptive"}});
     help = app.help();
     app.parse(line);
   }
@@ -37,6 +44,12 @@ TEST(FormerOption, SaysWhatItIsCalledNow) {
   EXPECT_EQ(GetCapturedStderr(),
             "foveola: note: --rounds is now called --repetitions\n"
             "foveola: note: --no-skip is now called --no-fast-path\n");
+}
+
+TEST(FormerOption, SaysWhatItsValuesAreCalledNow) {
+  CaptureStderr();
+  EXPECT_THAT(Parsed("--changes clamp,spare-done").changes, ElementsAre("clamp", "adaptive"));
+  EXPECT_EQ(GetCapturedStderr(), "foveola: note: --changes spare-done is now called adaptive\n");
 }
 
 TEST(FormerOption, IsCheckedAsUnderItsNewName) {

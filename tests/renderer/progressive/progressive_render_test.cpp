@@ -105,6 +105,37 @@ TEST_F(ProgressiveRenderTest, AnotherPatternAddsToTheFilm) {
   EXPECT_THAT(rendered.film().resolve().samples, testing::Each(2U));
 }
 
+TEST_F(ProgressiveRenderTest, ShowsWhatItTraced) {
+  ProgressiveRender rendered = render();
+  std::vector<SampleJob> jobs;
+  DVec3 sum(0.0);
+  rendered.observe_samples([&](std::span<const SampleJob> traced, std::span<const Rgb> radiance) {
+    ASSERT_EQ(traced.size(), radiance.size());
+    jobs.insert(jobs.end(), traced.begin(), traced.end());
+    for (const Rgb& one : radiance) {
+      sum += DVec3(one);
+    }
+  });
+  rendered.advance(*even_sampler_, 1000);
+  rendered.advance(*even_sampler_, 2000);
+  EXPECT_EQ(jobs.size(), 3000U);
+  DVec3 in_film(0.0);
+  rendered.film().for_each_sampled_pixel(
+      [&](const IVec2&, const FilmTile::Pixel& pixel) { in_film += pixel.sum; });
+  EXPECT_NEAR(luminance(in_film), luminance(sum), 1e-5 * luminance(sum));
+}
+
+TEST_F(ProgressiveRenderTest, GoesOnWithAnotherTracer) {
+  ProgressiveRender one = render();
+  one.advance(*even_sampler_, 5000);
+  ProgressiveRender two = render();
+  two.advance(*even_sampler_, 2000);
+  const PathTracer another(scene_, workers_);
+  two.use(another);
+  two.advance(*even_sampler_, 3000);
+  EXPECT_EQ(one.film().resolve().color.pixels, two.film().resolve().color.pixels);
+}
+
 TEST_F(ProgressiveRenderTest, AFilterTakesSamplesAway) {
   ProgressiveRender rendered = render();
   rendered.filter_samples([](std::vector<ViewSample>& samples) {

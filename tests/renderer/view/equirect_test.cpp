@@ -132,10 +132,22 @@ TEST(Viewport, TheHorizonStaysLevel) {
   EXPECT_NEAR((head * Vec3(1, 0, 0)).y, 0.0F, 1e-6F);
 }
 
+/// Steradians of the whole view: midpoints of sr_per_area(), within 1e-6.
+double solid_angle_sr(const Viewport& view) {
+  constexpr int cells = 1024;
+  double sum = 0.0;
+  for (int y = 0; y < cells; ++y) {
+    for (int x = 0; x < cells; ++x) {
+      sum += view.sr_per_area((Vec2(x, y) + 0.5F) / static_cast<float>(cells));
+    }
+  }
+  return sum / (cells * cells);
+}
+
 // Six square views of 90 degrees make a sphere.
 TEST(Viewport, SolidAngleOfACubeFaceIsASixthOfTheSphere) {
   const Viewport view(head_orientation({}), radians(90.0), radians(90.0));
-  EXPECT_NEAR(view.solid_angle_sr(), 4.0 * std::numbers::pi / 6.0, 1e-6);
+  EXPECT_NEAR(solid_angle_sr(view), 4.0 * std::numbers::pi / 6.0, 1e-6);
 }
 
 /// A headset's left eye: its axis nearer the nose, its picture stretched towards the edge.
@@ -192,7 +204,7 @@ TEST(Viewport, SolidAngleThroughALensIsThatOfTheDirectionsThatItShows) {
     shown += left_eye.project(direction) ? 1 : 0;
   }
   const double expected = 4.0 * std::numbers::pi * shown / count;
-  EXPECT_NEAR(left_eye.solid_angle_sr(), expected, 2e-3 * expected);
+  EXPECT_NEAR(solid_angle_sr(left_eye), expected, 2e-3 * expected);
 }
 
 TEST(Viewport, ALensThatFoldsTheDisplayIsRefused) {
