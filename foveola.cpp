@@ -16,7 +16,7 @@
 #include "analysis/commands/commands.h"
 #include "analysis/publication/analyze_study.h"
 #include "analysis/publication/output_folder.h"
-#include "analysis/publication/published_comparison.h"
+#include "analysis/publication/published_comparison_report.h"
 #include "renderer/base/build_info.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"

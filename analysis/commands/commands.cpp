@@ -10,6 +10,7 @@
 #include "analysis/commands/power_tables.h"
 #include "analysis/publication/analyze_study.h"
 #include "renderer/base/error.h"
+#include "study/record/study_records.h"
 
 namespace foveola::analysis {
 namespace {
@@ -17,20 +18,38 @@ namespace {
 struct AnalyzeArguments {
   std::filesystem::path database;
   std::filesystem::path folder;
+  std::string protocol;
   bool json = false;
   AnalysisOptions options;
   bool power = false;
   PowerSettings planning;
 };
 
-void run_power(const PowerSettings& settings, bool json) {
+/// The settings with the plan of the protocol or of the study that is named, if one is.
+PowerSettings power_settings(const AnalyzeArguments& arguments) {
+  if (!arguments.folder.empty()) {
+    throw UsageError("--output", "has no use with --power, which writes nothing", "leave it out");
+  }
+  if (!arguments.database.empty()) {
+    return planned_power(arguments.planning,
+                         study::read_study(arguments.database).protocol.analysis);
+  }
+  if (!arguments.protocol.empty()) {
+    return planned_power(arguments.planning,
+                         study::load_protocol(study::find_protocol(arguments.protocol)).analysis);
+  }
+  return arguments.planning;
+}
+
+void run_power(const AnalyzeArguments& arguments) {
+  const PowerSettings settings = power_settings(arguments);
   const PowerPlan plan = plan_power(settings);
-  fmt::print("{}", json ? power_json(settings, plan) + "\n" : power_text(settings, plan));
+  fmt::print("{}", arguments.json ? power_json(settings, plan) + "\n" : power_text(settings, plan));
 }
 
 void run_analyze(const AnalyzeArguments& arguments) {
   if (arguments.power) {
-    run_power(arguments.planning, arguments.json);
+    run_power(arguments);
     return;
   }
   if (arguments.database.empty() || arguments.folder.empty()) {
@@ -58,12 +77,18 @@ void add_planning(CLI::App& command, AnalyzeArguments& arguments) {
   const auto add = [&](const char* name, auto& value, const char* help) {
     return command.add_option(name, value, help)->needs("--power")->capture_default_str();
   };
+  CLI::Option* alpha = add("--alpha", planning.alpha, "Significance level of the two-sided test")
+                           ->check(CLI::Range(1e-6, 0.5));
+  command
+      .add_option("--protocol", arguments.protocol,
+                  "Plan by this protocol's level, planned comparisons (Holm) and participants; so "
+                  "does STUDY by its own")
+      ->needs("--power")
+      ->excludes(alpha);
   add("--ratio", planning.ratio_percent,
       "Expected time with the method, in per cent of that with the baseline");
   add("--spread", planning.spread,
       "Factor, above 1, by which participants' own ratios vary: two thirds lie within it");
-  add("--alpha", planning.alpha, "Significance level of the two-sided test")
-      ->check(CLI::Range(1e-6, 0.5));
   add("--target", planning.power, "Power to reach")->check(CLI::Range(0.06, 0.9999));
   add("--participants", planning.participants,
       "Report the power with this many participants, instead of how many are needed")
@@ -94,7 +119,7 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   add_planning(*command, *arguments);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"
-      "          foveola analyze --power --ratio 70 --spread 1.8");
+      "          foveola analyze --power --protocol koskela2018 --ratio 70 --spread 1.8");
   command->callback([arguments] { run_analyze(*arguments); });
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/convergence/convergence_tables.h"
-#include "analysis/publication/table_files.h"
+#include "analysis/tables/text_file.h"
 
 namespace foveola::analysis {
 

@@ -2,24 +2,26 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "analysis/publication/analysis_plan.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/bids.h"
 #include "analysis/publication/bids_eye_tracking.h"
 #include "analysis/publication/comparison_tables.h"
+#include "analysis/publication/data_files.h"
 #include "analysis/publication/figures.h"
-#include "analysis/publication/latex_tables.h"
 #include "analysis/publication/methods_paragraph.h"
 #include "analysis/publication/output_folder.h"
-#include "analysis/publication/published_means.h"
+#include "analysis/publication/outputs_document.h"
+#include "analysis/publication/printed_results.h"
 #include "analysis/publication/report.h"
+#include "analysis/publication/result_tables.h"
+#include "analysis/publication/row_file.h"
 #include "analysis/publication/summary.h"
-#include "analysis/publication/table_files.h"
-#include "analysis/publication/trial_data.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
@@ -62,16 +64,13 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   if (tables.set.participants.size() < 2) {
     warnings.emplace_back("One participant: no standard deviations and no intervals.");
   }
-  if (const std::size_t missing = planned_without_tables(output.comparisons.plan); missing > 0) {
-    warnings.push_back(fmt::format(
-        "The protocol plans {} of measures that are in the record only: Holm's adjustment is for "
-        "the others alone.",
-        counted(missing, "comparison")));
-  }
-  if (!tables.set.rating_scale.is_analysed() && tables.set.rating_scale.question) {
-    warnings.emplace_back(
-        "Artifacts were rated on another scale than from 1 to 5: the ratings are in the record "
-        "only.");
+  for (const MethodComparison& row : output.comparisons.methods) {
+    if (row.primary && !row.missing.empty()) {
+      warnings.push_back(fmt::format(
+          "The planned comparison of {} and {} in {} has no P-value ({}); Holm's adjustment counts "
+          "it as not significant.",
+          row.method, row.reference, row.measure, row.missing));
+    }
   }
   for (const DataQualityCheck& check : output.checks.checks) {
     if (check.verdict == Verdict::flagged && check.found != data_warning(tables)) {
@@ -92,36 +91,96 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   return warnings;
 }
 
-void append(std::vector<TextFile>& files, std::vector<TextFile> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(files));
+/// All tables, in the order of OUTPUTS.md; those of trials and participants, which may be large,
+/// have no rows.
+std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRecords& records,
+                             const TrialColumns& trials, const ParticipantColumns& participants) {
+  const StudyTables& tables = output.tables;
+  std::vector<Table> all = {times_by_scene(tables),
+                            times_by_method(tables),
+                            ratings_by_method(tables),
+                            rating_counts(tables),
+                            comparisons_table(tables, output.comparisons),
+                            omnibus_table(tables, output.comparisons),
+                            order_effects_table(tables, output.comparisons),
+                            answers_by_question(records, tables.set),
+                            questionnaire_scores(records, tables.set.kind),
+                            background_correlation(tables, output.background),
+                            data_quality_table(tables, output.checks),
+                            latency_table(tables, output.checks),
+                            reaction_times_table(tables, output.checks),
+                            catch_trials_table(tables, output.checks),
+                            exclusions(tables),
+                            amended_sessions(tables),
+                            answers_long(records)};
+  for (Table& table : all) {
+    table = stamped(std::move(table), tables.set);
+  }
+  all.push_back({"trials_long", "trial of a session, its last timing", trials.columns(), {}});
+  all.push_back(
+      {"trials_timed_again", "timing of a trial that does not count", trials.columns(), {}});
+  all.push_back({"participants_wide", "analysed participant", participants.columns(), {}});
+  return all;
+}
+
+const Table& table_named(const std::vector<Table>& tables, std::string_view id) {
+  return *std::find_if(tables.begin(), tables.end(),
+                       [&](const Table& table) { return table.id == id; });
+}
+
+std::vector<TextFile> latex_files(const AnalysisOutput& output,
+                                  const std::vector<PublishedMean>& published) {
+  const StudyTables& tables = output.tables;
+  std::vector<PrintedTable> printed;
+  for (const std::size_t mark : tables.set.times()) {
+    printed.push_back(printed_times(tables, mark));
+  }
+  printed.push_back(printed_geometric_means(tables, published));
+  for (const std::size_t rating : tables.set.ratings()) {
+    printed.push_back(printed_ratings(tables, rating));
+  }
+  for (PrintedTable& table : comparison_pages(output.comparisons)) {
+    printed.push_back(std::move(table));
+  }
+  std::vector<TextFile> files;
+  for (const PrintedTable& table : printed) {
+    if (!table.rows.empty()) {
+      files.push_back({table.id + ".tex", latex_of(table, data_notice(tables))});
+    }
+  }
+  return files;
 }
 
 /// The report comes last, so that it never stands beside tables older than itself.
 std::vector<TextFile> files_of(const AnalysisOutput& output,
                                const study::DataQualityRecords& quality,
-                               const std::string& methods) {
+                               const study::StudyRecords& records) {
   const StudyTables& tables = output.tables;
-  const Comparisons& comparisons = output.comparisons;
   const std::vector<Figure> figures = draw_figures(tables);
   const std::vector<PublishedMean> published =
       read_published_means(resource_folder() / "data" / "koskela2018" / "mean_percent_of_od.csv");
-  std::vector<TextFile> files = table_files(tables);
-  files.push_back({"comparisons.csv", comparisons_csv(comparisons, tables.set.kind)});
-  files.push_back({"omnibus.csv", omnibus_csv(comparisons, tables.set.kind)});
-  files.push_back({"order_effects.csv", order_csv(comparisons, tables.set.kind)});
-  append(files, latex_tables(tables, comparisons));
-  files.push_back({"data_quality.csv", data_quality_csv(output.checks, tables.set.kind)});
-  files.push_back({"figure7_latency.csv", latency_csv(output.checks, tables.set.kind)});
-  files.push_back({"reaction_times.csv", reactions_csv(output.checks, tables.set.kind)});
-  files.push_back({"codebook.csv", codebook_csv(tables.set.rating_scale)});
-  append(files, r_scripts());
+  std::vector<TextFile> files;
+  for (const Table& table : output.results) {
+    if (!is_written_by_rows(table)) {
+      files.push_back({table.id + ".csv", csv_of(table)});
+    }
+  }
+  files.push_back({"codebook.csv", csv_of(codebook_of(output.results))});
+  files.push_back({"OUTPUTS.md", outputs_in_words(output.results)});
+  for (std::vector<TextFile> more : {latex_files(output, published), r_scripts(tables.set)}) {
+    std::move(more.begin(), more.end(), std::back_inserter(files));
+  }
   for (const Figure& figure : figures) {
     files.push_back({figure.name + ".svg", figure.svg});
     files.push_back({figure.name + ".pdf", pdf_of(figure)});
     files.push_back({figure.name + ".png", png_of(figure)});
   }
-  files.push_back({"report.html", report_html({tables, comparisons, quality, output.checks, figures,
-                                               published, methods, output.record})});
+  files.push_back(
+      {"report.html",
+       report_html({tables, output.background, table_named(output.results, "answers_by_question"),
+                    table_named(output.results, "questionnaire_scores"), output.comparisons,
+                    quality, output.checks, figures, published,
+                    methods_paragraph(tables, output.comparisons, records), output.record})});
   return files;
 }
 
@@ -132,27 +191,47 @@ void write_output(const fs::path& folder, const std::string& name, const std::st
   output.files.push_back(folder / name);
 }
 
-/// Writes the data, which may be large, with one table in memory at a time.
-void write_data(const std::vector<study::BackgroundRow>& answers, const fs::path& folder,
+/// Writes the data, which may be large.
+void write_data(const study::StudyRecords& records, const TrialColumns& trials,
+                const ParticipantColumns& participants, const fs::path& folder,
                 AnalysisOutput& output) {
-  const PsychDs shared = psych_ds(output.tables, answers);
+  const PsychDs shared = psych_ds(output.tables, trials, participants);
   write_output(folder, shared.description.name, shared.description.content, output);
-  {
-    const std::string trials = trials_long_csv(output.tables.set);
-    write_output(folder, "trials_long.csv", trials, output);
-    write_output(folder, shared.trials_name, trials, output);
+  const auto open = [&](const std::string& name, const std::vector<Column>& columns) {
+    output.files.push_back(folder / name);
+    return RowFile(folder / name, columns);
+  };
+  RowFile all = open("trials_long.csv", trials.columns());
+  RowFile again = open("trials_timed_again.csv", trials.columns());
+  RowFile shared_trials = open(shared.trials_name, trials.columns());
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    const Row row = trials.row(i);
+    if (records.trials[i].counts) {
+      all.add(row);
+      shared_trials.add(row);
+    } else {
+      again.add(row);
+    }
   }
-  const std::string participants = participants_wide_csv(output.tables.set, answers);
-  write_output(folder, "participants_wide.csv", participants, output);
-  write_output(folder, shared.participants_name, participants, output);
+  RowFile wide = open("participants_wide.csv", participants.columns());
+  RowFile shared_wide = open(shared.participants_name, participants.columns());
+  for (std::size_t i = 0; i < output.tables.set.participants.size(); ++i) {
+    const Row row = participants.row(i);
+    wide.add(row);
+    shared_wide.add(row);
+  }
+  for (RowFile* file : {&all, &again, &shared_trials, &wide, &shared_wide}) {
+    file->close();
+  }
 }
 
 /// Writes the behavioural data, and the gaze of the participants in them, with one attempt in
 /// memory at a time.
-void write_bids(const std::vector<study::BackgroundRow>& answers,
+void write_bids(const study::StudyRecords& records, const TrialColumns& trials,
+                const ParticipantColumns& participants,
                 const std::vector<study::GazeRunRow>& validations, const GazeReader& read_gaze,
                 const fs::path& folder, AnalysisOutput& output) {
-  for (const TextFile& file : bids_files(output.tables, answers)) {
+  for (const TextFile& file : bids_files(output.tables, records, trials, participants)) {
     write_output(folder, file.name, file.content, output);
   }
   if (!read_gaze) {
@@ -174,25 +253,34 @@ void write_bids(const std::vector<study::BackgroundRow>& answers,
 
 }  // namespace
 
-AnalysisOutput analyze_records(study::StudyRecords records,
+bool is_written_by_rows(const Table& table) {
+  return table.id == "trials_long" || table.id == "trials_timed_again" ||
+         table.id == "participants_wide";
+}
+
+AnalysisOutput analyze_records(const study::StudyRecords& records,
                                const study::DataQualityRecords& quality, const fs::path& folder,
                                const AnalysisOptions& options, const GazeReader& read_gaze,
                                std::optional<study::Verification> record) {
   AnalysisOutput output;
   output.record = std::move(record);
   output.tables = tabulate_study(records);
-  // Frees the trials, of which there may be millions: the tables hold their values.
-  records.trials = std::vector<study::TrialRow>();
-  output.comparisons = compare_methods(output.tables.set, plan_of(records.protocol_text));
-  output.checks = check_data_quality(output.tables, quality);
-  output.summary = terminal_summary(output.tables);
+  if (output.record) {
+    output.tables.set.record = output.record->faults.empty() ? "verified" : "changed";
+  }
+  output.background = analyse_background(background_answers(records), output.tables.set);
+  output.comparisons = compare_methods(output.tables.set, records.protocol.analysis);
+  output.checks = check_data_quality(output.tables, quality, records);
+  const TrialColumns trials(records, output.tables.set);
+  const ParticipantColumns participants(records, output.tables.set);
+  output.results = tables_of(output, records, trials, participants);
+  output.summary = terminal_summary(output.tables, output.background);
   output.warnings = warnings_about(output);
-  const std::vector<TextFile> files = files_of(
-      output, quality, methods_paragraph(output.tables, output.comparisons, records.protocol_text));
+  const std::vector<TextFile> files = files_of(output, quality, records);
   StagedFolder staged(folder);
-  write_data(records.background, staged.path(), output);
+  write_data(records, trials, participants, staged.path(), output);
   if (options.bids) {
-    write_bids(records.background, quality.gaze_runs, read_gaze, staged.path(), output);
+    write_bids(records, trials, participants, quality.gaze_runs, read_gaze, staged.path(), output);
   }
   for (const TextFile& file : files) {
     write_output(staged.path(), file.name, file.content, output);

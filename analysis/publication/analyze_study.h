@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/comparisons.h"
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
 #include "analysis/publication/data_quality_checks.h"
-#include "analysis/publication/study_tables.h"
+#include "analysis/tables/table.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
 
@@ -30,12 +32,19 @@ struct AnalysisOutput {
   std::string summary;                       ///< Several lines for the terminal, ready to print.
   std::vector<std::string> warnings;
   StudyTables tables;
+  Background background;
   Comparisons comparisons;
   DataQualityReport checks;
+  /// Every table that was written; those of trials and participants, which are written row by row,
+  /// have no rows here.
+  std::vector<Table> results;
   std::optional<study::Verification> record;  ///< The verification of the study's file, if read.
 };
 
-/// Verifies the study's file, reads it and writes the published tables and figures to `folder`,
+/// Whether a table may be too large to be in memory: it is written row by row.
+bool is_written_by_rows(const Table& table);
+
+/// Verifies the study's file, reads it and writes its tables and figures to `folder`,
 /// which is made if its parent exists. Files of an earlier analysis are replaced, others left
 /// alone; nothing is written before everything is computed. Throws Error if the verification fails
 /// (unless options.unverified), there is nothing to analyse, or the folder cannot be written.
@@ -45,7 +54,7 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
 
 /// Analyses records that are in memory; `record` is the verification of their file, if there is
 /// one.
-AnalysisOutput analyze_records(study::StudyRecords records,
+AnalysisOutput analyze_records(const study::StudyRecords& records,
                                const study::DataQualityRecords& quality,
                                const std::filesystem::path& folder,
                                const AnalysisOptions& options = {},

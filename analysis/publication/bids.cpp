@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
-#include <numeric>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/publication/trial_data.h"
-#include "analysis/publication/wording.h"
-#include "renderer/base/csv.h"
+#include "analysis/dataset/wording.h"
+#include "analysis/tables/table_formats.h"
 
 namespace foveola::analysis {
 namespace {
@@ -22,18 +20,6 @@ constexpr const char* bids_version = "1.11.1";
 
 std::string bids_json(const BidsJson& json) {
   return json.dump(2, ' ', false, BidsJson::error_handler_t::replace) + "\n";
-}
-
-/// A row of tab-separated values: BIDS has no quotes, and writes missing values as "n/a".
-std::string tsv_row(const std::vector<std::string>& fields) {
-  std::string row;
-  for (const std::string& field : fields) {
-    std::string text = field.empty() ? "n/a" : field;
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-    row += (row.empty() ? "" : "\t") + text;
-  }
-  return row + "\n";
 }
 
 std::string letters_and_digits(const std::string& code) {
@@ -58,34 +44,17 @@ std::string description_json(const StudyTables& tables) {
   return bids_json(json);
 }
 
-std::string participants_tsv(const StudyTables& tables,
-                             const std::vector<study::BackgroundRow>& answers,
-                             const std::vector<std::string>& labels) {
-  std::map<std::string, std::map<std::string, double>> given;
-  std::set<std::string> questions;
-  for (const study::BackgroundRow& row : answers) {
-    given[row.participant][row.question] = row.value;
-    questions.insert(row.question);
-  }
-  std::vector<std::string> heading = {"participant_id", "participant_code", "participant_kind"};
-  for (const std::string& question : questions) {
-    heading.push_back("background_" + question);
-  }
-  std::string text = tsv_row(heading);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const std::string& code = tables.set.participants[i];
-    std::vector<std::string> row = {"sub-" + labels[i], code, tables.set.kind};
-    const std::map<std::string, double>& own = given[code];
-    for (const std::string& question : questions) {
-      const auto answer = own.find(question);
-      row.push_back(answer == own.end() ? "" : csv_number(answer->second));
-    }
-    text += tsv_row(row);
-  }
-  return text;
-}
+/// A participant's answers in numbers, as participants.tsv has them: behind the label and the code.
+struct ParticipantFile {
+  std::string tsv;
+  std::string json;
+};
 
-std::string participants_json(const std::vector<study::BackgroundRow>& answers) {
+ParticipantFile participants_file(const ParticipantColumns& participants,
+                                  const std::vector<std::string>& labels) {
+  std::vector<Column> columns = {{"participant_id", ColumnType::text, "", ""},
+                                 {"participant_code", ColumnType::text, "", ""},
+                                 {"participant_kind", ColumnType::text, "", ""}};
   BidsJson json;
   json["participant_code"]["Description"] = "Code of the participant in the study's file";
   BidsJson& kind = json["participant_kind"];
@@ -93,61 +62,65 @@ std::string participants_json(const std::vector<study::BackgroundRow>& answers) 
   kind["Levels"]["human"] = "a person";
   kind["Levels"]["pilot"] = "a person trying out the procedure";
   kind["Levels"]["simulated"] = "a simulated participant, not a person";
-  for (const study::BackgroundRow& row : answers) {
-    json["background_" + row.question]["Description"] =
-        "Answer to the background question " + row.question + ", as a number";
+  for (std::size_t i = participants.first_answer(); i < participants.columns().size(); ++i) {
+    Column column = participants.columns()[i];
+    std::replace(column.name.begin(), column.name.end(), '.', '_');
+    json[column.name]["Description"] = column.description;
+    columns.push_back(std::move(column));
   }
-  return bids_json(json);
+  std::string tsv = tsv_heading(columns);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Row all = participants.row(i);
+    Row row = {"sub-" + labels[i], all[0], all[1]};
+    row.insert(row.end(), all.begin() + static_cast<std::ptrdiff_t>(participants.first_answer()),
+               all.end());
+    tsv += tsv_row(row);
+  }
+  return {std::move(tsv), bids_json(json)};
 }
 
-/// The columns of a behavioural file: those of the long table but for the participant's.
-constexpr std::size_t first_trial_variable = 2;
+/// The columns of a behavioural file: those of the trials but for the participant's.
+std::vector<Column> behaviour_columns(const TrialColumns& trials) {
+  return {trials.columns().begin() + TrialColumns::of_the_participant, trials.columns().end()};
+}
 
-std::string behaviour_json(const RatingScale& scale) {
+std::string behaviour_json(const TrialColumns& trials) {
   BidsJson json;
   json["TaskName"] = "preview";
-  const std::vector<Variable> variables = trial_variables(scale);
-  for (std::size_t i = first_trial_variable; i < variables.size(); ++i) {
+  for (const Column& column : behaviour_columns(trials)) {
     BidsJson entry;
-    entry["Description"] = variables[i].description;
-    if (!variables[i].unit.empty()) {
-      entry["Units"] = variables[i].unit;
+    entry["Description"] = column.description;
+    if (!column.unit.empty()) {
+      entry["Units"] = column.unit;
     }
-    json[variables[i].name] = std::move(entry);
+    json[column.name] = std::move(entry);
   }
   return bids_json(json);
 }
 
-std::string behaviour_tsv(const AnalysisSet& set, std::size_t participant) {
-  std::vector<std::string> heading;
-  for (const Variable& variable : trial_variables(set.rating_scale)) {
-    heading.push_back(variable.name);
+/// The last timings of each analysed participant's trials, in the order of the plan.
+std::vector<std::string> behaviour_files(const Dataset& set, const study::StudyRecords& records,
+                                         const TrialColumns& trials) {
+  std::vector<std::string> files(set.participants.size(), tsv_heading(behaviour_columns(trials)));
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    const study::TrialRow& trial = records.trials[i];
+    const auto found = std::lower_bound(set.participants.begin(), set.participants.end(),
+                                        records.participant_of(trial));
+    if (trial.counts && found != set.participants.end() &&
+        *found == records.participant_of(trial)) {
+      const Row row = trials.row(i);
+      files[static_cast<std::size_t>(found - set.participants.begin())] +=
+          tsv_row({row.begin() + TrialColumns::of_the_participant, row.end()});
+    }
   }
-  const auto trial_fields = [](const std::vector<std::string>& row) {
-    return std::vector<std::string>(row.begin() + first_trial_variable, row.end());
-  };
-  const std::size_t trials = set.scenes.size() * set.methods.size();
-  std::vector<std::size_t> order(trials);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const auto position = [&](std::size_t trial) {
-      return set.cells[participant * trials + trial].trial_position;
-    };
-    return position(a) < position(b);
-  });
-  std::string text = tsv_row(trial_fields(heading));
-  for (const std::size_t trial : order) {
-    text += tsv_row(trial_fields(
-        trial_row(set, participant, trial / set.methods.size(), trial % set.methods.size())));
-  }
-  return text;
+  return files;
 }
 
 std::string readme(const StudyTables& tables) {
   const std::string warning = data_warning(tables);
   return fmt::format(
       "{}\n\n{}The task \"preview\": participants looked at scenes while they were rendered, and "
-      "marked when the\noutline of an object and when its material was visible.\n\n"
+      "marked the moments\nthat the columns of task-preview_beh.json describe.\n\n"
       "*_beh.tsv has a row for each trial of an analysed participant.\n"
       "*_run-<index>_recording-eye1_physio.tsv.gz, where gaze was recorded, has the gaze of one "
       "timing of a\ntrial; runs count these in the order of the session, trials that were timed "
@@ -159,7 +132,7 @@ std::string readme(const StudyTables& tables) {
 
 }  // namespace
 
-std::vector<std::string> bids_labels(const AnalysisSet& set) {
+std::vector<std::string> bids_labels(const Dataset& set) {
   std::set<std::string> taken;
   std::vector<std::string> labels;
   for (const std::string& code : set.participants) {
@@ -173,18 +146,20 @@ std::vector<std::string> bids_labels(const AnalysisSet& set) {
   return labels;
 }
 
-std::vector<TextFile> bids_files(const StudyTables& tables,
-                                 const std::vector<study::BackgroundRow>& answers) {
+std::vector<TextFile> bids_files(const StudyTables& tables, const study::StudyRecords& records,
+                                 const TrialColumns& trials,
+                                 const ParticipantColumns& participants) {
   const std::vector<std::string> labels = bids_labels(tables.set);
-  std::vector<TextFile> files = {
-      {"bids/README", readme(tables)},
-      {"bids/dataset_description.json", description_json(tables)},
-      {"bids/participants.tsv", participants_tsv(tables, answers, labels)},
-      {"bids/participants.json", participants_json(answers)},
-      {"bids/task-preview_beh.json", behaviour_json(tables.set.rating_scale)}};
+  const ParticipantFile answers = participants_file(participants, labels);
+  std::vector<TextFile> files = {{"bids/README", readme(tables)},
+                                 {"bids/dataset_description.json", description_json(tables)},
+                                 {"bids/participants.tsv", answers.tsv},
+                                 {"bids/participants.json", answers.json},
+                                 {"bids/task-preview_beh.json", behaviour_json(trials)}};
+  std::vector<std::string> behaviour = behaviour_files(tables.set, records, trials);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     files.push_back({fmt::format("bids/sub-{0}/beh/sub-{0}_task-preview_beh.tsv", labels[i]),
-                     behaviour_tsv(tables.set, i)});
+                     std::move(behaviour[i])});
   }
   return files;
 }

@@ -4,21 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/study_tables.h"
-#include "analysis/publication/table_files.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/publication/data_files.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {
 
 /// The participants' labels in BIDS, in the order of tables.set.participants, no two alike: the
 /// letters and digits of the code, with a number appended where two codes have the same.
-std::vector<std::string> bids_labels(const AnalysisSet& set);
+std::vector<std::string> bids_labels(const Dataset& set);
 
 /// bids/README, dataset_description.json, participants.tsv with its sidecar, task-preview_beh.json,
 /// and sub-LABEL/beh/sub-LABEL_task-preview_beh.tsv for each analysed participant, whose rows are
 /// trials in the order in which they were planned. LABEL is from bids_labels; participants.tsv has
 /// the codes. Missing values are "n/a".
-std::vector<TextFile> bids_files(const StudyTables& tables,
-                                 const std::vector<study::BackgroundRow>& answers);
+std::vector<TextFile> bids_files(const StudyTables& tables, const study::StudyRecords& records,
+                                 const TrialColumns& trials,
+                                 const ParticipantColumns& participants);
 
 }  // namespace foveola::analysis

@@ -158,7 +158,7 @@ std::string events_json() {
 
 }  // namespace
 
-EyeTrackingExport::EyeTrackingExport(const AnalysisSet& set,
+EyeTrackingExport::EyeTrackingExport(const Dataset& set,
                                      const std::vector<study::GazeRunRow>& validations) {
   const std::vector<std::string> labels = bids_labels(set);
   for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/analysis_set.h"
-#include "analysis/publication/table_files.h"
+#include "analysis/dataset/dataset.h"
+#include "analysis/publication/data_files.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/recorded_gaze.h"
 
@@ -21,7 +21,7 @@ class EyeTrackingExport {
  public:
   /// Exports the participants of `set`. A participant's accuracy is that of the last of
   /// `validations` with any valid sample.
-  EyeTrackingExport(const AnalysisSet& set, const std::vector<study::GazeRunRow>& validations);
+  EyeTrackingExport(const Dataset& set, const std::vector<study::GazeRunRow>& validations);
 
   /// bids/sub-LABEL/beh/sub-LABEL_task-preview_run-RUN_recording-eye1 with _physio.tsv.gz,
   /// _physio.json, _physioevents.tsv.gz and _physioevents.json. A sample is its time by the

@@ -1,196 +1,278 @@
 #include "analysis/publication/comparison_tables.h"
 
 #include <cmath>
-#include <vector>
+#include <functional>
+#include <string>
 
-#include "renderer/base/csv.h"
+#include "analysis/publication/result_tables.h"
 
 namespace foveola::analysis {
 namespace {
 
-/// Column by column: its name and its text in this row.
-class RowBuilder {
- public:
-  void add(const std::string& column, std::string text) {
-    columns_.push_back(column);
-    fields_.push_back(std::move(text));
-  }
-  void add(const std::string& column, std::optional<double> value) {
-    add(column, csv_number(value));
-  }
-  void add(const std::string& column, std::size_t count) { add(column, std::to_string(count)); }
+using enum ColumnType;
+using Comparison = MethodComparison;
 
-  const CsvRow& columns() const { return columns_; }
-  const CsvRow& fields() const { return fields_; }
-
- private:
-  CsvRow columns_;
-  CsvRow fields_;
-};
-
-/// A number of a result that may not exist.
-template <typename Result, typename Value>
-std::optional<double> number_in(const std::optional<Result>& result, const Value& value) {
-  return result ? std::optional<double>(value(*result)) : std::nullopt;
+/// Adds a number of a result that may not exist, times `scale`.
+template <typename Item, typename Result>
+void add_number(const std::string& name, const std::string& unit, const std::string& description,
+                const std::function<std::optional<Result>(const Item&)>& result,
+                const std::function<double(const Result&)>& value, ColumnsOf<Item>& columns) {
+  columns.push_back({{name, number, unit, description},
+                     [=](const Item& row) { return field_in(result(row), value); }});
 }
 
-std::string csv_of(const std::vector<RowBuilder>& built) {
-  std::vector<CsvRow> rows;
-  for (const RowBuilder& row : built) {
-    if (rows.empty()) {
-      rows.push_back(row.columns());
-    }
-    rows.push_back(row.fields());
-  }
-  return format_csv(rows);
-}
-
-void add_ratio(const MethodComparison& row, RowBuilder& out) {
-  const auto of = [&](const auto& value) { return number_in(row.ratio, value); };
-  out.add("ratio_percent", of([](const RatioTest& test) { return 100.0 * test.ratio; }));
-  out.add("ci95_low_percent", of([](const RatioTest& test) { return 100.0 * test.interval.low; }));
-  out.add("ci95_high_percent",
-          of([](const RatioTest& test) { return 100.0 * test.interval.high; }));
-  out.add("bca95_low_percent",
-          number_in(row.ratio_bca, [](const Interval& bca) { return 100.0 * bca.low; }));
-  out.add("bca95_high_percent",
-          number_in(row.ratio_bca, [](const Interval& bca) { return 100.0 * bca.high; }));
-}
-
-void add_points(const MethodComparison& row, RowBuilder& out) {
-  const auto of = [&](const auto& value) { return number_in(row.points, value); };
-  out.add("difference_points", of([](const TTest& test) { return test.mean; }));
-  out.add("ci95_low_points", of([](const TTest& test) { return test.interval.low; }));
-  out.add("ci95_high_points", of([](const TTest& test) { return test.interval.high; }));
-}
-
-void add_t(const MethodComparison& row, RowBuilder& out) {
-  const std::optional<TTest> test = row.ratio ? std::optional(row.ratio->logs) : row.points;
-  const auto of = [&](const auto& value) { return number_in(test, value); };
-  out.add("t", of([](const TTest& t) { return t.t; }));
-  out.add("df", of([](const TTest& t) { return t.degrees_of_freedom; }));
-  out.add("p_t", of([](const TTest& t) { return t.p; }));
-  out.add("d_z", of([](const TTest& t) { return t.d_z; }));
-}
-
-void add_ranks(const MethodComparison& row, RowBuilder& out) {
-  const auto of = [&](const auto& value) { return number_in(row.ranks, value); };
-  out.add("w_plus", of([](const SignedRankTest& test) { return test.w_plus; }));
-  out.add("w_minus", of([](const SignedRankTest& test) { return test.w_minus; }));
-  out.add("zeros", of([](const SignedRankTest& test) { return static_cast<double>(test.zeros); }));
-  out.add("p_wilcoxon", of([](const SignedRankTest& test) { return test.p; }));
-  out.add("wilcoxon_exact", of([](const SignedRankTest& test) { return test.exact ? 1.0 : 0.0; }));
-  out.add("rank_biserial", of([](const SignedRankTest& test) { return test.rank_biserial; }));
-}
-
-/// Adds columns of ratios in per cent and of differences in points; one of the two are empty.
-void add_pseudo_median(const MethodComparison& row, RowBuilder& out) {
-  const auto add = [&](const std::string& unit, bool is_of_it, double scale) {
-    const auto scaled = [&](double tested) { return scale * row.in_unit(tested); };
-    const auto of = [&](const auto& value) {
-      return is_of_it ? number_in(row.pseudo_median, value) : std::nullopt;
-    };
-    const auto bound = [&](const auto& end) {
-      return is_of_it && row.pseudo_median && row.pseudo_median->interval
-                 ? std::optional<double>(scaled(end(*row.pseudo_median->interval)))
-                 : std::nullopt;
-    };
-    out.add("pseudo_median_" + unit,
-            of([&](const PseudoMedian& found) { return scaled(found.value); }));
-    out.add("pseudo_median_low_" + unit, bound([](const Interval& ends) { return ends.low; }));
-    out.add("pseudo_median_high_" + unit, bound([](const Interval& ends) { return ends.high; }));
+void add_ratio(ColumnsOf<Comparison>& columns) {
+  const auto add = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, RatioTest>(
+        name, "%", description, [](const Comparison& row) { return row.ratio; }, value, columns);
   };
-  add("ratio_percent", !row.is_of_ratings(), 100.0);
-  add("points", row.is_of_ratings(), 1.0);
+  add("ratio_percent", "Of times: geometric mean of the participants' ratios, method to reference",
+      [](const RatioTest& test) { return 100.0 * test.ratio; });
+  add("ci95_low_percent", "Lower end of its 95 % t interval",
+      [](const RatioTest& test) { return 100.0 * test.interval.low; });
+  add("ci95_high_percent", "Upper end of its 95 % t interval",
+      [](const RatioTest& test) { return 100.0 * test.interval.high; });
+  const auto add_bca = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, Interval>(
+        name, "%", description, [](const Comparison& row) { return row.ratio_bca; }, value,
+        columns);
+  };
+  add_bca("bca95_low_percent", "Lower end of its 95 % bootstrap interval (BCa)",
+          [](const Interval& bca) { return 100.0 * bca.low; });
+  add_bca("bca95_high_percent", "Upper end of its 95 % bootstrap interval (BCa)",
+          [](const Interval& bca) { return 100.0 * bca.high; });
 }
 
-/// Adds the equivalence test, whose interval is in the margin's unit: a factor of times, or points.
-void add_equivalence(const MethodComparison& row, RowBuilder& out) {
-  const auto of = [&](const auto& value) { return number_in(row.equivalent, value); };
-  out.add("equivalence_margin", row.margin);
-  out.add("equivalence_interval_low",
-          of([&](const EquivalenceTest& test) { return row.in_unit(test.interval.low); }));
-  out.add("equivalence_interval_high",
-          of([&](const EquivalenceTest& test) { return row.in_unit(test.interval.high); }));
-  out.add("p_above_low_margin", of([](const EquivalenceTest& test) { return test.p_above_low; }));
-  out.add("p_below_high_margin", of([](const EquivalenceTest& test) { return test.p_below_high; }));
-  out.add("p_equivalence", of([](const EquivalenceTest& test) { return test.p; }));
+void add_points(ColumnsOf<Comparison>& columns) {
+  const auto add = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, TTest>(
+        name, "points", description, [](const Comparison& row) { return row.points; }, value,
+        columns);
+  };
+  add("difference_points", "Of ratings: mean difference, method less reference",
+      [](const TTest& test) { return test.mean; });
+  add("ci95_low_points", "Lower end of its 95 % t interval",
+      [](const TTest& test) { return test.interval.low; });
+  add("ci95_high_points", "Upper end of its 95 % t interval",
+      [](const TTest& test) { return test.interval.high; });
+}
+
+void add_t(ColumnsOf<Comparison>& columns) {
+  const auto add = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, TTest>(
+        name, "", description,
+        [](const Comparison& row) {
+          return row.ratio ? std::optional(row.ratio->logs) : row.points;
+        },
+        value, columns);
+  };
+  add("t", "Paired t, of log ratios of times or differences of ratings",
+      [](const TTest& test) { return test.t; });
+  add("df", "Degrees of freedom of t", [](const TTest& test) { return test.degrees_of_freedom; });
+  add("p_t", "Two-sided P of t", [](const TTest& test) { return test.p; });
+  add("d_z", "Effect size: mean over standard deviation of the differences",
+      [](const TTest& test) { return test.d_z; });
+}
+
+void add_ranks(ColumnsOf<Comparison>& columns) {
+  const auto add = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, SignedRankTest>(
+        name, "", description, [](const Comparison& row) { return row.ranks; }, value, columns);
+  };
+  add("w_plus", "Wilcoxon's sum of ranks of positive differences",
+      [](const SignedRankTest& test) { return test.w_plus; });
+  add("w_minus", "Wilcoxon's sum of ranks of negative differences",
+      [](const SignedRankTest& test) { return test.w_minus; });
+  columns.push_back({{"zeros", whole, "", "Differences of zero, which are left out of the ranks"},
+                     [](const Comparison& row) {
+                       return field_in(row.ranks, [](auto& test) { return test.zeros; });
+                     }});
+  add("p_wilcoxon", "Two-sided P of the signed-rank test",
+      [](const SignedRankTest& test) { return test.p; });
+  columns.push_back(
+      {{"wilcoxon_exact", truth, "", "Whether that P is exact"}, [](const Comparison& row) {
+         return field_in(row.ranks, [](auto& test) { return test.exact; });
+       }});
+  add("rank_biserial", "Effect size: matched-pairs rank-biserial correlation",
+      [](const SignedRankTest& test) { return test.rank_biserial; });
+}
+
+/// Adds Hodges and Lehmann's estimate for times or for ratings: three columns in one unit.
+void add_pseudo_median(bool of_times, const std::string& name_unit, const std::string& unit,
+                       double scale, ColumnsOf<Comparison>& columns) {
+  const auto add = [&](const std::string& name, const char* description, auto value) {
+    columns.push_back({{name + name_unit, number, unit, description}, [=](const Comparison& row) {
+                         const std::optional<double> tested =
+                             row.is_time == of_times && row.pseudo_median
+                                 ? value(*row.pseudo_median)
+                                 : std::nullopt;
+                         return tested ? field(scale * row.in_unit(*tested)) : Field();
+                       }});
+  };
+  using Number = std::optional<double>;
+  add("pseudo_median_", "Hodges and Lehmann's estimate",
+      [](const PseudoMedian& found) { return Number(found.value); });
+  add("pseudo_median_low_", "Lower end of its 95 % interval", [](const PseudoMedian& found) {
+    return found.interval ? Number(found.interval->low) : std::nullopt;
+  });
+  add("pseudo_median_high_", "Upper end of its 95 % interval", [](const PseudoMedian& found) {
+    return found.interval ? Number(found.interval->high) : std::nullopt;
+  });
+}
+
+void add_equivalence(ColumnsOf<Comparison>& columns) {
+  const auto add = [&](const char* name, const char* description, auto value) {
+    columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
+                         return field_in(row.equivalent, [&](const EquivalenceTest& test) {
+                           return value(row, test);
+                         });
+                       }});
+  };
+  columns.push_back(
+      {{"equivalence_margin", number, "", "Planned margin: a factor of times, or points"},
+       [](const Comparison& row) { return field(row.margin); }});
+  add("equivalence_interval_low", "Lower end of the interval of 1 − 2 alpha, in the margin's unit",
+      [](const auto& row, const auto& test) { return row.in_unit(test.interval.low); });
+  add("equivalence_interval_high", "Its upper end",
+      [](const auto& row, const auto& test) { return row.in_unit(test.interval.high); });
+  add("p_above_low_margin", "One-sided P that the difference lies above the lower margin",
+      [](const auto& /*row*/, const auto& test) { return test.p_above_low; });
+  add("p_below_high_margin", "One-sided P that it lies below the upper margin",
+      [](const auto& /*row*/, const auto& test) { return test.p_below_high; });
+  add("p_equivalence", "The larger of the two",
+      [](const auto& /*row*/, const auto& test) { return test.p; });
+}
+
+template <typename Value>
+ColumnOf<OmnibusTest> of_variance(const char* name, const char* description, Value value) {
+  return {{name, number, "", description},
+          [=](const OmnibusTest& row) { return field_in(row.variance, value); }};
+}
+
+template <typename Value>
+ColumnOf<OmnibusTest> of_ranks(const char* name, const char* description, Value value) {
+  return {{name, number, "", description},
+          [=](const OmnibusTest& row) { return field_in(row.ranks, value); }};
 }
 
 }  // namespace
 
-std::string comparisons_csv(const Comparisons& comparisons, const std::string& kind) {
-  std::vector<RowBuilder> rows;
-  for (const MethodComparison& row : comparisons.methods) {
-    RowBuilder& out = rows.emplace_back();
-    out.add("measure", row.measure);
-    out.add("method", row.method);
-    out.add("reference", row.reference);
-    out.add("status", row.primary ? "primary" : "exploratory");
-    out.add("n", row.n);
-    add_ratio(row, out);
-    add_points(row, out);
-    add_t(row, out);
-    add_ranks(row, out);
-    add_pseudo_median(row, out);
-    out.add("p_holm", row.p_holm);
-    add_equivalence(row, out);
-    out.add("participant_kind", kind);
-  }
-  return csv_of(rows);
+Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons) {
+  ColumnsOf<Comparison> columns = {
+      {{"measure", text, "", "Id of the mark or rating"},
+       [](const Comparison& row) { return field(row.measure); }},
+      {{"method", text, "", "Id of the method"},
+       [](const Comparison& row) { return field(row.method); }},
+      {{"reference", text, "", "Id of the method that it is compared with"},
+       [](const Comparison& row) { return field(row.reference); }},
+      {{"status", text, "", "primary: planned in the protocol; otherwise exploratory"},
+       [](const Comparison& row) {
+         return field(std::string(row.primary ? "primary" : "exploratory"));
+       }},
+      {{"n", whole, "", "Participants with both values"},
+       [](const Comparison& row) { return field(row.n); }}};
+  add_ratio(columns);
+  add_points(columns);
+  add_t(columns);
+  add_ranks(columns);
+  add_pseudo_median(true, "ratio_percent", "%", 100.0, columns);
+  add_pseudo_median(false, "points", "points", 1.0, columns);
+  columns.push_back({{"p_holm", number, "",
+                      "Holm's adjusted P, of p_t for times and p_wilcoxon for ratings, over all "
+                      "planned comparisons together or the exploratory ones of the measure"},
+                     [](const Comparison& row) { return field(row.p_holm); }});
+  columns.push_back({{"missing", text, "", "Why there is no P; empty if there is one"},
+                     [](const Comparison& row) { return field(row.missing); }});
+  add_equivalence(columns);
+  columns.push_back(kind_of_all<Comparison>(tables));
+  return tabulate("comparisons", "measure and pair of methods", columns, comparisons.methods);
 }
 
-std::string omnibus_csv(const Comparisons& comparisons, const std::string& kind) {
-  std::vector<RowBuilder> rows;
-  for (const OmnibusTest& row : comparisons.omnibus) {
-    RowBuilder& out = rows.emplace_back();
-    const auto variance = [&](const auto& value) { return number_in(row.variance, value); };
-    const auto ranks = [&](const auto& value) { return number_in(row.ranks, value); };
-    out.add("measure", row.measure);
-    out.add("n", ranks([](const auto& test) { return static_cast<double>(test.participants); }));
-    out.add("participants_left_out", row.left_out);
-    out.add("f", variance([](const auto& test) { return test.f; }));
-    out.add("df", variance([](const auto& test) { return test.degrees_of_freedom; }));
-    out.add("residual_df",
-            variance([](const auto& test) { return test.residual_degrees_of_freedom; }));
-    out.add("p_sphericity", variance([](const auto& test) { return test.p; }));
-    out.add("epsilon_greenhouse_geisser",
-            variance([](const auto& test) { return test.greenhouse_geisser; }));
-    out.add("p_greenhouse_geisser",
-            variance([](const auto& test) { return test.p_greenhouse_geisser; }));
-    out.add("epsilon_huynh_feldt", variance([](const auto& test) { return test.huynh_feldt; }));
-    out.add("p_huynh_feldt", variance([](const auto& test) { return test.p_huynh_feldt; }));
-    out.add("partial_eta_squared",
-            variance([](const auto& test) { return test.partial_eta_squared; }));
-    out.add("friedman_chi_squared", ranks([](const auto& test) { return test.chi_squared; }));
-    out.add("friedman_df", ranks([](const auto& test) { return test.degrees_of_freedom; }));
-    out.add("p_friedman", ranks([](const auto& test) { return test.p; }));
-    out.add("kendalls_w", ranks([](const auto& test) { return test.kendalls_w; }));
-    out.add("participant_kind", kind);
-  }
-  return csv_of(rows);
+Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons) {
+  using O = OmnibusTest;
+  const ColumnsOf<O> columns = {
+      {{"measure", text, "", "Id of the mark or rating"},
+       [](const O& row) { return field(row.measure); }},
+      {{"n", whole, "", "Participants with values of all methods"},
+       [](const O& row) {
+         return field_in(row.ranks, [](auto& test) { return test.participants; });
+       }},
+      {{"participants_left_out", whole, "", "Participants with a missing value"},
+       [](const O& row) { return field(row.left_out); }},
+      of_variance("f", "F of the repeated-measures analysis of variance of log times",
+                  [](auto& test) { return test.f; }),
+      of_variance("df", "Degrees of freedom of the methods",
+                  [](auto& test) { return test.degrees_of_freedom; }),
+      of_variance("residual_df", "Degrees of freedom of the residuals",
+                  [](auto& test) { return test.residual_degrees_of_freedom; }),
+      of_variance("p_uncorrected", "P of F without a correction for sphericity",
+                  [](auto& test) { return test.p; }),
+      of_variance("epsilon_greenhouse_geisser", "Greenhouse and Geisser's epsilon",
+                  [](auto& test) { return test.greenhouse_geisser; }),
+      of_variance("p_greenhouse_geisser", "P with both degrees of freedom times that epsilon",
+                  [](auto& test) { return test.p_greenhouse_geisser; }),
+      of_variance("epsilon_huynh_feldt", "Huynh and Feldt's epsilon",
+                  [](auto& test) { return test.huynh_feldt; }),
+      of_variance("p_huynh_feldt", "P with both degrees of freedom times that epsilon",
+                  [](auto& test) { return test.p_huynh_feldt; }),
+      of_variance("partial_eta_squared", "Effect size of the methods",
+                  [](auto& test) { return test.partial_eta_squared; }),
+      of_ranks("friedman_chi_squared", "Friedman's statistic, corrected for ties",
+               [](auto& test) { return test.chi_squared; }),
+      of_ranks("friedman_df", "Its degrees of freedom",
+               [](auto& test) { return test.degrees_of_freedom; }),
+      of_ranks("p_friedman", "Its P", [](auto& test) { return test.p; }),
+      of_ranks("kendalls_w", "Kendall's coefficient of concordance",
+               [](auto& test) { return test.kendalls_w; }),
+      kind_of_all<O>(tables)};
+  return tabulate("omnibus", "measure", columns, comparisons.omnibus);
 }
 
-std::string order_csv(const Comparisons& comparisons, const std::string& kind) {
-  std::vector<RowBuilder> rows;
-  for (const OrderTest& row : comparisons.order) {
-    RowBuilder& out = rows.emplace_back();
-    const auto of = [&](const auto& value) { return number_in(row.change_per_step, value); };
-    const auto percent = [](double change) { return 100.0 * std::expm1(change); };
-    out.add("mark", std::string(name_of(row.mark)));
-    out.add("per", row.of);
-    out.add("n", of([](const TTest& test) { return static_cast<double>(test.n); }));
-    out.add("change_percent", of([&](const TTest& test) { return percent(test.mean); }));
-    out.add("ci95_low_percent", of([&](const TTest& test) { return percent(test.interval.low); }));
-    out.add("ci95_high_percent",
-            of([&](const TTest& test) { return percent(test.interval.high); }));
-    out.add("t", of([](const TTest& test) { return test.t; }));
-    out.add("df", of([](const TTest& test) { return test.degrees_of_freedom; }));
-    out.add("p", of([](const TTest& test) { return test.p; }));
-    out.add("d_z", of([](const TTest& test) { return test.d_z; }));
-    out.add("participant_kind", kind);
-  }
-  return csv_of(rows);
+Table order_effects_table(const StudyTables& tables, const Comparisons& comparisons) {
+  using O = OrderTest;
+  const auto in_percent = [](const char* name, const char* description, auto value) {
+    return ColumnOf<O>{{name, number, "%", description}, [=](const O& row) {
+                         return row.is_time && row.change_per_step
+                                    ? field(100.0 * std::expm1(value(*row.change_per_step)))
+                                    : Field();
+                       }};
+  };
+  const auto in_points = [](const char* name, const char* description, auto value) {
+    return ColumnOf<O>{
+        {name, number, "points", description}, [=](const O& row) {
+          return !row.is_time && row.change_per_step ? field(value(*row.change_per_step)) : Field();
+        }};
+  };
+  const auto plain = [](const char* name, const char* description, auto value) {
+    return ColumnOf<O>{{name, number, "", description},
+                       [=](const O& row) { return field_in(row.change_per_step, value); }};
+  };
+  const auto mean = [](const TTest& test) { return test.mean; };
+  const auto low = [](const TTest& test) { return test.interval.low; };
+  const auto high = [](const TTest& test) { return test.interval.high; };
+  const ColumnsOf<O> columns = {
+      {{"measure", text, "", "Id of the mark or rating"},
+       [](const O& row) { return field(row.measure); }},
+      {{"per", text, "", "A step: trial in the session, or method in the scene"},
+       [](const O& row) { return field(row.of); }},
+      {{"n", whole, "", "Participants whose order varies"},
+       [](const O& row) {
+         return field_in(row.change_per_step, [](auto& test) { return test.n; });
+       }},
+      in_percent("change_percent", "Of times: change with each step", mean),
+      in_percent("ci95_low_percent", "Lower end of its 95 % interval", low),
+      in_percent("ci95_high_percent", "Upper end of its 95 % interval", high),
+      in_points("change_points", "Of ratings: change with each step", mean),
+      in_points("ci95_low_points", "Lower end of its 95 % interval", low),
+      in_points("ci95_high_points", "Upper end of its 95 % interval", high),
+      plain("t", "t of the participants' slopes", [](const TTest& test) { return test.t; }),
+      plain("df", "Its degrees of freedom",
+            [](const TTest& test) { return test.degrees_of_freedom; }),
+      plain("p", "Its two-sided P", [](const TTest& test) { return test.p; }),
+      plain("d_z", "Effect size: mean over standard deviation of the slopes",
+            [](const TTest& test) { return test.d_z; }),
+      kind_of_all<O>(tables)};
+  return tabulate("order_effects", "measure and way of counting", columns, comparisons.order);
 }
 
 }  // namespace foveola::analysis

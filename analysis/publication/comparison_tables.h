@@ -1,17 +1,14 @@
-// The tests as files: one row per comparison, omnibus test and order effect.
+// The tests as tables: a row for each comparison, omnibus test and order effect.
 #pragma once
 
-#include <string>
-
-#include "analysis/publication/comparisons.h"
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/tables/table.h"
 
 namespace foveola::analysis {
 
-// Each returns CSV with fixed columns that name their units; `kind` is "human", "pilot" or
-// "simulated". What is not defined is an empty field.
-
-std::string comparisons_csv(const Comparisons& comparisons, const std::string& kind);
-std::string omnibus_csv(const Comparisons& comparisons, const std::string& kind);
-std::string order_csv(const Comparisons& comparisons, const std::string& kind);
+Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons);
+Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons);
+Table order_effects_table(const StudyTables& tables, const Comparisons& comparisons);
 
 }  // namespace foveola::analysis

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "analysis/dataset/participant_values.h"
+#include "analysis/dataset/study_tables.h"
 #include "analysis/publication/injected_studies.h"
-#include "analysis/publication/participant_values.h"
-#include "analysis/publication/study_tables.h"
 #include "analysis/statistics/bootstrap.h"
 #include "analysis/statistics/equivalence.h"
 #include "analysis/statistics/friedman.h"
@@ -19,6 +19,12 @@
 namespace foveola::analysis {
 namespace {
 
+// The measures of studies with injected effects, by their places.
+constexpr std::size_t outline = 0;
+constexpr std::size_t material = 1;
+constexpr std::size_t recognition = 2;
+constexpr std::size_t comfort = 4;
+
 constexpr Interval nominal_coverage = {93.5, 96.5};
 constexpr Interval nominal_rejection = {4.0, 6.0};
 
@@ -29,14 +35,20 @@ Outcome covers(const std::optional<Interval>& interval, double value) {
   return interval ? Outcome(interval->low <= value && value <= interval->high) : std::nullopt;
 }
 
-Outcome covers_percent(const StudyTables& tables, Mark mark, std::size_t method, double ratio) {
+Outcome covers_percent(const StudyTables& tables, std::size_t mark, std::size_t method,
+                       double ratio) {
   const auto& estimate = tables.method_times_of(mark, method).percent_of_baseline;
   return estimate ? covers(estimate->interval, 100.0 * ratio) : std::nullopt;
 }
 
 /// The logarithms of all participants' ratios of the last method to the baseline.
-std::vector<double> log_ratios(const AnalysisSet& set) {
-  return paired_differences(mean_log_times(set, Mark::outline), set.methods.size() - 1, baseline);
+std::vector<double> log_ratios(const Dataset& set) {
+  return paired_differences(participant_means(set, outline), set.methods.size() - 1, baseline);
+}
+
+/// All participants' differences in comfort between the last method and the baseline.
+std::vector<double> comfort_differences(const Dataset& set) {
+  return paired_differences(participant_means(set, comfort), set.methods.size() - 1, baseline);
 }
 
 /// A property of intervals or tests that holds in a study or not, and the share of studies in which
@@ -46,7 +58,7 @@ struct Criterion {
   std::string_view claim;
   std::optional<Interval> required;
   InjectedEffects effects;
-  std::function<Outcome(const AnalysisSet&, const StudyTables&)> holds;
+  std::function<Outcome(const Dataset&, const StudyTables&)> holds;
 };
 
 std::vector<Criterion> criteria_with_effects(const CoverageSettings& settings) {
@@ -54,30 +66,30 @@ std::vector<Criterion> criteria_with_effects(const CoverageSettings& settings) {
   InjectedEffects learning = effects;
   learning.change_per_trial = -0.02;
   std::vector<Criterion> criteria;
-  for (const Mark mark : marks) {
+  for (const std::size_t mark : {outline, material}) {
     for (const std::size_t method : {std::size_t{1}, std::size_t{2}}) {
       const double ratio = effects.ratios[method];
       // Only the outline's ratio is injected; the material mark follows after a time that has the
       // same ratio.
       const std::string_view name =
-          mark == Mark::outline
+          mark == outline
               ? (method == 1 ? "t interval, VP 32 %, outline" : "t interval, FV 10 %, outline")
               : (method == 1 ? "t interval, VP 32 %, material" : "t interval, FV 10 %, material");
       criteria.push_back({name, "covers the injected ratio", nominal_coverage, effects,
-                          [=](const AnalysisSet&, const StudyTables& tables) {
+                          [=](const Dataset&, const StudyTables& tables) {
                             return covers_percent(tables, mark, method, ratio);
                           }});
     }
   }
   criteria.push_back({"BCa interval, FV 10 %, outline", "covers the injected ratio", std::nullopt,
-                      effects, [=](const AnalysisSet&, const StudyTables& tables) {
-                        const MethodTimes& times = tables.method_times_of(Mark::outline, 2);
+                      effects, [=](const Dataset&, const StudyTables& tables) {
+                        const MethodTimes& times = tables.method_times_of(outline, 2);
                         return covers(bca_geometric_mean(times.participant_percent,
                                                          {.resamples = settings.resamples}),
                                       100.0 * effects.ratios[2]);
                       }});
   criteria.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the injected ratio",
-                      std::nullopt, effects, [=](const AnalysisSet& set, const StudyTables&) {
+                      std::nullopt, effects, [=](const Dataset& set, const StudyTables&) {
                         const auto found = pseudo_median(log_ratios(set));
                         return found && found->interval
                                    ? covers(found->interval, std::log(effects.ratios[2]))
@@ -85,8 +97,8 @@ std::vector<Criterion> criteria_with_effects(const CoverageSettings& settings) {
                       }});
   criteria.push_back(
       {"t interval, learning 2 % per trial", "covers the injected change", nominal_coverage,
-       learning, [=](const AnalysisSet& set, const StudyTables&) {
-         const auto found = order_effect(ordered_log_times(set, Mark::outline, OrderOf::trials));
+       learning, [=](const Dataset& set, const StudyTables&) {
+         const auto found = order_effect(ordered_values(set, outline, OrderOf::trials));
          return found ? covers(found->interval, learning.change_per_trial) : std::nullopt;
        }});
   return criteria;
@@ -104,35 +116,57 @@ std::vector<Criterion> criteria_without_effect(const CoverageSettings& settings)
   null.ratios = {1.0, 1.0, 1.0};
   InjectedEffects at_margin = null;
   at_margin.ratios.back() = 1.25;
-  const auto measures = [](const AnalysisSet& set) {
-    return complete_participants(mean_log_times(set, Mark::outline));
+  const auto measures = [](const Dataset& set) {
+    return complete_participants(participant_means(set, outline));
   };
   return {{"paired t on logs, no effect", "rejects at 5 %", nominal_rejection, null,
-           [](const AnalysisSet& set, const StudyTables&) {
+           [](const Dataset& set, const StudyTables&) {
              return below(p_of(one_sample_t(log_ratios(set))));
            }},
           {"Wilcoxon signed-rank, no effect", "rejects at 5 %", std::nullopt, null,
-           [](const AnalysisSet& set, const StudyTables&) {
+           [](const Dataset& set, const StudyTables&) {
              return below(p_of(signed_rank(log_ratios(set))));
            }},
           {"ANOVA, Greenhouse-Geisser, no effect", "rejects at 5 %", std::nullopt, null,
-           [=](const AnalysisSet& set, const StudyTables&) {
+           [=](const Dataset& set, const StudyTables&) {
              const auto test = repeated_measures_anova(measures(set));
              return test ? below(test->p_greenhouse_geisser) : std::nullopt;
            }},
           {"ANOVA, Huynh-Feldt, no effect", "rejects at 5 %", std::nullopt, null,
-           [=](const AnalysisSet& set, const StudyTables&) {
+           [=](const Dataset& set, const StudyTables&) {
              const auto test = repeated_measures_anova(measures(set));
              return test ? below(test->p_huynh_feldt) : std::nullopt;
            }},
           {"Friedman, no effect", "rejects at 5 %", std::nullopt, null,
-           [=](const AnalysisSet& set, const StudyTables&) {
+           [=](const Dataset& set, const StudyTables&) {
              return below(p_of(friedman(measures(set))));
            }},
           {"equivalence within 25 %, ratio at the margin", "wrongly declared at 5 %", std::nullopt,
-           at_margin, [](const AnalysisSet& set, const StudyTables&) {
+           at_margin, [](const Dataset& set, const StudyTables&) {
              return below(p_of(equivalence(log_ratios(set), std::log(1.25))));
            }}};
+}
+
+/// Marks and ratings that the published study did not have.
+std::vector<Criterion> criteria_of_other_measures(const CoverageSettings& settings) {
+  const InjectedEffects effects{.participants = settings.participants};
+  InjectedEffects comfortable = effects;
+  comfortable.comfort_shift = 5.0;
+  return {
+      {"t interval, FV 10 %, a third mark", "covers the injected ratio", nominal_coverage, effects,
+       [=](const Dataset&, const StudyTables& tables) {
+         return covers_percent(tables, recognition, 2, effects.ratios[2]);
+       }},
+      {"t interval, 5 points in a rating of 0 to 100", "covers the injected change",
+       nominal_coverage, comfortable,
+       [=](const Dataset& set, const StudyTables&) {
+         const auto found = one_sample_t(comfort_differences(set));
+         return found ? covers(found->interval, comfortable.comfort_shift) : std::nullopt;
+       }},
+      {"paired t, a rating of 0 to 100, no effect", "rejects at 5 %", nominal_rejection, effects,
+       [](const Dataset& set, const StudyTables&) {
+         return below(p_of(one_sample_t(comfort_differences(set))));
+       }}};
 }
 
 /// Each study is seeded by its number, whatever thread it runs on.
@@ -169,6 +203,8 @@ std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
   std::vector<Criterion> criteria = criteria_with_effects(settings);
   const std::vector<Criterion> nulls = criteria_without_effect(settings);
   criteria.insert(criteria.end(), nulls.begin(), nulls.end());
+  const std::vector<Criterion> others = criteria_of_other_measures(settings);
+  criteria.insert(criteria.end(), others.begin(), others.end());
   const Workers workers(settings.threads);
   std::vector<CoverageFigure> figures;
   for (std::size_t i = 0; i < criteria.size(); ++i) {

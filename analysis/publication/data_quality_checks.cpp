@@ -8,8 +8,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
-#include "analysis/publication/wording.h"
-#include "renderer/base/csv.h"
+#include "analysis/dataset/wording.h"
 
 namespace foveola::analysis {
 namespace {
@@ -21,6 +20,7 @@ constexpr double most_untracked_percent = 10.0;
 constexpr double longest_latency_ms = 50.0;
 constexpr double longest_mark_gap_ms = 100.0;
 constexpr double least_balance_p = 0.01;
+constexpr double most_false_alarms_percent = 20.0;
 
 Verdict within(bool good) { return good ? Verdict::passed : Verdict::flagged; }
 
@@ -105,10 +105,10 @@ DataQualityCheck check_validation(const StudyTables& tables,
 
 /// The positions of the methods in one scene of one participant; empty unless each position is
 /// taken once: a trial that is missing from the record has no position of its own.
-std::vector<std::size_t> places_of_methods(std::span<const Cell> block) {
+std::vector<std::size_t> places_of_methods(std::span<const Trial> block) {
   std::vector<std::size_t> places;
-  for (const Cell& cell : block) {
-    places.push_back(static_cast<std::size_t>(cell.method_position));
+  for (const Trial& trial : block) {
+    places.push_back(static_cast<std::size_t>(trial.method_position));
   }
   std::vector<std::size_t> sorted = places;
   std::sort(sorted.begin(), sorted.end());
@@ -126,12 +126,12 @@ struct PlaceCounts {
   double blocks = 0.0;  ///< Pairs of a participant and a scene, each with one permutation.
 };
 
-PlaceCounts count_places(const AnalysisSet& set) {
+PlaceCounts count_places(const Dataset& set) {
   const std::size_t methods = set.methods.size();
   PlaceCounts found{std::vector<std::vector<double>>(methods, std::vector<double>(methods, 0.0))};
-  const std::span<const Cell> cells(set.cells);
-  for (std::size_t first = 0; first < cells.size(); first += methods) {
-    const std::vector<std::size_t> places = places_of_methods(cells.subspan(first, methods));
+  const std::span<const Trial> trials(set.trials);
+  for (std::size_t first = 0; first < trials.size(); first += methods) {
+    const std::vector<std::size_t> places = places_of_methods(trials.subspan(first, methods));
     for (std::size_t method = 0; method < places.size(); ++method) {
       found.counts[method][places[method]] += 1.0;
     }
@@ -158,7 +158,7 @@ double probability_of_places(const PlaceCounts& found) {
   return boost::math::cdf(boost::math::complement(distribution, (k - 1.0) / k * pearson));
 }
 
-DataQualityCheck check_order(const AnalysisSet& set) {
+DataQualityCheck check_order(const Dataset& set) {
   DataQualityCheck check{"Balance of the methods’ order", "one method",
                          fmt::format("no worse than chance at {:g}, ours", least_balance_p)};
   if (set.methods.size() < 2) {
@@ -188,6 +188,70 @@ DataQualityCheck check_kind(const StudyTables& tables) {
           "no simulated and no pilot sessions", within(warning.empty())};
 }
 
+/// All times of the participant's trials, of every mark.
+std::vector<double> measured_times(const Dataset& set, std::size_t participant) {
+  std::vector<double> times;
+  for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      for (const std::size_t mark : set.times()) {
+        if (const Value& time = set.value(participant, scene, method, mark); time.is_measured()) {
+          times.push_back(time.number);
+        }
+      }
+    }
+  }
+  return times;
+}
+
+/// The catch trials of the analysed participants: of each, its last timing.
+std::vector<CatchFigures> catch_figures(const Dataset& set, const study::StudyRecords& records) {
+  std::map<std::string, CatchFigures> figures;
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    const study::TrialRow& row = records.trials[i];
+    if (row.kind != study::TrialKind::catch_trial || !row.counts || row.attempt == 0) {
+      continue;
+    }
+    CatchFigures& own = figures[records.participant_of(row)];
+    ++own.trials;
+    bool has_mark = false;
+    for (const std::size_t mark : set.times()) {
+      has_mark = has_mark || records.value(i, mark).is_measured();
+    }
+    own.false_alarms += has_mark ? 1 : 0;
+  }
+  std::vector<CatchFigures> rows;
+  for (const std::string& participant : set.participants) {
+    if (const auto own = figures.find(participant); own != figures.end()) {
+      rows.push_back(own->second);
+      rows.back().participant = participant;
+    }
+  }
+  return rows;
+}
+
+DataQualityCheck check_catches(const std::vector<CatchFigures>& catches) {
+  DataQualityCheck check{
+      "False alarms in catch trials", "no catch trials recorded",
+      fmt::format("{:g} % of each participant's, ours", most_false_alarms_percent)};
+  if (catches.empty()) {
+    return check;
+  }
+  std::size_t trials = 0;
+  std::size_t false_alarms = 0;
+  std::vector<std::string> above;
+  for (const CatchFigures& row : catches) {
+    trials += row.trials;
+    false_alarms += row.false_alarms;
+    if (row.false_alarms_percent() > most_false_alarms_percent) {
+      above.push_back(row.participant);
+    }
+  }
+  check.found = fmt::format("a mark in {} of {}{}", false_alarms, counted(trials, "catch trial"),
+                            above.empty() ? "" : "; above the limit: " + listed(above));
+  check.verdict = within(above.empty());
+  return check;
+}
+
 std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
                                            const study::DataQualityRecords& quality) {
   std::map<std::string, std::vector<double>> presses;
@@ -201,7 +265,7 @@ std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
     }
   }
   std::vector<ReactionFloor> floors;
-  const AnalysisSet& set = tables.set;
+  const Dataset& set = tables.set;
   for (std::size_t i = 0; i < set.participants.size(); ++i) {
     const auto own = presses.find(set.participants[i]);
     if (own == presses.end()) {
@@ -209,13 +273,9 @@ std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
     }
     ReactionFloor floor{set.participants[i], own->second.size(), false_starts[set.participants[i]],
                         median(own->second)};
-    const std::size_t trials = set.scenes.size() * set.methods.size();
-    for (std::size_t trial = 0; trial < trials; ++trial) {
-      for (const MarkTime& time : set.cells[i * trials + trial].times) {
-        const bool measured = time.state == MarkTime::State::measured;
-        floor.marks += measured ? 1 : 0;
-        floor.within_floor += measured && floor.median_s && time.seconds <= *floor.median_s ? 1 : 0;
-      }
+    for (const double seconds : measured_times(set, i)) {
+      ++floor.marks;
+      floor.within_floor += floor.median_s && seconds <= *floor.median_s ? 1 : 0;
     }
     floors.push_back(floor);
   }
@@ -237,8 +297,10 @@ std::string_view name_of(Verdict verdict) {
 }
 
 DataQualityReport check_data_quality(const StudyTables& tables,
-                                     const study::DataQualityRecords& quality) {
+                                     const study::DataQualityRecords& quality,
+                                     const study::StudyRecords& records) {
   DataQualityReport report;
+  report.catches = catch_figures(tables.set, records);
   report.frames = analysed_frames(tables, quality);
   const std::vector<study::FrameFigures>& frames = report.frames;
   report.checks = {
@@ -255,44 +317,10 @@ DataQualityReport check_data_quality(const StudyTables& tables,
                    longest_mark_gap_ms, "ours",
                    [](const auto& row) { return 1e3 * row.longest_mark_after_frame_s; }),
       check_validation(tables, quality),
-      check_order(tables.set)};
+      check_order(tables.set),
+      check_catches(report.catches)};
   report.reactions = reaction_floors(tables, quality);
   return report;
-}
-
-std::string data_quality_csv(const DataQualityReport& report, const std::string& kind) {
-  std::vector<CsvRow> rows = {{"check", "found", "limit", "verdict", "participant_kind"}};
-  for (const DataQualityCheck& check : report.checks) {
-    rows.push_back(
-        {check.name, check.found, check.limit, std::string(name_of(check.verdict)), kind});
-  }
-  return format_csv(rows);
-}
-
-std::string latency_csv(const DataQualityReport& report, const std::string& kind) {
-  std::vector<CsvRow> rows = {{"participant", "frames", "late_frames", "untracked_frames",
-                               "mean_gaze_age_s", "mean_poll_to_display_s", "longest_frame_s",
-                               "marks", "mean_frame_to_mark_s", "longest_frame_to_mark_s",
-                               "participant_kind"}};
-  for (const study::FrameFigures& row : report.frames) {
-    rows.push_back({row.participant, std::to_string(row.frames), std::to_string(row.late),
-                    std::to_string(row.untracked), csv_number(row.mean_gaze_age_s),
-                    csv_number(row.mean_to_display_s), csv_number(row.longest_frame_s),
-                    std::to_string(row.marks), csv_number(row.mean_mark_after_frame_s),
-                    csv_number(row.longest_mark_after_frame_s), kind});
-  }
-  return format_csv(rows);
-}
-
-std::string reactions_csv(const DataQualityReport& report, const std::string& kind) {
-  std::vector<CsvRow> rows = {{"participant", "presses", "false_starts", "median_s", "marks",
-                               "marks_within_median", "participant_kind"}};
-  for (const ReactionFloor& row : report.reactions) {
-    rows.push_back({row.participant, std::to_string(row.presses), std::to_string(row.false_starts),
-                    csv_number(row.median_s), std::to_string(row.marks),
-                    std::to_string(row.within_floor), kind});
-  }
-  return format_csv(rows);
 }
 
 }  // namespace foveola::analysis

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/study_tables.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
 #include "study/record/study_records.h"
 
@@ -23,13 +24,24 @@ struct DataQualityCheck {
   Verdict verdict = Verdict::unknown;
 };
 
+/// One participant's catch trials, in which nothing is rendered: a mark is a false alarm.
+struct CatchFigures {
+  std::string participant;
+  std::size_t trials = 0;        ///< Catch trials that were begun.
+  std::size_t false_alarms = 0;  ///< Those with a mark before the time-out.
+
+  double false_alarms_percent() const {
+    return 100.0 * static_cast<double>(false_alarms) / static_cast<double>(trials);
+  }
+};
+
 /// One participant's reaction test, and how many of the marks are as short as a reaction.
 struct ReactionFloor {
   std::string participant;
   std::size_t presses = 0;
   std::size_t false_starts = 0;
   std::optional<double> median_s;  ///< Median reaction time, without false starts.
-  std::size_t marks = 0;           ///< The participant's measured times, of both marks.
+  std::size_t marks = 0;           ///< The participant's measured times, of all marks.
   std::size_t within_floor = 0;    ///< Those no longer than the median reaction.
 };
 
@@ -37,15 +49,18 @@ struct DataQualityReport {
   std::vector<DataQualityCheck> checks;
   std::vector<study::FrameFigures> frames;  ///< One for each analysed participant with frames.
   std::vector<ReactionFloor> reactions;     ///< One for each participant who took the test.
+  std::vector<CatchFigures> catches;        ///< One for each participant with catch trials.
 };
 
 /// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, the
 /// balance of orders, and whether the data are people's; for the participants in `tables`.
 DataQualityReport check_data_quality(const StudyTables& tables,
-                                     const study::DataQualityRecords& quality);
+                                     const study::DataQualityRecords& quality,
+                                     const study::StudyRecords& records);
 
-std::string data_quality_csv(const DataQualityReport& report, const std::string& kind);
-std::string latency_csv(const DataQualityReport& report, const std::string& kind);
-std::string reactions_csv(const DataQualityReport& report, const std::string& kind);
+Table data_quality_table(const StudyTables& tables, const DataQualityReport& report);
+Table latency_table(const StudyTables& tables, const DataQualityReport& report);
+Table catch_trials_table(const StudyTables& tables, const DataQualityReport& report);
+Table reaction_times_table(const StudyTables& tables, const DataQualityReport& report);
 
 }  // namespace foveola::analysis

@@ -1,10 +1,10 @@
-// The published figures as SVG, PDF and PNG, drawn by gnuplot.
+// The figures as SVG, PDF and PNG, drawn by gnuplot in the style of the published ones.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "analysis/publication/study_tables.h"
+#include "analysis/dataset/study_tables.h"
 
 namespace foveola::analysis {
 
@@ -20,8 +20,12 @@ struct Figure {
   std::string script;  ///< The gnuplot script, without its terminal.
 };
 
-/// Draws Fig. 5, relative and in seconds, and Fig. 6, as far as there are values. Throws Error if
-/// gnuplot is missing.
+/// The name of the figure of a rating.
+std::string rating_figure_name(const Measure& rating);
+
+/// Draws the times of all marks, relative_times and times_in_seconds (the published Fig. 5), and
+/// each rating whose points can be counted (the published Fig. 6), as far as there are values.
+/// Throws Error if gnuplot is missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
 /// The figure as a PDF without a date, so that the same figure gives the same bytes. Throws Error

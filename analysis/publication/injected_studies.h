@@ -8,8 +8,11 @@
 
 namespace foveola::analysis {
 
-/// The model that times are drawn from: their logarithms are normal around scene + participant +
-/// method + participant-by-method interaction; scenes and methods come in a random order.
+/// The model that values are drawn from: the logarithms of times are normal around scene +
+/// participant + method + participant-by-method interaction; scenes and methods come in a random
+/// order. Beside the published marks and rating there are a third mark, `recognition`, whose times
+/// have the outline's ratios, and a rating of 0 to 100, `comfort`, that is normal around 50 +
+/// participant + method.
 struct InjectedEffects {
   int participants = 16;
   int scenes = 5;
@@ -19,6 +22,7 @@ struct InjectedEffects {
   double interaction_sd = 0.3;    ///< Of participants' own ratios between two methods.
   double trial_sd = 0.35;         ///< Between trials.
   double change_per_trial = 0.0;  ///< With each trial: learning if below zero.
+  double comfort_shift = 0.0;     ///< In points, of the last method's `comfort`.
 };
 
 /// Records of complete simulated sessions. Same seed, same records.

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "analysis/publication/figure_palette.h"
-#include "analysis/publication/html.h"
+#include "analysis/tables/html.h"
 
 namespace foveola::analysis {
 namespace {

@@ -1,123 +1,89 @@
 #include "analysis/publication/methods_paragraph.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "analysis/publication/analysis_plan.h"
-#include "analysis/publication/wording.h"
-#include "renderer/base/toml_reader.h"
-#include "study/protocol/analysed_measures.h"
-#include "study/protocol/read_procedure.h"
+#include "analysis/dataset/amended_labels.h"
+#include "analysis/dataset/wording.h"
 
 namespace foveola::analysis {
 namespace {
 
-/// The parts of a protocol that the paragraph needs; empty where it says nothing.
-struct ProtocolFacts {
-  std::string scene_order;
-  std::string method_order;
-  std::string display;
-  std::string tracker;
-  std::optional<int> film_width;
-  std::optional<int> film_height;
-  std::optional<double> timeout_s;
+using study::MeasureKind;
+
+/// What participants marked and rated, with the protocol's scales.
+std::string measures_in_words(const Dataset& set) {
   std::vector<std::string> marks;
-  std::vector<std::string> not_analysed;  ///< Ids of marks and ratings.
-};
-
-template <typename Number>
-std::optional<Number> number_under(TomlReader& table, const char* key) {
-  Number value = 0;
-  table.read(key, value, Number{0}, Number{1'000'000});
-  return table.has(key) ? std::optional(value) : std::nullopt;
-}
-
-void add_measures(TomlReader& protocol, ProtocolFacts& facts) {
-  const std::vector<study::MarkEntry> marks = study::read_marks(protocol);
-  for (const study::MarkEntry& mark : marks) {
-    (study::is_analysed(mark) ? facts.marks : facts.not_analysed).push_back(mark.id);
+  for (const std::size_t mark : set.times()) {
+    const std::string& id = set.measures[mark].id();
+    marks.push_back(id == "outline" ? "the outline of a chosen object could be judged"
+                    : id == "material"
+                        ? "its material could be judged"
+                        : fmt::format("“{}” ({})", set.measures[mark].question.text, id));
   }
-  for (const study::Question& rating : study::read_ratings(protocol, marks)) {
-    if (!study::is_analysed(rating)) {
-      facts.not_analysed.push_back(rating.id);
+  std::string text = fmt::format(", and marked when {}",
+                                 fmt::join(marks, marks.size() == 2 ? " and when " : ", when "));
+  std::vector<std::string> ratings;
+  std::string amendments;
+  for (std::size_t i = 0; i < set.measures.size(); ++i) {
+    const Measure& measure = set.measures[i];
+    if (measure.kind == MeasureKind::rating) {
+      ratings.push_back(fmt::format("“{}” ({}: {})", measure.question.text, measure.id(),
+                                    study::scale_in_words(measure)));
+      amendments += amendments_of_scale(set, i);
     }
   }
+  if (!ratings.empty()) {
+    text += fmt::format("; then they rated {}", fmt::join(ratings, ", "));
+  }
+  return text + "." + amendments;
 }
 
-ProtocolFacts facts_of(const std::string& protocol_text) {
-  const std::string file = "the study's protocol";
-  const toml::table toml = parse_toml(file, protocol_text, "restore the study's file");
-  TomlReader protocol(file, toml, "");
-  ProtocolFacts facts;
-  protocol.read("scene_order", facts.scene_order);
-  protocol.read("method_order", facts.method_order);
-  protocol.table("display").read("profile", facts.display);
-  protocol.table("tracker").read("profile", facts.tracker);
-  TomlReader film = protocol.table("film");
-  facts.film_width = number_under<int>(film, "width");
-  facts.film_height = number_under<int>(film, "height");
-  TomlReader timing = protocol.table("timing");
-  facts.timeout_s = number_under<double>(timing, "mark_timeout_s");
-  add_measures(protocol, facts);
-  return facts;
+std::string questionnaires_in_words(const study::Protocol& protocol) {
+  std::vector<std::string> forms;
+  for (const study::Questionnaire& form : protocol.questionnaires) {
+    forms.push_back(form.source.empty() ? form.id : fmt::format("{} ({})", form.id, form.source));
+  }
+  return forms.empty() ? "" : fmt::format(" They filled in {}.", fmt::join(forms, "; "));
 }
 
-/// The sentences on the analysed marks and ratings, which follow those on what was seen.
-std::string measures_in_words(const ProtocolFacts& facts, const RatingScale& scale) {
-  const auto has = [&](const char* mark) {
-    return std::find(facts.marks.begin(), facts.marks.end(), mark) != facts.marks.end();
-  };
+std::string other_trials_in_words(const study::Protocol& protocol) {
   std::string text;
-  if (has("outline") || has("material")) {
-    text += fmt::format(", and marked when the {} could be judged",
-                        !has("material")  ? "outline of a chosen object"
-                        : !has("outline") ? "material of a chosen object"
-                                          : "outline of a chosen object and when its material");
+  if (!protocol.practice.empty()) {
+    text += fmt::format(" {} before.",
+                        protocol.practice.size() == 1
+                            ? std::string("One practice trial came")
+                            : fmt::format("{} practice trials came", protocol.practice.size()));
   }
-  if (scale.is_analysed()) {
-    const bool names_every_point = scale.question->labels.size() > 2;
-    text += fmt::format("; then they rated artifacts in other areas {} {}",
-                        names_every_point ? "as" : "from", points_in_brackets(scale));
-  }
-  text += scale.is_analysed() ? "." + notes_on(scale) : ".";
-  if (!facts.not_analysed.empty()) {
-    text += fmt::format(" Other marks and ratings ({}) are not analysed here.",
-                        listed(facts.not_analysed));
+  if (protocol.catch_trials.count > 0) {
+    text += fmt::format(" Among the trials {}, in which nothing was rendered.",
+                        protocol.catch_trials.count == 1
+                            ? std::string("was one catch trial")
+                            : fmt::format("were {} catch trials", protocol.catch_trials.count));
   }
   return text;
 }
 
-std::string orders_in_words(const ProtocolFacts& facts) {
-  if (facts.scene_order.empty() && facts.method_order.empty()) {
-    return "";
-  }
-  const auto order = [](const std::string& name) {
-    return name.empty() ? std::string("the protocol’s default") : name;
-  };
+std::string orders_in_words(const study::Protocol& protocol) {
   return fmt::format(" The order of scenes was {}, that of methods within a scene {}.",
-                     order(facts.scene_order), order(facts.method_order));
+                     name_of(protocol.scene_order), name_of(protocol.method_order));
 }
 
-std::string apparatus_in_words(const ProtocolFacts& facts) {
-  std::string text;
-  if (facts.film_width && facts.film_height) {
-    text += fmt::format(" Images of the whole sphere had {} × {} pixels.", *facts.film_width,
-                        *facts.film_height);
+std::string apparatus_in_words(const study::StudyRecords& records) {
+  std::string text = fmt::format(" Images of the whole sphere had {} × {} pixels.",
+                                 records.protocol.film.width, records.protocol.film.height);
+  if (!records.display_profile.empty()) {
+    text += fmt::format(" The display was of profile {}{}.", records.display_profile,
+                        records.tracker_profile.empty()
+                            ? ""
+                            : ", the eye tracker of profile " + records.tracker_profile);
   }
-  if (!facts.display.empty()) {
-    text +=
-        fmt::format(" The display was of profile {}{}.", facts.display,
-                    facts.tracker.empty() ? "" : ", the eye tracker of profile " + facts.tracker);
-  }
-  if (facts.timeout_s) {
-    text += fmt::format(" The time-out of a mark was {:g} s; later marks are right-censored.",
-                        *facts.timeout_s);
-  }
-  return text;
+  return text + fmt::format(" The time-out of a mark was {:g} s; later marks are right-censored.",
+                            records.protocol.timing.mark_timeout_s);
 }
 
 std::string analysis_in_words(const StudyTables& tables, const Comparisons& comparisons) {
@@ -137,11 +103,13 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
                         ? std::string("One comparison was")
                         : fmt::format("{} comparisons were", comparisons.plan.primary.size()),
                     comparisons.plan.alpha);
-  if (const std::size_t missing = planned_without_tables(comparisons.plan); missing > 0) {
+  const auto missing = static_cast<std::size_t>(std::count_if(
+      comparisons.methods.begin(), comparisons.methods.end(),
+      [](const MethodComparison& row) { return row.primary && !row.missing.empty(); }));
+  if (missing > 0) {
     text += fmt::format(
-        " {} of those planned {} not analysed here, and the adjustment is for the "
-        "others alone.",
-        missing, missing == 1 ? "is" : "are");
+        " {} of those planned had no P-value and {} as not significant in the adjustment.", missing,
+        missing == 1 ? "counts" : "count");
   }
   return text;
 }
@@ -168,16 +136,16 @@ std::string amendments_in_words(const StudyTables& tables) {
 }  // namespace
 
 std::string methods_paragraph(const StudyTables& tables, const Comparisons& comparisons,
-                              const std::string& protocol_text) {
-  const ProtocolFacts facts = facts_of(protocol_text);
+                              const study::StudyRecords& records) {
   const std::string warning = data_warning(tables);
   std::string text = warning.empty() ? "" : warning + " ";
   text += fmt::format("{} saw {} ({}), each with {} ({}) of progressive path tracing",
                       participants_in_words(tables), counted(tables.set.scenes.size(), "scene"),
                       listed(tables.set.scenes), counted(tables.set.methods.size(), "preview"),
                       listed(tables.set.methods));
-  return text + measures_in_words(facts, tables.set.rating_scale) + orders_in_words(facts) +
-         apparatus_in_words(facts) + amendments_in_words(tables) +
+  return text + measures_in_words(tables.set) + orders_in_words(records.protocol) +
+         other_trials_in_words(records.protocol) + questionnaires_in_words(records.protocol) +
+         apparatus_in_words(records) + amendments_in_words(tables) +
          analysis_in_words(tables, comparisons);
 }
 

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/html.h"
+#include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/profile.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/html.h"
 
 namespace foveola::analysis {
 namespace {
@@ -13,14 +14,14 @@ namespace {
 std::string findings_html(const StudyTables& tables) {
   std::string items;
   for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
-    for (const Mark mark : marks) {
+    for (const std::size_t mark : tables.set.times()) {
       const MethodTimes& times = tables.method_times_of(mark, method);
       if (times.percent_of_baseline) {
-        items += fmt::format(
-            "<li>{} took <strong>{} %</strong> of {}’s time until the {} was visible.</li>\n",
-            escape_html(method_label(times.method)),
-            escape_html(with_interval(times.percent_of_baseline, 1)),
-            escape_html(baseline_label(tables)), name_of(mark));
+        items += fmt::format("<li>{} took <strong>{} %</strong> of {}’s time until {}.</li>\n",
+                             escape_html(method_label(times.method)),
+                             escape_html(with_interval(times.percent_of_baseline, 1)),
+                             escape_html(baseline_label(tables)),
+                             escape_html(moment_of(tables.set.measures[mark])));
       }
     }
   }
@@ -52,16 +53,18 @@ std::string citation_section() {
 
 std::string report_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
-  return report_page(
-      tables, "Foveola study report",
-      record_flags(content.record) + data_quality_flags(tables, content.checks) +
-          findings_html(tables) + scenes_section(tables) +
-          methods_section(tables, content.figures, content.published) +
-          ratings_section(tables, content.figures) +
-          comparisons_section(tables, content.comparisons) + background_section(tables) +
-          data_quality_section(tables, content.checks, content.quality) +
-          record_section(content.record) + exclusions_section(tables) + amended_section(tables) +
-          methods_text_section(content.methods) + definitions_section(tables) + citation_section());
+  return report_page(tables, "Foveola study report",
+                     record_flags(content.record) + data_quality_flags(tables, content.checks) +
+                         findings_html(tables) + scenes_section(tables) +
+                         methods_section(tables, content.figures, content.published) +
+                         ratings_section(tables, content.figures) +
+                         comparisons_section(tables, content.comparisons) +
+                         answers_section(tables, content.answers, content.scores) +
+                         background_section(tables, content.background) +
+                         data_quality_section(tables, content.checks, content.quality) +
+                         record_section(content.record) + exclusions_section(tables) +
+                         amended_section(tables) + methods_text_section(content.methods) +
+                         definitions_section(tables) + citation_section());
 }
 
 }  // namespace foveola::analysis

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/comparisons.h"
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
+#include "analysis/koskela2018/published_means.h"
 #include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/figures.h"
-#include "analysis/publication/published_means.h"
-#include "analysis/publication/study_tables.h"
+#include "analysis/tables/table.h"
 #include "study/record/maintenance.h"
 
 namespace foveola::analysis {
@@ -17,6 +19,9 @@ namespace foveola::analysis {
 /// All that the report shows.
 struct ReportContent {
   const StudyTables& tables;
+  const Background& background;
+  const Table& answers;  ///< answers_by_question
+  const Table& scores;   ///< questionnaire_scores
   const Comparisons& comparisons;
   const study::DataQualityRecords& quality;
   const DataQualityReport& checks;

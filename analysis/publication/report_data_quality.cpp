@@ -2,35 +2,35 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/html.h"
-#include "analysis/publication/report_parts.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/report_sections.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/html.h"
+#include "analysis/tables/printed_table.h"
 
 namespace foveola::analysis {
 namespace {
 
 std::string checks_table(const StudyTables& tables, const DataQualityReport& report) {
-  HtmlTable table;
-  table.numeric = false;
-  table.caption_html = caption_start(tables, "Data-quality checks.") +
-                       "Of the participants whose data are analysed.";
+  PrintedTable table;
+  table.is_numeric = false;
+  table.title = "Data-quality checks.";
+  table.note = "Of the participants whose data are analysed.";
   table.columns = {"Check", "Verdict", "Found", "Limit"};
   for (const DataQualityCheck& check : report.checks) {
     const std::string verdict(name_of(check.verdict));
     table.rows.push_back({check.name, check.verdict == Verdict::flagged ? "⚑ " + verdict : verdict,
                           check.found, check.limit});
   }
-  return render(table);
+  return html_of(table, data_notice(tables));
 }
 
 /// Fig. 7: the mean latency of each session's frames, from the eye to the display.
-std::string latency_table(const StudyTables& tables, const study::DataQualityRecords& quality) {
+std::string latency_html(const StudyTables& tables, const study::DataQualityRecords& quality) {
   constexpr std::size_t most_rows = 100;
-  HtmlTable table;
-  table.caption_html =
-      caption_start(tables, "Latency from the eye to the display.") +
-      "Fig. 7 of the published study, from the frame log: means over each session’s frames.";
+  PrintedTable table;
+  table.title = "Latency from the eye to the display.";
+  table.note =
+      "As Fig. 7 of the published study, from the frame log: means over each session’s frames.";
   table.columns = {
       "Participant", "frames",           "age of the gaze, ms", "polling to display, ms",
       "both, ms",    "longest frame, ms"};
@@ -42,14 +42,14 @@ std::string latency_table(const StudyTables& tables, const study::DataQualityRec
                           fixed(1e3 * (row.mean_gaze_age_s + row.mean_to_display_s), 1),
                           fixed(1e3 * row.longest_frame_s, 1)});
   }
-  return table.rows.empty() ? "" : render(table);
+  return html_of(table, data_notice(tables));
 }
 
 std::string reactions_table(const StudyTables& tables, const DataQualityReport& report) {
   constexpr std::size_t most_rows = 100;
-  HtmlTable table;
-  table.caption_html =
-      caption_start(tables, "Reaction-time floor.") +
+  PrintedTable table;
+  table.title = "Reaction-time floor.";
+  table.note =
       "No mark can be sooner than a press: times near the median reaction time mean “at once”.";
   table.columns = {"Participant", "presses", "false starts",
                    "median, s",   "marks",   "marks within the median"};
@@ -62,22 +62,36 @@ std::string reactions_table(const StudyTables& tables, const DataQualityReport& 
   return table.rows.empty()
              ? "<p>No reaction test was recorded: the share of the reaction time in a "
                "short time is unknown.</p>\n"
-             : render(table);
+             : html_of(table, data_notice(tables));
+}
+
+std::string catches_html(const StudyTables& tables, const DataQualityReport& report) {
+  constexpr std::size_t most_rows = 100;
+  PrintedTable table;
+  table.title = "Catch trials.";
+  table.note = "Nothing was rendered in them: a mark before the time-out is a false alarm.";
+  table.columns = {"Participant", "catch trials", "false alarms"};
+  for (std::size_t i = 0; i < std::min(most_rows, report.catches.size()); ++i) {
+    const CatchFigures& row = report.catches[i];
+    table.rows.push_back(
+        {row.participant, std::to_string(row.trials), std::to_string(row.false_alarms)});
+  }
+  return html_of(table, data_notice(tables));
 }
 
 /// The number of trials that were timed again, and the most attempts.
-std::string attempts_in_words(const AnalysisSet& set) {
+std::string attempts_in_words(const Dataset& set) {
   std::size_t again = 0;
   int most = 0;
-  for (const Cell& cell : set.cells) {
-    again += cell.attempts > 1 ? 1 : 0;
-    most = std::max(most, cell.attempts);
+  for (const Trial& trial : set.trials) {
+    again += trial.attempts > 1 ? 1 : 0;
+    most = std::max(most, trial.attempts);
   }
   return again == 0 ? "No trial was timed again."
                     : fmt::format(
                           "{} of {} were timed again, at most {} times in all; the last "
                           "timing counts.",
-                          again, counted(set.cells.size(), "trial"), most);
+                          again, counted(set.trials.size(), "trial"), most);
 }
 
 }  // namespace
@@ -102,7 +116,8 @@ std::string data_quality_section(const StudyTables& tables, const DataQualityRep
   return html_section("Data quality",
                       checks_table(tables, report) +
                           fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(tables.set))) +
-                          latency_table(tables, quality) + reactions_table(tables, report));
+                          latency_html(tables, quality) + reactions_table(tables, report) +
+                          catches_html(tables, report));
 }
 
 }  // namespace foveola::analysis

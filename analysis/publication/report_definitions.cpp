@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "analysis/publication/html.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/html.h"
 
 namespace foveola::analysis {
 

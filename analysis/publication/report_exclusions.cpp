@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/html.h"
-#include "analysis/publication/report_parts.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/report_sections.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/html.h"
+#include "analysis/tables/printed_table.h"
 
 namespace foveola::analysis {
 
@@ -27,11 +27,12 @@ std::string amended_section(const StudyTables& tables) {
     return html_section("Amended sessions",
                         "<p>None: every session followed the protocol of the study.</p>\n");
   }
-  HtmlTable table;
-  table.numeric = false;
-  table.caption_html = caption_start(tables, "Sessions by an amended protocol.") +
-                       "Words or time-outs were changed after the study had begun; the design was "
-                       "not. They are analysed with the others where a session is.";
+  PrintedTable table;
+  table.is_numeric = false;
+  table.title = "Sessions by an amended protocol.";
+  table.note =
+      "Words or time-outs were changed after the study had begun; the design was "
+      "not. They are analysed with the others where a session is.";
   table.columns = {"Participant", "Changed keys", "SHA-256 of the text", "Analysed"};
   for (std::size_t i = 0; i < std::min(most_listed, tables.amended.size()); ++i) {
     const AmendedSession& row = tables.amended[i];
@@ -41,7 +42,8 @@ std::string amended_section(const StudyTables& tables) {
          row.protocol_sha256, row.is_analysed ? "yes" : "no"});
   }
   return html_section("Amended sessions",
-                      render(table) + rest_in_words(tables.amended.size(), "amended_sessions.csv"));
+                      html_of(table, data_notice(tables)) +
+                          rest_in_words(tables.amended.size(), "amended_sessions.csv"));
 }
 
 std::string exclusions_section(const StudyTables& tables) {
@@ -59,9 +61,10 @@ std::string exclusions_section(const StudyTables& tables) {
     html += fmt::format("<li>{} × {}</li>\n", count, escape_html(reason));
   }
   html += "</ul>\n";
-  HtmlTable table;
-  table.numeric = false;
-  table.caption_html = caption_start(tables, "Excluded sessions and values.") + "A dash means all.";
+  PrintedTable table;
+  table.is_numeric = false;
+  table.title = "Excluded sessions and values.";
+  table.note = "A dash means all.";
   table.columns = {"Participant", "Scene", "Method", "Measure", "Reason"};
   const auto or_all = [](const std::string& text) { return text.empty() ? "–" : text; };
   for (std::size_t i = 0; i < std::min(most_listed, exclusions.size()); ++i) {
@@ -70,8 +73,8 @@ std::string exclusions_section(const StudyTables& tables) {
                           or_all(row.method.empty() ? "" : method_label(row.method)),
                           or_all(row.measure), row.reason});
   }
-  return html_section("Exclusions",
-                      html + render(table) + rest_in_words(exclusions.size(), "exclusions.csv"));
+  return html_section("Exclusions", html + html_of(table, data_notice(tables)) +
+                                        rest_in_words(exclusions.size(), "exclusions.csv"));
 }
 
 }  // namespace foveola::analysis

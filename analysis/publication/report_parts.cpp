@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/html.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/inline_svg.h"
 #include "analysis/publication/report_style.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/html.h"
 #include "renderer/base/build_info.h"
 
 namespace foveola::analysis {
@@ -60,13 +60,6 @@ std::string baseline_label(const StudyTables& tables) {
   return method_label(tables.set.methods[baseline]);
 }
 
-std::string caption_start(const StudyTables& tables, std::string_view title) {
-  const std::string notice = data_notice(tables);
-  const std::string tag =
-      notice.empty() ? "" : fmt::format("<span class=\"tag\">{}</span>", escape_html(notice));
-  return fmt::format("{}<strong>{}</strong> ", tag, escape_html(title));
-}
-
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,
                         std::string_view explanation) {
@@ -75,12 +68,13 @@ std::string figure_html(const StudyTables& tables, const std::vector<Figure>& fi
   if (figure == figures.end()) {
     return "";
   }
+  const std::string notice = data_notice(tables);
   const std::string description =
-      fmt::format("{} {} The table has the numbers.", title, data_notice(tables));
+      fmt::format("{}{}{} The table has the numbers.", title, notice.empty() ? "" : " ", notice);
   return fmt::format(
       "<figure>\n<div class=\"scroll\" role=\"group\" aria-label=\"Figure\" "
       "tabindex=\"0\">{}</div>\n<figcaption>{}{}</figcaption>\n</figure>\n",
-      inline_svg(figure->svg, figure->name, description), caption_start(tables, title),
+      inline_svg(figure->svg, figure->name, description), caption_html(title, data_notice(tables)),
       escape_html(explanation));
 }
 

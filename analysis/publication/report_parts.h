@@ -5,16 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/dataset/study_tables.h"
 #include "analysis/publication/figures.h"
-#include "analysis/publication/study_tables.h"
 
 namespace foveola::analysis {
 
 /// The baseline as tables name it.
 std::string baseline_label(const StudyTables& tables);
-
-/// HTML for the start of every caption: its title, and whose data it shows. `title` is plain text.
-std::string caption_start(const StudyTables& tables, std::string_view title);
 
 /// The figure of this name as a part of the page; empty if there is none. Texts are plain.
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "analysis/publication/html.h"
+#include "analysis/dataset/wording.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
-#include "analysis/publication/wording.h"
+#include "analysis/tables/html.h"
 
 namespace foveola::analysis {
 namespace {
@@ -43,6 +43,12 @@ std::string gaps(const study::Verification& record) {
              : "<p>What is missing in it, which is no damage:</p>\n" + fault_list(record.gaps);
 }
 
+std::string warnings_of(const study::Verification& record) {
+  return record.warnings.empty()
+             ? ""
+             : "<p>What makes its dates doubtful, but no time:</p>\n" + fault_list(record.warnings);
+}
+
 }  // namespace
 
 std::string record_flags(const std::optional<study::Verification>& record) {
@@ -69,7 +75,7 @@ std::string record_section(const std::optional<study::Verification>& record) {
                   "events.</p>\n",
                   counted(record->events, "event"), counted(record->sessions, "session"),
                   counted(record->chunks, "chunk")) +
-          finding(*record) + gaps(*record));
+          finding(*record) + gaps(*record) + warnings_of(*record));
 }
 
 }  // namespace foveola::analysis

@@ -5,32 +5,37 @@
 #include <string>
 #include <vector>
 
-#include "analysis/publication/comparisons.h"
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
+#include "analysis/koskela2018/published_means.h"
 #include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/figures.h"
-#include "analysis/publication/published_means.h"
-#include "analysis/publication/study_tables.h"
+#include "analysis/tables/table.h"
 #include "study/record/maintenance.h"
 
 namespace foveola::analysis {
 
 // Each function returns the HTML of a section, with every text from the study escaped.
 
-/// Table 2, in both readings of its percentages.
+/// The times in each scene, in both readings of their percentages.
 std::string scenes_section(const StudyTables& tables);
 
-/// Fig. 5.
+/// The times over all scenes, with their figures.
 std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
                             const std::vector<PublishedMean>& published);
 
-/// Fig. 6.
+/// Every rating in numbers; empty if there is none.
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures);
+
+/// The tables answers_by_question and questionnaire_scores; empty if nothing was asked.
+std::string answers_section(const StudyTables& tables, const Table& answers, const Table& scores);
 
 /// The planned and exploratory tests; empty for a single method.
 std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons);
 
 /// The correlation of background with speed-up, and its P-value.
-std::string background_section(const StudyTables& tables);
+std::string background_section(const StudyTables& tables, const Background& background);
 
 /// The warning that the study's file failed its verification, for the top of the report; empty if
 /// it passed.

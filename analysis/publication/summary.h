@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "analysis/publication/study_tables.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
 
 namespace foveola::analysis {
 
 /// Several lines of aligned plain text, ended by a line break; the first says whether participants
 /// were simulated. Control characters in names are shown as "?".
-std::string terminal_summary(const StudyTables& tables);
+std::string terminal_summary(const StudyTables& tables, const Background& background);
 
 }  // namespace foveola::analysis

@@ -1,60 +1,69 @@
-// The data for other programs: a row per trial, a row per participant, what each column means, and
-// scripts that read them.
+// Everything that was recorded, as data for other programs: a row for each trial, for each answer
+// and for each participant, with the protocol's own names, units and scales.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "analysis/publication/analysis_set.h"
-#include "analysis/publication/study_tables.h"
-#include "analysis/publication/table_files.h"
+#include "analysis/dataset/dataset.h"
+#include "analysis/dataset/scoring.h"
+#include "analysis/tables/table.h"
 #include "study/record/study_records.h"
 
 namespace foveola::analysis {
 
-/// A column of the data files.
-struct Variable {
-  std::string name;
-  std::string unit;  ///< "s", "points", or empty.
-  std::string type;  ///< "string", "integer", "number" or "boolean".
-  std::string description;
+/// The columns of trials_long and of trials_timed_again, and the rows of a study: the values of
+/// every mark and rating, of test, practice and catch trials, of all sessions but withdrawn ones.
+class TrialColumns {
+ public:
+  /// Both must outlive it.
+  TrialColumns(const study::StudyRecords& records, const Dataset& set);
+
+  const std::vector<Column>& columns() const { return columns_; }
+  /// Of the row's index in the records' trials.
+  Row row(std::size_t trial) const;
+
+  static constexpr std::size_t of_the_participant = 3;  ///< So many columns come first.
+
+ private:
+  const study::StudyRecords& records_;
+  const Dataset& set_;
+  std::vector<bool> is_analysed_;  ///< [session]
+  std::vector<Column> columns_;
 };
 
-/// The columns of the long table, in their order; `scale` describes the rating's column.
-std::vector<Variable> trial_variables(const RatingScale& scale);
+/// The columns of one measure's values.
+std::vector<Column> columns_of(const Measure& measure, const std::string& scale_in_words);
 
-/// One row of the long table; what is missing is empty.
-std::vector<std::string> trial_row(const AnalysisSet& set, std::size_t participant,
-                                   std::size_t scene, std::size_t method);
+/// answers_long: every answer of every questionnaire.
+Table answers_long(const study::StudyRecords& records);
 
-/// One row per participant, scene and method of the analysed participants; what is missing is
-/// empty.
-std::string trials_long_csv(const AnalysisSet& set);
+/// answers_by_question: the mean of every question's numbers, over the analysed participants.
+Table answers_by_question(const study::StudyRecords& records, const Dataset& set);
 
-/// The columns of the wide table, in their order: those of the participant, MEASURE.SCENE.METHOD,
-/// and background.QUESTION.
-std::vector<Variable> participant_variables(const AnalysisSet& set,
-                                            const std::vector<study::BackgroundRow>& answers);
+/// questionnaire_scores: of the published questionnaires that have a key.
+Table questionnaire_scores(const study::StudyRecords& records, const std::string& kind);
 
-/// One row per participant: their values in each scene with each method, then their answers about
-/// their background.
-std::string participants_wide_csv(const AnalysisSet& set,
-                                  const std::vector<study::BackgroundRow>& answers);
+/// The columns and rows of participants_wide: for each analysed participant every value, in a
+/// column named MEASURE.SCENE.METHOD, and every number of a questionnaire, QUESTIONNAIRE.QUESTION.
+class ParticipantColumns {
+ public:
+  /// Both must outlive it.
+  ParticipantColumns(const study::StudyRecords& records, const Dataset& set);
 
-/// A description of each column of the long table.
-std::string codebook_csv(const RatingScale& scale);
+  const std::vector<Column>& columns() const { return columns_; }
+  /// The index of the first column of a questionnaire.
+  std::size_t first_answer() const { return columns_.size() - answers_.size(); }
+  /// Of the participant's index in the set.
+  Row row(std::size_t participant) const;
 
-/// A folder as Psych-DS 1 describes it: its description, and the names of its data files, which
-/// hold the long and the wide table.
-struct PsychDs {
-  TextFile description;
-  std::string trials_name;
-  std::string participants_name;
+ private:
+  const study::StudyRecords& records_;
+  const Dataset& set_;
+  std::vector<Column> columns_;
+  std::vector<std::map<std::string, double>> answers_;  ///< [question][participant's code]
 };
-PsychDs psych_ds(const StudyTables& tables, const std::vector<study::BackgroundRow>& answers);
-
-/// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4,
-/// emmeans), and ordinal models of ratings (ordinal). They read the long table beside them.
-std::vector<TextFile> r_scripts();
 
 }  // namespace foveola::analysis

@@ -13,7 +13,7 @@
 #include "study/person/missing_letters.h"
 #include "study/protocol/cautions.h"
 #include "study/protocol/protocol.h"
-#include "study/stage/analysable.h"
+#include "study/stage/protocol_notes.h"
 #include "study/tables/design_tables.h"
 #include "study/tables/protocol_json.h"
 #include "study/tables/protocol_tables.h"
@@ -74,10 +74,9 @@ nlohmann::json json_check(const Protocol& protocol) {
 
 void run_check(const ProtocolArguments& arguments, const SceneFinder& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
-  require_analysable(protocol);
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
-  warn_of_recorded_only(protocol);
+  print_notes(protocol);
   for (const std::string& caution : cautions(protocol, scenes)) {
     fmt::print(stderr, "foveola: warning: {}\n", caution);
   }

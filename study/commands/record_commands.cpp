@@ -62,9 +62,9 @@ nlohmann::json json_status(const StudyRecords& records, const StudyStatus& statu
   for (const auto& [name, kind] : status.kinds) {
     kinds[name] = json_kind(kind);
   }
-  return {{"protocol", records.protocol_name},
-          {"title", records.protocol_title},
-          {"protocol_sha256", records.protocol_sha256},
+  return {{"protocol", records.protocol.name},
+          {"title", records.protocol.title},
+          {"protocol_sha256", records.protocol.sha256},
           {"scenes", records.scenes},
           {"methods", records.methods},
           {"sessions", sessions},

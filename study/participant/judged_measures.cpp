@@ -14,17 +14,18 @@ namespace {
 [[noreturn]] void refuse(const Protocol& protocol, const std::string& toml_path,
                          const std::string& what) {
   throw Error(ProtocolPlaces(protocol).of(toml_path), "simulated participants cannot judge " + what,
-              "they mark outline and material and rate artifacts: simulate a copy of the protocol "
-              "without it, or draw its values with study simulate --inject order:1");
+              "say which judgement simulates it (of a mark: simulated = \"outline\" or "
+              "\"material\"; of a rating on a scale: simulated = \"artifacts\" or \"quality\"), or "
+              "draw its values with study simulate --inject order:1");
 }
 
 }  // namespace
 
 std::optional<Task> judgement_of(const MarkEntry& mark) {
-  if (mark.id == "outline") {
+  if (mark.simulated == "outline") {
     return Task::mark_outline;
   }
-  return mark.id == "material" ? std::optional(Task::mark_material) : std::nullopt;
+  return mark.simulated == "material" ? std::optional(Task::mark_material) : std::nullopt;
 }
 
 void require_judgements(const Protocol& protocol) {

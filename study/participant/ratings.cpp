@@ -3,7 +3,12 @@
 namespace foveola::study {
 
 bool is_judged(const Question& rating) {
-  return rating.id == "artifacts" && rating.kind == QuestionKind::likert;
+  return !rating.simulated.empty() && rating.kind == QuestionKind::likert;
+}
+
+double rate(const RatingHabits& habits, const Question& scale, double noticed_jnd) {
+  const double artifacts = rate_artifacts(habits, scale, noticed_jnd);
+  return scale.simulated == "quality" ? scale.minimum + scale.maximum - artifacts : artifacts;
 }
 
 double rate_artifacts(const RatingHabits& habits, const Question& scale, double noticed_jnd) {

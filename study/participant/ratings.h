@@ -1,4 +1,4 @@
-// Simulated participants' ratings of artifacts.
+// Simulated participants' ratings.
 #pragma once
 
 #include "study/participant/population.h"
@@ -6,8 +6,12 @@
 
 namespace foveola::study {
 
-/// Whether the rating is that of artifacts, which simulated participants can judge.
+/// Whether the protocol says by which judgement simulated participants answer the rating.
 bool is_judged(const Question& rating);
+
+/// The answer to a judged rating: that of artifacts, or of quality, which is the same judgement on
+/// the reversed scale. `noticed_jnd` as below.
+double rate(const RatingHabits& habits, const Question& scale, double noticed_jnd);
 
 /// The point of `scale` by ordinal thresholds: the lowest below second_point_jnd, the next from
 /// there on, and one more with each step_factor. `noticed_jnd`, at least 0, is the difference that

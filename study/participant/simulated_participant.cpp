@@ -92,7 +92,7 @@ std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& rati
       return question.id == answer.question;
     });
     if (is_judged(*asked)) {
-      answer.value = rate_artifacts(population_.rating, *asked, noticed);
+      answer.value = study::rate(population_.rating, *asked, noticed);
     }
   }
   return answers;

@@ -24,7 +24,7 @@
 #include "study/record/maintenance.h"
 #include "study/record/same_scenes.h"
 #include "study/record/threaded_recorder.h"
-#include "study/stage/analysable.h"
+#include "study/stage/protocol_notes.h"
 
 namespace fs = std::filesystem;
 
@@ -230,11 +230,6 @@ fs::path back_up(const StudyStore& store, const fs::path& database) {
 RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
                      const std::stop_token& stop) {
   const Protocol protocol = load_protocol(settings.protocol);
-  if (fs::exists(settings.database)) {
-    warn_of_unanalysable(protocol);
-  } else {
-    require_analysable(protocol);
-  }
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   DisplayProfile display = display_of(settings, protocol);
@@ -244,7 +239,7 @@ RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
   std::optional<SessionSoFar> so_far =
       session_so_far(store, protocol, settings.participant,
                      {.resumes = settings.resumes, .despite_changes = settings.despite_changes});
-  warn_of_recorded_only(protocol);
+  print_notes(protocol);
   const SteadyClock clock;
   WindowEvents events;
   Window window({.size = settings.window, .monitor = settings.monitor}, events, clock);

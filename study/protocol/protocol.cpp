@@ -76,11 +76,34 @@ Protocol read_protocol(const std::string& text, const fs::path& path) {
   read_texts(reader, protocol);
   read_all_settings(reader, protocol);
   read_procedure(reader, protocol);
-  protocol.questionnaires = read_questionnaires(reader, folder_of(protocol));
+  protocol.questionnaires =
+      read_questionnaires(reader, questionnaire_files_in(folder_of(protocol)));
   read_phases(reader, protocol);
   protocol.analysis = read_analysis(reader.table("analysis"), protocol);
+  require_computable(reader.table("analysis"), protocol.analysis);
   reader.reject_unknown_keys();
   protocol.notes = reader.notes();
+  return protocol;
+}
+
+Protocol read_measured_part(const std::string& text, const std::string& where,
+                            const QuestionnaireFiles& files) {
+  const toml::table table = parse_toml(where, text, "restore the study's file");
+  TomlReader reader(where, table, "");
+  Protocol protocol;
+  protocol.path = where;
+  protocol.text = text;
+  reader.read("name", protocol.name);
+  reader.read("title", protocol.title);
+  protocol.scenes = read_scenes(reader);
+  for (const TomlReader::Text& method : reader.require_texts("methods")) {
+    protocol.methods.push_back(method.value);
+  }
+  protocol.film = read_film(reader.table("film"), {});
+  protocol.timing = read_timing(reader.table("timing"), {});
+  read_procedure(reader, protocol);
+  protocol.questionnaires = read_questionnaires(reader, files);
+  protocol.analysis = read_analysis(reader.table("analysis"), protocol);
   return protocol;
 }
 

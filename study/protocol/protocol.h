@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -104,6 +105,9 @@ enum class Order {
 struct MarkEntry {
   std::string id;           ///< As "outline" or "material".
   std::string instruction;  ///< The text that the participant reads before the trial.
+  /// The judgement by which simulated participants make the mark: "outline" or "material"; empty if
+  /// there is none.
+  std::string simulated;
 };
 
 /// For how long a trial's object is kept.
@@ -217,6 +221,13 @@ Protocol load_protocol(const std::filesystem::path& path);
 /// Reads a protocol from a text that was kept; `path` is that of its file, for messages and for the
 /// files that it names.
 Protocol read_protocol(const std::string& text, const std::filesystem::path& path);
+
+/// Reads of a study's protocol what its analysis needs, and what no file on this machine can
+/// change: scenes, methods, film and timing, orders, marks, ratings, practice and catch trials,
+/// questionnaires, and the analysis plan. All else keeps its defaults. `where` names the text in
+/// messages; `files` has the questionnaires' files.
+Protocol read_measured_part(const std::string& text, const std::string& where,
+                            const std::function<std::string(const std::string& name)>& files);
 
 /// The folder of the files that the protocol names by their paths.
 std::filesystem::path folder_of(const Protocol& protocol);

@@ -34,6 +34,9 @@ struct Question {
   std::vector<std::string> labels;
   std::vector<Option> options;  ///< The options of a choice.
   bool required = true;         ///< Otherwise it may be left without an answer.
+  /// The judgement by which simulated participants answer a rating: "artifacts", whose lowest point
+  /// is none, or "quality", the other way round; empty if there is none.
+  std::string simulated;
 };
 
 struct Questionnaire {

@@ -7,36 +7,36 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "study/protocol/measure.h"
 #include "study/protocol/read_settings.h"
 
 namespace foveola::study {
 namespace {
 
-/// A mark or a rating in numbers, and the equivalence margins that it can have.
-struct Measure {
-  std::string id;
-  double smallest_margin = 0.0;
-  double largest_margin = 0.0;
-};
-
-std::vector<Measure> measures_of(const Protocol& protocol) {
-  std::vector<Measure> measures;
-  for (const MarkEntry& mark : protocol.marks) {
-    measures.push_back({mark.id, 1.001, 100.0});
-  }
-  for (const Question& rating : protocol.ratings) {
-    if (rating.kind == QuestionKind::likert || rating.kind == QuestionKind::number) {
-      measures.push_back({rating.id, 0.001, rating.maximum - rating.minimum});
-    }
-  }
+std::vector<Measure> comparable_measures(const Protocol& protocol) {
+  std::vector<Measure> measures = trial_measures(protocol.marks, protocol.ratings);
+  std::erase_if(measures, [](const Measure& measure) { return !measure.is_numeric(); });
   return measures;
+}
+
+/// The largest difference that could be called small: a factor of times, or a range of values.
+double largest_margin(const Measure& measure) {
+  if (measure.kind == MeasureKind::time) {
+    return 100.0;
+  }
+  const std::vector<double> points = measure.points();
+  if (measure.question.kind != QuestionKind::choice || points.empty()) {
+    return measure.question.maximum - measure.question.minimum;
+  }
+  const auto [low, high] = std::minmax_element(points.begin(), points.end());
+  return *high - *low;
 }
 
 std::string read_measure(TomlReader& reader, const std::vector<Measure>& measures) {
   const std::string id = reader.require_text("measure");
   std::vector<std::string> known;
   for (const Measure& measure : measures) {
-    known.push_back(measure.id);
+    known.push_back(measure.id());
   }
   if (std::find(known.begin(), known.end(), id) == known.end()) {
     reader.fail(reader.source("measure"),
@@ -71,8 +71,13 @@ bool is_same(const PlannedComparison& a, const PlannedComparison& b) {
          std::minmax(a.method, a.baseline) == std::minmax(b.method, b.baseline);
 }
 
+PlannedComparison reversed(const PlannedComparison& comparison) {
+  return {
+      .measure = comparison.measure, .method = comparison.baseline, .baseline = comparison.method};
+}
+
 std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protocol& protocol) {
-  const std::vector<Measure> measures = measures_of(protocol);
+  const std::vector<Measure> measures = comparable_measures(protocol);
   std::vector<PlannedComparison> comparisons;
   for (const TomlReader& entry : reader.tables("primary")) {
     const PlannedComparison next = read_comparison(entry, protocol, measures);
@@ -87,11 +92,12 @@ std::vector<PlannedComparison> read_comparisons(TomlReader& reader, const Protoc
 
 std::map<std::string, double> read_margins(TomlReader reader, const Protocol& protocol) {
   std::map<std::string, double> margins;
-  for (const Measure& measure : measures_of(protocol)) {
+  for (const Measure& measure : comparable_measures(protocol)) {
+    const double smallest = measure.kind == MeasureKind::time ? 1.001 : 0.001;
     double margin = 0.0;
-    reader.read(measure.id, margin, measure.smallest_margin, measure.largest_margin);
-    if (reader.has(measure.id)) {
-      margins[measure.id] = margin;
+    reader.read(measure.id(), margin, smallest, largest_margin(measure));
+    if (reader.has(measure.id())) {
+      margins[measure.id()] = margin;
     }
   }
   reader.reject_unknown_keys();
@@ -112,6 +118,24 @@ AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   plan.equivalence_margins = read_margins(reader.table("equivalence_margins"), protocol);
   reader.reject_unknown_keys();
   return plan;
+}
+
+void require_computable(TomlReader reader, const AnalysisPlan& plan) {
+  if (plan.participants == 1 && !plan.primary.empty()) {
+    reader.fail(reader.source("participants"),
+                "one participant cannot be tested: a comparison needs two",
+                "plan more participants, or no comparison");
+  }
+  const std::vector<TomlReader> entries = reader.tables("primary");
+  for (std::size_t i = 0; i < plan.primary.size(); ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      if (is_same(plan.primary[i], reversed(plan.primary[other]))) {
+        entries[i].fail(entries[i].source(),
+                        "this comparison is planned already, the other way round",
+                        "leave one out: a test is the same in both directions");
+      }
+    }
+  }
 }
 
 }  // namespace foveola::study

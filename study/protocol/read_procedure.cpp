@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,8 +15,6 @@
 
 namespace foveola::study {
 namespace {
-
-constexpr const char* built_in_rating = "artifacts";
 
 constexpr std::array orders{
     Word<Order>{"fixed", Order::fixed},
@@ -174,6 +173,17 @@ void require_all_chosen(const TomlReader& reader, const std::vector<TomlReader::
   }
 }
 
+MarkEntry read_mark(TomlReader& entry, const std::string& id) {
+  constexpr std::array judgements{Word<std::string_view>{"outline", "outline"},
+                                  Word<std::string_view>{"material", "material"}};
+  // A mark that is called as a published one means what that does, unless it says otherwise.
+  std::string_view simulated = id == "outline" || id == "material" ? std::string_view(id) : "";
+  entry.read("simulated", simulated, judgements);
+  return {.id = id,
+          .instruction = entry.require_text("instruction"),
+          .simulated = std::string(simulated)};
+}
+
 }  // namespace
 
 void read_texts(TomlReader& reader, Protocol& protocol) {
@@ -186,23 +196,33 @@ void read_texts(TomlReader& reader, Protocol& protocol) {
   protocol.texts = read_words(reader.table("texts"));
 }
 
+std::vector<MarkEntry> published_marks() {
+  return {{.id = "outline",
+           .instruction = "Press as soon as you could tell whether moving or turning the object "
+                          "succeeded: you see its outline.",
+           .simulated = "outline"},
+          {.id = "material",
+           .instruction = "Press as soon as you could tell whether changing its material "
+                          "succeeded: you see what it is made of.",
+           .simulated = "material"}};
+}
+
+std::vector<Question> published_ratings() {
+  return {{.id = "artifacts",
+           .text = "How prevalent were disturbing artifacts in the other areas?",
+           .labels = {"none", "not discernible at all"},
+           .simulated = "artifacts"}};
+}
+
 std::vector<MarkEntry> read_marks(TomlReader& reader) {
   std::vector<MarkEntry> marks;
   std::vector<std::string> ids;
   for (TomlReader& entry : reader.tables("mark")) {
     ids.push_back(read_new_id(entry, ids));
-    marks.push_back({.id = ids.back(), .instruction = entry.require_text("instruction")});
+    marks.push_back(read_mark(entry, ids.back()));
     entry.reject_unknown_keys();
   }
-  if (!marks.empty()) {
-    return marks;
-  }
-  return {{.id = "outline",
-           .instruction = "Press as soon as you could tell whether moving or turning the object "
-                          "succeeded: you see its outline."},
-          {.id = "material",
-           .instruction = "Press as soon as you could tell whether changing its material "
-                          "succeeded: you see what it is made of."}};
+  return marks.empty() ? published_marks() : marks;
 }
 
 std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEntry>& marks) {
@@ -211,17 +231,15 @@ std::vector<Question> read_ratings(TomlReader& reader, const std::vector<MarkEnt
     taken.push_back(mark.id);
   }
   std::vector<Question> ratings = read_questions(reader, "rating", taken);
-  if (ratings.empty()) {
-    const auto same = std::find(taken.begin(), taken.end(), built_in_rating);
-    if (same != taken.end()) {
-      const TomlReader mark = reader.tables("mark")[static_cast<std::size_t>(same - taken.begin())];
-      mark.fail(mark.source("id"),
-                fmt::format("the id '{}' is that of the built-in rating", built_in_rating),
-                "give the mark another id, or write the ratings ([[rating]])");
-    }
-    ratings.push_back({.id = built_in_rating,
-                       .text = "How prevalent were disturbing artifacts in the other areas?",
-                       .labels = {"none", "not discernible at all"}});
+  if (!ratings.empty()) {
+    return ratings;
+  }
+  ratings = published_ratings();
+  const auto same = std::find(taken.begin(), taken.end(), ratings.front().id);
+  if (same != taken.end()) {
+    const TomlReader mark = reader.tables("mark")[static_cast<std::size_t>(same - taken.begin())];
+    mark.fail(mark.source("id"), fmt::format("the id '{}' is that of the built-in rating", *same),
+              "give the mark another id, or write the ratings ([[rating]])");
   }
   return ratings;
 }

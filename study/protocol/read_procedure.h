@@ -11,6 +11,10 @@ namespace foveola::study {
 /// Fills the protocol's language and texts.
 void read_texts(TomlReader& reader, Protocol& protocol);
 
+/// The published marks, outline and material, and the published rating, artifacts.
+std::vector<MarkEntry> published_marks();
+std::vector<Question> published_ratings();
+
 /// The protocol's marks; the published ones if it has none of its own.
 std::vector<MarkEntry> read_marks(TomlReader& reader);
 

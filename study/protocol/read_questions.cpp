@@ -134,10 +134,27 @@ void read_kind(TomlReader& reader, Question& question) {
   }
 }
 
-Question read_question(TomlReader reader, const std::vector<std::string>& taken) {
+/// A rating that is called as the published one means what that does, unless it says otherwise.
+void read_judgement(TomlReader& reader, Question& rating) {
+  constexpr std::array judgements{Word<std::string_view>{"artifacts", "artifacts"},
+                                  Word<std::string_view>{"quality", "quality"}};
+  std::string_view simulated = rating.id == "artifacts" ? "artifacts" : "";
+  reader.read("simulated", simulated, judgements);
+  rating.simulated = simulated;
+  if (reader.has("simulated") && rating.kind != QuestionKind::likert) {
+    reader.fail(reader.source("simulated"), "simulated participants rate on scales only",
+                "make it a scale of whole points, or leave this out");
+  }
+}
+
+/// `is_rating`: not a question of a questionnaire.
+Question read_question(TomlReader reader, const std::vector<std::string>& taken, bool is_rating) {
   Question question{.id = read_new_id(reader, taken), .text = reader.require_text("text")};
   read_kind(reader, question);
   reader.read("required", question.required);
+  if (is_rating) {
+    read_judgement(reader, question);
+  }
   reader.reject_unknown_keys();
   return question;
 }
@@ -177,12 +194,11 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
   return ready_questionnaires() / (name_or_path + ".toml");
 }
 
-Questionnaire read_file_of(const fs::path& file) {
-  Questionnaire questionnaire{.toml = read_toml_file(file)};
+Questionnaire read_file_of(const std::string& name, const std::string& toml) {
+  Questionnaire questionnaire{.file = name, .toml = toml};
   const toml::table content =
-      parse_toml(file.string(), questionnaire.toml,
-                 fmt::format("see those in {}", ready_questionnaires().string()));
-  TomlReader reader(file.string(), content, "");
+      parse_toml(name, toml, fmt::format("see those in {}", ready_questionnaires().string()));
+  TomlReader reader(name, content, "");
   read_content(reader, questionnaire);
   reader.reject_unknown_keys();
   require_content(reader, questionnaire);
@@ -190,7 +206,7 @@ Questionnaire read_file_of(const fs::path& file) {
 }
 
 /// The questionnaire of the file that the table names; an empty one if it names none.
-Questionnaire read_ready_one(TomlReader& reader, const fs::path& folder) {
+Questionnaire read_ready_one(TomlReader& reader, const QuestionnaireFiles& files) {
   std::string name;
   reader.read("file", name);
   if (!reader.has("file")) {
@@ -201,9 +217,7 @@ Questionnaire read_ready_one(TomlReader& reader, const fs::path& folder) {
                 "leave out one of them");
   }
   try {
-    Questionnaire questionnaire = read_file_of(questionnaire_file(name, folder));
-    questionnaire.file = name;
-    return questionnaire;
+    return read_file_of(name, files(name));
   } catch (const std::runtime_error& reason) {
     reader.fail(reader.source("file"), fmt::format("'{}': {}", name, reason.what()),
                 "name one that comes with Foveola, or a file in the folder of the protocol");
@@ -230,13 +244,20 @@ std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
   std::vector<Question> questions;
   std::vector<std::string> ids = taken;
   for (const TomlReader& entry : reader.tables(key)) {
-    questions.push_back(read_question(entry, ids));
+    questions.push_back(read_question(entry, ids, key == "rating"));
     ids.push_back(questions.back().id);
   }
   return questions;
 }
 
-std::vector<Questionnaire> read_questionnaires(TomlReader& reader, const fs::path& folder) {
+QuestionnaireFiles questionnaire_files_in(const fs::path& folder) {
+  return [folder](const std::string& name) {
+    return read_toml_file(questionnaire_file(name, folder));
+  };
+}
+
+std::vector<Questionnaire> read_questionnaires(TomlReader& reader,
+                                               const QuestionnaireFiles& files) {
   std::vector<Questionnaire> questionnaires;
   constexpr std::size_t most_questionnaires = 100;  // Each may be a large file.
   std::vector<std::string> ids{"consent", "validation", "reaction", "trials"};
@@ -249,7 +270,7 @@ std::vector<Questionnaire> read_questionnaires(TomlReader& reader, const fs::pat
   }
   for (TomlReader& entry : entries) {
     ids.push_back(read_new_id(entry, ids));
-    Questionnaire questionnaire = read_ready_one(entry, folder);
+    Questionnaire questionnaire = read_ready_one(entry, files);
     questionnaire.id = ids.back();
     read_content(entry, questionnaire);
     entry.reject_unknown_keys();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,14 @@ std::string read_new_id(TomlReader& reader, const std::vector<std::string>& take
 std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
                                      const std::vector<std::string>& taken);
 
-/// The protocol's [[questionnaire]] entries. `folder` is that of files that are named by a path.
-std::vector<Questionnaire> read_questionnaires(TomlReader& reader,
-                                               const std::filesystem::path& folder);
+/// The content of a questionnaire's file, by the name that the protocol has for it. Throws
+/// std::runtime_error if there is no such file.
+using QuestionnaireFiles = std::function<std::string(const std::string& name)>;
+
+/// The files that come with Foveola, by name, and those in `folder`, by path.
+QuestionnaireFiles questionnaire_files_in(const std::filesystem::path& folder);
+
+/// The protocol's [[questionnaire]] entries.
+std::vector<Questionnaire> read_questionnaires(TomlReader& reader, const QuestionnaireFiles& files);
 
 }  // namespace foveola::study

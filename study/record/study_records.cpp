@@ -1,11 +1,15 @@
 #include "study/record/study_records.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 
 #include "study/record/database.h"
+#include "study/record/trial_rows.h"
 
 namespace fs = std::filesystem;
 
@@ -21,22 +25,40 @@ std::vector<std::string> read_names(SQLite::Database& database, const char* sql)
   return names;
 }
 
-void read_protocol(SQLite::Database& database, StudyRecords& records) {
+/// The text of a questionnaire's file that the protocol names, as it was when the study began.
+std::string recorded_file(SQLite::Database& database, const std::string& name) {
+  SQLite::Statement row(
+      database, "SELECT toml FROM study_profile WHERE device = 'questionnaire' AND name = ?");
+  row.bind(1, name);
+  if (!row.executeStep()) {
+    throw std::runtime_error("the study's file does not hold it");
+  }
+  return row.getColumn(0).getString();
+}
+
+std::string profile_name(SQLite::Database& database, const char* device) {
+  SQLite::Statement row(database, "SELECT name FROM study_profile WHERE device = ?");
+  row.bind(1, device);
+  return row.executeStep() ? row.getColumn(0).getString() : "";
+}
+
+void read_protocol(SQLite::Database& database, const fs::path& path, StudyRecords& records) {
   SQLite::Statement study(database,
                           "SELECT protocol_name, protocol_title, protocol_sha256, protocol_text"
                           " FROM study");
   study.executeStep();
-  records.protocol_name = study.getColumn("protocol_name").getString();
-  records.protocol_title = study.getColumn("protocol_title").getString();
-  records.protocol_sha256 = study.getColumn("protocol_sha256").getString();
-  records.protocol_text = study.getColumn("protocol_text").getString();
+  records.protocol =
+      read_measured_part(study.getColumn("protocol_text").getString(),
+                         fmt::format("the protocol in {}", path.string()),
+                         [&](const std::string& name) { return recorded_file(database, name); });
+  records.protocol.name = study.getColumn("protocol_name").getString();
+  records.protocol.title = study.getColumn("protocol_title").getString();
+  records.protocol.sha256 = study.getColumn("protocol_sha256").getString();
+  records.display_profile = profile_name(database, "display");
+  records.tracker_profile = profile_name(database, "tracker");
   records.scenes = read_names(database, "SELECT name FROM study_scene ORDER BY position");
   records.methods = read_names(database, "SELECT name FROM study_method ORDER BY position");
-}
-
-std::optional<double> optional_number(SQLite::Statement& row, const char* column) {
-  const SQLite::Column value = row.getColumn(column);
-  return value.isNull() ? std::nullopt : std::optional(value.getDouble());
+  records.measures = trial_measures(records.protocol.marks, records.protocol.ratings);
 }
 
 std::optional<int> optional_integer(SQLite::Statement& row, const char* column) {
@@ -61,22 +83,24 @@ std::vector<AmendedSession> read_amended(SQLite::Database& database) {
   return amended;
 }
 
-std::vector<SessionRow> read_sessions(SQLite::Database& database) {
-  std::vector<SessionRow> sessions;
+/// Returns the row ids of the sessions.
+std::vector<std::int64_t> read_sessions(SQLite::Database& database, StudyRecords& records) {
+  std::vector<std::int64_t> ids;
   SQLite::Statement rows(
       database,
-      "SELECT participant, kind, state, design_row, coalesce(payload ->> 'reason', '') AS "
-      "reason"
+      "SELECT id, participant, kind, state, design_row,"
+      " coalesce(payload ->> 'reason', '') AS reason"
       " FROM session LEFT JOIN event ON event.session = session.id AND type = 'excluded'"
       " ORDER BY id");
   while (rows.executeStep()) {
-    sessions.push_back({.participant = rows.getColumn("participant").getString(),
-                        .kind = rows.getColumn("kind").getString(),
-                        .state = rows.getColumn("state").getString(),
-                        .design_row = optional_integer(rows, "design_row"),
-                        .reason = rows.getColumn("reason").getString()});
+    ids.push_back(rows.getColumn("id").getInt64());
+    records.sessions.push_back({.participant = rows.getColumn("participant").getString(),
+                                .kind = rows.getColumn("kind").getString(),
+                                .state = rows.getColumn("state").getString(),
+                                .design_row = optional_integer(rows, "design_row"),
+                                .reason = rows.getColumn("reason").getString()});
   }
-  return sessions;
+  return ids;
 }
 
 std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
@@ -96,56 +120,41 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
                          .injected = rows.getColumn("injected").getString()};
 }
 
-TrialRow read_trial(SQLite::Statement& row) {
-  return {.participant = row.getColumn("participant").getString(),
-          .scene = row.getColumn("scene").getString(),
-          .method = row.getColumn("method").getString(),
-          .scene_position = row.getColumn("scene_position").getInt(),
-          .method_position = row.getColumn("method_position").getInt(),
-          .attempts = row.getColumn("attempts").getInt(),
-          .outline_s = optional_number(row, "outline_s"),
-          .material_s = optional_number(row, "material_s"),
-          .outline_censored = optional_integer(row, "outline_censored") == 1,
-          .material_censored = optional_integer(row, "material_censored") == 1,
-          .artifact_rating = optional_integer(row, "artifacts")};
-}
-
-std::vector<TrialRow> read_trials(SQLite::Database& database) {
-  std::vector<TrialRow> trials;
-  SQLite::Statement rows(database,
-                         "SELECT * FROM trial_result WHERE session_state <> 'withdrawn'"
-                         " ORDER BY session, trial");
-  while (rows.executeStep()) {
-    trials.push_back(read_trial(rows));
+std::vector<AnswerRow> read_answers(SQLite::Database& database,
+                                    const std::vector<std::int64_t>& session_ids) {
+  std::unordered_map<std::int64_t, std::uint32_t> sessions;
+  for (const std::int64_t id : session_ids) {
+    sessions.emplace(id, static_cast<std::uint32_t>(sessions.size()));
   }
-  return trials;
-}
-
-std::vector<BackgroundRow> read_background(SQLite::Database& database) {
-  std::vector<BackgroundRow> background;
+  std::vector<AnswerRow> answers;
   SQLite::Statement rows(database,
-                         "SELECT participant, question, number"
+                         "SELECT session, step, questionnaire, question, number, text"
                          " FROM questionnaire_answer JOIN session ON session.id = session"
-                         " WHERE questionnaire = 'background' AND number IS NOT NULL"
-                         "  AND state <> 'withdrawn' ORDER BY questionnaire_answer.rowid");
+                         " WHERE state <> 'withdrawn' ORDER BY questionnaire_answer.rowid");
   while (rows.executeStep()) {
-    background.push_back({.participant = rows.getColumn("participant").getString(),
-                          .question = rows.getColumn("question").getString(),
-                          .value = rows.getColumn("number").getDouble()});
+    AnswerRow answer{.session = sessions.at(rows.getColumn("session").getInt64()),
+                     .step = rows.getColumn("step").getInt(),
+                     .questionnaire = rows.getColumn("questionnaire").getString(),
+                     .question = rows.getColumn("question").getString(),
+                     .value = rows.getColumn("text").getString()};
+    if (const SQLite::Column number = rows.getColumn("number"); !number.isNull()) {
+      answer.value = number.getDouble();
+    }
+    answers.push_back(std::move(answer));
   }
-  return background;
+  return answers;
 }
 
 /// All queries see the same moment of a study that is being written.
-StudyRecords read_records(SQLite::Database& database) {
+StudyRecords read_records(SQLite::Database& database, const fs::path& path) {
   const SQLite::Transaction moment(database);
   StudyRecords records;
-  read_protocol(database, records);
-  records.sessions = read_sessions(database);
+  read_protocol(database, path, records);
+  const std::vector<std::int64_t> session_ids = read_sessions(database, records);
   records.simulation = read_simulation(database);
   records.amended = read_amended(database);
-  records.trials = read_trials(database);
-  records.background = read_background(database);
+  read_trial_rows(database, session_ids, records);
+  records.answers = read_answers(database, session_ids);
   return records;
 }
 
@@ -160,7 +169,7 @@ StudyRecords read_study(const fs::path& path) {
   StudyRecords records;
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
-    records = read_records(database);
+    records = read_records(database, path);
   });
   return records;
 }

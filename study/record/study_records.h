@@ -1,37 +1,18 @@
 // What a study's file says, as plain rows: all that the analysis reads.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "study/design/plan.h"
+#include "study/protocol/measure.h"
 #include "study/record/amendment_note.h"
 
 namespace foveola::study {
-
-/// One method in one scene by one participant, practice and catch trials left out; the last
-/// attempt's values.
-struct TrialRow {
-  std::string participant;  ///< code
-  std::string scene;
-  std::string method;                ///< "od", "vp", "fv"
-  int scene_position = 0;            ///< 0 is the first scene that this participant saw
-  int method_position = 0;           ///< 0 is the first method within the scene
-  int attempts = 0;                  ///< 0 if the session ended before it
-  std::optional<double> outline_s;   ///< from the first presented frame to the outline mark
-  std::optional<double> material_s;  ///< from the first presented frame to the material mark
-  bool outline_censored = false;     ///< right-censored: outline_s is a lower bound
-  bool material_censored = false;
-  std::optional<int> artifact_rating;  ///< the rating "artifacts", a whole number from 1 to 5
-};
-
-/// One answer of the questionnaire "background" that is a number.
-struct BackgroundRow {
-  std::string participant;
-  std::string question;  ///< its id in the protocol
-  double value = 0.0;
-};
 
 struct SessionRow {
   std::string participant;
@@ -39,6 +20,46 @@ struct SessionRow {
   std::string state;  ///< name_of(Phase); not an end's if the program died in it or still runs
   std::optional<int> design_row;  ///< row of the design; empty if the record keeps none
   std::string reason;             ///< why the session was excluded
+};
+
+/// What one measure came out as in one timing of a trial.
+struct Value {
+  enum class State : std::uint8_t {
+    missing,
+    right_censored,  ///< a time-out came first: the time is only a lower bound
+    measured,        ///< a number
+    in_words,        ///< a text
+  };
+  State state = State::missing;
+  std::uint32_t words = 0;  ///< index of a text in StudyRecords::words
+  double number = 0.0;      ///< seconds from the first presented frame, or the rating
+
+  bool is_measured() const { return state == State::measured; }
+};
+
+/// One timing of a planned trial: an attempt, of which the last one counts. A trial that was never
+/// begun has one row, with attempt 0.
+struct TrialRow {
+  std::uint32_t session = 0;  ///< index into StudyRecords::sessions
+  std::uint32_t trial = 0;    ///< place in the session's plan, from 0
+  TrialKind kind = TrialKind::test;
+  std::uint16_t scene = 0;  ///< index into StudyRecords::scenes
+  std::uint16_t method = 0;
+  std::uint16_t scene_position = 0;   ///< 0 is the first scene that this participant saw
+  std::uint16_t method_position = 0;  ///< 0 is the first method within the scene
+  std::uint16_t attempt = 0;          ///< 1 is the first timing
+  bool counts = true;                 ///< whether it is the trial's last timing
+  std::uint32_t object = 0;           ///< index of the chosen object's name in StudyRecords::words
+  std::uint32_t outcome = 0;  ///< index of its name in StudyRecords::words: "rated", "retimed", …
+};
+
+/// One answer of a questionnaire.
+struct AnswerRow {
+  std::uint32_t session = 0;  ///< index into StudyRecords::sessions
+  int step = 0;               ///< of the session's plan: a questionnaire may be asked twice
+  std::string questionnaire;
+  std::string question;
+  std::variant<double, std::string> value;
 };
 
 /// A session that went by other words or time-outs than the study's protocol has.
@@ -59,18 +80,38 @@ struct SimulationFacts {
 };
 
 struct StudyRecords {
-  std::string protocol_name;
-  std::string protocol_title;
-  std::string protocol_sha256;
-  std::string protocol_text;         ///< the researcher's file, to the letter
+  /// The part of the protocol that read_measured_part reads, with its text.
+  Protocol protocol;
+  std::string display_profile;  ///< name of the display's profile; empty if there is none
+  std::string tracker_profile;
+
   std::vector<std::string> scenes;   ///< in the protocol's order
   std::vector<std::string> methods;  ///< in the protocol's order; the first is the baseline
-  std::vector<SessionRow> sessions;
+  std::vector<Measure> measures;     ///< of each trial: marks, then ratings
+  std::vector<SessionRow> sessions;  ///< in the order in which they were begun
   /// How sessions were simulated; empty if none was, or if they are older than these facts.
   std::optional<SimulationFacts> simulation;
   std::vector<AmendedSession> amended;  ///< none twice: reports must say which
-  std::vector<TrialRow> trials;  ///< all that were planned, in order; none of withdrawn sessions
-  std::vector<BackgroundRow> background;  ///< none of withdrawn sessions
+
+  // Nothing of withdrawn sessions.
+  std::vector<TrialRow> trials;    ///< by session, trial and attempt
+  std::vector<Value> values;       ///< [row of trials][measure]
+  std::vector<std::string> words;  ///< texts that rows refer to; the first is empty
+  std::vector<AnswerRow> answers;  ///< in the order in which they were given
+
+  const Value& value(std::size_t row, std::size_t measure) const {
+    return values[row * measures.size() + measure];
+  }
+  /// Adds a timing of a trial; `of_measures` has a value for each measure.
+  void add_trial(const TrialRow& row, const std::vector<Value>& of_measures) {
+    trials.push_back(row);
+    values.insert(values.end(), of_measures.begin(), of_measures.end());
+  }
+  const std::string& participant_of(const TrialRow& row) const {
+    return sessions[row.session].participant;
+  }
+  /// Whether the row is the last timing of a test trial: what is analysed.
+  static bool is_result(const TrialRow& row) { return row.counts && row.kind == TrialKind::test; }
 
   /// Whether any session was simulated: every table and report must then say so.
   bool has_simulated() const;

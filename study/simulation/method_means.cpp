@@ -2,22 +2,20 @@
 
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace foveola::study {
 namespace {
 
-using Times = std::map<std::pair<std::string, std::string>, double>;  // by participant and scene
+using Times = std::map<std::pair<std::uint32_t, std::uint16_t>, double>;  // by session and scene
 
-Times times_of(const StudyRecords& records, const std::string& mark, const std::string& method) {
+Times times_of(const StudyRecords& records, std::size_t measure, std::size_t method) {
   Times times;
-  for (const TrialRow& trial : records.trials) {
-    const bool is_outline = mark == "outline";
-    const bool censored = is_outline ? trial.outline_censored : trial.material_censored;
-    const std::optional<double> time_s = is_outline ? trial.outline_s : trial.material_s;
-    if (trial.method == method && time_s && !censored) {
-      times.emplace(std::pair(trial.participant, trial.scene), *time_s);
+  for (std::size_t row = 0; row < records.trials.size(); ++row) {
+    const TrialRow& trial = records.trials[row];
+    const Value& time = records.value(row, measure);
+    if (StudyRecords::is_result(trial) && trial.method == method && time.is_measured()) {
+      times.emplace(std::pair(trial.session, trial.scene), time.number);
     }
   }
   return times;
@@ -45,12 +43,15 @@ MethodMean mean_of(const Times& baseline, const Times& times) {
 
 std::vector<MethodMean> method_means(const StudyRecords& records) {
   std::vector<MethodMean> means;
-  for (const char* mark : {"outline", "material"}) {
-    const Times baseline = times_of(records, mark, records.methods.front());
-    for (std::size_t i = 1; i < records.methods.size(); ++i) {
-      means.push_back(mean_of(baseline, times_of(records, mark, records.methods[i])));
-      means.back().mark = mark;
-      means.back().method = records.methods[i];
+  for (std::size_t measure = 0; measure < records.measures.size(); ++measure) {
+    if (records.measures[measure].kind != MeasureKind::time) {
+      continue;
+    }
+    const Times baseline = times_of(records, measure, 0);
+    for (std::size_t method = 1; method < records.methods.size(); ++method) {
+      means.push_back(mean_of(baseline, times_of(records, measure, method)));
+      means.back().mark = records.measures[measure].id();
+      means.back().method = records.methods[method];
     }
   }
   return means;

@@ -10,7 +10,7 @@
 namespace foveola::study {
 
 struct MethodMean {
-  std::string mark;  ///< "outline" or "material"
+  std::string mark;  ///< the mark's id
   std::string method;
   int pairs = 0;            ///< trials of the baseline and the method with one person and one scene
   double baseline_s = 0.0;  ///< geometric mean; 0 without pairs

@@ -4,20 +4,31 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 namespace foveola::study {
 namespace {
 
-using TrialKey = std::tuple<std::string, std::string, std::string>;
+/// Participant, scene, method and mark.
+using TimeKey = std::tuple<std::string, std::string, std::string, std::string>;
+using TimesByTrial = std::map<TimeKey, double>;
 
-TrialKey key_of(const TrialRow& trial) { return {trial.participant, trial.scene, trial.method}; }
-
-std::optional<double> time_of(const TrialRow& trial, const std::string& mark) {
-  const bool is_outline = mark == "outline";
-  const bool is_censored = is_outline ? trial.outline_censored : trial.material_censored;
-  return is_censored ? std::nullopt : is_outline ? trial.outline_s : trial.material_s;
+/// All measured times of test trials.
+TimesByTrial measured_times(const StudyRecords& records) {
+  TimesByTrial times;
+  for (std::size_t row = 0; row < records.trials.size(); ++row) {
+    const TrialRow& trial = records.trials[row];
+    for (std::size_t measure = 0; measure < records.measures.size(); ++measure) {
+      const Value& value = records.value(row, measure);
+      if (StudyRecords::is_result(trial) && value.is_measured() &&
+          records.measures[measure].kind == MeasureKind::time) {
+        times.emplace(TimeKey(records.participant_of(trial), records.scenes[trial.scene],
+                              records.methods[trial.method], records.measures[measure].id()),
+                      value.number);
+      }
+    }
+  }
+  return times;
 }
 
 /// From 1 on; those alike share the mean of theirs.
@@ -40,23 +51,18 @@ std::vector<double> ranks_of(const std::vector<double>& values) {
   return ranks;
 }
 
-MarkAgreement agreement_of(const std::map<TrialKey, TrialRow>& rendered,
-                           const StudyRecords& predicted, const std::string& mark,
-                           const std::string& method) {
+MarkAgreement agreement_of(const TimesByTrial& rendered, const TimesByTrial& predicted,
+                           const std::string& mark, const std::string& method) {
   std::vector<double> rendered_s;
   std::vector<double> predicted_s;
   std::vector<double> ratios;
-  for (const TrialRow& trial : predicted.trials) {
-    const auto found = rendered.find(key_of(trial));
-    if (found == rendered.end() || (!method.empty() && trial.method != method)) {
-      continue;
-    }
-    const std::optional<double> then = time_of(found->second, mark);
-    const std::optional<double> now = time_of(trial, mark);
-    if (then && now) {
-      rendered_s.push_back(*then);
-      predicted_s.push_back(*now);
-      ratios.push_back(*now / *then);
+  for (const auto& [key, now_s] : predicted) {
+    const auto found = rendered.find(key);
+    if (std::get<3>(key) == mark && (method.empty() || std::get<2>(key) == method) &&
+        found != rendered.end()) {
+      rendered_s.push_back(found->second);
+      predicted_s.push_back(now_s);
+      ratios.push_back(now_s / found->second);
     }
   }
   return {.mark = mark,
@@ -72,16 +78,16 @@ MarkAgreement agreement_of(const std::map<TrialKey, TrialRow>& rendered,
 
 std::vector<MarkAgreement> prediction_agreement(const StudyRecords& rendered,
                                                 const StudyRecords& predicted) {
-  std::map<TrialKey, TrialRow> trials;
-  for (const TrialRow& trial : rendered.trials) {
-    trials.emplace(key_of(trial), trial);
-  }
+  const TimesByTrial rendered_times = measured_times(rendered);
+  const TimesByTrial predicted_times = measured_times(predicted);
   std::vector<std::string> methods = {""};
   methods.insert(methods.end(), rendered.methods.begin(), rendered.methods.end());
   std::vector<MarkAgreement> agreements;
-  for (const char* mark : {"outline", "material"}) {
-    for (const std::string& method : methods) {
-      agreements.push_back(agreement_of(trials, predicted, mark, method));
+  for (const Measure& measure : rendered.measures) {
+    if (measure.kind == MeasureKind::time) {
+      for (const std::string& method : methods) {
+        agreements.push_back(agreement_of(rendered_times, predicted_times, measure.id(), method));
+      }
     }
   }
   return agreements;

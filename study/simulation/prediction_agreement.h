@@ -11,7 +11,7 @@ namespace foveola::study {
 /// Computed over the trials that both studies have, with marks that both have and that no time-out
 /// cut off.
 struct MarkAgreement {
-  std::string mark;    ///< "outline" or "material"
+  std::string mark;    ///< the mark's id
   std::string method;  ///< empty: all methods
   int trials = 0;
   double rendered_median_s = 0.0;

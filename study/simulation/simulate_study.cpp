@@ -20,7 +20,7 @@
 #include "study/simulation/real_time_study.h"
 #include "study/simulation/rendered_attempt.h"
 #include "study/simulation/study_simulation.h"
-#include "study/stage/analysable.h"
+#include "study/stage/protocol_notes.h"
 
 namespace fs = std::filesystem;
 
@@ -106,7 +106,6 @@ Simulated simulated_people(const SimulateSettings& settings) {
 /// The protocol as it is simulated.
 Protocol simulated_protocol(const SimulateSettings& settings, const Simulated& simulated) {
   Protocol protocol = scaled_protocol(load_protocol(settings.protocol), settings.scale);
-  require_analysable(protocol);
   if (!simulated.effect) {
     require_judgements(protocol);
   } else {
@@ -207,7 +206,7 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   require_usable(settings, protocol, kind);
   if (settings.warns) {
-    warn_of_recorded_only(protocol);
+    print_notes(protocol);
   }
   const Workers workers(settings.threads);
   const SceneStages stages = load_stages(protocol, sources, workers);

@@ -25,7 +25,7 @@ struct SimulateSettings {
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;
-  bool warns = false;  ///< says on standard error what comes out in the record only
+  bool warns = false;  ///< says on standard error what the protocol should call otherwise
 };
 
 struct SimulateReport {

@@ -31,25 +31,14 @@ void add_session(const SessionRow& session, StudyStatus& status) {
   }
 }
 
-/// [participant] for those whose session is completed: its kind
-std::map<std::string, std::string> kinds_of_completed(const StudyRecords& records) {
-  std::map<std::string, std::string> kinds;
-  for (const SessionRow& session : records.sessions) {
-    if (session.state == "completed") {
-      kinds[session.participant] = session.kind;
-    }
-  }
-  return kinds;
-}
-
 void count_positions(const StudyRecords& records, StudyStatus& status) {
-  const std::map<std::string, std::string> kinds = kinds_of_completed(records);
   for (const TrialRow& trial : records.trials) {
-    const auto kind = kinds.find(trial.participant);
-    if (kind != kinds.end()) {
-      std::vector<int>& counts = status.kinds[kind->second].method_positions[trial.method];
+    const SessionRow& session = records.sessions[trial.session];
+    if (session.state == "completed" && StudyRecords::is_result(trial)) {
+      std::vector<int>& counts =
+          status.kinds[session.kind].method_positions[records.methods[trial.method]];
       counts.resize(records.methods.size());
-      ++counts.at(static_cast<std::size_t>(trial.method_position));
+      ++counts.at(trial.method_position);
     }
   }
 }
@@ -90,15 +79,16 @@ StudyStatus status_of(const StudyRecords& records) {
   }
   count_positions(records, status);
   status.trials_done = static_cast<int>(
-      std::count_if(records.trials.begin(), records.trials.end(),
-                    [](const TrialRow& trial) { return trial.artifact_rating.has_value(); }));
+      std::count_if(records.trials.begin(), records.trials.end(), [&](const TrialRow& trial) {
+        return StudyRecords::is_result(trial) && records.words[trial.outcome] == "rated";
+      }));
   return status;
 }
 
 std::string status_table(const StudyRecords& records, const StudyStatus& status) {
-  std::vector<TextRow> rows = {{"protocol", records.protocol_name},
-                               {"title", records.protocol_title},
-                               {"sha256", records.protocol_sha256}};
+  std::vector<TextRow> rows = {{"protocol", records.protocol.name},
+                               {"title", records.protocol.title},
+                               {"sha256", records.protocol.sha256}};
   for (const auto& [name, kind] : status.kinds) {
     add_kind_rows(records, name, kind, rows);
   }

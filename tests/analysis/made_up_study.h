@@ -1,6 +1,7 @@
 // Studies for tests, built in code or from the golden files; no person took part in them.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "study/record/study_records.h"
@@ -8,15 +9,43 @@
 namespace foveola::analysis {
 
 /// data/golden's study, all of kind "human": eight completed sessions with missing values and an
-/// interrupted one.
+/// interrupted one. The published marks and rating.
 study::StudyRecords golden_study_records();
 
 /// A complete study of people without gaps: participants P1 ... Pn, scenes "aula" and "barn",
-/// methods od, vp and fv, both background questions.
+/// methods od, vp and fv, the published marks and rating, both background questions.
 study::StudyRecords complete_study(int participants);
 
 /// The row of one trial, for changing it. The row must exist.
 study::TrialRow& trial_of(study::StudyRecords& records, const std::string& participant,
                           const std::string& scene, const std::string& method);
+
+/// The value of one measure in one trial, for changing it. It must exist.
+study::Value& value_of(study::StudyRecords& records, const std::string& participant,
+                       const std::string& scene, const std::string& method,
+                       const std::string& measure);
+
+study::Value measured(double number);
+study::Value right_censored(double seconds);
+
+/// Calls `change` for the value of one measure in every trial.
+void change_values(study::StudyRecords& records, const std::string& measure,
+                   const std::function<void(study::Value&)>& change);
+
+/// Removes all other trials.
+void keep_trials(study::StudyRecords& records,
+                 const std::function<bool(const study::TrialRow&)>& is_kept);
+
+/// The same study, its sessions, trials and answers stored in another order.
+study::StudyRecords reordered(const study::StudyRecords& records, unsigned seed);
+
+// The indices of the published measures.
+inline constexpr std::size_t outline_index = 0;
+inline constexpr std::size_t material_index = 1;
+inline constexpr std::size_t artifacts_index = 2;
+
+/// Adds an answer in numbers; the participant must have a session.
+void add_answer(study::StudyRecords& records, const std::string& participant,
+                const std::string& questionnaire, const std::string& question, double number);
 
 }  // namespace foveola::analysis

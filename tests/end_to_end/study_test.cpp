@@ -63,12 +63,18 @@ TEST(Study, GoesFromAProtocolToAReport) {
   EXPECT_EQ(records.sessions[0].kind, "simulated");
   EXPECT_EQ(records.sessions[0].state, "completed");
   ASSERT_EQ(records.trials.size(), 6U);
-  for (const study::TrialRow& trial : records.trials) {
-    ASSERT_TRUE(trial.outline_s && trial.material_s && trial.artifact_rating);
-    EXPECT_GT(*trial.outline_s, 0.0);
-    EXPECT_GE(*trial.material_s, *trial.outline_s);
-    EXPECT_GE(*trial.artifact_rating, 1);
-    EXPECT_LE(*trial.artifact_rating, 5);
+  ASSERT_EQ(records.measures.size(), 3U);
+  for (std::size_t row = 0; row < records.trials.size(); ++row) {
+    const study::Value& outline = records.value(row, 0);
+    const study::Value& material = records.value(row, 1);
+    const study::Value& artifacts = records.value(row, 2);
+    EXPECT_NE(outline.state, study::Value::State::missing);
+    EXPECT_NE(material.state, study::Value::State::missing);
+    ASSERT_TRUE(artifacts.is_measured());
+    EXPECT_GT(outline.number, 0.0);
+    EXPECT_GE(material.number, outline.number);
+    EXPECT_GE(artifacts.number, 1.0);
+    EXPECT_LE(artifacts.number, 5.0);
   }
 
   const ProgramResult analysed =
@@ -77,7 +83,7 @@ TEST(Study, GoesFromAProtocolToAReport) {
   const std::string report = read_file(folder / "out" / "report.html");
   EXPECT_THAT(report, HasSubstr("imulated"));
   EXPECT_THAT(report, HasSubstr("<svg"));
-  EXPECT_THAT(report, HasSubstr(records.protocol_sha256));
+  EXPECT_THAT(report, HasSubstr(records.protocol.sha256));
 }
 
 TEST(Study, TheSameSeedGivesTheSameMarks) {
@@ -89,10 +95,10 @@ TEST(Study, TheSameSeedGivesTheSameMarks) {
                                               "--db", (folder / name).string(), "--participants",
                                               "1", "--seed", seed, "--threads", threads});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
-    std::vector<std::tuple<std::string, double, double, int>> values;
-    for (const study::TrialRow& t : study::read_study(folder / name).trials) {
-      values.emplace_back(t.method, t.outline_s.value_or(-1), t.material_s.value_or(-1),
-                          t.artifact_rating.value_or(-1));
+    const study::StudyRecords records = study::read_study(folder / name);
+    std::vector<std::pair<int, double>> values;
+    for (const study::Value& value : records.values) {
+      values.emplace_back(static_cast<int>(value.state), value.number);
     }
     return values;
   };

@@ -42,25 +42,27 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
   const AnalysisOutput output = analyze_records(golden_study_records(), {}, folder);
-  EXPECT_THAT(
-      names_in(folder),
-      ElementsAre("amended_sessions.csv", "background_correlation.csv", "codebook.csv",
-                  "comparisons.csv", "comparisons.tex", "data_quality.csv", "exclusions.csv",
-                  "figure5_geometric_means.csv", "figure5_geometric_means.tex",
-                  "figure5_relative.pdf", "figure5_relative.png", "figure5_relative.svg",
-                  "figure5_seconds.pdf", "figure5_seconds.png", "figure5_seconds.svg",
-                  "figure6_artifact_ratings.csv", "figure6_artifact_ratings.pdf",
-                  "figure6_artifact_ratings.png", "figure6_artifact_ratings.svg",
-                  "figure6_artifact_ratings.tex", "figure7_latency.csv", "models_ratings.R",
-                  "models_times.R", "omnibus.csv", "order_effects.csv", "participants_wide.csv",
-                  "psych-ds", "reaction_times.csv", "report.html", "table1_background.csv",
-                  "table2_times.csv", "table2_times.tex", "trials_long.csv"));
+  EXPECT_THAT(names_in(folder),
+              ElementsAre("OUTPUTS.md", "amended_sessions.csv", "answers_by_question.csv",
+                          "answers_long.csv", "background_correlation.csv", "catch_trials.csv",
+                          "codebook.csv", "comparisons.csv", "data_quality.csv", "exclusions.csv",
+                          "exploratory-comparisons.tex", "geometric-means.tex", "latency.csv",
+                          "models_ratings.R", "models_times.R", "omnibus.csv", "omnibus.tex",
+                          "order-effects.tex", "order_effects.csv", "participants_wide.csv",
+                          "psych-ds", "questionnaire_scores.csv", "ranks.tex",
+                          "rating-differences.tex", "rating_counts.csv", "ratings-artifacts.tex",
+                          "ratings_artifacts.pdf", "ratings_artifacts.png", "ratings_artifacts.svg",
+                          "ratings_by_method.csv", "reaction_times.csv", "relative_times.pdf",
+                          "relative_times.png", "relative_times.svg", "report.html",
+                          "times-material.tex", "times-outline.tex", "times_by_method.csv",
+                          "times_by_scene.csv", "times_in_seconds.pdf", "times_in_seconds.png",
+                          "times_in_seconds.svg", "trials_long.csv", "trials_timed_again.csv"));
   EXPECT_THAT(
       names_in(folder / "psych-ds" / "data"),
       ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));
   EXPECT_EQ(output.report, folder / "report.html");
-  EXPECT_EQ(output.files.size(), 35U);
-  EXPECT_THAT(output.summary, HasSubstr("geometric mean"));
+  EXPECT_EQ(output.files.size(), 46U);
+  EXPECT_THAT(output.summary, HasSubstr("geometric"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("6 sessions or values are left out")));
 }
 
@@ -111,11 +113,20 @@ TEST_F(AnalyzeStudy, AMissingDatabaseIsAnErrorThatNamesIt) {
 TEST_F(AnalyzeStudy, SaysWhatLimitsTheResult) {
   study::StudyRecords records = complete_study(1);
   records.methods = {"od"};
+  keep_trials(records, [](const study::TrialRow& row) { return row.method == 0; });
   records.sessions[0].kind = "simulated";
   const AnalysisOutput output = analyze_records(records, {}, folder);
   EXPECT_THAT(output.warnings, Contains(HasSubstr("Simulated data")));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("one method")));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("One participant")));
+}
+
+TEST_F(AnalyzeStudy, WarnsOfAPlannedComparisonWithoutP) {
+  study::StudyRecords records = complete_study(3);
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}, {"comfort", "fv", "od"}};
+  const AnalysisOutput output = analyze_records(records, {}, folder);
+  EXPECT_THAT(output.warnings,
+              Contains(HasSubstr("The planned comparison of fv and od in comfort has no P-value")));
 }
 
 }  // namespace

@@ -158,6 +158,9 @@ TEST_F(BadInputFile, ABrokenRecordIsAnalysedWhereThatIsAskedForAndTheReportSaysS
   write_study(2);
   study::tamper(path_, "UPDATE mark SET time_ns = 300000000 WHERE session = 2 AND trial = 1");
   const AnalysisOutput output = analyze_study(path_, results_, {.unverified = true});
+  EXPECT_THAT(read_file(results_ / "times_by_scene.csv"), HasSubstr(",changed\r\n"));
+  EXPECT_THAT(read_file(results_ / "trials_long.csv"), HasSubstr(",changed\r\n"));
+  EXPECT_THAT(read_file(results_ / "geometric-means.tex"), HasSubstr("from a changed record"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("is not what was written (1 fault)")));
   const std::string report = read_file(results_ / "report.html");
   EXPECT_THAT(report, HasSubstr("⚑ The study’s file is not what was written (1 fault)"));

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/tables/text_file.h"
 #include "tests/analysis/gunzip.h"
 #include "tests/analysis/made_up_study.h"
 

@@ -16,7 +16,10 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::vector<TextFile> bids_of(const study::StudyRecords& records) {
-  return bids_files(tabulate_study(records), records.background);
+  const StudyTables tables = tabulate_study(records);
+  const TrialColumns trials(records, tables.set);
+  const ParticipantColumns participants(records, tables.set);
+  return bids_files(tables, records, trials, participants);
 }
 
 std::string content_of(const std::vector<TextFile>& files, const std::string& name) {
@@ -27,19 +30,46 @@ std::string content_of(const std::vector<TextFile>& files, const std::string& na
 
 TEST(Bids, EveryParticipantHasAFileOfTrialsInTheirOrder) {
   study::StudyRecords records = complete_study(2);
-  trial_of(records, "P2", "barn", "fv").scene_position = 0;
-  trial_of(records, "P2", "aula", "od").scene_position = 1;
+  records.trials[6].scene_position = 1;  // the record has the rows in the order of the plan
   const std::string text =
       content_of(bids_of(records), "bids/sub-P2/beh/sub-P2_task-preview_beh.tsv");
-  EXPECT_THAT(text, StartsWith("scene\tmethod\ttrial_position\t"));
+  EXPECT_THAT(text, StartsWith("status\tscene\tmethod\ttrial\ttrial_kind\ttrial_position\t"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
-  EXPECT_LT(text.find("\nbarn\tfv\t"), text.find("\naula\tod\t"));
+  EXPECT_LT(text.find("\nanalysed\taula\tod\t0\ttest\t3\t"), text.find("\taula\tvp\t"));
+}
+
+TEST(Bids, PracticeAndCatchTrialsAreThereAndEarlierTimingsAreNot) {
+  study::StudyRecords records = complete_study(1);
+  study::TrialRow row = records.trials.front();
+  row.counts = false;
+  records.add_trial(row, {measured(99.5), {}, {}});
+  row.counts = true;
+  row.kind = study::TrialKind::practice;
+  records.add_trial(row, {measured(88.5), {}, {}});
+  row.kind = study::TrialKind::catch_trial;
+  records.add_trial(row, {right_censored(8), {}, {}});
+  const std::string text =
+      content_of(bids_of(records), "bids/sub-P1/beh/sub-P1_task-preview_beh.tsv");
+  EXPECT_EQ(text.find("99.5"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("\npractice\taula\tod\t0\tpractice\tn/a\tn/a\t1\tthe chair\trated\t"
+                              "88.5\tfalse\tn/a\tn/a\tn/a\tnone\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\ncatch\taula\tod\t0\tcatch\tn/a\tn/a\t1\tthe chair\trated\t8\ttrue\t"
+                        "n/a\tn/a\tn/a\tnone\n"));
 }
 
 TEST(Bids, WhatIsMissingIsNotAvailable) {
-  const std::vector<TextFile> files = bids_of(golden_study_records());
-  EXPECT_THAT(content_of(files, "bids/sub-P02/beh/sub-P02_task-preview_beh.tsv"),
-              HasSubstr("aula\tvp\t0\t0\t0\tn/a\tn/a\tn/a\tn/a\tn/a\n"));
+  study::StudyRecords records = golden_study_records();
+  study::TrialRow row = records.trials.front();
+  row.attempt = 0;
+  row.object = 0;
+  row.outcome = 0;
+  keep_trials(records, [](const study::TrialRow& trial) {
+    return trial.session > 0 || trial.scene > 0 || trial.method > 0;
+  });
+  records.add_trial(row, {{}, {}, {}});
+  EXPECT_THAT(content_of(bids_of(records), "bids/sub-P01/beh/sub-P01_task-preview_beh.tsv"),
+              HasSubstr("aula\tod\t0\ttest\t0\t0\t0\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tnone\n"));
 }
 
 TEST(Bids, SidecarsAreJsonAndDescribeEveryColumn) {
@@ -71,16 +101,8 @@ TEST(Bids, SaysWhoTookPart) {
 
 TEST(Bids, CodesThatCannotBeLabelsStayApart) {
   study::StudyRecords records = complete_study(3);
-  const auto rename = [&](const std::string& from, const std::string& to) {
-    for (study::SessionRow& row : records.sessions) {
-      row.participant = row.participant == from ? to : row.participant;
-    }
-    for (study::TrialRow& row : records.trials) {
-      row.participant = row.participant == from ? to : row.participant;
-    }
-  };
-  rename("P2", "P-1");
-  rename("P3", "../\t");
+  records.sessions[1].participant = "P-1";
+  records.sessions[2].participant = "../\t";
   std::set<std::string> names;
   for (const TextFile& file : bids_of(records)) {
     EXPECT_THAT(file.name, testing::Not(HasSubstr("..")));

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/dataset/study_tables.h"
 #include "analysis/publication/injected_studies.h"
-#include "analysis/publication/study_tables.h"
 
 namespace foveola::analysis {
 namespace {
@@ -54,8 +54,8 @@ TEST(InjectedStudies, HoldTheEffectsThatWereInjected) {
   InjectedEffects effects{.participants = 400};
   const StudyTables tables = tabulate_study(study_with_injected_effects(effects, 11));
   // The standard error is a percent and a half of the value.
-  EXPECT_NEAR(tables.method_times_of(Mark::outline, 2).percent_of_baseline->value, 10.0, 0.6);
-  EXPECT_NEAR(tables.method_times_of(Mark::outline, 1).percent_of_baseline->value, 32.0, 2.0);
+  EXPECT_NEAR(tables.method_times_of(0, 2).percent_of_baseline->value, 10.0, 0.6);
+  EXPECT_NEAR(tables.method_times_of(0, 1).percent_of_baseline->value, 32.0, 2.0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/statistics/proportion.h"
+#include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "renderer/base/random.h"
 #include "tests/analysis/made_up_study.h"
@@ -41,13 +42,25 @@ const DataQualityCheck& check_of(const DataQualityReport& report, const std::str
   return *found;
 }
 
+/// A catch trial of the first session, with a mark or timed out.
+void add_catch_trial(study::StudyRecords& records, bool has_mark) {
+  study::TrialRow row = records.trials.front();
+  row.kind = study::TrialKind::catch_trial;
+  records.add_trial(row, {has_mark ? measured(2.5) : right_censored(8.0), {}, {}});
+}
+
+DataQualityReport report_on(const study::StudyRecords& records,
+                            const study::DataQualityRecords& quality = {}) {
+  return check_data_quality(tabulate_study(records), quality, records);
+}
+
 TEST(DataQualityChecks, GoodDataPass) {
   study::DataQualityRecords quality;
   quality.frames = {good_frames("P1"), good_frames("P2")};
   quality.gaze_runs = {{"P1", 1, 5.0, 0.1, 0.0, false},
                        {"P1", 2, 0.8, 0.1, 0.0, true},
                        {"P2", 1, 0.9, 0.1, 0.0, true}};
-  const DataQualityReport report = check_data_quality(tabulate_study(complete_study(2)), quality);
+  const DataQualityReport report = report_on(complete_study(2), quality);
   for (const char* name :
        {"refresh", "valid gaze", "Latency", "mark upon it", "Validation", "People"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::passed) << name;
@@ -62,7 +75,7 @@ TEST(DataQualityChecks, WhatWasMissedIsFlaggedWithWhoMissedItMost) {
   quality.frames[1].untracked = 2000;
   quality.frames[1].mean_gaze_age_s = 0.09;
   quality.frames[1].longest_mark_after_frame_s = 0.5;
-  const DataQualityReport report = check_data_quality(tabulate_study(complete_study(2)), quality);
+  const DataQualityReport report = report_on(complete_study(2), quality);
   for (const char* name : {"refresh", "valid gaze", "Latency", "mark upon it"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::flagged) << name;
     EXPECT_THAT(check_of(report, name).found, HasSubstr("participant P2; 1 above the limit"));
@@ -73,12 +86,12 @@ TEST(DataQualityChecks, WhoIsNotAnalysedDoesNotCount) {
   study::DataQualityRecords quality;
   quality.frames = {good_frames("P1"), good_frames("X")};
   quality.frames[1].late = 9000;
-  const DataQualityReport report = check_data_quality(tabulate_study(complete_study(1)), quality);
+  const DataQualityReport report = report_on(complete_study(1), quality);
   EXPECT_EQ(check_of(report, "refresh").verdict, Verdict::passed);
 }
 
 TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
-  const DataQualityReport report = check_data_quality(tabulate_study(complete_study(2)), {});
+  const DataQualityReport report = report_on(complete_study(2));
   for (const char* name : {"refresh", "valid gaze", "Latency", "Validation"}) {
     EXPECT_EQ(check_of(report, name).verdict, Verdict::unknown) << name;
   }
@@ -88,24 +101,22 @@ TEST(DataQualityChecks, WhatWasNotRecordedIsNotCalledGood) {
 TEST(DataQualityChecks, OnlyTheLastValidationCounts) {
   study::DataQualityRecords quality;
   quality.gaze_runs = {{"P1", 1, 0.5, 0.1, 0.0, true}, {"P1", 2, 4.0, 0.1, 0.4, false}};
-  const DataQualityReport report = check_data_quality(tabulate_study(complete_study(1)), quality);
+  const DataQualityReport report = report_on(complete_study(1), quality);
   EXPECT_EQ(check_of(report, "Validation").verdict, Verdict::flagged);
 }
 
 TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
   study::StudyRecords records = complete_study(8);
   for (study::TrialRow& row : records.trials) {
-    row.method_position = row.method == "od" ? 0 : row.method == "vp" ? 1 : 2;
+    row.method_position = row.method;
   }
-  EXPECT_EQ(check_of(check_data_quality(tabulate_study(records), {}), "order").verdict,
-            Verdict::flagged);
+  EXPECT_EQ(check_of(report_on(records), "order").verdict, Verdict::flagged);
   int trial = 0;
   for (study::TrialRow& row : records.trials) {
-    row.method_position = (trial % 3 + trial / 3) % 3;
+    row.method_position = static_cast<std::uint16_t>((trial % 3 + trial / 3) % 3);
     ++trial;
   }
-  const DataQualityCheck balanced =
-      check_of(check_data_quality(tabulate_study(records), {}), "order");
+  const DataQualityCheck balanced = check_of(report_on(records), "order");
   EXPECT_EQ(balanced.verdict, Verdict::passed);
   EXPECT_THAT(balanced.found, HasSubstr("5 to 6 times"));
 }
@@ -114,20 +125,22 @@ TEST(DataQualityChecks, AMethodThatAlwaysComesFirstIsFlagged) {
 // the check's level is kept only if it takes that into account.
 TEST(DataQualityChecks, OneRandomDesignInAHundredIsFlagged) {
   constexpr std::size_t designs = 3000;
-  StudyTables tables = tabulate_study(complete_study(40));
+  const study::StudyRecords records = complete_study(40);
+  StudyTables tables = tabulate_study(records);
   const std::size_t methods = tables.set.methods.size();
   Pcg32 generator(26, 1);
   std::size_t flagged = 0;
   for (std::size_t design = 0; design < designs; ++design) {
     std::vector<int> places = {0, 1, 2};
-    for (std::size_t i = 0; i < tables.set.cells.size(); ++i) {
+    for (std::size_t i = 0; i < tables.set.trials.size(); ++i) {
       if (i % methods == 0) {
         shuffle(std::span(places), generator);
       }
-      tables.set.cells[i].method_position = places[i % methods];
+      tables.set.trials[i].method_position = places[i % methods];
     }
     flagged +=
-        check_of(check_data_quality(tables, {}), "order").verdict == Verdict::flagged ? 1 : 0;
+        check_of(check_data_quality(tables, {}, records), "order").verdict == Verdict::flagged ? 1
+                                                                                               : 0;
   }
   const Interval share = clopper_pearson(flagged, designs, 0.999);
   EXPECT_LE(share.low, 0.01) << flagged;
@@ -138,30 +151,30 @@ TEST(DataQualityChecks, ASceneWithAMissingTrialSaysNothingOfTheOrder) {
   study::StudyRecords records = complete_study(6);
   int trial = 0;
   for (study::TrialRow& row : records.trials) {
-    row.method_position = (trial % 3 + trial / 3) % 3;
+    row.method_position = static_cast<std::uint16_t>((trial % 3 + trial / 3) % 3);
     ++trial;
   }
-  const DataQualityCheck whole = check_of(check_data_quality(tabulate_study(records), {}), "order");
+  const DataQualityCheck whole = check_of(report_on(records), "order");
   EXPECT_THAT(whole.found, HasSubstr("each method 4 to 4 times"));
   records.trials.pop_back();
-  const DataQualityCheck less = check_of(check_data_quality(tabulate_study(records), {}), "order");
+  records.values.resize(records.trials.size() * records.measures.size());
+  const DataQualityCheck less = check_of(report_on(records), "order");
   EXPECT_THAT(less.found, HasSubstr("each method 3 to 4 times"));
 }
 
 TEST(DataQualityChecks, SimulatedSessionsAreFlagged) {
   study::StudyRecords records = complete_study(3);
   records.sessions[0].kind = "simulated";
-  EXPECT_EQ(check_of(check_data_quality(tabulate_study(records), {}), "People").verdict,
-            Verdict::flagged);
+  EXPECT_EQ(check_of(report_on(records), "People").verdict, Verdict::flagged);
 }
 
 TEST(DataQualityChecks, MarksAreHeldAgainstTheReactionFloor) {
   study::StudyRecords records = complete_study(2);
-  trial_of(records, "P1", "aula", "fv").outline_s = 0.2;
+  value_of(records, "P1", "aula", "fv", "outline") = measured(0.2);
   study::DataQualityRecords quality;
   quality.reactions = {
       {"P1", 0.3, false}, {"P1", 0.2, false}, {"P1", 0.4, false}, {"P1", -0.05, true}};
-  const DataQualityReport report = check_data_quality(tabulate_study(records), quality);
+  const DataQualityReport report = report_on(records, quality);
   ASSERT_EQ(report.reactions.size(), 1U);
   const ReactionFloor& floor = report.reactions[0];
   EXPECT_EQ(floor.presses, 3U);
@@ -172,16 +185,55 @@ TEST(DataQualityChecks, MarksAreHeldAgainstTheReactionFloor) {
 }
 
 TEST(DataQualityChecks, FilesSayWhoTookPart) {
+  study::StudyRecords records = complete_study(1);
+  records.sessions[0].kind = "pilot";
+  add_catch_trial(records, true);
   study::DataQualityRecords quality;
   quality.reactions = {{"P1", 0.3, false}};
-  const DataQualityReport report = check_data_quality(tabulate_study(complete_study(1)), quality);
-  for (const std::string& text :
-       {data_quality_csv(report, "pilot"), reactions_csv(report, "pilot")}) {
-    const std::vector<CsvRow> rows = parse_csv(text, "table");
+  quality.frames = {good_frames("P1")};
+  const StudyTables tables = tabulate_study(records);
+  const DataQualityReport report = check_data_quality(tables, quality, records);
+  for (const Table& table :
+       {data_quality_table(tables, report), latency_table(tables, report),
+        reaction_times_table(tables, report), catch_trials_table(tables, report)}) {
+    const std::vector<CsvRow> rows = parse_csv(csv_of(table), table.id);
+    ASSERT_GT(rows.size(), 1U) << table.id;
     EXPECT_THAT(rows, Each(SizeIs(rows.front().size())));
     EXPECT_EQ(rows.front().back(), "participant_kind");
     EXPECT_EQ(rows.back().back(), "pilot");
   }
+}
+
+TEST(DataQualityChecks, MarksInCatchTrialsAreFalseAlarms) {
+  study::StudyRecords records = complete_study(1);
+  EXPECT_EQ(check_of(report_on(records), "False alarms").verdict, Verdict::unknown);
+  for (int i = 0; i < 9; ++i) {
+    add_catch_trial(records, false);
+  }
+  const DataQualityReport none = report_on(records);
+  EXPECT_EQ(check_of(none, "False alarms").verdict, Verdict::passed);
+  EXPECT_EQ(none.catches.at(0).trials, 9U);
+  EXPECT_EQ(none.catches.at(0).false_alarms, 0U);
+  for (int i = 0; i < 3; ++i) {
+    add_catch_trial(records, true);
+  }
+  const DataQualityReport some = report_on(records);
+  EXPECT_EQ(some.catches.at(0).participant, "P1");
+  EXPECT_EQ(some.catches.at(0).trials, 12U);
+  EXPECT_EQ(some.catches.at(0).false_alarms, 3U);
+  EXPECT_DOUBLE_EQ(some.catches.at(0).false_alarms_percent(), 25.0);
+  EXPECT_EQ(check_of(some, "False alarms").verdict, Verdict::flagged);
+  EXPECT_THAT(check_of(some, "False alarms").found,
+              HasSubstr("a mark in 3 of 12 catch trials; above the limit: P1"));
+}
+
+TEST(DataQualityChecks, CatchTrialsThatWereNotBegunOrAreTimedAgainDoNotCount) {
+  study::StudyRecords records = complete_study(1);
+  add_catch_trial(records, true);
+  records.trials.back().counts = false;
+  add_catch_trial(records, false);
+  records.trials.back().attempt = 0;
+  EXPECT_TRUE(report_on(records).catches.empty());
 }
 
 }  // namespace

@@ -5,9 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/publication/analysis_plan.h"
-#include "renderer/base/error.h"
-#include "renderer/base/files.h"
+#include "study/protocol/read_procedure.h"
 #include "tests/analysis/made_up_study.h"
 
 namespace foveola::analysis {
@@ -18,15 +16,17 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string paragraph(const study::StudyRecords& records, const std::string& protocol) {
+std::string paragraph(const study::StudyRecords& records) {
   const StudyTables tables = tabulate_study(records);
-  return methods_paragraph(tables, compare_methods(tables.set, plan_of(protocol)), protocol);
+  return methods_paragraph(tables, compare_methods(tables.set, records.protocol.analysis), records);
 }
 
 TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
-  const std::string text =
-      paragraph(complete_study(4), read_file(std::filesystem::path(FOVEOLA_DATA_DIR).parent_path() /
-                                             "protocols" / "koskela2018.toml"));
+  study::StudyRecords records = complete_study(4);
+  records.protocol = study::load_protocol(std::filesystem::path(FOVEOLA_DATA_DIR).parent_path() /
+                                          "protocols" / "koskela2018.toml");
+  records.display_profile = "fove0";
+  const std::string text = paragraph(records);
   EXPECT_THAT(text, HasSubstr("4 participants saw 2 scenes (aula, barn)"));
   EXPECT_THAT(text,
               HasSubstr("The order of scenes was random, that of methods within a scene random"));
@@ -37,11 +37,26 @@ TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
 }
 
 TEST(MethodsParagraph, LeavesOutWhatItDoesNotSay) {
-  const std::string text = paragraph(complete_study(1), "");
+  const std::string text = paragraph(complete_study(1));
   EXPECT_THAT(text, HasSubstr("1 participant saw"));
-  EXPECT_THAT(text, Not(HasSubstr("order of scenes")));
-  EXPECT_THAT(text, Not(HasSubstr("pixels")));
+  EXPECT_THAT(text, Not(HasSubstr("of profile")));
+  EXPECT_THAT(text, Not(HasSubstr("filled in")));
+  EXPECT_THAT(text, Not(HasSubstr("catch trial")));
+  EXPECT_THAT(text, Not(HasSubstr("practice")));
   EXPECT_THAT(text, HasSubstr("No comparison was planned"));
+}
+
+TEST(MethodsParagraph, SaysWhatElseWasDone) {
+  study::StudyRecords records = complete_study(2);
+  records.protocol.practice = {{"aula", "od"}};
+  records.protocol.catch_trials.count = 3;
+  study::Questionnaire form;
+  form.id = "load";
+  form.source = "Hart 2006";
+  records.protocol.questionnaires = {form};
+  EXPECT_THAT(paragraph(records),
+              AllOf(HasSubstr("One practice trial came before."), HasSubstr("were 3 catch trials"),
+                    HasSubstr("They filled in load (Hart 2006).")));
 }
 
 TEST(MethodsParagraph, CallsSimulatedDataSo) {
@@ -49,7 +64,7 @@ TEST(MethodsParagraph, CallsSimulatedDataSo) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  const std::string text = paragraph(records, "");
+  const std::string text = paragraph(records);
   EXPECT_THAT(text, HasSubstr("Simulated data:"));
   EXPECT_THAT(text, HasSubstr("2 simulated participants saw"));
 }
@@ -59,50 +74,37 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  EXPECT_THAT(paragraph(records, ""), Not(AnyOf(HasSubstr("predicted"), HasSubstr("scaled"))));
+  EXPECT_THAT(paragraph(records), Not(AnyOf(HasSubstr("predicted"), HasSubstr("scaled"))));
   records.simulation = study::SimulationFacts{.scale = 36.0, .predicted = true, .injected = ""};
-  EXPECT_THAT(paragraph(records, ""),
+  EXPECT_THAT(paragraph(records),
               AllOf(HasSubstr("not rendered but predicted"), HasSubstr("scaled down by 36.")));
   records.simulation = study::SimulationFacts{.scale = 1.0, .injected = "faster:fv:2"};
-  EXPECT_THAT(paragraph(records, ""),
+  EXPECT_THAT(paragraph(records),
               AllOf(HasSubstr("injected effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
 }
 
-/// The methods paragraph of a study by this protocol.
-std::string paragraph_of(const std::string& protocol) {
-  study::StudyRecords records = complete_study(2);
-  records.protocol_text = protocol;
-  return paragraph(records, protocol);
-}
-
 TEST(MethodsParagraph, SaysWhatWasMarkedAndRatedInTheProtocolsWords) {
-  EXPECT_THAT(paragraph_of(""),
-              HasSubstr("marked when the outline of a chosen object and when its material could be "
-                        "judged; then they rated artifacts in other areas from 1 (none) to 5 (not "
-                        "discernible at all)."));
-  EXPECT_THAT(
-      paragraph_of("[[mark]]\nid = \"material\"\ninstruction = \"Now.\"\n"
-                   "[[rating]]\nid = \"artifacts\"\ntext = \"?\"\n"
-                   "labels = [\"a\", \"b\", \"c\", \"d\", \"e\"]\n"),
-      HasSubstr("marked when the material of a chosen object could be judged; then they rated "
-                "artifacts in other areas as 1 (a), 2 (b), 3 (c), 4 (d), 5 (e)."));
-  EXPECT_THAT(paragraph_of("[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n"
-                           "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"),
-              AllOf(HasSubstr("of progressive path tracing. Other marks and ratings "
-                              "(third, comfort) are not analysed here."),
-                    Not(HasSubstr("rated artifacts"))));
+  study::StudyRecords records = complete_study(2);
+  EXPECT_THAT(paragraph(records),
+              AllOf(HasSubstr("marked when the outline of a chosen object could be judged and "
+                              "when its material could be judged; then they rated “"),
+                    HasSubstr("(artifacts: 1 none to 5 not discernible at all)")));
+  records.measures = study::trial_measures(
+      {{"third", "Now it is sharp.", ""}, {"material", "", ""}},
+      {{.id = "comfort", .text = "Comfortable?", .labels = {"a", "b", "c", "d", "e"}}});
+  EXPECT_THAT(paragraph(records),
+              AllOf(HasSubstr("marked when “Now it is sharp.” (third) and when its material"),
+                    HasSubstr("then they rated “Comfortable?” (comfort: 1 (a), 2 (b), 3 (c), 4 "
+                              "(d), 5 (e))."),
+                    Not(HasSubstr("artifacts"))));
 }
 
-TEST(MethodsParagraph, SaysOfWhichPlannedComparisonsThereIsNothing) {
-  const std::string text = paragraph_of(
-      "methods = [\"od\", \"fv\"]\n[analysis]\nprimary = [{ measure = \"outline\", "
-      "method = \"fv\" }, { measure = \"comfort\", method = \"fv\" }]\n");
-  EXPECT_THAT(text, AllOf(HasSubstr("2 comparisons were planned"),
-                          HasSubstr("1 of those planned is not analysed here")));
-}
-
-TEST(MethodsParagraph, AProtocolThatIsNoTomlIsAnError) {
-  EXPECT_THROW((void)paragraph(complete_study(2), "name = "), Error);
+TEST(MethodsParagraph, SaysOfWhichPlannedComparisonsThereIsNoP) {
+  study::StudyRecords records = complete_study(2);
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}, {"comfort", "fv", "od"}};
+  EXPECT_THAT(paragraph(records),
+              AllOf(HasSubstr("2 comparisons were planned"),
+                    HasSubstr("1 of those planned had no P-value and counts as not significant")));
 }
 
 }  // namespace

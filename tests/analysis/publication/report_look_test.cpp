@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/publication/analysis_plan.h"
 #include "analysis/publication/methods_paragraph.h"
 #include "analysis/publication/report.h"
+#include "analysis/publication/trial_data.h"
 #include "tests/analysis/made_up_study.h"
 
 namespace foveola::analysis {
@@ -25,11 +25,14 @@ std::string simulated_report() {
   }
   study::DataQualityRecords quality;
   quality.gaze_runs.push_back({"P01", 1, 4.0, 0.2, 0.1, false});
-  const StudyTables tables = tabulate_study(records);
-  const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
-  return report_html({tables, comparisons, quality, check_data_quality(tables, quality),
-                      draw_figures(tables), std::vector<PublishedMean>{},
-                      methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
+  StudyTables tables = tabulate_study(records);
+  const Background background = analyse_background(background_answers(records), tables.set);
+  const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
+  return report_html({tables, background, answers_by_question(records, tables.set),
+                      questionnaire_scores(records, tables.set.kind), comparisons, quality,
+                      check_data_quality(tables, quality, records), draw_figures(tables),
+                      std::vector<PublishedMean>{}, methods_paragraph(tables, comparisons, records),
+                      std::nullopt});
 }
 
 /// The texts from each `begin` to the next `end`.

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/publication/analysis_plan.h"
 #include "analysis/publication/methods_paragraph.h"
+#include "analysis/publication/trial_data.h"
 #include "tests/analysis/golden.h"
 #include "tests/analysis/made_up_study.h"
 
@@ -19,11 +19,13 @@ const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}}
 
 std::string report_of(const study::StudyRecords& records,
                       const study::DataQualityRecords& quality = {}) {
-  const StudyTables tables = tabulate_study(records);
-  const Comparisons comparisons = compare_methods(tables.set, plan_of(records.protocol_text));
-  return report_html({tables, comparisons, quality, check_data_quality(tables, quality),
-                      draw_figures(tables), published,
-                      methods_paragraph(tables, comparisons, records.protocol_text), std::nullopt});
+  StudyTables tables = tabulate_study(records);
+  const Background background = analyse_background(background_answers(records), tables.set);
+  const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
+  return report_html({tables, background, answers_by_question(records, tables.set),
+                      questionnaire_scores(records, tables.set.kind), comparisons, quality,
+                      check_data_quality(tables, quality, records), draw_figures(tables), published,
+                      methods_paragraph(tables, comparisons, records), std::nullopt});
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -39,7 +41,7 @@ study::StudyRecords balanced_study() {
   study::StudyRecords records = complete_study(3);
   int trial = 0;
   for (study::TrialRow& row : records.trials) {
-    row.method_position = (trial % 3 + trial / 6) % 3;
+    row.method_position = static_cast<std::uint16_t>((trial % 3 + trial / 6) % 3);
     ++trial;
   }
   return records;
@@ -112,7 +114,7 @@ TEST(Report, BothReadingsOfTable2AreThere) {
   const std::string html = report_of(golden_study_records());
   EXPECT_EQ(count_of(html, "of OD’s mean time.</strong>"), 2U);
   const double golden = golden_study().at("outline.barn.fv.ratio_of_means_percent");
-  EXPECT_THAT(html, HasSubstr(fmt::format("<td>{:.1f}</td>", golden)));
+  EXPECT_THAT(html, HasSubstr(fmt::format("<td>{:.1f} ± ", golden)));
 }
 
 TEST(Report, PeoplesDataAreNotCalledSimulated) {
@@ -146,9 +148,8 @@ TEST(Report, WhatWasPlannedStandsApart) {
   study::StudyRecords records = complete_study(4);
   EXPECT_THAT(report_of(records), HasSubstr("The protocol plans no comparison"));
   EXPECT_THAT(report_of(records), Not(HasSubstr("Planned comparisons of times.")));
-  records.protocol_text =
-      "methods = [\"od\", \"vp\", \"fv\"]\n[analysis]\nparticipants = 16\n"
-      "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n";
+  records.protocol.analysis.participants = 16;
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
   const std::string html = report_of(records);
   EXPECT_THAT(html, HasSubstr("The protocol planned 1 primary comparison"));
   EXPECT_THAT(html, HasSubstr("It planned 16 participants; 4 are analysed."));
@@ -175,7 +176,7 @@ TEST(Report, ListsWhatWasLeftOut) {
 TEST(Report, ManyExclusionsAreCutWithACount) {
   study::StudyRecords records = complete_study(2);
   for (int i = 0; i < 150; ++i) {
-    records.sessions.push_back({fmt::format("X{}", i), "human", "withdrawn"});
+    records.sessions.push_back({fmt::format("X{}", i), "human", "withdrawn", {}, {}});
   }
   const std::string html = report_of(records);
   EXPECT_THAT(html, HasSubstr("150 × session withdrawn"));
@@ -185,17 +186,17 @@ TEST(Report, ManyExclusionsAreCutWithACount) {
 TEST(Report, HostileStringsStayText) {
   const std::string hostile = "</td><script>alert('x')</script>&\"";
   study::StudyRecords records = complete_study(3);
-  records.protocol_name = hostile;
-  records.protocol_title = hostile;
-  records.protocol_sha256 = hostile;
+  records.protocol.name = hostile;
+  records.protocol.title = hostile;
+  records.protocol.sha256 = hostile;
   records.scenes[0] = hostile + " scene";
   records.methods[2] = hostile + " method";
-  records.sessions.push_back({hostile, "human", hostile});
-  for (study::TrialRow& row : records.trials) {
-    row.scene = row.scene == "aula" ? records.scenes[0] : row.scene;
-    row.method = row.method == "fv" ? records.methods[2] : row.method;
+  records.sessions.push_back({hostile, "human", hostile, {}, {}});
+  for (study::Measure& measure : records.measures) {
+    measure.question.text = hostile;
   }
-  for (study::BackgroundRow& row : records.background) {
+  records.measures[artifacts_index].question.labels = {hostile, hostile};
+  for (study::AnswerRow& row : records.answers) {
     row.question = row.question == "graphics_3d" ? hostile : row.question;
   }
   const std::string html = report_of(records);
@@ -206,6 +207,7 @@ TEST(Report, HostileStringsStayText) {
 TEST(Report, OneParticipantAndOneMethodStillMakeAReport) {
   study::StudyRecords records = complete_study(1);
   records.methods = {"od"};
+  keep_trials(records, [](const study::TrialRow& row) { return row.method == 0; });
   const std::string html = report_of(records);
   EXPECT_THAT(html, HasSubstr("</html>"));
   EXPECT_THAT(html, Not(HasSubstr("nan")));

@@ -11,9 +11,14 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+std::string summary_of(const study::StudyRecords& records) {
+  StudyTables tables = tabulate_study(records);
+  const Background background = analyse_background(background_answers(records), tables.set);
+  return terminal_summary(tables, background);
+}
+
 TEST(Summary, HasTheMainNumbers) {
-  const StudyTables tables = tabulate_study(golden_study_records());
-  const std::string text = terminal_summary(tables);
+  const std::string text = summary_of(golden_study_records());
   // From R, in data/golden/study_values.csv.
   EXPECT_THAT(text, HasSubstr("10.1 [9.2, 11.0]"));
   EXPECT_THAT(text, HasSubstr("OD − FV, material"));
@@ -27,7 +32,7 @@ TEST(Summary, SaysThatDataAreSimulated) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  EXPECT_THAT(terminal_summary(tabulate_study(records)), HasSubstr("2 simulated participants"));
+  EXPECT_THAT(summary_of(records), HasSubstr("2 simulated participants"));
 }
 
 TEST(Summary, EveryTableSaysWhoseDataItShows) {
@@ -35,7 +40,7 @@ TEST(Summary, EveryTableSaysWhoseDataItShows) {
   for (study::SessionRow& session : records.sessions) {
     session.kind = "pilot";
   }
-  const std::string text = terminal_summary(tabulate_study(records));
+  const std::string text = summary_of(records);
   std::size_t marks_found = 0;
   for (std::size_t at = text.find(" (Pilot data)\n"); at != std::string::npos;
        at = text.find(" (Pilot data)\n", at + 1)) {
@@ -47,16 +52,13 @@ TEST(Summary, EveryTableSaysWhoseDataItShows) {
 TEST(Summary, NamesCannotSteerTheTerminal) {
   study::StudyRecords records = complete_study(2);
   records.scenes[0] = "au\x1b[31mla";
-  for (study::TrialRow& row : records.trials) {
-    row.scene = row.scene == "aula" ? records.scenes[0] : row.scene;
-  }
-  const std::string text = terminal_summary(tabulate_study(records));
+  const std::string text = summary_of(records);
   EXPECT_THAT(text, HasSubstr("au?[31mla"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
 }
 
 TEST(Summary, NoLineEndsInBlanks) {
-  EXPECT_THAT(terminal_summary(tabulate_study(complete_study(1))), Not(HasSubstr(" \n")));
+  EXPECT_THAT(summary_of(complete_study(1)), Not(HasSubstr(" \n")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "analysis/publication/trial_data.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -7,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/publication/data_files.h"
+#include "analysis/tables/table_formats.h"
 #include "renderer/base/csv.h"
 #include "tests/analysis/made_up_study.h"
 
@@ -19,72 +22,197 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-TEST(TrialData, TheLongTableHasARowForEveryPlannedTrial) {
-  const StudyTables tables = tabulate_study(golden_study_records());
-  const std::vector<CsvRow> rows = parse_csv(trials_long_csv(tables.set), "long");
-  ASSERT_EQ(rows.size(), 1U + 8U * 3U * 3U);
-  EXPECT_THAT(rows, Each(SizeIs(trial_variables({}).size())));
+using study::TrialKind;
+using study::TrialRow;
+
+/// All rows, timings that do not count among them.
+std::vector<CsvRow> long_rows(const study::StudyRecords& records) {
+  const Dataset set = select_for_analysis(records);
+  const TrialColumns trials(records, set);
+  std::string text = csv_heading(trials.columns());
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    text += csv_row(trials.row(i));
+  }
+  return parse_csv(text, "long");
+}
+
+std::vector<CsvRow> wide_rows(const study::StudyRecords& records) {
+  const Dataset set = select_for_analysis(records);
+  const ParticipantColumns participants(records, set);
+  std::string text = csv_heading(participants.columns());
+  for (std::size_t i = 0; i < set.participants.size(); ++i) {
+    text += csv_row(participants.row(i));
+  }
+  return parse_csv(text, "wide");
+}
+
+const CsvRow& row_of(const std::vector<CsvRow>& rows, const std::string& participant,
+                     const std::string& scene, const std::string& method) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const CsvRow& row) {
+    return row[0] == participant && row[4] == scene && row[5] == method;
+  });
+}
+
+TEST(TrialData, TheLongTableHasARowForEveryRecordedTrial) {
+  const study::StudyRecords records = golden_study_records();
+  const std::vector<CsvRow> rows = long_rows(records);
+  ASSERT_EQ(rows.size(), 1U + records.trials.size());
+  EXPECT_THAT(rows, Each(SizeIs(rows[0].size())));
   EXPECT_THAT(rows[0],
-              ElementsAre("participant", "participant_kind", "scene", "method", "trial_position",
-                          "method_position", "attempts", "outline_s", "outline_censored",
-                          "material_s", "material_censored", "artifacts_rating"));
-  EXPECT_THAT(rows[1], ElementsAre("P01", "human", "aula", "od", "0", "0", "1", "8.0041", "false",
-                                   "12.0567", "false", "2"));
+              ElementsAre("participant", "participant_kind", "session_state", "status", "scene",
+                          "method", "trial", "trial_kind", "trial_position", "method_position",
+                          "attempt", "object", "outcome", "outline_s", "outline_censored",
+                          "material_s", "material_censored", "artifacts_rating", "record"));
+  EXPECT_THAT(rows[1], ElementsAre("P01", "human", "completed", "analysed", "aula", "od", "0",
+                                   "test", "0", "0", "1", "the chair", "rated", "8.0041", "false",
+                                   "12.0567", "false", "2", "none"));
 }
 
 TEST(TrialData, RightCensoredTimesAreBoundsAndMissingOnesAreEmpty) {
-  const StudyTables tables = tabulate_study(golden_study_records());
-  const std::vector<CsvRow> rows = parse_csv(trials_long_csv(tables.set), "long");
-  const CsvRow& ran_out = rows.at(1 + 2 * 9);
-  EXPECT_EQ(ran_out.at(0), "P03");
-  EXPECT_EQ(ran_out.at(7), "60");
-  EXPECT_EQ(ran_out.at(8), "true");
-  const CsvRow& missing = rows.at(1 + 9 + 1);
-  EXPECT_THAT(missing,
-              ElementsAre("P02", "human", "aula", "vp", "0", "0", "0", "", "", "", "", ""));
+  const std::vector<CsvRow> rows = long_rows(golden_study_records());
+  const CsvRow& ran_out = row_of(rows, "P03", "aula", "od");
+  EXPECT_EQ(ran_out.at(13), "60");
+  EXPECT_EQ(ran_out.at(14), "true");
+  const CsvRow& missing = row_of(rows, "P04", "barn", "fv");
+  EXPECT_EQ(missing.at(15), "");
+  EXPECT_EQ(missing.at(16), "");
+}
+
+TEST(TrialData, StatusSaysWhyATrialIsNotAnalysed) {
+  study::StudyRecords records = complete_study(3);
+  records.sessions[1].state = "interrupted";
+  records.sessions[2].kind = "pilot";
+  TrialRow row = records.trials.front();
+  row.counts = false;
+  records.add_trial(row, {{}, {}, {}});
+  row.counts = true;
+  row.kind = TrialKind::practice;
+  records.add_trial(row, {{}, {}, {}});
+  row.kind = TrialKind::catch_trial;
+  records.add_trial(row, {{}, {}, {}});
+  const std::vector<CsvRow> rows = long_rows(records);
+  EXPECT_EQ(rows.at(1).at(3), "analysed");
+  EXPECT_EQ(rows.at(1 + 6).at(3), "interrupted");
+  EXPECT_EQ(rows.at(1 + 12).at(3), "pilot");
+  EXPECT_EQ(rows.at(1 + 18).at(3), "timed again");
+  EXPECT_EQ(rows.at(1 + 19).at(3), "practice");
+  EXPECT_EQ(rows.at(1 + 20).at(3), "catch");
+  EXPECT_EQ(rows.at(1 + 20).at(8), "");
+}
+
+TEST(TrialData, EveryMeasureOfTheProtocolHasItsColumns) {
+  study::StudyRecords records = complete_study(1);
+  records.measures[material_index].question.id = "third";
+  study::Question& rating = records.measures[artifacts_index].question;
+  rating = {.id = "remarks", .text = "Remarks?", .kind = study::QuestionKind::text};
+  records.words.emplace_back("odd, \"very\"");
+  change_values(records, "remarks",
+                [](Value& value) { value = {.state = Value::State::in_words, .words = 3}; });
+  const std::vector<CsvRow> rows = long_rows(records);
+  EXPECT_EQ(rows.at(0).at(15), "third_s");
+  EXPECT_EQ(rows.at(0).at(17), "remarks_rating");
+  EXPECT_EQ(rows.at(1).at(17), "odd, \"very\"");
+  const Dataset set = select_for_analysis(records);
+  const TrialColumns trials(records, set);
+  EXPECT_EQ(trials.columns().at(17).type, ColumnType::text);
+  EXPECT_EQ(trials.columns().at(17).description, "Remarks? Answers: in words");
 }
 
 TEST(TrialData, TheWideTableHasARowForEveryParticipant) {
-  const study::StudyRecords records = golden_study_records();
-  const StudyTables tables = tabulate_study(records);
-  const std::vector<CsvRow> rows =
-      parse_csv(participants_wide_csv(tables.set, records.background), "wide");
+  const std::vector<CsvRow> rows = wide_rows(golden_study_records());
   ASSERT_EQ(rows.size(), 9U);
-  EXPECT_THAT(rows, Each(SizeIs(2 + 3 * 3 * 5 + 3)));
-  EXPECT_EQ(rows[0][2], "outline_s.aula.od");
+  EXPECT_THAT(rows, Each(SizeIs(3 + 3 * 3 * 5 + 3)));
+  EXPECT_EQ(rows[0][3], "outline_s.aula.od");
   EXPECT_EQ(rows[0].back(), "background.virtual_reality");
   EXPECT_EQ(rows[1].back(), "3");
 }
 
-TEST(TrialData, TheCodebookNamesEveryColumn) {
-  const std::vector<CsvRow> rows = parse_csv(codebook_csv({}), "codebook");
-  ASSERT_EQ(rows.size(), 1U + trial_variables({}).size());
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    EXPECT_EQ(rows[i].at(0), trial_variables({})[i - 1].name);
-    EXPECT_FALSE(rows[i].at(3).empty());
+study::StudyRecords study_with_forms() {
+  study::StudyRecords records = complete_study(2);
+  study::Questionnaire form;
+  form.id = "mood";
+  form.questions = {
+      {.id = "ease", .text = "At ease?", .minimum = 1, .maximum = 2, .labels = {"no", "yes"}},
+      {.id = "remarks", .text = "Remarks?", .kind = study::QuestionKind::text},
+      {.id = "noise",
+       .text = "Noise?",
+       .kind = study::QuestionKind::choice,
+       .options = {{"a little", 0.5}, {"much", 2.0}}}};
+  records.protocol.questionnaires = {form};
+  records.answers.clear();
+  add_answer(records, "P1", "mood", "ease", 2.0);
+  records.answers.push_back({0, 4, "mood", "remarks", "none, \"really\""});
+  add_answer(records, "P2", "mood", "noise", 0.5);
+  add_answer(records, "P2", "unknown", "thing", 7.0);
+  return records;
+}
+
+TEST(TrialData, EveryAnswerHasARowWithTheProtocolsLabel) {
+  const std::vector<CsvRow> rows = parse_csv(csv_of(answers_long(study_with_forms())), "answers");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_THAT(rows[0],
+              ElementsAre("participant", "session_state", "questionnaire", "step", "question",
+                          "number", "text", "question_text", "scale", "participant_kind"));
+  EXPECT_THAT(rows[1], ElementsAre("P1", "completed", "mood", "0", "ease", "2", "yes", "At ease?",
+                                   "1 no to 2 yes", "human"));
+  EXPECT_THAT(rows[2], ElementsAre("P1", "completed", "mood", "4", "remarks", "",
+                                   "none, \"really\"", "Remarks?", "in words", "human"));
+  EXPECT_THAT(rows[3], ElementsAre("P2", "completed", "mood", "0", "noise", "0.5", "a little",
+                                   "Noise?", "0.5 (a little), 2 (much)", "human"));
+  EXPECT_THAT(rows[4],
+              ElementsAre("P2", "completed", "unknown", "0", "thing", "7", "", "", "", "human"));
+}
+
+TEST(TrialData, QuestionsInNumbersAreDescribed) {
+  const study::StudyRecords records = study_with_forms();
+  const std::vector<CsvRow> rows =
+      parse_csv(csv_of(answers_by_question(records, select_for_analysis(records))), "answers");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_THAT(rows[1],
+              ElementsAre("mood", "ease", "1 no to 2 yes", "1", "2", "", "2", "1", "human"));
+  EXPECT_EQ(rows[2].at(1), "noise");
+  EXPECT_EQ(rows[2].at(4), "0.5");
+  EXPECT_EQ(rows[3].at(0), "unknown");
+}
+
+TEST(TrialData, ScoresAreATable) {
+  study::StudyRecords records = complete_study(1);
+  study::Questionnaire form;
+  form.id = "load";
+  for (const char* item : {"mental_demand", "physical_demand", "temporal_demand", "performance",
+                           "effort", "frustration"}) {
+    form.questions.push_back({.id = item, .minimum = 0, .maximum = 20});
+    add_answer(records, "P1", "load", item, 10.0);
   }
+  records.protocol.questionnaires = {form};
+  const std::vector<CsvRow> rows =
+      parse_csv(csv_of(questionnaire_scores(records, "human")), "scores");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_THAT(rows[1], ElementsAre("P1", "load", "0", "NASA-TLX", "raw_load", "50", "human"));
 }
 
 TEST(TrialData, PsychDsDescribesItsVariables) {
   study::StudyRecords records = complete_study(2);
-  records.protocol_name = "my study/2";
+  records.protocol.name = "my study/2";
   for (study::SessionRow& session : records.sessions) {
     session.kind = "simulated";
   }
-  const PsychDs shared = psych_ds(tabulate_study(records), records.background);
+  const StudyTables tables = tabulate_study(records);
+  const TrialColumns trials(records, tables.set);
+  const ParticipantColumns participants(records, tables.set);
+  const PsychDs shared = psych_ds(tables, trials, participants);
   const nlohmann::json json = nlohmann::json::parse(shared.description.content);
   EXPECT_EQ(json["@type"], "Dataset");
   std::set<std::string> described;
   for (const nlohmann::json& variable : json["variableMeasured"]) {
     EXPECT_TRUE(described.insert(variable["name"]).second) << variable["name"];
-    EXPECT_FALSE(variable["description"].get<std::string>().empty());
+    EXPECT_FALSE(variable["description"].get<std::string>().empty()) << variable["name"];
   }
   std::set<std::string> columns;
-  const AnalysisSet set = select_for_analysis(records);
-  for (const std::string& file :
-       {trials_long_csv(set), participants_wide_csv(set, records.background)}) {
-    const CsvRow heading = parse_csv(file, "data").at(0);
-    columns.insert(heading.begin(), heading.end());
+  for (const std::vector<Column>& of_file : {trials.columns(), participants.columns()}) {
+    for (const Column& column : of_file) {
+      columns.insert(column.name);
+    }
   }
   EXPECT_EQ(described, columns);
   EXPECT_TRUE(columns.contains("material_s.barn.fv"));
@@ -94,7 +222,7 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
 }
 
 TEST(TrialData, ScriptsReadTheLongTable) {
-  for (const TextFile& script : r_scripts()) {
+  for (const TextFile& script : r_scripts(select_for_analysis(complete_study(1)))) {
     EXPECT_THAT(script.content, HasSubstr("read.csv(\"trials_long.csv\""));
   }
 }
@@ -102,7 +230,7 @@ TEST(TrialData, ScriptsReadTheLongTable) {
 // Trials of one participant with one method, and of one scene with one method, are alike: a model
 // without these random effects takes each trial for one more participant.
 std::string r_script(const std::string& name) {
-  for (const TextFile& file : r_scripts()) {
+  for (const TextFile& file : r_scripts(select_for_analysis(complete_study(1)))) {
     if (file.name == name) {
       return file.content;
     }
@@ -120,6 +248,20 @@ TEST(TrialData, NoModelTakesTrialsForParticipants) {
   }
   EXPECT_THAT(r_script("models_times.R"), Not(HasSubstr("method * scene")));
   EXPECT_THAT(r_script("models_times.R"), HasSubstr("emmeans(model, ~ method"));
+}
+
+TEST(TrialData, ModelsAreOfTheStudysOwnMarksAndRatings) {
+  EXPECT_THAT(r_script("models_times.R"), HasSubstr("marks <- c(\"outline\", \"material\")\n"));
+  EXPECT_THAT(r_script("models_ratings.R"), HasSubstr("ratings <- c(\"artifacts\")\n"));
+  study::StudyRecords records = complete_study(1);
+  records.methods[0] = "vp:x=1";
+  records.measures[material_index].question.id = "third";
+  records.measures[artifacts_index].question.id = "comfort";
+  const std::vector<TextFile> scripts = r_scripts(select_for_analysis(records));
+  EXPECT_THAT(scripts.at(0).content, HasSubstr("marks <- c(\"outline\", \"third\")\n"));
+  EXPECT_THAT(scripts.at(0).content, HasSubstr("ref = \"vp:x=1\""));
+  EXPECT_THAT(scripts.at(1).content, HasSubstr("ratings <- c(\"comfort\")\n"));
+  EXPECT_THAT(scripts.at(1).content, Not(HasSubstr("artifacts")));
 }
 
 }  // namespace

@@ -18,9 +18,17 @@ TEST_F(JudgedMeasures, AreThePublishedOnesInAnyOrder) {
   EXPECT_NO_THROW(
       requiring("[[mark]]\nid = \"material\"\ninstruction = \"Now.\"\n"
                 "[[mark]]\nid = \"outline\"\ninstruction = \"Now.\"\n")());
-  EXPECT_EQ(judgement_of({.id = "outline", .instruction = ""}), Task::mark_outline);
-  EXPECT_EQ(judgement_of({.id = "material", .instruction = ""}), Task::mark_material);
-  EXPECT_EQ(judgement_of({.id = "third", .instruction = ""}), std::nullopt);
+  EXPECT_EQ(judgement_of({.id = "first", .simulated = "outline"}), Task::mark_outline);
+  EXPECT_EQ(judgement_of({.id = "first", .simulated = "material"}), Task::mark_material);
+  EXPECT_EQ(judgement_of({.id = "third"}), std::nullopt);
+}
+
+TEST_F(JudgedMeasures, AreThoseThatTheProtocolNames) {
+  EXPECT_NO_THROW(
+      requiring("[[mark]]\nid = \"third\"\ninstruction = \"Now.\"\n"
+                "simulated = \"material\"\n"
+                "[[rating]]\nid = \"comfort\"\ntext = \"?\"\n"
+                "simulated = \"quality\"\n")());
 }
 
 TEST_F(JudgedMeasures, AreNoOtherMarks) {
@@ -29,7 +37,7 @@ TEST_F(JudgedMeasures, AreNoOtherMarks) {
               ThrowsMessage<Error>(
                   AllOf(HasSubstr("p.toml:9:6: simulated participants cannot judge the mark "
                                   "third; "),
-                        HasSubstr("outline and material"), HasSubstr("--inject"))));
+                        HasSubstr("simulated = \"outline\""), HasSubstr("--inject"))));
 }
 
 TEST_F(JudgedMeasures, AreNoOtherRatingsButWords) {

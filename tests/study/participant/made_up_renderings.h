@@ -139,8 +139,8 @@ class SimulatedParticipantTest : public ::testing::Test {
     sit_down(person, 0);
     Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
     wait(person, Task::look_around, now, display, 3.0);
-    const std::vector<Answer> answers =
-        person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = points}});
+    const std::vector<Answer> answers = person.rate(
+        {{.id = "artifacts", .minimum = 1.0, .maximum = points, .simulated = "artifacts"}});
     EXPECT_EQ(answers.size(), 1U);
     return std::get<double>(answers.at(0).value);
   }

@@ -43,7 +43,9 @@ TEST_F(SimulatedParticipantTest,
     person.begin(Task::look_around, Nanoseconds(0));
     person.consider({.artifacts_jnd = 2.8}, Nanoseconds(0));
     return std::get<double>(
-        person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = 5.0}}).at(0).value);
+        person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = 5.0, .simulated = "artifacts"}})
+            .at(0)
+            .value);
   };
   const auto ratings = [&](double bias_spread, double noise_spread) {
     population_.rating.bias_spread = bias_spread;

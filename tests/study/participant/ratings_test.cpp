@@ -8,7 +8,7 @@ namespace {
 constexpr RatingHabits habits{.second_point_jnd = 1.0, .step_factor = 2.0};
 
 TEST(RateArtifacts, GoesUpByAPointAtEachThreshold) {
-  const Question scale{.id = "artifacts", .minimum = 1.0, .maximum = 5.0};
+  const Question scale{.id = "artifacts", .minimum = 1.0, .maximum = 5.0, .simulated = "artifacts"};
   EXPECT_EQ(rate_artifacts(habits, scale, 0.0), 1.0);
   EXPECT_EQ(rate_artifacts(habits, scale, 0.99), 1.0);
   EXPECT_EQ(rate_artifacts(habits, scale, 1.0), 2.0);
@@ -20,7 +20,7 @@ TEST(RateArtifacts, GoesUpByAPointAtEachThreshold) {
 }
 
 TEST(RateArtifacts, NeverFallsAsMoreIsNoticed) {
-  const Question scale{.id = "artifacts", .minimum = 0.0, .maximum = 7.0};
+  const Question scale{.id = "artifacts", .minimum = 0.0, .maximum = 7.0, .simulated = "artifacts"};
   double before = 0.0;
   for (double noticed_jnd = 0.0; noticed_jnd < 200.0; noticed_jnd += 0.1) {
     const double rating = rate_artifacts(habits, scale, noticed_jnd);

@@ -33,7 +33,7 @@ TEST_F(SimulatedParticipantTest, AnAttemptDependsOnNothingThatWasBefore) {
   Nanoseconds now = nanoseconds_from_seconds(first_presented_s);
   wait(tired, Task::mark_outline, now, rendering, 40.0);
   wait(tired, Task::look_around, now, rendering, 5.0);
-  tired.rate({{.id = "artifacts"}});
+  tired.rate({{.id = "artifacts", .simulated = "artifacts"}});
   tired.answer("background", {{.id = "age"}});
   tired.react(3);
   EXPECT_EQ(marks(tired, rendering), marks(participant(1), rendering));

@@ -45,7 +45,10 @@ class AmendedStudy : public StudyFile {
 
 TEST_F(AmendedStudy, OtherWordsAreTakenWhereThatIsAsked) {
   begin();
-  const Protocol amended = small_protocol_of(small_protocol().text + "title = \"Anew\"\n");
+  std::string anew = small_protocol().text;
+  const std::string title = "A small study";
+  anew.replace(anew.find(title), title.size(), "Anew");
+  const Protocol amended = small_protocol_of(anew);
   EXPECT_THAT(refusal([&] { const StudyStore store(path_, amended); }),
               AllOf(HasSubstr("another protocol"), HasSubstr("--amended-protocol")));
   {
@@ -66,11 +69,11 @@ TEST_F(AmendedStudy, OtherWordsAreTakenWhereThatIsAsked) {
 
 TEST_F(AmendedStudy, AnotherDesignIsRefusedByItsKeys) {
   begin();
-  const Protocol other = small_protocol_of("name = \"small\"\nscenes = [\"box\"]\n");
+  const Protocol other = small_protocol_of(small_protocol().text + "[catch_trials]\ncount = 1\n");
   const auto before = folder_.content();
   EXPECT_THAT(
       refusal([&] { const StudyStore store(path_, other, OtherProtocol::take_as_amendment); }),
-      AllOf(HasSubstr("another design than small.toml: scenes[0] differ"),
+      AllOf(HasSubstr("another design than small.toml: catch_trials.count differ"),
             HasSubstr("only words and time-outs")));
   EXPECT_EQ(folder_.content(), before);
 }

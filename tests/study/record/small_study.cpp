@@ -21,7 +21,8 @@ Protocol small_protocol() {
                             .weights = nullptr}};
   protocol.display.profile = DisplayProfile{.name = "goggles", .toml = "kind = \"headset\"\n"};
   protocol.tracker.profile = TrackerProfile{.name = "camera", .toml = "rate_hz = 120\n"};
-  protocol.marks = {{.id = "outline"}, {.id = "material"}};
+  protocol.marks = {{.id = "outline", .simulated = "outline"},
+                    {.id = "material", .simulated = "material"}};
   protocol.ratings = {{.id = "artifacts", .minimum = 1.0, .maximum = 5.0}};
   protocol.questionnaires = {
       {.id = "background",
@@ -30,7 +31,30 @@ Protocol small_protocol() {
   protocol.phases = {{.kind = PhaseEntry::Kind::questionnaire, .questionnaire = "background"},
                      {.kind = PhaseEntry::Kind::trials}};
   protocol.path = "small.toml";
-  protocol.text = "name = \"small\"\n";
+  protocol.text = R"(name = "small"
+title = "A small study"
+scenes = ["box", "hall"]
+methods = ["od", "fv", "mask:file=a.png"]
+
+[[rating]]
+id = "artifacts"
+text = "Artifacts?"
+
+[[questionnaire]]
+id = "background"
+title = "You"
+
+[[questionnaire.question]]
+id = "age"
+text = "Age?"
+kind = "number"
+minimum = 1
+maximum = 99
+
+[[questionnaire.question]]
+id = "cg_experience"
+text = "Experience?"
+)";
   protocol.sha256 = sha256(protocol.text);
   return protocol;
 }

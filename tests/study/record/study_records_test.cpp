@@ -1,5 +1,6 @@
 #include "study/record/study_records.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "study_file.h"
@@ -18,6 +19,55 @@ class Records : public StudyFile {
   StudyStore store_{path_, small_protocol()};
 };
 
+/// "P01 hall fv 0.0 attempt 1 counts [rated]: 0.5 1.5 1"; a bound is ">120", words are quoted,
+/// and what is missing is "-".
+std::string line_of(const StudyRecords& records, std::size_t row) {
+  const TrialRow& trial = records.trials[row];
+  std::string line =
+      fmt::format("{} {} {} {}.{} {} attempt {}{} [{}]:", records.participant_of(trial),
+                  records.scenes[trial.scene], records.methods[trial.method], trial.scene_position,
+                  trial.method_position, name_of(trial.kind), trial.attempt,
+                  trial.counts ? "" : " not", records.words[trial.outcome]);
+  for (std::size_t measure = 0; measure < records.measures.size(); ++measure) {
+    const Value& value = records.value(row, measure);
+    switch (value.state) {
+      case Value::State::missing:
+        line += " -";
+        break;
+      case Value::State::right_censored:
+        line += fmt::format(" >{:g}", value.number);
+        break;
+      case Value::State::measured:
+        line += fmt::format(" {:g}", value.number);
+        break;
+      case Value::State::in_words:
+        line += fmt::format(" '{}'", records.words[value.words]);
+        break;
+    }
+  }
+  return line;
+}
+
+std::vector<std::string> lines_of(const StudyRecords& records) {
+  std::vector<std::string> lines;
+  for (std::size_t row = 0; row < records.trials.size(); ++row) {
+    lines.push_back(line_of(records, row));
+  }
+  return lines;
+}
+
+/// "P01 background.age 31" for each answer.
+std::vector<std::string> answers_of(const StudyRecords& records) {
+  std::vector<std::string> lines;
+  for (const AnswerRow& row : records.answers) {
+    const auto* number = std::get_if<double>(&row.value);
+    lines.push_back(fmt::format(
+        "{} {}.{} {}", records.sessions[row.session].participant, row.questionnaire, row.question,
+        number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(row.value)));
+  }
+  return lines;
+}
+
 TEST_F(Records, OfACompletedSession) {
   PlayedSession session = session_of("P01");
   session.run_trial(ms(1000), ms(500), ms(1500), 1);
@@ -26,22 +76,28 @@ TEST_F(Records, OfACompletedSession) {
   session.run_trial(ms(41'000), ms(250), ms(750), 5);
   const StudyRecords records = read_study(path_);
 
-  EXPECT_EQ(records.protocol_name, "small");
-  EXPECT_EQ(records.protocol_title, "A small study");
-  EXPECT_EQ(records.protocol_sha256, small_protocol().sha256);
+  EXPECT_EQ(records.protocol.name, "small");
+  EXPECT_EQ(records.protocol.title, "A small study");
+  EXPECT_EQ(records.protocol.sha256, small_protocol().sha256);
+  EXPECT_EQ(records.display_profile, "goggles");
+  EXPECT_EQ(records.tracker_profile, "camera");
   EXPECT_THAT(records.scenes, ElementsAre("box", "hall"));
   EXPECT_THAT(records.methods, ElementsAre("od", "fv", "mask:file=a.png"));
+  ASSERT_EQ(records.measures.size(), 3U);
+  EXPECT_EQ(records.measures[0].id(), "outline");
+  EXPECT_EQ(records.measures[2].id(), "artifacts");
+  EXPECT_EQ(records.measures[2].kind, MeasureKind::rating);
   EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "completed", 7, "")));
-  EXPECT_THAT(records.trials,
-              ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 1, 0.5, 1.5, false, false, 1),
-                          FieldsAre("P01", "hall", "od", 0, 1, 1, 4.0, 9.25, false, false, 4),
-                          FieldsAre("P01", "box", "od", 1, 0, 1, 2.0, 2.0, false, false, 3),
-                          FieldsAre("P01", "box", "fv", 1, 1, 1, 0.25, 0.75, false, false, 5)));
-  EXPECT_THAT(records.background,
-              ElementsAre(FieldsAre("P01", "age", 31.0), FieldsAre("P01", "cg_experience", 4.0)));
+  EXPECT_THAT(lines_of(records), ElementsAre("P01 hall fv 0.0 test attempt 1 [rated]: 0.5 1.5 1",
+                                             "P01 hall od 0.1 test attempt 1 [rated]: 4 9.25 4",
+                                             "P01 box od 1.0 test attempt 1 [rated]: 2 2 3",
+                                             "P01 box fv 1.1 test attempt 1 [rated]: 0.25 0.75 5"));
+  EXPECT_EQ(records.words.at(records.trials.front().object), "vase");
+  EXPECT_THAT(answers_of(records),
+              ElementsAre("P01 background.age 31", "P01 background.cg_experience 4"));
 }
 
-TEST_F(Records, GiveTheLastAttempt) {
+TEST_F(Records, HoldEveryTimingAndSayWhichCounts) {
   PlayedSession session = session_of("P01");
   session.choose_and_start(ms(20));
   session.happen(ms(1000), FirstFramePresented{ms(1000)});
@@ -51,17 +107,17 @@ TEST_F(Records, GiveTheLastAttempt) {
   session.choose_and_start(ms(4000));
   session.happen(ms(5000), FirstFramePresented{ms(5000)});
   session.happen(ms(5250), Marked{ms(5250)});
-  EXPECT_THAT(read_study(path_).trials.at(0), FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25,
-                                                        std::nullopt, false, false, std::nullopt));
+  const StudyRecords timed = read_study(path_);
+  EXPECT_THAT(line_of(timed, 0), "P01 hall fv 0.0 test attempt 1 not [retimed]: 1 2 -");
+  EXPECT_THAT(line_of(timed, 1), testing::EndsWith(": 0.25 - -"));
+  EXPECT_FALSE(StudyRecords::is_result(timed.trials[0]));
+  EXPECT_TRUE(StudyRecords::is_result(timed.trials[1]));
   session.happen(ms(5500), Marked{ms(5500)});
   session.happen(ms(5600), rated(2));
-  EXPECT_THAT(read_study(path_).trials.at(0),
-              FieldsAre("P01", "hall", "fv", 0, 0, 2, 0.25, 0.5, false, false, 2));
-  EXPECT_EQ(query(path_, "SELECT group_concat(time_ns) FROM mark"),
-            "1000000000,2000000000,250000000,500000000");
+  EXPECT_THAT(line_of(read_study(path_), 1), "P01 hall fv 0.0 test attempt 2 [rated]: 0.25 0.5 2");
 }
 
-TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
+TEST_F(Records, DistinguishCensoredMarksFromMeasuredOnes) {
   PlayedSession session = session_of("P01");
   session.choose_and_start(ms(20));
   session.happen(ms(1000), FirstFramePresented{ms(1000)});
@@ -73,10 +129,8 @@ TEST_F(Records, TellCensoredMarksFromMeasuredOnes) {
   session.happen(ms(123'000), Marked{ms(123'000)});
   session.happen(ms(243'000), TimedOut{ms(243'000)});
   const StudyRecords records = read_study(path_);
-  EXPECT_THAT(records.trials.at(0),
-              FieldsAre("P01", "hall", "fv", 0, 0, 1, 120.0, 120.5, true, false, 5));
-  EXPECT_THAT(records.trials.at(1),
-              FieldsAre("P01", "hall", "od", 0, 1, 1, 1.0, 121.0, false, true, std::nullopt));
+  EXPECT_THAT(line_of(records, 0), testing::EndsWith(": >120 120.5 5"));
+  EXPECT_THAT(line_of(records, 1), testing::EndsWith(": 1 >121 -"));
 }
 
 TEST_F(Records, HoldInterruptedSessionsWithWhatTheyReached) {
@@ -88,49 +142,86 @@ TEST_F(Records, HoldInterruptedSessionsWithWhatTheyReached) {
   const StudyRecords records = read_study(path_);
   EXPECT_EQ(records.sessions.at(0).state, "interrupted");
   ASSERT_THAT(records.trials, testing::SizeIs(4));
-  EXPECT_EQ(records.trials[0].artifact_rating, 1);
-  EXPECT_EQ(records.trials[1].attempts, 1);
-  EXPECT_EQ(records.trials[1].outline_s, std::nullopt);
-  EXPECT_EQ(records.trials[2].attempts, 0);
+  EXPECT_EQ(records.value(0, 2).number, 1.0);
+  EXPECT_EQ(records.trials[1].attempt, 1);
+  EXPECT_EQ(records.value(1, 0).state, Value::State::missing);
+  EXPECT_EQ(records.trials[2].attempt, 0);
+  EXPECT_TRUE(records.trials[2].counts);
 }
 
 TEST_F(Records, LeaveOutWhatAParticipantTookBack) {
   PlayedSession withdrawn = session_of("P01");
   withdrawn.run_trial(ms(1000), ms(500), ms(1500), 1);
   withdrawn.happen(ms(5000), Withdrawn{});
-  session_of("P02");
+  PlayedSession other = session_of("P02");
+  other.run_trial(ms(1000), ms(600), ms(1600), 2);
   const StudyRecords records = read_study(path_);
-  EXPECT_THAT(records.sessions,
-              ElementsAre(FieldsAre("P01", "simulated", "withdrawn", 7, ""),
-                          FieldsAre("P02", "simulated", "choosing_object", 7, "")));
-  EXPECT_THAT(records.trials, testing::Each(testing::Field(&TrialRow::participant, "P02")));
+  EXPECT_THAT(records.sessions, ElementsAre(FieldsAre("P01", "simulated", "withdrawn", 7, ""),
+                                            FieldsAre("P02", "simulated", testing::_, 7, "")));
+  EXPECT_THAT(records.trials, testing::Each(testing::Field(&TrialRow::session, 1U)));
   EXPECT_THAT(records.trials, testing::SizeIs(4));
-  EXPECT_THAT(records.background,
-              testing::Each(testing::Field(&BackgroundRow::participant, "P02")));
+  EXPECT_THAT(line_of(records, 0), "P02 hall fv 0.0 test attempt 1 [rated]: 0.6 1.6 2");
+  EXPECT_THAT(answers_of(records),
+              ElementsAre("P02 background.age 31", "P02 background.cg_experience 4"));
 }
 
-TEST_F(Records, HoldTestTrialsOnly) {
+TEST_F(Records, HoldPracticeCatchTrialsAndEarlierTimings) {
   const fs::path path = folder_ / "thorough.sqlite";
   StudyStore store(path, thorough_protocol());
   run_thorough_session(store, "P01");
   const StudyRecords records = read_study(path);
   EXPECT_THAT(records.sessions,
               ElementsAre(FieldsAre("P01", "simulated", "excluded", 7, "the tracker was lost")));
-  EXPECT_THAT(records.trials,
-              ElementsAre(FieldsAre("P01", "hall", "fv", 0, 0, 3, 0.3, 0.4, false, false, 4),
-                          FieldsAre("P01", "hall", "od", 0, 1, 1, 0.5, 0.6, false, false, 3),
-                          FieldsAre("P01", "box", "od", 1, 0, 1, 0.5, 0.6, false, false, 3),
-                          FieldsAre("P01", "box", "fv", 1, 1, 1, 0.5, 0.6, false, false, 3)));
+  std::vector<std::string> results;
+  std::vector<std::string> others;
+  for (std::size_t row = 0; row < records.trials.size(); ++row) {
+    (StudyRecords::is_result(records.trials[row]) ? results : others)
+        .push_back(line_of(records, row));
+  }
+  EXPECT_THAT(results, ElementsAre("P01 hall fv 0.0 test attempt 3 [rated]: 0.3 0.4 4",
+                                   "P01 hall od 0.1 test attempt 1 [rated]: 0.5 0.6 3",
+                                   "P01 box od 1.0 test attempt 1 [rated]: 0.5 0.6 3",
+                                   "P01 box fv 1.1 test attempt 1 [rated]: 0.5 0.6 3"));
+  ASSERT_EQ(others.size(), 5U);
+  EXPECT_THAT(others[0], "P01 box od 0.0 practice attempt 1 [rated]: 0.1 0.2 5");
+  EXPECT_THAT(others[1], StartsWith("P01 hall fv 0.0 test attempt 1 not ["));
+  EXPECT_THAT(others[1], testing::EndsWith(": >0.099 - -"));
+  EXPECT_THAT(others[2], StartsWith("P01 hall fv 0.0 test attempt 2 not ["));
+  EXPECT_THAT(others[3], StartsWith("P01 hall fv 0.0 catch attempt 1 not [interrupted]:"));
+  EXPECT_THAT(others[4], "P01 hall fv 0.0 catch attempt 2 [rated]: 0.5 0.6 3");
 }
 
-TEST_F(Records, HoldNumbersOfTheBackgroundOnly) {
+TEST_F(Records, HoldEveryAnswerInNumbersAndInWords) {
   const fs::path path = folder_ / "thorough.sqlite";
   StudyStore store(path, thorough_protocol());
-  run_thorough_session(store, "P01",
-                       QuestionnaireAnswered{.questionnaire = "debrief",
-                                             .answers = {{.question = "sickness", .value = 2.0}}});
-  EXPECT_THAT(read_study(path).background,
-              ElementsAre(FieldsAre("P01", "age", 31.0), FieldsAre("P01", "cg_experience", 4.0)));
+  run_thorough_session(
+      store, "P01",
+      QuestionnaireAnswered{.questionnaire = "debrief",
+                            .answers = {{.question = "sickness", .value = 2.0},
+                                        {.question = "comments", .value = "a, \"b\""}}});
+  EXPECT_THAT(answers_of(read_study(path)),
+              ElementsAre("P01 background.age 31", "P01 background.cg_experience 4",
+                          "P01 debrief.sickness 2", "P01 debrief.comments a, \"b\""));
+}
+
+/// A study whose rating is answered in words.
+TEST_F(Records, HoldRatingsInWords) {
+  Protocol protocol = small_protocol();
+  protocol.ratings = {{.id = "artifacts", .kind = QuestionKind::text}};
+  const std::string rating = "text = \"Artifacts?\"\n";
+  protocol.text.insert(protocol.text.find(rating), "kind = \"text\"\n");
+  const fs::path path = folder_ / "words.sqlite";
+  StudyStore store(path, protocol);
+  PlayedSession session(store, facts_of("P01"), small_plan(), protocol);
+  session.begin();
+  session.choose_and_start(ms(999));
+  session.happen(ms(1000), FirstFramePresented{ms(1000)});
+  session.happen(ms(1500), Marked{ms(1500)});
+  session.happen(ms(2000), Marked{ms(2000)});
+  session.happen(ms(2100), Rated{{{.question = "artifacts", .value = "all over"}}});
+  const StudyRecords records = read_study(path);
+  EXPECT_FALSE(records.measures.at(2).is_numeric());
+  EXPECT_THAT(line_of(records, 0), "P01 hall fv 0.0 test attempt 1 [rated]: 0.5 1 'all over'");
 }
 
 TEST_F(Records, SayWhetherAnySessionWasSimulated) {

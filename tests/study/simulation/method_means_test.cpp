@@ -2,23 +2,29 @@
 
 #include <gtest/gtest.h>
 
+#include "study/protocol/read_procedure.h"
+
 namespace foveola::study {
 namespace {
 
-TrialRow trial(const std::string& participant, const std::string& scene, const std::string& method,
-               double outline_s) {
-  return {.participant = participant,
-          .scene = scene,
-          .method = method,
-          .outline_s = outline_s,
-          .material_s = 3.0 * outline_s};
-}
+Value seconds(double number) { return {.state = Value::State::measured, .number = number}; }
 
 StudyRecords small_study() {
   StudyRecords records;
+  records.scenes = {"hall"};
   records.methods = {"od", "fv"};
-  records.trials = {trial("P1", "hall", "od", 2.0), trial("P1", "hall", "fv", 1.0),
-                    trial("P2", "hall", "fv", 1.0), trial("P2", "hall", "od", 8.0)};
+  records.measures = trial_measures(published_marks(), {});
+  for (const char* participant : {"P1", "P2"}) {
+    records.sessions.push_back({participant, "simulated", "completed", {}, {}});
+  }
+  const auto add = [&](std::uint32_t session, std::uint16_t method, double outline_s) {
+    records.add_trial({.session = session, .method = method, .attempt = 1},
+                      {seconds(outline_s), seconds(3.0 * outline_s)});
+  };
+  add(0, 0, 2.0);
+  add(0, 1, 1.0);
+  add(1, 1, 1.0);
+  add(1, 0, 8.0);
   return records;
 }
 
@@ -37,7 +43,7 @@ TEST(MethodMeans, AreGeometricMeansOfPairs) {
 
 TEST(MethodMeans, ATimeOutLeavesOutThePair) {
   StudyRecords records = small_study();
-  records.trials[3].outline_censored = true;
+  records.values[3 * 2].state = Value::State::right_censored;
   const std::vector<MethodMean> means = method_means(records);
   EXPECT_EQ(means[0].pairs, 1);
   EXPECT_NEAR(means[0].percent, 50.0, 1e-12);
@@ -47,8 +53,20 @@ TEST(MethodMeans, ATimeOutLeavesOutThePair) {
 TEST(MethodMeans, WithoutPairsThereIsNone) {
   StudyRecords records = small_study();
   records.trials.resize(1);
+  records.values.resize(2);
   EXPECT_EQ(method_means(records)[0].pairs, 0);
   EXPECT_EQ(method_means(records)[0].percent, 0.0);
+}
+
+TEST(MethodMeans, OnlyTimingsThatCountAreTaken) {
+  StudyRecords records = small_study();
+  TrialRow row = records.trials[1];
+  row.counts = false;
+  records.add_trial(row, {seconds(100.0), seconds(100.0)});
+  row.counts = true;
+  row.kind = TrialKind::practice;
+  records.add_trial(row, {seconds(100.0), seconds(100.0)});
+  EXPECT_NEAR(method_means(records)[0].percent, 25.0, 1e-12);
 }
 
 }  // namespace

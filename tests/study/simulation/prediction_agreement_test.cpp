@@ -2,15 +2,26 @@
 
 #include <gtest/gtest.h>
 
+#include "study/protocol/read_procedure.h"
+
 namespace foveola::study {
 namespace {
 
-TrialRow trial(const std::string& scene, const std::string& method, double outline_s) {
-  return {.participant = "P001",
-          .scene = scene,
-          .method = method,
-          .outline_s = outline_s,
-          .material_s = 2.0 * outline_s};
+Value timed(double number) { return {.state = Value::State::measured, .number = number}; }
+
+/// One participant's study of the scenes hall and box.
+StudyRecords study_of(const std::vector<std::string>& methods) {
+  StudyRecords records;
+  records.scenes = {"hall", "box"};
+  records.methods = methods;
+  records.measures = trial_measures(published_marks(), {});
+  records.sessions.push_back({"P001", "simulated", "completed", {}, {}});
+  return records;
+}
+
+void add_timed(StudyRecords& records, std::uint16_t scene, std::uint16_t method, double outline_s) {
+  records.add_trial({.scene = scene, .method = method, .attempt = 1},
+                    {timed(outline_s), timed(2.0 * outline_s)});
 }
 
 // By R's cor(method = "spearman").
@@ -28,12 +39,15 @@ TEST(PredictionAgreement, MediansAreInTheMiddle) {
 }
 
 TEST(PredictionAgreement, PairsTrialsWhateverTheirOrder) {
-  StudyRecords rendered;
-  rendered.methods = {"od", "fv"};
-  rendered.trials = {trial("hall", "od", 8.0), trial("box", "od", 4.0), trial("hall", "fv", 1.0)};
-  StudyRecords predicted = rendered;
-  predicted.trials = {trial("hall", "fv", 1.5), trial("hall", "od", 8.8), trial("box", "od", 4.0),
-                      trial("box", "fv", 0.5)};
+  StudyRecords rendered = study_of({"od", "fv"});
+  add_timed(rendered, 0, 0, 8.0);
+  add_timed(rendered, 1, 0, 4.0);
+  add_timed(rendered, 0, 1, 1.0);
+  StudyRecords predicted = study_of({"od", "fv"});
+  add_timed(predicted, 0, 1, 1.5);
+  add_timed(predicted, 0, 0, 8.8);
+  add_timed(predicted, 1, 0, 4.0);
+  add_timed(predicted, 1, 1, 0.5);
   const std::vector<MarkAgreement> agreements = prediction_agreement(rendered, predicted);
   ASSERT_EQ(agreements.size(), 6U);
   EXPECT_EQ(agreements[0].mark, "outline");
@@ -49,12 +63,12 @@ TEST(PredictionAgreement, PairsTrialsWhateverTheirOrder) {
 }
 
 TEST(PredictionAgreement, TimeoutsDoNotCount) {
-  StudyRecords rendered;
-  rendered.methods = {"od"};
-  rendered.trials = {trial("hall", "od", 8.0), trial("box", "od", 4.0)};
+  StudyRecords rendered = study_of({"od"});
+  add_timed(rendered, 0, 0, 8.0);
+  add_timed(rendered, 1, 0, 4.0);
   StudyRecords predicted = rendered;
-  rendered.trials[0].outline_censored = true;
-  predicted.trials[1].material_censored = true;
+  rendered.values[0].state = Value::State::right_censored;
+  predicted.values[3].state = Value::State::right_censored;
   const std::vector<MarkAgreement> agreements = prediction_agreement(rendered, predicted);
   EXPECT_EQ(agreements[0].trials, 1);
   EXPECT_EQ(agreements[2].trials, 1);

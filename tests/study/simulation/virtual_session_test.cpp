@@ -41,7 +41,9 @@ Protocol wall_protocol() {
   protocol.timing = {.mark_timeout_s = 2.0, .rating_s = 0.4};
   protocol.catch_trials = {.count = 1, .timeout_s = 0.5};
   protocol.reaction = ReactionSettings{.presses = 2};
-  protocol.marks = {{.id = "outline"}, {.id = "material"}, {.id = "shadow"}};
+  protocol.marks = {{.id = "outline", .simulated = "outline"},
+                    {.id = "material", .simulated = "material"},
+                    {.id = "shadow", .simulated = "material"}};
   protocol.ratings = {{.id = "artifacts"}};
   protocol.questionnaires = {{.id = "background", .questions = {}}};
   protocol.phases = {{.kind = PhaseEntry::Kind::questionnaire, .questionnaire = "background"},

@@ -1,0 +1,215 @@
+#include "analysis/dataset/comparisons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/participant_values.h"
+#include "analysis/statistics/bootstrap.h"
+#include "analysis/statistics/multiplicity.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// Ranks depend on values' last bits, which are only the rounding errors of means of logarithms and
+/// of ratings, so these are rounded off.
+std::vector<double> without_rounding(std::vector<double> values) {
+  constexpr double step = 1e12;
+  for (double& value : values) {
+    value = std::round(value * step) / step;
+  }
+  return values;
+}
+
+/// 9999 for studies of the usual size; fewer where thousands of participants would take too long.
+int resamples_for(std::size_t participants) {
+  constexpr std::size_t most_draws = 20'000'000;
+  return static_cast<int>(
+      std::clamp<std::size_t>(most_draws / std::max<std::size_t>(participants, 1), 999, 9999));
+}
+
+std::optional<Interval> bca_of_ratio(const std::vector<double>& log_ratios) {
+  std::vector<double> ratios;
+  for (const double value : log_ratios) {
+    ratios.push_back(std::exp(value));
+  }
+  return bca_geometric_mean(ratios, {.resamples = resamples_for(ratios.size())});
+}
+
+/// A comparison with nothing computed yet.
+MethodComparison start_comparison(const Dataset& set, const study::AnalysisPlan& plan,
+                                  std::size_t measure, std::size_t method, std::size_t reference) {
+  MethodComparison comparison;
+  comparison.measure = set.measures[measure].id();
+  comparison.is_time = set.measures[measure].kind == MeasureKind::time;
+  comparison.method = set.methods[method];
+  comparison.reference = set.methods[reference];
+  if (const auto margin = plan.equivalence_margins.find(comparison.measure);
+      margin != plan.equivalence_margins.end()) {
+    comparison.margin = margin->second;
+  }
+  return comparison;
+}
+
+/// The P-value that Holm's method adjusts.
+std::optional<double> main_p(const MethodComparison& comparison) {
+  if (!comparison.is_time) {
+    return comparison.ranks ? std::optional(comparison.ranks->p) : std::nullopt;
+  }
+  return comparison.ratio ? std::optional(comparison.ratio->logs.p) : std::nullopt;
+}
+
+std::string why_no_p(const MethodComparison& comparison) {
+  if (main_p(comparison)) {
+    return "";
+  }
+  return comparison.n < 2 ? fmt::format("{} with both values: a test needs two",
+                                        comparison.n == 1 ? "one participant" : "no participant")
+                          : "the differences do not vary";
+}
+
+/// `means`: of this measure, as participant_means has them.
+MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan, std::size_t measure,
+                         const ParticipantValues& means, std::size_t method,
+                         std::size_t reference) {
+  MethodComparison comparison = start_comparison(set, plan, measure, method, reference);
+  const std::vector<double> differences = paired_differences(means, method, reference);
+  comparison.n = differences.size();
+  if (comparison.is_time) {
+    comparison.ratio = ratio_t(differences);
+    comparison.ratio_bca = bca_of_ratio(differences);
+  } else {
+    comparison.points = one_sample_t(differences);
+  }
+  comparison.ranks = signed_rank(without_rounding(differences));
+  comparison.pseudo_median = pseudo_median(differences);
+  if (comparison.margin) {
+    const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
+    comparison.equivalent = equivalence(differences, margin, plan.alpha);
+  }
+  comparison.missing = why_no_p(comparison);
+  return comparison;
+}
+
+/// Adjusts the P-values of a family. What has no P-value counts as one that is not significant: a
+/// family is never smaller than it was planned.
+void adjust_family(std::vector<MethodComparison>& family) {
+  std::vector<double> p_values;
+  for (const MethodComparison& member : family) {
+    p_values.push_back(main_p(member).value_or(1.0));
+  }
+  const std::vector<double> adjusted = holm(p_values);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    if (main_p(family[i])) {
+      family[i].p_holm = adjusted[i];
+    }
+  }
+}
+
+OmnibusTest test_all(const Measure& measure, const ParticipantValues& values) {
+  const RepeatedMeasures data = complete_participants(values);
+  OmnibusTest test;
+  test.measure = measure.id();
+  test.left_out = values.size() - data.participants;
+  if (measure.kind == MeasureKind::time) {
+    test.variance = repeated_measures_anova(data);
+  }
+  RepeatedMeasures rounded = data;
+  rounded.values = without_rounding(data.values);
+  test.ranks = friedman(rounded);
+  return test;
+}
+
+std::optional<std::size_t> index_of(const std::vector<std::string>& names,
+                                    const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found != names.end() ? std::optional<std::size_t>(found - names.begin()) : std::nullopt;
+}
+
+bool is_of_pair(const study::PlannedComparison& planned, const std::string& measure,
+                const std::string& a, const std::string& b) {
+  return planned.measure == measure && ((planned.method == a && planned.baseline == b) ||
+                                        (planned.method == b && planned.baseline == a));
+}
+
+/// The means of each measure that is compared; empty for the others.
+std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
+  std::vector<ParticipantValues> means(set.measures.size());
+  for (std::size_t measure = 0; measure < means.size(); ++measure) {
+    if (set.measures[measure].is_numeric()) {
+      means[measure] = participant_means(set, measure);
+    }
+  }
+  return means;
+}
+
+std::vector<MethodComparison> planned_comparisons(const Dataset& set,
+                                                  const study::AnalysisPlan& plan,
+                                                  const std::vector<ParticipantValues>& means) {
+  std::vector<MethodComparison> comparisons;
+  for (const study::PlannedComparison& planned : plan.primary) {
+    const auto measure = set.measure_named(planned.measure);
+    const auto method = index_of(set.methods, planned.method);
+    const auto reference = index_of(set.methods, planned.baseline);
+    if (measure && method && reference && set.measures[*measure].is_numeric()) {
+      comparisons.push_back(compare(set, plan, *measure, means[*measure], *method, *reference));
+    } else {
+      comparisons.push_back({.measure = planned.measure,
+                             .method = planned.method,
+                             .reference = planned.baseline,
+                             .missing = "the study has no such measure or method"});
+    }
+    comparisons.back().primary = true;
+  }
+  return comparisons;
+}
+
+std::vector<MethodComparison> exploratory_comparisons(const Dataset& set,
+                                                      const study::AnalysisPlan& plan,
+                                                      std::size_t measure,
+                                                      const ParticipantValues& means) {
+  std::vector<MethodComparison> comparisons;
+  for (std::size_t reference = 0; reference < set.methods.size(); ++reference) {
+    for (std::size_t method = reference + 1; method < set.methods.size(); ++method) {
+      if (std::none_of(plan.primary.begin(), plan.primary.end(), [&](const auto& planned) {
+            return is_of_pair(planned, set.measures[measure].id(), set.methods[method],
+                              set.methods[reference]);
+          })) {
+        comparisons.push_back(compare(set, plan, measure, means, method, reference));
+      }
+    }
+  }
+  return comparisons;
+}
+
+}  // namespace
+
+Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan) {
+  const std::vector<ParticipantValues> means = means_of_measures(set);
+  Comparisons result;
+  result.plan = plan;
+  result.methods = planned_comparisons(set, plan, means);
+  adjust_family(result.methods);
+  for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
+    const Measure& of = set.measures[measure];
+    if (!of.is_numeric()) {
+      continue;
+    }
+    std::vector<MethodComparison> others =
+        exploratory_comparisons(set, plan, measure, means[measure]);
+    adjust_family(others);
+    std::move(others.begin(), others.end(), std::back_inserter(result.methods));
+    result.omnibus.push_back(test_all(of, means[measure]));
+    for (const auto& [order, name] : {std::pair(OrderOf::trials, "trial in the session"),
+                                      std::pair(OrderOf::methods, "method in the scene")}) {
+      result.order.push_back({of.id(), of.kind == MeasureKind::time, name,
+                              order_effect(ordered_values(set, measure, order))});
+    }
+  }
+  return result;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,251 @@
+#include "analysis/dataset/dataset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/amended_labels.h"
+#include "renderer/base/error.h"
+
+namespace foveola::analysis {
+namespace {
+
+using study::SessionRow;
+using study::StudyRecords;
+using study::TrialRow;
+
+std::string study_name(const StudyRecords& records) {
+  return fmt::format("study \"{}\"", records.protocol.name);
+}
+
+std::string name_of(const StudyRecords& records, const TrialRow& row) {
+  return fmt::format("participant {}, scene {}, method {}", records.participant_of(row),
+                     records.scenes[row.scene], records.methods[row.method]);
+}
+
+void check_protocol(const StudyRecords& records) {
+  if (records.scenes.empty() || records.methods.empty()) {
+    throw Error(study_name(records), "its protocol names no scene or no method",
+                "analyse a file that `foveola study` wrote");
+  }
+}
+
+/// The kind of sessions to analyse: people's, else pilots', else simulated ones.
+std::string kind_to_analyse(const StudyRecords& records) {
+  for (const char* kind : {"human", "pilot", "simulated"}) {
+    const bool exists = std::any_of(
+        records.sessions.begin(), records.sessions.end(),
+        [&](const SessionRow& row) { return row.kind == kind && row.state == "completed"; });
+    if (exists) {
+      return kind;
+    }
+  }
+  throw Error(study_name(records),
+              fmt::format("none of its {} sessions is completed", records.sessions.size()),
+              "complete one first, for instance with `foveola study simulate`");
+}
+
+std::vector<std::string> participants_of(const StudyRecords& records, const std::string& kind) {
+  std::set<std::string> codes;
+  for (const SessionRow& row : records.sessions) {
+    if (row.kind == kind && row.state == "completed") {
+      codes.insert(row.participant);
+    }
+  }
+  return {codes.begin(), codes.end()};
+}
+
+std::string why_not_analysed(const SessionRow& row) {
+  return row.reason.empty() ? fmt::format("session {}", row.state)
+                            : fmt::format("session {}: {}", row.state, row.reason);
+}
+
+std::vector<Exclusion> excluded_sessions(const StudyRecords& records, const std::string& kind) {
+  std::vector<Exclusion> exclusions;
+  for (const SessionRow& row : records.sessions) {
+    if (row.state != "completed") {
+      exclusions.push_back({row.participant, "", "", "", why_not_analysed(row)});
+    } else if (row.kind != kind) {
+      exclusions.push_back(
+          {row.participant, "", "", "",
+           fmt::format("{} session; only {} sessions are analysed together", row.kind, kind)});
+    }
+  }
+  return exclusions;
+}
+
+/// Throws Error for a value that no session can have recorded: `where` names it.
+void check_value(const Measure& measure, const Value& value, const std::string& where) {
+  const bool is_number =
+      value.state == Value::State::measured || value.state == Value::State::right_censored;
+  if (!is_number) {
+    return;
+  }
+  if (measure.kind == MeasureKind::time) {
+    if (!(value.number > 0.0) || !std::isfinite(value.number)) {
+      throw Error(fmt::format("{}, {} time", where, measure.id()),
+                  fmt::format("is {} s, which has no logarithm", value.number),
+                  "a time must be above zero: restore the study's file, or exclude the session");
+    }
+  } else if (!study::fault_of(measure.question, value.number).empty()) {
+    throw Error(fmt::format("{}, rating {}", where, measure.id()),
+                fmt::format("is {:g}, which its scale ({}) does not have", value.number,
+                            study::scale_in_words(measure)),
+                "restore the study's file, or exclude the session");
+  }
+}
+
+/// The index in the set's participants of each session; empty for those that are not analysed.
+std::vector<std::optional<std::size_t>> analysed_sessions(const StudyRecords& records,
+                                                          const Dataset& set) {
+  std::vector<std::optional<std::size_t>> analysed;
+  for (const SessionRow& row : records.sessions) {
+    const auto found =
+        std::lower_bound(set.participants.begin(), set.participants.end(), row.participant);
+    const bool is_analysed = found != set.participants.end() && *found == row.participant;
+    analysed.push_back(is_analysed ? std::optional<std::size_t>(found - set.participants.begin())
+                                   : std::nullopt);
+  }
+  return analysed;
+}
+
+/// Fills the set's trials and values from the rows; returns which trials have a row.
+std::vector<bool> fill_trials(const StudyRecords& records, Dataset& set) {
+  const auto participants = analysed_sessions(records, set);
+  const auto methods = static_cast<int>(set.methods.size());
+  set.trials.resize(set.participants.size() * set.scenes.size() * set.methods.size());
+  set.values.resize(set.trials.size() * set.measures.size());
+  std::vector<bool> has_row(set.trials.size(), false);
+  for (std::size_t i = 0; i < records.trials.size(); ++i) {
+    const TrialRow& row = records.trials[i];
+    if (!participants[row.session] || !StudyRecords::is_result(row)) {
+      continue;
+    }
+    const std::size_t index =
+        (*participants[row.session] * set.scenes.size() + row.scene) * set.methods.size() +
+        row.method;
+    if (has_row[index]) {
+      throw Error(name_of(records, row), "appears twice", "analyse each session once");
+    }
+    has_row[index] = true;
+    set.trials[index] = {.trial_position = row.scene_position * methods + row.method_position,
+                         .method_position = row.method_position,
+                         .attempts = row.attempt};
+    for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
+      const Value& value = records.value(i, measure);
+      check_value(set.measures[measure], value, name_of(records, row));
+      set.values[index * set.measures.size() + measure] = value;
+    }
+  }
+  return has_row;
+}
+
+/// Why a value is in no result; empty if it is in one.
+std::string_view why_left_out(const Measure& measure, const Value& value) {
+  switch (value.state) {
+    case Value::State::right_censored:
+      return "right-censored: the time-out is only a lower bound of the time";
+    case Value::State::missing:
+      return measure.kind == MeasureKind::time ? "no time recorded" : "no rating recorded";
+    case Value::State::measured:
+    case Value::State::in_words:
+      break;
+  }
+  return "";
+}
+
+bool is_missing_by_choice(const Measure& measure, const Value& value) {
+  return !measure.question.required && measure.kind != MeasureKind::time &&
+         value.state == Value::State::missing;
+}
+
+void list_gaps(const std::vector<bool>& has_row, Dataset& set) {
+  std::size_t index = 0;
+  for (const std::string& participant : set.participants) {
+    for (const std::string& scene : set.scenes) {
+      for (const std::string& method : set.methods) {
+        if (!has_row[index]) {
+          set.exclusions.push_back({participant, scene, method, "", "no trial recorded"});
+        }
+        for (std::size_t measure = 0; has_row[index] && measure < set.measures.size(); ++measure) {
+          const Value& value = set.values[index * set.measures.size() + measure];
+          const std::string_view reason = why_left_out(set.measures[measure], value);
+          if (!reason.empty() && !is_missing_by_choice(set.measures[measure], value)) {
+            set.exclusions.push_back(
+                {participant, scene, method, set.measures[measure].id(), std::string(reason)});
+          }
+        }
+        ++index;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool Dataset::is_complete(std::size_t participant, std::size_t scene, std::size_t measure) const {
+  for (std::size_t method = 0; method < methods.size(); ++method) {
+    if (!value(participant, scene, method, measure).is_measured()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<std::size_t> Dataset::times() const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].kind == MeasureKind::time) {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+std::vector<std::size_t> Dataset::ratings() const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].kind == MeasureKind::rating && measures[i].is_numeric()) {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+std::optional<std::size_t> Dataset::measure_named(const std::string& id) const {
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].id() == id) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+Dataset select_for_analysis(const StudyRecords& records) {
+  check_protocol(records);
+  Dataset set;
+  set.kind = kind_to_analyse(records);
+  set.participants = participants_of(records, set.kind);
+  set.scenes = records.scenes;
+  set.methods = records.methods;
+  set.measures = records.measures;
+  set.amended_labels = amended_labels(records, set.participants);
+  for (const SessionRow& row : records.sessions) {
+    set.kinds[row.participant] = row.kind;
+  }
+  list_gaps(fill_trials(records, set), set);
+  exclude(excluded_sessions(records, set.kind), set);
+  return set;
+}
+
+void exclude(const std::vector<Exclusion>& exclusions, Dataset& set) {
+  set.exclusions.insert(set.exclusions.end(), exclusions.begin(), exclusions.end());
+  std::stable_sort(
+      set.exclusions.begin(), set.exclusions.end(),
+      [](const Exclusion& a, const Exclusion& b) { return a.participant < b.participant; });
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,93 @@
+// A study's results as [participant][scene][method][measure], with the design's factors, and what
+// is left out of them with the reason.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+
+using study::Measure;
+using study::MeasureKind;
+using study::Value;
+
+/// The index of the method that the others are compared with.
+inline constexpr std::size_t baseline = 0;
+
+/// One method in one scene by one participant: the factors of the design.
+struct Trial {
+  int trial_position = 0;   ///< Among the session's test trials, as planned, from 0.
+  int method_position = 0;  ///< Among the methods in the scene, as planned, from 0.
+  int attempts = 0;         ///< More than 1: it was timed again, and the last time counts.
+};
+
+/// Something that the study's file holds, or should hold, but that no result uses. Empty fields
+/// mean all: a session has no scene, a whole trial has no measure.
+struct Exclusion {
+  std::string participant;
+  std::string scene;
+  std::string method;
+  std::string measure;  ///< The id of a mark or rating, or "background".
+  std::string reason;
+};
+
+/// Other labels of a rating's points, in sessions by an amended protocol.
+struct AmendedLabels {
+  std::size_t measure = 0;
+  std::vector<std::string> labels;
+  std::size_t sessions = 0;  ///< Analysed sessions, or parts of sessions, with these labels.
+};
+
+struct Dataset {
+  std::string kind;  ///< All analysed sessions are "human", "pilot" or "simulated".
+  /// What verifying the study's file found: "verified", "changed", or "none" if there was no file.
+  std::string record = "none";
+  std::vector<std::string> participants;  ///< In the order of their codes.
+  std::vector<std::string> scenes;        ///< In the protocol's order.
+  std::vector<std::string> methods;       ///< In the protocol's order; the first is the baseline.
+  std::vector<Measure> measures;          ///< The marks' times, then the ratings.
+  std::vector<AmendedLabels> amended_labels;
+  std::vector<Trial> trials;          ///< [participant][scene][method]
+  std::vector<Value> values;          ///< [participant][scene][method][measure]
+  std::vector<Exclusion> exclusions;  ///< In the order of participants.
+  /// The kind of every session in the file, analysed or not, by the participant's code.
+  std::map<std::string, std::string> kinds;
+
+  const Trial& trial(std::size_t participant, std::size_t scene, std::size_t method) const {
+    return trials[index_of(participant, scene, method)];
+  }
+  /// In seconds for times.
+  const Value& value(std::size_t participant, std::size_t scene, std::size_t method,
+                     std::size_t measure) const {
+    return values[index_of(participant, scene, method) * measures.size() + measure];
+  }
+  /// Whether every method's value was measured, so that the methods can be compared in this scene.
+  bool is_complete(std::size_t participant, std::size_t scene, std::size_t measure) const;
+
+  /// The indices of the times, and of the ratings that are numbers.
+  std::vector<std::size_t> times() const;
+  std::vector<std::size_t> ratings() const;
+  /// The index of the measure of this id; empty if there is none.
+  std::optional<std::size_t> measure_named(const std::string& id) const;
+
+ private:
+  std::size_t index_of(std::size_t participant, std::size_t scene, std::size_t method) const {
+    return (participant * scenes.size() + scene) * methods.size() + method;
+  }
+};
+
+/// Takes the completed sessions of one kind: of people if there are any, else pilots, else
+/// simulated ones; they are never mixed. Throws Error if nothing can be analysed, or if a value is
+/// impossible (a time that is not above zero, a rating that its scale does not have, a trial
+/// twice), naming it.
+Dataset select_for_analysis(const study::StudyRecords& records);
+
+/// Adds to the set's exclusions and keeps their order.
+void exclude(const std::vector<Exclusion>& exclusions, Dataset& set);
+
+}  // namespace foveola::analysis

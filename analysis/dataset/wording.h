@@ -1,0 +1,47 @@
+// How names and numbers are written, the same in the report, the figures and the terminal.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/dataset/study_tables.h"
+
+namespace foveola::analysis {
+
+/// "OD", "VP" and "FV" as in print; any other method by its id.
+std::string method_label(const std::string& method);
+
+/// "omnidirectional preview" and so on; empty for a method that the published study did not have.
+std::string_view method_meaning(const std::string& method);
+
+/// A value with this many decimals; an en dash where there is none.
+std::string fixed(std::optional<double> value, int decimals);
+
+/// "12.3 ± 4.5", or "12.3" for a single value, or an en dash.
+std::string mean_and_deviation(const Description& description, int decimals);
+
+/// "12.3 [10.1, 14.9]", without the interval if there is none, or an en dash.
+std::string with_interval(const std::optional<Estimate>& estimate, int decimals);
+
+/// A P-value with two significant digits: "0.63", "3.2e-05"; "< 1e-300" near the smallest doubles.
+std::string p_value(double p);
+
+/// "1 scene", "2 scenes".
+std::string counted(std::size_t count, std::string_view singular);
+
+/// The ids, separated by ", ".
+std::string listed(const std::vector<std::string>& names);
+
+/// "1 participant", "16 simulated participants" and the like.
+std::string participants_in_words(const StudyTables& tables);
+
+/// "Simulated data", "From a changed record" and the like, which every caption must say; empty for
+/// people's data from a record that is what was written.
+std::string data_notice(const StudyTables& tables);
+
+/// data_notice as a sentence of its own for the top of a report.
+std::string data_warning(const StudyTables& tables);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,79 @@
+// Whether participants' background is correlated with the time that a method saves them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/dataset.h"
+#include "analysis/statistics/inference.h"
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+
+/// An answer of the questionnaire "background" that is a number.
+struct BackgroundAnswer {
+  std::string participant;
+  std::string question;
+  double value = 0.0;
+};
+
+/// All of them, in the order in which they were given.
+std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& records);
+
+/// The answers that make up a participant's background.
+struct BackgroundScale {
+  std::vector<std::string> questions;
+  bool as_published = false;  ///< Experience with 3D graphics and with offline rendering.
+};
+
+/// One row of Table 1: what the analysed participants answered to one question.
+struct QuestionAnswers {
+  std::string question;
+  Description answers;
+  std::size_t missing = 0;  ///< Participants without a number.
+};
+
+/// Table 1, in the alphabetical order of the questions.
+std::vector<QuestionAnswers> describe_background(const Dataset& set,
+                                                 const std::vector<BackgroundAnswer>& answers);
+
+/// The correlation of background with speed-up: the mean over scenes of baseline minus method, in
+/// seconds.
+struct BackgroundCorrelation {
+  std::string method;
+  std::string mark;              ///< Its id.
+  std::size_t participants = 0;  ///< Those with an answer to every question and a complete scene.
+  std::optional<Correlation> pearson;
+  std::optional<Correlation> spearman;
+};
+
+/// The published study averaged the answers to its questions 3 and 4, on experience with
+/// applications with 3D graphics and with offline rendering, and held them against the difference
+/// of the times with OD and FV (Koskela et al. 2018, section 5.1 and Table 1). Where a study did
+/// not ask both (ids `graphics_3d` and `offline_rendering`), every question whose answers are all
+/// whole numbers from 1 to 5 counts, except `gender`, a code.
+BackgroundScale choose_background_scale(const std::vector<BackgroundAnswer>& answers);
+
+/// The participants of `set` who did not answer every question of the scale.
+std::vector<Exclusion> list_missing_answers(const Dataset& set,
+                                            const std::vector<BackgroundAnswer>& answers,
+                                            const BackgroundScale& scale);
+
+/// One correlation for each mark and each method but the baseline. Throws Error if an answer is not
+/// finite.
+std::vector<BackgroundCorrelation> correlate_background(
+    const Dataset& set, const std::vector<BackgroundAnswer>& answers, const BackgroundScale& scale);
+
+/// All of it: the scale, and the correlations of the study's marks and methods.
+struct Background {
+  BackgroundScale scale;
+  std::vector<QuestionAnswers> answers;  ///< Table 1.
+  std::vector<BackgroundCorrelation> correlations;
+};
+
+/// Adds the participants who did not answer all of the scale to the set's exclusions.
+Background analyse_background(const std::vector<BackgroundAnswer>& answers, Dataset& set);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,21 @@
+// What the published study (Koskela et al. 2018) measured, and where its paper shows it: any other
+// study's report says nothing of the paper's tables and figures.
+#pragma once
+
+#include <string>
+
+#include "analysis/dataset/dataset.h"
+
+namespace foveola::analysis {
+
+/// Whether the study has the published marks, outline and material, and the published rating,
+/// artifacts, of the points 1 to 5.
+bool measures_what_was_published(const Dataset& set);
+
+/// What a mark of the published study means, as a sentence; empty for any other.
+std::string meaning_of_mark(const std::string& mark);
+
+/// A mark's name in sentences: "the outline was visible", or "the mark ID".
+std::string moment_of(const Measure& mark);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,67 @@
+#include "analysis/publication/outputs_document.h"
+
+#include "analysis/tables/table_formats.h"
+
+namespace foveola::analysis {
+namespace {
+
+constexpr const char* before_columns =
+    R"md(# What `foveola analyze` writes
+
+This text is made from the tables' own columns, and stands beside each study's results with that
+study's marks, ratings and questions. Foveola's own copy of it is of a made-up study.
+
+Every CSV file follows RFC 4180 (CRLF line ends, quotes where needed) with a heading; a column's name
+ends in its unit. A value that does not exist is an empty field (CSV), `null` (JSON), `n/a` (BIDS).
+`participant_kind` says who took part: `human`, `pilot` or `simulated`. Numbers are written so that
+they read back as the same double. Intervals are of 95 % unless another is named.
+The report's definitions say how each number is computed. A study's file is verified before it is read,
+as `foveola study verify` does; the report's section “The record” has the findings. A file that was
+changed or damaged since it was written is refused, unless `--unverified` is given: the report then
+says so above everything else, every caption too, and `record` in every table is `changed`.
+
+Everything that was recorded comes out: every mark, rating, catch and practice trial in
+`trials_long.csv` (the last timing of each trial) and `trials_timed_again.csv` (the others), every
+answer in `answers_long.csv`. Sessions that were withdrawn from are in no file.
+
+| file | what it is |
+|---|---|
+| `report.html` | the whole report, one file that needs no network |
+| `OUTPUTS.md`, `codebook.csv` | the files' columns |
+| `times-MARK.tex`, `geometric-means.tex`, `ratings-RATING.tex`, `planned-comparisons.tex` and others | the report's tables for LaTeX, with booktabs |
+| `relative_times`, `times_in_seconds`, `ratings_RATING`: `.svg`, `.pdf`, `.png` | figures |
+| `psych-ds/` | trials and participants as Psych-DS 1 lays them out |
+| `models_times.R`, `models_ratings.R` | scripts for R, which read `trials_long.csv`: mixed models of log times, with random effects of participants, scenes and their interactions with the method (lme4, lmerTest, emmeans), and ordinal models of ratings with the same (ordinal) |
+| `bids/` (`--bids`) | BIDS 1.11.1: behaviour, and gaze as eye-tracking, below |
+
+## Tables
+
+)md";
+
+constexpr const char* after_columns = R"md(## `--json`
+
+The same tables on standard output: under `tables` each by its name, a list of objects with the
+columns as their keys; those of trials and participants are in their files only. Beside them
+`report`, `files`, `warnings`, `protocol`, `protocol_sha256`, `participant_kind`, `data_notice`,
+`participants`, `scenes`, `methods`, `baseline`, `measures`, `record` (what verifying the study's file
+found, as `study verify --json` prints it) and `excluded` (how many rows `exclusions.csv` has).
+
+## `bids/`
+
+`sub-LABEL/beh/sub-LABEL_task-preview_beh.tsv` has a participant's trials. Where gaze was recorded,
+`…_run-NN_recording-eye1_physio.tsv.gz` (no heading; `timestamp` in ns, `x_coordinate` and
+`y_coordinate` in degrees rightwards and upwards from straight ahead of the head) is one timing of a
+trial, which its `.json` names; `StartTime` counts from the trial's first frame, and
+`SamplingFrequency` is measured. `…_physioevents.tsv.gz` has `onset`, `duration`, `trial_type`
+(`first_frame`, `mark`, `timed_out`, `fixation`, `saccade`, `blink`) and `message` (the mark's name).
+Trackers here give one direction for both eyes (`RecordedEye`: `cyclopean`) and no pupil size.
+A recording of fewer than two samples has no frequency and is left out with a warning.
+)md";
+
+}  // namespace
+
+std::string outputs_in_words(const std::vector<Table>& tables) {
+  return before_columns + columns_in_markdown(tables) + after_columns;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,241 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/wording.h"
+#include "analysis/publication/printed_results.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string p_or_dash(const std::optional<double>& p) { return p ? p_value(*p) : "–"; }
+
+std::string bracketed(const Interval& interval, double scale, int decimals) {
+  return fmt::format("[{}, {}]", fixed(scale * interval.low, decimals),
+                     fixed(scale * interval.high, decimals));
+}
+
+/// The two methods with the sign that joins them, and the measure; and why there is no P.
+std::string name_of(const MethodComparison& row) {
+  return fmt::format("{} {} {}, {}{}", method_label(row.method), row.is_time ? "/" : "−",
+                     method_label(row.reference), row.measure,
+                     row.missing.empty() ? "" : " (" + row.missing + ")");
+}
+
+std::string planned_mark(const MethodComparison& row) { return row.primary ? " (planned)" : ""; }
+
+/// A pseudo-median with its interval, in the comparison's unit times `scale`.
+std::string pseudo_median_text(const MethodComparison& row, double scale, int decimals) {
+  if (!row.pseudo_median) {
+    return "–";
+  }
+  const PseudoMedian& found = *row.pseudo_median;
+  const auto scaled = [&](double tested) { return scale * row.in_unit(tested); };
+  Estimate estimate{found.n, scaled(found.value), std::nullopt};
+  if (found.interval) {
+    estimate.interval = {scaled(found.interval->low), scaled(found.interval->high)};
+  }
+  return with_interval(estimate, decimals);
+}
+
+std::string rank_sums(const MethodComparison& row) {
+  return row.ranks ? fmt::format("{:g} / {:g}", row.ranks->w_plus, row.ranks->w_minus) : "–";
+}
+
+std::string rank_biserial(const MethodComparison& row) {
+  return fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2);
+}
+
+std::vector<std::string> ratio_row(const MethodComparison& row) {
+  std::vector<std::string> cells = {name_of(row), std::to_string(row.n)};
+  if (row.ratio) {
+    const TTest& logs = row.ratio->logs;
+    cells.push_back(fmt::format("{:.1f} {}", 100.0 * row.ratio->ratio,
+                                bracketed(row.ratio->interval, 100.0, 1)));
+    cells.push_back(row.ratio_bca ? bracketed(*row.ratio_bca, 100.0, 1) : "–");
+    cells.push_back(fmt::format("{:.2f} ({:g})", logs.t, logs.degrees_of_freedom));
+    cells.push_back(p_value(logs.p));
+    cells.push_back(p_or_dash(row.p_holm));
+    cells.push_back(fmt::format("{:.2f}", logs.d_z));
+  } else {
+    cells.insert(cells.end(), 6, "–");
+  }
+  cells.push_back(row.ranks ? p_value(row.ranks->p) : "–");
+  return cells;
+}
+
+std::vector<std::string> rating_row(const MethodComparison& row) {
+  return {name_of(row),
+          std::to_string(row.n),
+          row.points
+              ? fmt::format("{:.2f} {}", row.points->mean, bracketed(row.points->interval, 1.0, 2))
+              : "–",
+          pseudo_median_text(row, 1.0, 2),
+          rank_sums(row),
+          row.ranks ? p_value(row.ranks->p) : "–",
+          p_or_dash(row.p_holm),
+          rank_biserial(row)};
+}
+
+std::vector<std::string> omnibus_row(const OmnibusTest& row) {
+  std::vector<std::string> cells = {row.measure};
+  if (row.variance) {
+    const VarianceAnalysis& found = *row.variance;
+    cells.push_back(fmt::format("{:.2f} ({:.2f}, {:.2f})", found.f,
+                                found.greenhouse_geisser * found.degrees_of_freedom,
+                                found.greenhouse_geisser * found.residual_degrees_of_freedom));
+    cells.push_back(fmt::format("{:.3f} / {:.3f}", found.greenhouse_geisser, found.huynh_feldt));
+    cells.push_back(p_value(found.p_greenhouse_geisser));
+    cells.push_back(p_value(found.p_huynh_feldt));
+    cells.push_back(fmt::format("{:.2f}", found.partial_eta_squared));
+  } else {
+    cells.insert(cells.end(), 5, "–");
+  }
+  if (row.ranks) {
+    cells.push_back(
+        fmt::format("{:.2f} ({:g})", row.ranks->chi_squared, row.ranks->degrees_of_freedom));
+    cells.push_back(p_value(row.ranks->p));
+    cells.push_back(fmt::format("{:.2f}", row.ranks->kendalls_w));
+  } else {
+    cells.insert(cells.end(), 3, "–");
+  }
+  cells.push_back(std::to_string(row.left_out));
+  return cells;
+}
+
+/// The change with each step: of times in per cent, of ratings in points.
+std::string change_text(const OrderTest& row) {
+  const TTest& test = *row.change_per_step;
+  if (!row.is_time) {
+    return fmt::format("{:.2f} {} points", test.mean, bracketed(test.interval, 1.0, 2));
+  }
+  const Interval change = {std::expm1(test.interval.low), std::expm1(test.interval.high)};
+  return fmt::format("{:.1f} {} %", 100.0 * std::expm1(test.mean), bracketed(change, 100.0, 1));
+}
+
+}  // namespace
+
+PrintedTable printed_ratios(const Comparisons& comparisons, bool planned) {
+  PrintedTable table;
+  table.id = planned ? "planned-comparisons" : "exploratory-comparisons";
+  table.title = planned ? "Planned comparisons of times." : "Exploratory comparisons of times.";
+  table.note =
+      "Ratio of times in per cent: geometric mean over participants with t interval, then BCa "
+      "bootstrap interval; paired t on logarithms; Wilcoxon signed-rank.";
+  table.columns = {"Methods, mark", "n",   "ratio, % [95 %]", "BCa 95 %", "t (df)", "P",
+                   "P, Holm",       "d_z", "P, Wilcoxon"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.is_time && row.primary == planned) {
+      table.rows.push_back(ratio_row(row));
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_ranks(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "ranks";
+  table.title = "Times by ranks.";
+  table.note =
+      "Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges and Lehmann’s "
+      "estimate of the ratio.";
+  table.columns = {"Methods, mark",          "n", "zeros", "W+ / W−", "P, Wilcoxon", "r, rank",
+                   "pseudo-median, % [95 %]"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (!row.is_time) {
+      continue;
+    }
+    table.rows.push_back(
+        {name_of(row) + planned_mark(row), std::to_string(row.n),
+         row.ranks ? std::to_string(row.ranks->zeros) : "–", rank_sums(row),
+         row.ranks ? p_value(row.ranks->p) + (row.ranks->exact ? "" : " (approximate)") : "–",
+         rank_biserial(row), pseudo_median_text(row, 100.0, 1)});
+  }
+  return table;
+}
+
+PrintedTable printed_rating_differences(const Comparisons& comparisons, bool planned) {
+  PrintedTable table;
+  table.id = planned ? "planned-rating-differences" : "rating-differences";
+  table.title = planned ? "Planned comparisons of ratings." : "Exploratory comparisons of ratings.";
+  table.note =
+      "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
+      "participants; the difference of means is given too, as in the published study.";
+  table.columns = {"Methods, rating", "n",           "difference [95 %]", "pseudo-median [95 %]",
+                   "W+ / W−",         "P, Wilcoxon", "P, Holm",           "r, rank"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (!row.is_time && row.primary == planned) {
+      table.rows.push_back(rating_row(row));
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_equivalence(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "equivalence";
+  table.title = "Equivalence.";
+  table.note =
+      "Two one-sided t tests against the protocol’s margins. Below the level, the difference is "
+      "too small to matter.";
+  table.columns = {"Methods, measure", "margin", "interval", "P"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.equivalent) {
+      table.rows.push_back(
+          {name_of(row), fmt::format("{} {:g}", row.is_time ? "factor" : "±", *row.margin),
+           bracketed(row.in_unit(row.equivalent->interval), 1.0, 2), p_value(row.equivalent->p)});
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_omnibus(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "omnibus";
+  table.title = "Omnibus tests, of all methods together.";
+  table.note =
+      "Repeated-measures analysis of variance of log times with Greenhouse and Geisser’s "
+      "correction, the degrees of freedom so corrected, and Huynh and Feldt’s beside it; "
+      "Friedman’s test, with ties; participants with a missing value are left out of both.";
+  table.columns = {"Measure",    "F (df)",  "ε, GG / HF",  "P, GG", "P, HF",
+                   "partial η²", "χ² (df)", "P, Friedman", "W",     "left out"};
+  for (const OmnibusTest& row : comparisons.omnibus) {
+    table.rows.push_back(omnibus_row(row));
+  }
+  return table;
+}
+
+PrintedTable printed_order_effects(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "order-effects";
+  table.title = "Order and learning.";
+  table.note =
+      "Change with each step, with 95 % interval over participants; the means of participants, "
+      "scenes and methods are subtracted first.";
+  table.columns = {"Measure, per", "n", "change [95 %]", "t (df)", "P", "d_z"};
+  for (const OrderTest& row : comparisons.order) {
+    const std::string name = fmt::format("{}, {}", row.measure, row.of);
+    if (!row.change_per_step) {
+      table.rows.push_back({name, "–", "–", "–", "–", "–"});
+      continue;
+    }
+    const TTest& test = *row.change_per_step;
+    table.rows.push_back({name, std::to_string(test.n), change_text(row),
+                          fmt::format("{:.2f} ({:g})", test.t, test.degrees_of_freedom),
+                          p_value(test.p), fixed(test.d_z, 2)});
+  }
+  return table;
+}
+
+std::vector<PrintedTable> comparison_pages(const Comparisons& comparisons) {
+  return {printed_ratios(comparisons, true),
+          printed_rating_differences(comparisons, true),
+          printed_ratios(comparisons, false),
+          printed_ranks(comparisons),
+          printed_rating_differences(comparisons, false),
+          printed_equivalence(comparisons),
+          printed_omnibus(comparisons),
+          printed_order_effects(comparisons)};
+}
+
+}  // namespace foveola::analysis

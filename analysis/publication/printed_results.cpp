@@ -1,0 +1,277 @@
+#include "analysis/publication/printed_results.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/dataset/amended_labels.h"
+#include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/profile.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::string baseline_name(const StudyTables& tables) {
+  return method_label(tables.set.methods[baseline]);
+}
+
+/// One number if it is the same for every method, else one for each, in the methods' order.
+std::string count_per_method(const std::vector<std::size_t>& counts) {
+  const bool same = std::all_of(counts.begin(), counts.end(),
+                                [&](std::size_t count) { return count == counts.front(); });
+  return same ? std::to_string(counts.front()) : fmt::format("{}", fmt::join(counts, " / "));
+}
+
+std::vector<std::string> scene_row(const StudyTables& tables, std::size_t mark, std::size_t scene) {
+  std::vector<std::string> row = {tables.set.scenes[scene]};
+  std::vector<std::size_t> n;
+  int censored = 0;
+  int missing = 0;
+  for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
+    const SceneTimes& times = tables.scene_times_of(mark, scene, method);
+    const Description& shown = method == baseline ? times.seconds : times.percent_of_baseline;
+    row.push_back(mean_and_deviation(shown, method == baseline ? 2 : 1));
+    n.push_back(shown.n);
+    censored += times.censored;
+    missing += times.missing;
+  }
+  row.push_back(count_per_method(n));
+  row.push_back(std::to_string(censored));
+  row.push_back(std::to_string(missing));
+  return row;
+}
+
+std::vector<std::string> overall_row(const StudyTables& tables, std::size_t mark) {
+  std::vector<std::string> row = {"geometric mean"};
+  std::vector<std::size_t> n;
+  for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
+    const MethodTimes& times = tables.method_times_of(mark, method);
+    row.push_back(method == baseline ? with_interval(times.seconds, 2)
+                                     : with_interval(times.percent_of_baseline, 1));
+    n.push_back(times.participant_seconds.size());
+  }
+  row.push_back(count_per_method(n));
+  row.insert(row.end(), 2, "");
+  return row;
+}
+
+std::string published_range(const StudyTables& tables, const std::vector<PublishedMean>& published,
+                            const std::string& method) {
+  const auto range = published_mean_of(published, tables.set.methods[baseline], method);
+  return range ? fmt::format("{:g}–{:g}", range->low, range->high) : "–";
+}
+
+std::string coefficient(const std::optional<Correlation>& found) {
+  return found ? with_interval(Estimate{found->n, found->r, found->interval}, 2) : "–";
+}
+
+std::string p_text(const std::optional<Correlation>& found) {
+  return found ? p_value(found->p) + (found->exact ? " (exact)" : "") : "–";
+}
+
+/// The text of a column in a row of a table.
+std::string text_in(const Table& table, const Row& row, const std::string& column) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].name == column) {
+      if (const auto* text = std::get_if<std::string>(&row[i])) {
+        return *text;
+      }
+      if (const auto* whole = std::get_if<std::int64_t>(&row[i])) {
+        return std::to_string(*whole);
+      }
+    }
+  }
+  return "";
+}
+
+std::optional<double> number_in(const Table& table, const Row& row, const std::string& column) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (const auto* value = std::get_if<double>(&row[i]);
+        value != nullptr && table.columns[i].name == column) {
+      return *value;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PrintedTable printed_times(const StudyTables& tables, std::size_t mark) {
+  const Measure& measure = tables.set.measures[mark];
+  const std::string reference = baseline_name(tables);
+  PrintedTable table;
+  table.id = "times-" + measure.id();
+  table.title = fmt::format("Time until {}.", moment_of(measure));
+  table.note = fmt::format(
+      "{} in seconds; other methods in per cent of each participant’s own {} time in the same "
+      "scene. Mean ± standard deviation over n participants; last, the geometric mean over scenes "
+      "with its 95 % interval.",
+      reference, reference);
+  table.columns = {"Scene"};
+  for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
+    table.columns.push_back(method_label(tables.set.methods[method]) +
+                            (method == baseline ? ", s" : ", %"));
+  }
+  table.columns.insert(table.columns.end(), {"n", "right-censored", "missing"});
+  for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
+    table.rows.push_back(scene_row(tables, mark, scene));
+  }
+  table.rows.push_back(overall_row(tables, mark));
+  return table;
+}
+
+PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark) {
+  const std::string reference = baseline_name(tables);
+  PrintedTable table;
+  table.id = "ratios-of-means-" + tables.set.measures[mark].id();
+  table.title = fmt::format("Time until {}, of {}’s mean time.",
+                            moment_of(tables.set.measures[mark]), reference);
+  table.note = fmt::format(
+      "Mean time over participants in per cent of {}’s mean time in the scene ± standard deviation "
+      "in percentage points of it.",
+      reference);
+  table.columns = {"Scene"};
+  for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
+    table.columns.push_back(method_label(tables.set.methods[method]) + ", %");
+  }
+  for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
+    std::vector<std::string> row = {tables.set.scenes[scene]};
+    for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
+      const OfBaselineMean& times = tables.scene_times_of(mark, scene, method).of_baseline_mean;
+      row.push_back(mean_and_deviation({.n = 0,
+                                        .mean = times.mean_percent,
+                                        .standard_deviation = times.sd_percent_points,
+                                        .median = {}},
+                                       1));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+PrintedTable printed_geometric_means(const StudyTables& tables,
+                                     const std::vector<PublishedMean>& published) {
+  const bool is_comparable = measures_what_was_published(tables.set);
+  PrintedTable table;
+  table.id = "geometric-means";
+  table.title = "Geometric means over scenes.";
+  table.note = "With 95 % intervals over n participants.";
+  table.columns = {"Method and mark", "n", "seconds", "% of " + baseline_name(tables)};
+  if (is_comparable) {
+    table.note +=
+        " The published column gives the range of the published mean times (Koskela et al. 2018); "
+        "the paper does not say how its percentages were formed.";
+    table.columns.emplace_back("published, %");
+  }
+  for (const MethodTimes& times : tables.method_times) {
+    std::vector<std::string>& row = table.rows.emplace_back();
+    row = {fmt::format("{}, {}", method_label(times.method), times.mark),
+           std::to_string(times.participant_seconds.size()), with_interval(times.seconds, 2),
+           with_interval(times.percent_of_baseline, 1)};
+    if (is_comparable) {
+      row.push_back(published_range(tables, published, times.method));
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_ratings(const StudyTables& tables, std::size_t rating) {
+  const Measure& measure = tables.set.measures[rating];
+  PrintedTable table;
+  table.id = "ratings-" + measure.id();
+  table.title = fmt::format("Ratings: {}.", measure.id());
+  table.note = fmt::format("“{}” {}.{}", measure.question.text, study::scale_in_words(measure),
+                           amendments_of_scale(tables.set, rating));
+  table.columns = {"Method"};
+  const std::vector<double> points = measure.points();
+  for (const double point : points) {
+    table.columns.push_back(fmt::format("{:g}", point));
+  }
+  if (!points.empty()) {
+    table.groups = {{"", 1}, {"Answers", static_cast<int>(points.size())}, {"Summary", 4}};
+  }
+  table.columns.insert(table.columns.end(), {"n", "missing", "mean ± sd", "median"});
+  for (const MethodRatings& ratings : tables.ratings_of(rating)) {
+    std::vector<std::string>& row = table.rows.emplace_back();
+    row.push_back(method_label(ratings.method));
+    for (const RatingCount& answer : ratings.counts) {
+      row.push_back(std::to_string(answer.count));
+    }
+    row.push_back(std::to_string(ratings.description.n));
+    row.push_back(std::to_string(ratings.missing));
+    row.push_back(mean_and_deviation(ratings.description, 2));
+    row.push_back(fixed(ratings.description.median, 1));
+  }
+  return table;
+}
+
+PrintedTable printed_answers(const Table& answers) {
+  PrintedTable table;
+  table.id = "answers";
+  table.title = "Answers of questionnaires.";
+  table.note = "Mean, standard deviation (sd) and median of the answers that are numbers.";
+  table.columns = {"Question", "scale", "n", "mean", "sd", "median", "missing"};
+  for (const Row& row : answers.rows) {
+    table.rows.push_back(
+        {fmt::format("{}: {}", text_in(answers, row, "questionnaire"),
+                     text_in(answers, row, "question")),
+         text_in(answers, row, "scale"), text_in(answers, row, "n"),
+         fixed(number_in(answers, row, "mean"), 2), fixed(number_in(answers, row, "sd"), 2),
+         fixed(number_in(answers, row, "median"), 1), text_in(answers, row, "missing")});
+  }
+  return table;
+}
+
+PrintedTable printed_scores(const Table& scores) {
+  // By questionnaire, step, instrument and score, in the order of the rows.
+  std::vector<std::pair<std::vector<std::string>, std::vector<double>>> groups;
+  for (const Row& row : scores.rows) {
+    const std::vector<std::string> key = {
+        text_in(scores, row, "questionnaire"), text_in(scores, row, "step"),
+        text_in(scores, row, "instrument"), text_in(scores, row, "score")};
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& known) { return known.first == key; });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), {key, {}});
+    }
+    if (const auto value = number_in(scores, row, "value")) {
+      group->second.push_back(*value);
+    }
+  }
+  PrintedTable table;
+  table.id = "scores";
+  table.title = "Scores of questionnaires.";
+  table.note = "By their published keys, of all sessions that filled them in.";
+  table.columns = {"Questionnaire and score", "instrument", "n", "mean", "sd", "median"};
+  for (const auto& [key, values] : groups) {
+    const Description found = describe(values);
+    table.rows.push_back({fmt::format("{} (step {}), {}", key[0], key[1], key[3]), key[2],
+                          std::to_string(found.n), fixed(found.mean, 1),
+                          fixed(found.standard_deviation, 1), fixed(found.median, 1)});
+  }
+  return table;
+}
+
+PrintedTable printed_background(const StudyTables& tables, const Background& background) {
+  PrintedTable table;
+  table.id = "background";
+  table.title = "Correlation of background with the seconds saved.";
+  table.note =
+      "Pearson’s r of the values and Spearman’s ρ of their ranks, with 95 % intervals. Seconds "
+      "saved are each participant’s mean over scenes; P is two-sided. A dash: not defined, because "
+      "of fewer than three participants or constant values.";
+  table.columns = {"Seconds saved", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
+  for (const BackgroundCorrelation& row : background.correlations) {
+    table.rows.push_back(
+        {fmt::format("{} − {}, {}", baseline_name(tables), method_label(row.method), row.mark),
+         std::to_string(row.participants), coefficient(row.pearson),
+         row.pearson ? fixed(row.pearson->t, 2) : "–", p_text(row.pearson),
+         coefficient(row.spearman), p_text(row.spearman)});
+  }
+  return table;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,52 @@
+// The study's results as people read them, the same in the report, in LaTeX and on the terminal.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analysis/dataset/comparisons.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
+#include "analysis/koskela2018/published_means.h"
+#include "analysis/tables/printed_table.h"
+#include "analysis/tables/table.h"
+
+namespace foveola::analysis {
+
+// `mark` and `rating` are indices of the set's measures.
+
+/// The times until a mark in each scene: the baseline's in seconds, the others' in per cent of each
+/// participant's own; the last row has the geometric means over scenes.
+PrintedTable printed_times(const StudyTables& tables, std::size_t mark);
+
+/// The other reading of the percentages: means over the baseline's mean.
+PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark);
+
+/// The geometric means over scenes with their intervals, beside the published ranges if there are.
+PrintedTable printed_geometric_means(const StudyTables& tables,
+                                     const std::vector<PublishedMean>& published);
+
+/// One rating's answers and their summary, a row for each method.
+PrintedTable printed_ratings(const StudyTables& tables, std::size_t rating);
+
+/// The questions of all questionnaires that have answers in numbers; `answers` is the table
+/// answers_by_question.
+PrintedTable printed_answers(const Table& answers);
+
+/// The mean scores of questionnaires with a published key; `scores` is questionnaire_scores.
+PrintedTable printed_scores(const Table& scores);
+
+PrintedTable printed_background(const StudyTables& tables, const Background& background);
+
+/// The planned or the exploratory comparisons of times, and those of ratings.
+PrintedTable printed_ratios(const Comparisons& comparisons, bool planned);
+PrintedTable printed_ranks(const Comparisons& comparisons);
+PrintedTable printed_rating_differences(const Comparisons& comparisons, bool planned);
+PrintedTable printed_equivalence(const Comparisons& comparisons);
+PrintedTable printed_omnibus(const Comparisons& comparisons);
+PrintedTable printed_order_effects(const Comparisons& comparisons);
+
+/// All of these, in the report's order; some may have no rows.
+std::vector<PrintedTable> comparison_pages(const Comparisons& comparisons);
+
+}  // namespace foveola::analysis

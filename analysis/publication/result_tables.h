@@ -1,0 +1,48 @@
+// The study's results as tables with fixed columns: means, counts, correlations, and what was left
+// out. The last column of each says who took part: human, pilot or simulated.
+#pragma once
+
+#include <vector>
+
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/background.h"
+#include "analysis/tables/table.h"
+
+namespace foveola::analysis {
+
+/// times_by_scene: the published study's Table 2, for every mark.
+Table times_by_scene(const StudyTables& tables);
+
+/// times_by_method: the published study's Fig. 5, for every mark.
+Table times_by_method(const StudyTables& tables);
+
+/// ratings_by_method: the published study's Fig. 6, for every rating in numbers.
+Table ratings_by_method(const StudyTables& tables);
+
+/// rating_counts: how often each answer was given, where a rating has points that can be counted.
+Table rating_counts(const StudyTables& tables);
+
+/// background_correlation.
+Table background_correlation(const StudyTables& tables, const Background& background);
+
+/// exclusions: sessions and values that no number uses.
+Table exclusions(const StudyTables& tables);
+
+/// amended_sessions: those by other words or time-outs than the study's protocol.
+Table amended_sessions(const StudyTables& tables);
+
+/// The column that says whose data a row has; it needs nothing of a row.
+Column kind_column();
+
+/// The column that ends every table of an analysis: what verifying the study's file found.
+Column record_column();
+
+/// The table with that column.
+Table stamped(Table table, const Dataset& set);
+
+template <typename Item>
+ColumnOf<Item> kind_of_all(const StudyTables& tables) {
+  return {kind_column(), [kind = tables.set.kind](const Item& /*row*/) { return field(kind); }};
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,131 @@
+#include "analysis/tables/table_formats.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/csv.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// A text that says which alternative a field holds, for std::visit.
+struct TextOf {
+  std::string operator()(std::monostate /*missing*/) const { return ""; }
+  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(std::int64_t whole) const { return std::to_string(whole); }
+  std::string operator()(double number) const { return csv_number(number); }
+  std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+};
+
+struct JsonOf {
+  nlohmann::ordered_json operator()(std::monostate /*missing*/) const { return nullptr; }
+  template <typename Value>
+  nlohmann::ordered_json operator()(const Value& value) const {
+    return value;
+  }
+};
+
+CsvRow texts_of(const Row& row) {
+  CsvRow texts;
+  texts.reserve(row.size());
+  for (const Field& field : row) {
+    texts.push_back(text_of(field));
+  }
+  return texts;
+}
+
+CsvRow names_of(const std::vector<Column>& columns) {
+  CsvRow names;
+  for (const Column& column : columns) {
+    names.push_back(column.name);
+  }
+  return names;
+}
+
+std::string tsv_line(const CsvRow& texts) {
+  std::string line;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::string text = texts[i].empty() ? "n/a" : texts[i];
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+    line += (i > 0 ? "\t" : "") + text;
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string text_of(const Field& field) { return std::visit(TextOf(), field); }
+
+std::string csv_heading(const std::vector<Column>& columns) {
+  return format_csv({names_of(columns)});
+}
+
+std::string csv_row(const Row& row) { return format_csv({texts_of(row)}); }
+
+std::string csv_of(const Table& table) {
+  std::string text = csv_heading(table.columns);
+  for (const Row& row : table.rows) {
+    text += csv_row(row);
+  }
+  return text;
+}
+
+std::string tsv_heading(const std::vector<Column>& columns) { return tsv_line(names_of(columns)); }
+
+std::string tsv_row(const Row& row) { return tsv_line(texts_of(row)); }
+
+std::string tsv_of(const Table& table) {
+  std::string text = tsv_heading(table.columns);
+  for (const Row& row : table.rows) {
+    text += tsv_row(row);
+  }
+  return text;
+}
+
+nlohmann::ordered_json json_of(const Table& table) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Row& row : table.rows) {
+    nlohmann::ordered_json object = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      object[table.columns[i].name] = std::visit(JsonOf(), row[i]);
+    }
+    rows.push_back(std::move(object));
+  }
+  return rows;
+}
+
+Table codebook_of(const std::vector<Table>& tables) {
+  Table codebook{"codebook",
+                 "column of each file",
+                 {{"file", ColumnType::text, "", "Name of the file, without its extension"},
+                  {"variable", ColumnType::text, "", "Name of the column"},
+                  {"type", ColumnType::text, "", "string, integer, number or boolean"},
+                  {"unit", ColumnType::text, "", "Unit of the values, if they have one"},
+                  {"description", ColumnType::text, "", "What the values are"}},
+                 {}};
+  for (const Table& table : tables) {
+    for (const Column& column : table.columns) {
+      codebook.rows.push_back({table.id, column.name, std::string(name_of(column.type)),
+                               column.unit, column.description});
+    }
+  }
+  return codebook;
+}
+
+std::string columns_in_markdown(const std::vector<Table>& tables) {
+  std::string text;
+  for (const Table& table : tables) {
+    text += fmt::format("### {}.csv\n\nA row for each {}.\n\n", table.id, table.rows_are);
+    for (const Column& column : table.columns) {
+      text += fmt::format("- `{}` ({}{}{}): {}.\n", column.name, name_of(column.type),
+                          column.unit.empty() ? "" : ", ", column.unit, column.description);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,36 @@
+// Tables as files for other programs: CSV, TSV and JSON, and descriptions of their columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "analysis/tables/table.h"
+
+namespace foveola::analysis {
+
+/// The shortest text that reads back as the same value; empty where there is none.
+std::string text_of(const Field& field);
+
+/// The heading, or a row, as a line of CSV (RFC 4180).
+std::string csv_heading(const std::vector<Column>& columns);
+std::string csv_row(const Row& row);
+std::string csv_of(const Table& table);
+
+/// The heading, or a row, as a line of tab-separated values as BIDS has them: without quotes, tabs
+/// and line breaks as spaces, "n/a" for what is missing.
+std::string tsv_heading(const std::vector<Column>& columns);
+std::string tsv_row(const Row& row);
+std::string tsv_of(const Table& table);
+
+/// An object for each row, with null for what is missing.
+nlohmann::ordered_json json_of(const Table& table);
+
+/// A row for each column of each table: file, variable, type, unit, description.
+Table codebook_of(const std::vector<Table>& tables);
+
+/// The tables' columns in Markdown, one list for each file.
+std::string columns_in_markdown(const std::vector<Table>& tables);
+
+}  // namespace foveola::analysis

@@ -1,0 +1,13 @@
+// A file that is to be written, as a value.
+#pragma once
+
+#include <string>
+
+namespace foveola::analysis {
+
+struct TextFile {
+  std::string name;
+  std::string content;
+};
+
+}  // namespace foveola::analysis

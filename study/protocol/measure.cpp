@@ -1,0 +1,149 @@
+#include "study/protocol/measure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace foveola::study {
+namespace {
+
+constexpr std::size_t most_counted_points = 20;
+
+/// A label for each point, or for the two ends.
+std::string labelled_points(const Measure& measure) {
+  const std::vector<double> points = measure.points();
+  const std::vector<std::string>& labels = measure.question.labels;
+  if (labels.size() == 2) {
+    return fmt::format("{:g} {} to {:g} {}", measure.question.minimum, labels[0],
+                       measure.question.maximum, labels[1]);
+  }
+  std::vector<std::string> named;
+  for (const double point : points) {
+    named.push_back(fmt::format("{:g} ({})", point, measure.label_of(point)));
+  }
+  return fmt::format("{}", fmt::join(named, ", "));
+}
+
+}  // namespace
+
+const char* name_of(MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::rating:
+      return "rating";
+    case MeasureKind::answer:
+      return "answer";
+    case MeasureKind::time:
+      break;
+  }
+  return "time";
+}
+
+std::string Measure::unit() const {
+  if (kind == MeasureKind::time) {
+    return "s";
+  }
+  return question.kind == QuestionKind::likert ? "points" : "";
+}
+
+bool Measure::is_numeric() const {
+  if (kind == MeasureKind::time) {
+    return true;
+  }
+  switch (question.kind) {
+    case QuestionKind::likert:
+    case QuestionKind::number:
+      return true;
+    case QuestionKind::choice:
+      return std::all_of(question.options.begin(), question.options.end(),
+                         [](const Option& option) { return option.value.has_value(); });
+    case QuestionKind::text:
+      break;
+  }
+  return false;
+}
+
+std::vector<double> Measure::points() const {
+  std::vector<double> points;
+  if (question.kind == QuestionKind::likert) {
+    if (question.maximum - question.minimum < static_cast<double>(most_counted_points)) {
+      for (double point = question.minimum; point <= question.maximum; point += 1.0) {
+        points.push_back(point);
+      }
+    }
+  } else if (question.kind == QuestionKind::choice && is_numeric()) {
+    for (const Option& option : question.options) {
+      points.push_back(*option.value);
+    }
+  }
+  return points.size() <= most_counted_points ? points : std::vector<double>();
+}
+
+std::string Measure::label_of(double point) const {
+  if (question.kind == QuestionKind::choice) {
+    for (const Option& option : question.options) {
+      if (option.value == point) {
+        return option.label;
+      }
+    }
+    return "";
+  }
+  const std::vector<std::string>& labels = question.labels;
+  if (question.kind != QuestionKind::likert || labels.empty()) {
+    return "";
+  }
+  if (labels.size() == 2) {
+    return point == question.minimum ? labels[0] : point == question.maximum ? labels[1] : "";
+  }
+  const auto index = static_cast<std::size_t>(std::lround(point - question.minimum));
+  return index < labels.size() ? labels[index] : "";
+}
+
+std::vector<Measure> trial_measures(const std::vector<MarkEntry>& marks,
+                                    const std::vector<Question>& ratings) {
+  std::vector<Measure> measures;
+  for (const MarkEntry& mark : marks) {
+    measures.push_back({.kind = MeasureKind::time,
+                        .questionnaire = {},
+                        .question = {.id = mark.id,
+                                     .text = mark.instruction,
+                                     .kind = QuestionKind::number,
+                                     .minimum = 0.0}});
+  }
+  for (const Question& rating : ratings) {
+    measures.push_back({.kind = MeasureKind::rating, .questionnaire = {}, .question = rating});
+  }
+  return measures;
+}
+
+std::vector<Measure> measures_of(const Questionnaire& questionnaire) {
+  std::vector<Measure> measures;
+  for (const Question& question : questionnaire.questions) {
+    measures.push_back(
+        {.kind = MeasureKind::answer, .questionnaire = questionnaire.id, .question = question});
+  }
+  return measures;
+}
+
+std::string scale_in_words(const Measure& measure) {
+  if (measure.kind == MeasureKind::time) {
+    return "in seconds";
+  }
+  const Question& question = measure.question;
+  switch (question.kind) {
+    case QuestionKind::likert:
+      return question.labels.empty()
+                 ? fmt::format("{:g} to {:g}", question.minimum, question.maximum)
+                 : labelled_points(measure);
+    case QuestionKind::number:
+      return fmt::format("a number from {:g} to {:g}", question.minimum, question.maximum);
+    case QuestionKind::choice:
+      return measure.is_numeric() ? labelled_points(measure) : "a choice";
+    case QuestionKind::text:
+      break;
+  }
+  return "in words";
+}
+
+}  // namespace foveola::study

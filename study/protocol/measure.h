@@ -1,0 +1,52 @@
+// What a study measures: the times of marks, the ratings after them, the answers of questionnaires.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/protocol/protocol.h"
+
+namespace foveola::study {
+
+enum class MeasureKind {
+  time,    ///< Seconds from a trial's first frame to a mark.
+  rating,  ///< The answer to a question after a trial.
+  answer,  ///< The answer to a question of a questionnaire, once or more in a session.
+};
+
+/// "time", "rating", "answer".
+const char* name_of(MeasureKind kind);
+
+struct Measure {
+  MeasureKind kind = MeasureKind::time;
+  std::string questionnaire;  ///< The id of an answer's questionnaire.
+  /// What is asked, and on which scale. Of a time: the mark's id and instruction.
+  Question question;
+
+  const std::string& id() const { return question.id; }
+  /// "s" of times, "points" of scales of whole points, otherwise empty.
+  std::string unit() const;
+  /// Whether all its values are numbers: not of free text, nor of a choice whose options have
+  /// no values.
+  bool is_numeric() const;
+  /// Whether its values are whole points of a scale, which can be counted one by one.
+  bool has_points() const { return kind != MeasureKind::time && !points().empty(); }
+  /// The values of a scale's points in their order, or of a choice's options; empty if there are
+  /// none, or more than 20.
+  std::vector<double> points() const;
+  /// The protocol's label of a point or an option; empty if it has none.
+  std::string label_of(double point) const;
+};
+
+/// The measures of each trial: the protocol's marks, then its ratings.
+std::vector<Measure> trial_measures(const std::vector<MarkEntry>& marks,
+                                    const std::vector<Question>& ratings);
+
+/// The measures of a questionnaire: its questions.
+std::vector<Measure> measures_of(const Questionnaire& questionnaire);
+
+/// The scale in a few words for captions: "1 none to 5 all over", "1 (none), 2 (some), 3 (much)",
+/// "a number from 0 to 100", "in seconds", "in words".
+std::string scale_in_words(const Measure& measure);
+
+}  // namespace foveola::study

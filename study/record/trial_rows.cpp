@@ -1,0 +1,154 @@
+#include "study/record/trial_rows.h"
+
+#include <array>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+namespace foveola::study {
+namespace {
+
+using Positions = std::unordered_map<std::string, std::size_t>;
+
+Positions positions_of(const std::vector<std::string>& names) {
+  Positions positions;
+  for (const std::string& name : names) {
+    positions.emplace(name, positions.size());
+  }
+  return positions;
+}
+
+TrialKind kind_named(const std::string& name) {
+  constexpr std::array kinds = {TrialKind::practice, TrialKind::catch_trial};
+  for (const TrialKind kind : kinds) {
+    if (name == name_of(kind)) {
+      return kind;
+    }
+  }
+  return TrialKind::test;
+}
+
+class TrialReader {
+ public:
+  TrialReader(SQLite::Database& database, const std::vector<std::int64_t>& session_ids,
+              StudyRecords& records)
+      : database_(database), records_(records) {
+    for (const std::int64_t id : session_ids) {
+      sessions_.emplace(id, sessions_.size());
+    }
+    for (const Measure& measure : records.measures) {
+      measures_.emplace(measure.id(), measures_.size());
+    }
+  }
+
+  void read() {
+    records_.words = {""};
+    read_rows();
+    records_.values.assign(records_.trials.size() * records_.measures.size(), Value{});
+    read_values(
+        "SELECT session, trial, attempt, kind, time_ns / 1e9, censored FROM mark"
+        " ORDER BY session, trial, attempt");
+    read_values(
+        "SELECT session, trial, attempt, question, value, 0 FROM rating"
+        " ORDER BY session, trial, attempt");
+  }
+
+ private:
+  using Key = std::tuple<std::size_t, std::uint32_t, int>;  ///< Session, trial, attempt.
+
+  static Key key_of(const TrialRow& row) { return {row.session, row.trial, row.attempt}; }
+
+  /// The index of a text, each of which is kept once.
+  std::uint32_t word(const std::string& text) {
+    const auto [known, is_new] =
+        words_.emplace(text, static_cast<std::uint32_t>(records_.words.size()));
+    if (is_new) {
+      records_.words.push_back(text);
+    }
+    return known->second;
+  }
+
+  void read_rows() {
+    words_.emplace("", 0);
+    const Positions scenes = positions_of(records_.scenes);
+    const Positions methods = positions_of(records_.methods);
+    SQLite::Statement row(
+        database_,
+        "SELECT planned_trial.session, planned_trial.trial, planned_trial.kind, scene, method,"
+        " scene_position, method_position, coalesce(attempt, 0), coalesce(object, ''),"
+        " coalesce(outcome, '')"
+        " FROM planned_trial JOIN session ON session.id = planned_trial.session"
+        " LEFT JOIN attempt ON attempt.session = planned_trial.session"
+        "  AND attempt.trial = planned_trial.trial"
+        " WHERE state <> 'withdrawn'"
+        " ORDER BY planned_trial.session, planned_trial.trial, attempt");
+    while (row.executeStep()) {
+      const auto number = [&](int column) {
+        return static_cast<std::uint16_t>(row.getColumn(column).getInt());
+      };
+      const TrialRow trial{
+          .session = static_cast<std::uint32_t>(sessions_.at(row.getColumn(0).getInt64())),
+          .trial = row.getColumn(1).getUInt(),
+          .kind = kind_named(row.getColumn(2).getString()),
+          .scene = static_cast<std::uint16_t>(scenes.at(row.getColumn(3).getString())),
+          .method = static_cast<std::uint16_t>(methods.at(row.getColumn(4).getString())),
+          .scene_position = number(5),
+          .method_position = number(6),
+          .attempt = number(7),
+          .object = word(row.getColumn(8).getString()),
+          .outcome = word(row.getColumn(9).getString())};
+      if (!records_.trials.empty()) {
+        TrialRow& before = records_.trials.back();
+        before.counts = before.session != trial.session || before.trial != trial.trial;
+      }
+      records_.trials.push_back(trial);
+    }
+  }
+
+  /// The query's columns: session, trial, attempt, measure, value, censored; in the order of the
+  /// trials' rows, so that both are read once.
+  void read_values(const char* sql) {
+    SQLite::Statement row(database_, sql);
+    std::size_t at = 0;
+    while (row.executeStep()) {
+      const auto session = sessions_.find(row.getColumn(0).getInt64());
+      const auto measure = measures_.find(row.getColumn(3).getString());
+      if (session == sessions_.end() || measure == measures_.end()) {
+        continue;
+      }
+      const Key key{session->second, row.getColumn(1).getUInt(), row.getColumn(2).getInt()};
+      while (at < records_.trials.size() && key_of(records_.trials[at]) < key) {
+        ++at;
+      }
+      if (at < records_.trials.size() && key_of(records_.trials[at]) == key) {
+        records_.values[at * records_.measures.size() + measure->second] =
+            value_of(row.getColumn(4), row.getColumn(5).getInt() == 1);
+      }
+    }
+  }
+
+  Value value_of(const SQLite::Column& column, bool is_censored) {
+    if (column.isText()) {
+      return {.state = Value::State::in_words, .words = word(column.getString())};
+    }
+    return {.state = is_censored ? Value::State::right_censored : Value::State::measured,
+            .number = column.getDouble()};
+  }
+
+  SQLite::Database& database_;
+  StudyRecords& records_;
+  std::unordered_map<std::int64_t, std::size_t> sessions_;
+  Positions measures_;
+  std::unordered_map<std::string, std::uint32_t> words_;
+};
+
+}  // namespace
+
+void read_trial_rows(SQLite::Database& database, const std::vector<std::int64_t>& session_ids,
+                     StudyRecords& records) {
+  TrialReader(database, session_ids, records).read();
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,17 @@
+#include "study/stage/protocol_notes.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "renderer/base/utf8.h"
+
+namespace foveola::study {
+
+void print_notes(const Protocol& protocol) {
+  for (const std::string& note : protocol.notes) {
+    fmt::print(stderr, "foveola: note: {}\n", printable(note));
+  }
+}
+
+}  // namespace foveola::study

@@ -1,0 +1,83 @@
+// Every timing of a study's file comes out, those that were made again among them.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/publication/analyze_study.h"
+#include "renderer/base/csv.h"
+#include "renderer/base/files.h"
+#include "tests/study/record/study_file.h"
+
+namespace foveola::analysis {
+namespace {
+
+using study::ms;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class RecordedTimings : public study::StudyFile {
+ protected:
+  /// P01 is timed again in the first trial, where the time ran out before the second mark.
+  void write_retimed_study() {
+    study::StudyStore store(path_, study::small_protocol());
+    study::PlayedSession session(store, study::facts_of("P01"), study::small_plan());
+    session.begin();
+    session.choose_and_start(ms(20));
+    session.happen(ms(1000), study::FirstFramePresented{ms(1000)});
+    session.happen(ms(2000), study::Marked{ms(2000)});
+    session.happen(ms(121'000), study::TimedOut{ms(121'000)});
+    session.happen(ms(121'100), study::RetimeRequested{});
+    for (int trial = 0; trial < 4; ++trial) {
+      session.run_trial(ms(200'000 + 20'000 * trial), ms(500), ms(1500), 3);
+    }
+  }
+
+  std::vector<CsvRow> rows_in(const std::string& name) const {
+    return parse_csv(read_file(folder_ / "out" / name), name);
+  }
+};
+
+TEST_F(RecordedTimings, OnesThatWereMadeAgainAreInAFileOfTheirOwn) {
+  write_retimed_study();
+  const AnalysisOutput output = analyze_study(path_, folder_ / "out");
+  const std::vector<CsvRow> again = rows_in("trials_timed_again.csv");
+  ASSERT_EQ(again.size(), 2U);
+  EXPECT_THAT(again[1], ElementsAre("P01", "simulated", "completed", "timed again", "hall", "fv",
+                                    "0", "test", "0", "0", "1", "vase", "retimed", "1", "false",
+                                    "120", "true", "", "verified"));
+  const std::vector<CsvRow> counted = rows_in("trials_long.csv");
+  ASSERT_EQ(counted.size(), 5U);
+  EXPECT_THAT(counted[1], ElementsAre("P01", "simulated", "completed", "analysed", "hall", "fv",
+                                      "0", "test", "0", "0", "2", "vase", "rated", "0.5", "false",
+                                      "1.5", "false", "3", "verified"));
+  EXPECT_EQ(output.tables.scene_times.at(0).censored, 0);
+}
+
+TEST_F(RecordedTimings, OfExcludedSessionsComeOutToo) {
+  {
+    study::StudyStore store(path_, study::thorough_protocol());
+    study::run_thorough_session(store, "P01");
+    study::run_thorough_session(
+        store, "P02",
+        study::QuestionnaireAnswered{.questionnaire = "debrief",
+                                     .answers = {{.question = "sickness", .value = 2.0},
+                                                 {.question = "comments", .value = "a, \"b\""}}});
+  }
+  (void)analyze_study(path_, folder_ / "out");
+  // Practice, a catch trial and four test trials of each session.
+  const std::vector<CsvRow> counted = rows_in("trials_long.csv");
+  ASSERT_EQ(counted.size(), 1U + 2U * 6U);
+  EXPECT_THAT(std::vector<std::string>(counted[1].begin(), counted[1].begin() + 4),
+              ElementsAre("P01", "simulated", "excluded", "practice"));
+  EXPECT_THAT(std::vector<std::string>(counted[2].begin(), counted[2].begin() + 4),
+              ElementsAre("P01", "simulated", "excluded", "excluded"));
+  EXPECT_EQ(rows_in("trials_timed_again.csv").size(), 1U + 2U * 3U);
+  const std::string answers = read_file(folder_ / "out" / "answers_long.csv");
+  EXPECT_THAT(answers, HasSubstr("P02,completed,debrief,"));
+  EXPECT_THAT(answers, HasSubstr(",comments,,\"a, \"\"b\"\"\",,,simulated,verified\r\n"));
+  EXPECT_EQ(rows_in("catch_trials.csv").at(1).at(0), "P02");
+}
+
+}  // namespace
+}  // namespace foveola::analysis

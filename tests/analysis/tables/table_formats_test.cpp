@@ -1,0 +1,108 @@
+#include "analysis/tables/table_formats.h"
+
+#include <cstdint>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/tables/table.h"
+#include "renderer/base/csv.h"
+
+namespace foveola::analysis {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using enum ColumnType;
+
+/// A row with a field of every kind, one with hostile texts, and one without values.
+Table every_kind() {
+  return {"kinds",
+          "kind of field",
+          {{"name", text, "", "A text"},
+           {"count", whole, "", "A whole number"},
+           {"mean_s", number, "s", "A number"},
+           {"is_true", truth, "", "Whether it is so"}},
+          {{"plain", std::int64_t{-3}, 0.1, true},
+           {"a \"b\",\tc\nd", std::int64_t{9007199254740993}, 1e-300, false},
+           {{}, {}, {}, {}}}};
+}
+
+TEST(TableFormats, CsvReadsBackAsItWasWritten) {
+  const std::string csv = csv_of(every_kind());
+  EXPECT_TRUE(csv.starts_with("name,count,mean_s,is_true\r\nplain,-3,0.1,true\r\n")) << csv;
+  const std::vector<CsvRow> rows = parse_csv(csv, "kinds");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_THAT(rows[2], ElementsAre("a \"b\",\tc\nd", "9007199254740993", "1e-300", "false"));
+  EXPECT_THAT(rows[3], ElementsAre("", "", "", ""));
+}
+
+TEST(TableFormats, NumbersAreTheShortestThatReadBackAsTheSameValue) {
+  for (const double value : {0.1, 1.0 / 3.0, 1e300, 1e-300, -2.5, 38.0}) {
+    EXPECT_EQ(std::stod(text_of(field(value))), value);
+  }
+  EXPECT_EQ(text_of(field(2.0)), "2");
+  EXPECT_EQ(text_of(field(0.5)), "0.5");
+  EXPECT_EQ(text_of(Field()), "");
+  EXPECT_EQ(text_of(field(std::optional<double>())), "");
+}
+
+TEST(TableFormats, TsvHasNoQuotesAndSaysWhatIsNotAvailable) {
+  EXPECT_EQ(tsv_of(every_kind()),
+            "name\tcount\tmean_s\tis_true\nplain\t-3\t0.1\ttrue\n"
+            "a \"b\", c d\t9007199254740993\t1e-300\tfalse\nn/a\tn/a\tn/a\tn/a\n");
+}
+
+TEST(TableFormats, JsonHasTheTypesOfTheFields) {
+  const nlohmann::ordered_json rows = json_of(every_kind());
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].dump(), "{\"name\":\"plain\",\"count\":-3,\"mean_s\":0.1,\"is_true\":true}");
+  EXPECT_EQ(rows[1]["count"], 9007199254740993);
+  EXPECT_EQ(rows[1]["name"], "a \"b\",\tc\nd");
+  for (const char* column : {"name", "count", "mean_s", "is_true"}) {
+    EXPECT_TRUE(rows[2][column].is_null()) << column;
+  }
+}
+
+TEST(TableFormats, HeadingsAndRowsAloneAreThoseOfTheWhole) {
+  const Table table = every_kind();
+  std::string csv = csv_heading(table.columns);
+  std::string tsv = tsv_heading(table.columns);
+  for (const Row& row : table.rows) {
+    csv += csv_row(row);
+    tsv += tsv_row(row);
+  }
+  EXPECT_EQ(csv, csv_of(table));
+  EXPECT_EQ(tsv, tsv_of(table));
+}
+
+TEST(TableFormats, TheCodebookHasARowForEachColumn) {
+  const Table codebook = codebook_of({every_kind(), every_kind()});
+  ASSERT_EQ(codebook.rows.size(), 8U);
+  const std::vector<CsvRow> rows = parse_csv(csv_of(codebook), "codebook");
+  EXPECT_THAT(rows[0], ElementsAre("file", "variable", "type", "unit", "description"));
+  EXPECT_THAT(rows[2], ElementsAre("kinds", "count", "integer", "", "A whole number"));
+  EXPECT_THAT(rows[3], ElementsAre("kinds", "mean_s", "number", "s", "A number"));
+  EXPECT_THAT(rows[4], ElementsAre("kinds", "is_true", "boolean", "", "Whether it is so"));
+}
+
+TEST(TableFormats, MarkdownListsTheColumnsOfEachFile) {
+  const std::string markdown = columns_in_markdown({every_kind()});
+  EXPECT_THAT(markdown, HasSubstr("### kinds.csv\n\nA row for each kind of field.\n\n"
+                                  "- `name` (string): A text.\n"));
+  EXPECT_THAT(markdown, HasSubstr("- `mean_s` (number, s): A number.\n"));
+}
+
+TEST(Table, ItemsBecomeRowsInTheirOrder) {
+  const ColumnsOf<int> columns = {
+      {{"value", whole, "", "It"}, [](const int& item) { return field(item); }},
+      {{"half", number, "", "Half of it"}, [](const int& item) { return field(item / 2.0); }}};
+  const Table table = tabulate<int>("numbers", "number", columns, {3, 1});
+  EXPECT_EQ(csv_of(table), "value,half\r\n3,1.5\r\n1,0.5\r\n");
+  EXPECT_EQ(table.columns.at(1).description, "Half of it");
+}
+
+}  // namespace
+}  // namespace foveola::analysis
