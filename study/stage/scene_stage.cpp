@@ -75,7 +75,7 @@ std::vector<ShownScene> shown_scenes(const SceneStages& stages) {
 void print_scene_warnings(const SceneStages& stages) {
   for (const auto& [name, stage] : stages) {
     for (const std::string& warning : stage->scene().warnings) {
-      fmt::print(stderr, "foveola: warning: {}\n", printable(name + ": " + warning));
+      fmt::print(stderr, "foveola: warning: {}\n", printable(fmt::format("{}: {}", name, warning)));
     }
   }
 }
