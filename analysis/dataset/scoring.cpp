@@ -128,11 +128,6 @@ Scores scores_of(const Instrument& instrument, const Answers& answers) {
 
 }  // namespace
 
-std::optional<std::string> instrument_of(const study::Questionnaire& questionnaire) {
-  const Instrument* found = find_instrument(questionnaire);
-  return found != nullptr ? std::optional(std::string(found->name)) : std::nullopt;
-}
-
 std::vector<ScoreRow> score_questionnaires(const study::StudyRecords& records) {
   std::map<std::string, const Instrument*> known;
   for (const study::Questionnaire& questionnaire : records.protocol.questionnaires) {

@@ -19,11 +19,8 @@ struct ScoreRow {
   std::optional<double> value;  ///< Empty if an item was not answered.
 };
 
-/// The instrument that a questionnaire is: the one whose items it has, on their scales; empty for
-/// any other questionnaire. Other questions may stand beside the items.
-std::optional<std::string> instrument_of(const study::Questionnaire& questionnaire);
-
-/// The scores of all filled-in questionnaires that are known, in the order of sessions.
+/// The scores of all filled-in questionnaires that are known instruments, in the order of sessions.
+/// A questionnaire is one if it has all of its items on their scales, whatever else it asks.
 ///
 /// - SSQ (Kennedy, Lane, Berbaum, Lilienthal 1993): sums of the items of nausea, oculomotor and
 ///   disorientation times 9.54, 7.58 and 13.92; the total is the sum of the three sums times 3.74.

@@ -77,14 +77,6 @@ std::string tsv_heading(const std::vector<Column>& columns) { return tsv_line(na
 
 std::string tsv_row(const Row& row) { return tsv_line(texts_of(row)); }
 
-std::string tsv_of(const Table& table) {
-  std::string text = tsv_heading(table.columns);
-  for (const Row& row : table.rows) {
-    text += tsv_row(row);
-  }
-  return text;
-}
-
 nlohmann::ordered_json json_of(const Table& table) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Row& row : table.rows) {

@@ -22,7 +22,6 @@ std::string csv_of(const Table& table);
 /// and line breaks as spaces, "n/a" for what is missing.
 std::string tsv_heading(const std::vector<Column>& columns);
 std::string tsv_row(const Row& row);
-std::string tsv_of(const Table& table);
 
 /// An object for each row, with null for what is missing.
 nlohmann::ordered_json json_of(const Table& table);

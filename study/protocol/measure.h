@@ -29,8 +29,6 @@ struct Measure {
   /// Whether all its values are numbers: not of free text, nor of a choice whose options have
   /// no values.
   bool is_numeric() const;
-  /// Whether its values are whole points of a scale, which can be counted one by one.
-  bool has_points() const { return kind != MeasureKind::time && !points().empty(); }
   /// The values of a scale's points in their order, or of a choice's options; empty if there are
   /// none, or more than 20.
   std::vector<double> points() const;

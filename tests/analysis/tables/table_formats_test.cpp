@@ -50,7 +50,12 @@ TEST(TableFormats, NumbersAreTheShortestThatReadBackAsTheSameValue) {
 }
 
 TEST(TableFormats, TsvHasNoQuotesAndSaysWhatIsNotAvailable) {
-  EXPECT_EQ(tsv_of(every_kind()),
+  const Table table = every_kind();
+  std::string tsv = tsv_heading(table.columns);
+  for (const Row& row : table.rows) {
+    tsv += tsv_row(row);
+  }
+  EXPECT_EQ(tsv,
             "name\tcount\tmean_s\tis_true\nplain\t-3\t0.1\ttrue\n"
             "a \"b\", c d\t9007199254740993\t1e-300\tfalse\nn/a\tn/a\tn/a\tn/a\n");
 }
@@ -69,13 +74,10 @@ TEST(TableFormats, JsonHasTheTypesOfTheFields) {
 TEST(TableFormats, HeadingsAndRowsAloneAreThoseOfTheWhole) {
   const Table table = every_kind();
   std::string csv = csv_heading(table.columns);
-  std::string tsv = tsv_heading(table.columns);
   for (const Row& row : table.rows) {
     csv += csv_row(row);
-    tsv += tsv_row(row);
   }
   EXPECT_EQ(csv, csv_of(table));
-  EXPECT_EQ(tsv, tsv_of(table));
 }
 
 TEST(TableFormats, TheCodebookHasARowForEachColumn) {

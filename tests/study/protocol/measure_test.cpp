@@ -38,7 +38,7 @@ TEST(Measure, OfTrialsAreMarksThenRatings) {
 TEST(Measure, TimesAreNumbersWithoutPoints) {
   const Measure time = trial_measures(published_marks(), {}).front();
   EXPECT_TRUE(time.is_numeric());
-  EXPECT_FALSE(time.has_points());
+  EXPECT_THAT(time.points(), IsEmpty());
   EXPECT_EQ(scale_in_words(time), "in seconds");
 }
 
@@ -61,7 +61,6 @@ TEST(Measure, PointsOfAScaleAreItsWholeNumbers) {
   EXPECT_THAT(scale_of(0, 20).points(), IsEmpty());
   EXPECT_THAT(scale_of(0, 100).points(), IsEmpty());
   EXPECT_TRUE(scale_of(0, 100).is_numeric());
-  EXPECT_FALSE(scale_of(0, 100).has_points());
 }
 
 TEST(Measure, PointsOfAChoiceAreItsValuesToTheFraction) {
