@@ -1,5 +1,8 @@
 #include "analysis/tables/printed_table.h"
 
+#include <charconv>
+#include <optional>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,17 +39,30 @@ std::string body_cells(const std::vector<std::string>& row) {
   return cells;
 }
 
-/// Whether `text` is a number with an exponent, as 3.3e-05, or "< 1e-300".
-bool has_exponent(std::string_view text, std::size_t e) {
-  return e != std::string_view::npos && e > 0 && e + 1 < text.size() &&
-         text.find_first_not_of("0123456789.+-<e ") == std::string_view::npos;
+/// The whole text as a number; empty if it is none, or too large.
+template <typename Number>
+std::optional<Number> number_in_full(std::string_view text) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, number);
+  return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
-std::string power_of_ten(std::string_view text, std::size_t e) {
-  const std::string power = fmt::format("10^{{{}}}", std::stoi(std::string(text.substr(e + 1))));
-  const std::string factor(text.substr(0, e));
-  return factor == "< 1" ? fmt::format("$< {}$", power)
-                         : fmt::format("${} \\times {}$", factor, power);
+/// A number with an exponent, as 3.3e-05, or "< 1e-300", as a power of ten; empty for another text.
+std::optional<std::string> power_of_ten(std::string_view text) {
+  const std::size_t e = text.find('e');
+  if (e == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view factor = text.substr(0, e);
+  std::string_view exponent = text.substr(e + 1);
+  exponent.remove_prefix(exponent.starts_with('+') ? 1 : 0);
+  const std::optional<int> power = number_in_full<int>(exponent);
+  if (!power || (factor != "< 1" && !number_in_full<double>(factor))) {
+    return std::nullopt;
+  }
+  return factor == "< 1" ? fmt::format("$< 10^{{{}}}$", *power)
+                         : fmt::format("${} \\times 10^{{{}}}$", factor, *power);
 }
 
 /// The symbols of statistics that a typesetter has in its own way; empty for any other.
@@ -135,8 +151,8 @@ std::string plain_text_of(const PrintedTable& table, std::string_view notice) {
 }
 
 std::string latex_text(std::string_view text) {
-  if (const std::size_t e = text.find('e'); has_exponent(text, e)) {
-    return power_of_ten(text, e);
+  if (const std::optional<std::string> power = power_of_ten(text)) {
+    return *power;
   }
   std::string escaped;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -6,6 +6,9 @@
 #include <unordered_map>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
 
 namespace foveola::study {
 namespace {
@@ -18,6 +21,16 @@ Positions positions_of(const std::vector<std::string>& names) {
     positions.emplace(name, positions.size());
   }
   return positions;
+}
+
+/// Throws Error for a name that is not among them, which the file's foreign keys exclude.
+std::uint16_t position_of(const Positions& positions, const std::string& name, const char* what) {
+  const auto found = positions.find(name);
+  if (found == positions.end()) {
+    throw Error(fmt::format("the {} '{}' of a planned trial", what, name),
+                "is not one of the study's", "restore the study's file from a copy");
+  }
+  return static_cast<std::uint16_t>(found->second);
 }
 
 TrialKind kind_named(const std::string& name) {
@@ -92,8 +105,8 @@ class TrialReader {
           .session = static_cast<std::uint32_t>(sessions_.at(row.getColumn(0).getInt64())),
           .trial = row.getColumn(1).getUInt(),
           .kind = kind_named(row.getColumn(2).getString()),
-          .scene = static_cast<std::uint16_t>(scenes.at(row.getColumn(3).getString())),
-          .method = static_cast<std::uint16_t>(methods.at(row.getColumn(4).getString())),
+          .scene = position_of(scenes, row.getColumn(3).getString(), "scene"),
+          .method = position_of(methods, row.getColumn(4).getString(), "method"),
           .scene_position = number(5),
           .method_position = number(6),
           .attempt = number(7),

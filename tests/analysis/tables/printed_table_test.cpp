@@ -83,6 +83,9 @@ TEST(LatexText, SmallNumbersAreWrittenAsPowersOfTen) {
   EXPECT_EQ(latex_text("0.031"), "0.031");
   EXPECT_EQ(latex_text("e-5"), "e-5");
   EXPECT_EQ(latex_text("scene 1e"), "scene 1e");
+  for (const char* name : {"1e-", "1e+e", "1ee", "1e99999999999", "-e-5", "<e5", "1 e5"}) {
+    EXPECT_EQ(latex_text(name).find("times"), std::string::npos) << name;
+  }
 }
 
 TEST(PrintedTableText, HasATitleAlignedRowsAndANote) {

@@ -1,5 +1,6 @@
 #include "study/record/study_records.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -272,6 +273,15 @@ TEST_F(Records, OfANewStudyAreEmpty) {
   EXPECT_TRUE(records.sessions.empty());
   EXPECT_TRUE(records.trials.empty());
   EXPECT_FALSE(records.has_simulated());
+}
+
+TEST_F(Records, OfATrialInAStrangeSceneAreRefused) {
+  session_of("P01");
+  SQLite::Database file(path_, SQLite::OPEN_READWRITE);
+  file.exec("PRAGMA foreign_keys = OFF");
+  file.exec("INSERT INTO planned_trial VALUES (1, 99, 'practice', 'elsewhere', 'od', 0, 0)");
+  EXPECT_THAT(refusal([&] { read_study(path_); }),
+              HasSubstr("the scene 'elsewhere' of a planned trial: is not one of the study's"));
 }
 
 }  // namespace
