@@ -15,9 +15,10 @@ constexpr std::size_t most_counted_points = 20;
 std::string labelled_points(const Measure& measure) {
   const std::vector<double> points = measure.points();
   const std::vector<std::string>& labels = measure.question.labels;
-  if (labels.size() == 2) {
-    return fmt::format("{:g} {} to {:g} {}", measure.question.minimum, labels[0],
-                       measure.question.maximum, labels[1]);
+  // A scale of too many points to list has the labels of its ends.
+  if (labels.size() == 2 || (points.empty() && !labels.empty())) {
+    return fmt::format("{:g} {} to {:g} {}", measure.question.minimum, labels.front(),
+                       measure.question.maximum, labels.back());
   }
   std::vector<std::string> named;
   for (const double point : points) {
@@ -139,7 +140,7 @@ std::string scale_in_words(const Measure& measure) {
     case QuestionKind::number:
       return fmt::format("a number from {:g} to {:g}", question.minimum, question.maximum);
     case QuestionKind::choice:
-      return measure.is_numeric() ? labelled_points(measure) : "a choice";
+      return measure.points().empty() ? "a choice" : labelled_points(measure);
     case QuestionKind::text:
       break;
   }

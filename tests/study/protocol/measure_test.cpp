@@ -54,6 +54,15 @@ TEST(Measure, OfQuestionnairesAreTheirQuestions) {
   EXPECT_FALSE(measures[1].is_numeric());
 }
 
+TEST(Measure, ScalesOfManyPointsAreNamedByTheirEnds) {
+  Measure scale = scale_of(0, 30);
+  for (int point = 0; point <= 30; ++point) {
+    scale.question.labels.push_back("p" + std::to_string(point));
+  }
+  EXPECT_EQ(scale_in_words(scale), "0 p0 to 30 p30");
+  EXPECT_EQ(scale.label_of(17), "p17");
+}
+
 TEST(Measure, PointsOfAScaleAreItsWholeNumbers) {
   EXPECT_THAT(scale_of(1, 5).points(), ElementsAre(1, 2, 3, 4, 5));
   EXPECT_THAT(scale_of(-1, 1).points(), ElementsAre(-1, 0, 1));
