@@ -34,6 +34,7 @@
 #include "study/commands/bench_prediction.h"
 #include "study/commands/bench_sensitivity.h"
 #include "study/commands/commands.h"
+#include "study/record/database.h"
 #include "study/simulation/simulate_study.h"
 
 namespace fs = std::filesystem;
@@ -163,6 +164,7 @@ int run(int argc, char** argv) {
   constexpr int user_error = 1;
   constexpr int usage_error = 2;
   const SignalStop signals;
+  study::keep_no_memory_counts();
   CLI::App app("A laboratory for foveated previews: renderer, user study, statistics.", "foveola");
   app.set_version_flag("--version", "foveola " + build_info().version + " (computing with " +
                                         build_info().instruction_set + ")");

@@ -150,6 +150,8 @@ void write_new_study(const fs::path& path, const Protocol& protocol) {
 
 }  // namespace
 
+void keep_no_memory_counts() { ::sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0); }
+
 void with_clear_errors(const fs::path& path, const std::function<void()>& work) {
   try {
     work();

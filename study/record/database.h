@@ -14,6 +14,10 @@ class Database;
 
 namespace foveola::study {
 
+/// Lets SQLite keep no counts of its memory, which nobody reads: they lie behind one lock, for
+/// which threads with a database each would wait. Of the whole program, and before it opens any.
+void keep_no_memory_counts();
+
 /// Runs `work` and turns what SQLite throws into Error about the file at `path`.
 void with_clear_errors(const std::filesystem::path& path, const std::function<void()>& work);
 

@@ -38,24 +38,20 @@ struct Outcome {
   }
 };
 
-/// The event as the next line of a session's log.
-LogLine next_line(PreparedStatements& statements, std::int64_t session, const LoggedEvent& logged) {
-  PreparedStatement last(statements,
-                         "SELECT coalesce(max(sequence), 0) FROM event WHERE session = ?");
-  last->bind(1, session);
-  last->executeStep();
-  return {.sequence = last->getColumn(0).getInt64() + 1,
-          .time_ns = logged.time.count(),
-          .utc = logged.utc,
-          .type = name_of(logged.event),
-          .payload = payload_of(logged.event)};
-}
+/// The last line of a session's log; before the first, number 0 and the hash that it follows on.
+struct LastLine {
+  std::int64_t sequence = 0;
+  std::string hash;
+};
 
-std::string hash_before(PreparedStatements& statements, std::int64_t session, const LogLine& line) {
-  PreparedStatement event(statements, "SELECT hash FROM event WHERE session = ? AND sequence = ?");
-  SQLite::bind(*event, session, line.sequence - 1);
-  return event->executeStep() ? event->getColumn(0).getString()
-                              : hash_before_events(statements.database(), session);
+LastLine last_line(PreparedStatements& statements, std::int64_t session) {
+  PreparedStatement last(statements,
+                         "SELECT sequence, hash FROM event WHERE session = ?"
+                         " ORDER BY sequence DESC LIMIT 1");
+  last->bind(1, session);
+  return last->executeStep()
+             ? LastLine{last->getColumn(0).getInt64(), last->getColumn(1).getString()}
+             : LastLine{0, hash_before_events(statements, session)};
 }
 
 /// What follows from one event of a session.
@@ -66,8 +62,13 @@ class EventRows {
       : statements_(statements), session_(session), procedure_(procedure), before_(before) {}
 
   void append_to_log(const LoggedEvent& logged) const {
-    const LogLine line = next_line(statements_, session_, logged);
-    const std::string hash = hash_of(hash_before(statements_, session_, line), line);
+    const LastLine last = last_line(statements_, session_);
+    const LogLine line = {.sequence = last.sequence + 1,
+                          .time_ns = logged.time.count(),
+                          .utc = logged.utc,
+                          .type = name_of(logged.event),
+                          .payload = payload_of(logged.event)};
+    const std::string hash = hash_of(last.hash, line);
     insert("INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?)", session_, line.sequence, line.time_ns,
            line.utc, line.type, line.payload, hash);
   }
@@ -187,7 +188,9 @@ void insert_event_rows(PreparedStatements& statements, std::int64_t session,
   if (is_in_attempt(after) && !is_same_attempt(before, after)) {
     rows.begin_attempt(after);
   }
-  rows.set_state(after.phase);
+  if (after.phase != before.phase) {
+    rows.set_state(after.phase);
+  }
 }
 
 }  // namespace foveola::study

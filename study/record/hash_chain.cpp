@@ -32,15 +32,15 @@ constexpr std::array facts = {
 
 }  // namespace
 
-std::string hash_before_events(SQLite::Database& database, std::int64_t session) {
+std::string hash_before_events(PreparedStatements& statements, std::int64_t session) {
   std::string lines;
   for (const char* sql : facts) {
-    SQLite::Statement rows(database, sql);
-    if (rows.getBindParameterCount() > 0) {
-      rows.bind(1, session);
+    PreparedStatement rows(statements, sql);
+    if (rows->getBindParameterCount() > 0) {
+      rows->bind(1, session);
     }
-    while (rows.executeStep()) {
-      lines += fmt::format("{}{}", lines.empty() ? "" : "\n", rows.getColumn(0).getString());
+    while (rows->executeStep()) {
+      lines += fmt::format("{}{}", lines.empty() ? "" : "\n", rows->getColumn(0).getString());
     }
   }
   return sha256(lines);

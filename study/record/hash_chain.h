@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace SQLite {
-class Database;
-}
+#include "study/record/prepared_statements.h"
 
 namespace foveola::study {
 
@@ -21,7 +19,7 @@ struct LogLine {
 
 /// What schema.sql describes at event: the hash of the study's and the session's facts and plan,
 /// which the first event follows on. Throws what SQLite throws.
-std::string hash_before_events(SQLite::Database& database, std::int64_t session);
+std::string hash_before_events(PreparedStatements& statements, std::int64_t session);
 
 /// The hash of an event that follows on the one of hash `previous`.
 std::string hash_of(const std::string& previous, const LogLine& line);

@@ -44,11 +44,10 @@ std::optional<std::int64_t> session_where(SQLite::Database& study, const char* c
 
 /// All of a session, by whatever number it has in its file.
 std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
-  std::string digests =
-      digest_of_rows(study, "session", fmt::format("id = {}", session), {{"id", "0"}});
+  std::string digests = digest_of_rows(study, "session", fmt::format("id = {}", session), {"id"});
   const auto add = [&](const auto& tables) {
     for (const char* table : tables) {
-      digests += digest_of_rows(study, table, is_of_session(session), {{"session", "0"}});
+      digests += digest_of_rows(study, table, is_of_session(session), {"session"});
     }
   };
   add(plan_tables);
@@ -93,7 +92,7 @@ class Merging {
 
  private:
   void require_same_study(SQLite::Database& source, const fs::path& path) {
-    const Replacements but_not_when_it_was_made = {{"created_utc", "''"}};
+    const std::set<std::string> but_not_when_it_was_made = {"created_utc"};
     for (const char* table : study_tables) {
       if (digest_of_rows(source, table, "true", but_not_when_it_was_made) !=
           digest_of_rows(target_, table, "true", but_not_when_it_was_made)) {

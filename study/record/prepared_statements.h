@@ -2,6 +2,7 @@
 // than running it does.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -30,6 +31,11 @@ class PreparedStatement {
  public:
   PreparedStatement(PreparedStatements& statements, const std::string& sql)
       : statement_(statements.find(sql)) {}
+  /// With its first parameter bound.
+  PreparedStatement(PreparedStatements& statements, const std::string& sql, std::int64_t first)
+      : PreparedStatement(statements, sql) {
+    statement_.bind(1, first);
+  }
   ~PreparedStatement();
   PreparedStatement(const PreparedStatement&) = delete;
   PreparedStatement& operator=(const PreparedStatement&) = delete;

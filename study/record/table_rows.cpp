@@ -1,7 +1,7 @@
 #include "study/record/table_rows.h"
 
+#include <algorithm>
 #include <span>
-#include <vector>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -43,6 +43,27 @@ void bind_as_it_is(SQLite::Statement& statement, int index, const SQLite::Column
   }
 }
 
+/// Appends what is as long as its type or as a length that was written before it says.
+void append_bytes(std::string& bytes, const void* data, std::size_t size) {
+  bytes.append(static_cast<const char*>(data), size);
+}
+
+void append_value(std::string& bytes, const SQLite::Column& value) {
+  bytes += static_cast<char>(value.getType());
+  if (value.isInteger()) {
+    const std::int64_t integer = value.getInt64();
+    append_bytes(bytes, &integer, sizeof integer);
+  } else if (value.isFloat()) {
+    const double real = value.getDouble();
+    append_bytes(bytes, &real, sizeof real);
+  } else if (!value.isNull()) {
+    const void* data = value.getBlob();  // of a text, its bytes
+    const auto size = static_cast<std::size_t>(value.getBytes());
+    append_bytes(bytes, &size, sizeof size);
+    append_bytes(bytes, data, size);
+  }
+}
+
 }  // namespace
 
 void copy_rows(SQLite::Database& source, SQLite::Database& target, const std::string& table,
@@ -64,18 +85,33 @@ void copy_rows(SQLite::Database& source, SQLite::Database& target, const std::st
   }
 }
 
-std::string digest_of_rows(SQLite::Database& database, const std::string& table,
-                           const std::string& condition, const Replacements& replacements) {
-  std::string values;
-  for (const std::string& column : replaced(columns_of(database, table), replacements)) {
-    values += fmt::format("{}quote({})", values.empty() ? "" : " || ',' || ", column);
+std::vector<std::string> sorted_rows(SQLite::Statement& rows,
+                                     const std::set<std::string>& ignored) {
+  std::vector<int> columns;
+  for (int i = 0; i < rows.getColumnCount(); ++i) {
+    if (!ignored.contains(rows.getColumnName(i))) {
+      columns.push_back(i);
+    }
   }
-  SQLite::Statement rows(
-      database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY 1", values, table, condition));
-  Sha256 digest;
+  std::vector<std::string> sorted;
   while (rows.executeStep()) {
-    // Values are quoted, so that where one row ends is not in doubt.
-    const std::string row = rows.getColumn(0).getString() + '\n';
+    std::string bytes;
+    for (const int column : columns) {
+      append_value(bytes, rows.getColumn(column));
+    }
+    sorted.push_back(std::move(bytes));
+  }
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+std::string digest_of_rows(SQLite::Database& database, const std::string& table,
+                           const std::string& condition, const std::set<std::string>& ignored) {
+  SQLite::Statement rows(database, fmt::format("SELECT * FROM {} WHERE {}", table, condition));
+  Sha256 digest;
+  for (const std::string& row : sorted_rows(rows, ignored)) {
+    const std::size_t size = row.size();
+    digest.update(std::as_bytes(std::span(&size, 1)));
     digest.update(std::as_bytes(std::span(row)));
   }
   return digest.hex();

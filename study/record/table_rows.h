@@ -4,11 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace SQLite {
 class Database;
-}
+class Statement;
+}  // namespace SQLite
 
 namespace foveola::study {
 
@@ -36,10 +39,16 @@ inline constexpr std::array measured_tables = {"frame_chunk", "gaze_chunk", "fil
 void copy_rows(SQLite::Database& source, SQLite::Database& target, const std::string& table,
                const std::string& condition = "true", const Replacements& replacements = {});
 
-/// The same for the same rows, in whatever order they were written.
+/// The rows that the statement gives from here on, each as bytes that are the same for the same
+/// values of the same types, in the order of these bytes: what was written in whatever order
+/// compares equal. `ignored` columns count for nothing. Throws what SQLite throws.
+std::vector<std::string> sorted_rows(SQLite::Statement& rows,
+                                     const std::set<std::string>& ignored = {});
+
+/// A digest of a table's sorted_rows for which `condition`, in SQL, holds.
 std::string digest_of_rows(SQLite::Database& database, const std::string& table,
                            const std::string& condition = "true",
-                           const Replacements& replacements = {});
+                           const std::set<std::string>& ignored = {});
 
 /// "session = 3"
 std::string is_of_session(std::int64_t session);

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/ordered_jobs.h"
 #include "study/design/participant_code.h"
 #include "study/record/store_recorder.h"
-#include "study/simulation/ordered_jobs.h"
 
 namespace foveola::study {
 

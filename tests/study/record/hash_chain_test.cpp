@@ -98,13 +98,14 @@ TEST(HashChain, CoversEveryFactAndEveryEvent) {
     database.exec(std::string("DROP TRIGGER ") + guarded + "_is_fixed");
   }
   database.exec("DROP TRIGGER session_changes_state_only; DROP TRIGGER session_ends_once");
-  const std::string whole = hash_before_events(database, 1);
+  PreparedStatements statements(database);
+  const std::string whole = hash_before_events(statements, 1);
   for (const std::string& change : changes) {
     const SQLite::Transaction rolled_back(database);
     ASSERT_GT(database.exec(change), 0) << change;
-    EXPECT_NE(hash_before_events(database, 1), whole) << change;
+    EXPECT_NE(hash_before_events(statements, 1), whole) << change;
   }
-  EXPECT_EQ(hash_before_events(database, 1), whole);
+  EXPECT_EQ(hash_before_events(statements, 1), whole);
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ std::map<std::string, std::string> content_of(const fs::path& path) {
   SQLite::Statement tables(study, "SELECT name FROM sqlite_schema WHERE type = 'table'");
   while (tables.executeStep()) {
     const std::string table = tables.getColumn(0).getString();
-    content[table] = digest_of_rows(study, table, "true", {{"created_utc", "0"}, {"data", "0"}});
+    content[table] = digest_of_rows(study, table, "true", {"created_utc", "data"});
   }
   for (const char* table : {"frame_chunk", "gaze_chunk"}) {
     SQLite::Statement chunks(study, fmt::format("SELECT data FROM {} ORDER BY rowid", table));

@@ -1,4 +1,4 @@
-#include "study/simulation/ordered_jobs.h"
+#include "renderer/base/ordered_jobs.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace foveola::study {
+namespace foveola {
 namespace {
 
 using testing::ElementsAre;
@@ -85,4 +85,4 @@ TEST(OrderedJobs, TheFirstFaultInOrderComesOut) {
 }
 
 }  // namespace
-}  // namespace foveola::study
+}  // namespace foveola

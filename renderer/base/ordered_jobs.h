@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace foveola::study {
+namespace foveola {
 
 /// Calls work(i) for i in [0, count) on `jobs` threads, and take(i, result) on the calling thread
 /// in the order of i, until `take` returns false or all are done. At most `ahead` results more than
@@ -109,4 +109,4 @@ class OrderedJobs {
   std::map<std::size_t, Done> done_;
 };
 
-}  // namespace foveola::study
+}  // namespace foveola

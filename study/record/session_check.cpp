@@ -1,0 +1,238 @@
+#include "study/record/session_check.h"
+
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "study/record/chunk.h"
+#include "study/record/clock_steps.h"
+#include "study/record/event_log.h"
+#include "study/record/frame_encoding.h"
+#include "study/record/gaze_encoding.h"
+#include "study/record/hash_chain.h"
+#include "study/record/recorded_frames.h"
+#include "study/record/schema.h"
+#include "study/record/session_rows.h"
+#include "study/record/table_rows.h"
+
+namespace foveola::study {
+namespace {
+
+/// Adds the sessions' facts and plans, as they were before anything happened.
+void add_sessions_before_events(SQLite::Database& study, std::span<const SessionKey> sessions,
+                                SQLite::Database& blank) {
+  const std::string range =
+      fmt::format("BETWEEN {} AND {}", sessions.front().id, sessions.back().id);
+  copy_rows(study, blank, "session", "id " + range, {{"state", "'created'"}});
+  for (const char* table : plan_tables) {
+    copy_rows(study, blank, table, "session " + range);
+  }
+}
+
+/// Looks for the faults and gaps of one session. `again` holds what was known of it before anything
+/// happened.
+class SessionCheck {
+ public:
+  SessionCheck(PreparedStatements& study, PreparedStatements& again, const SessionKey& session,
+               Verification& found)
+      : study_(study),
+        again_(again),
+        session_(session.id),
+        participant_(session.participant),
+        found_(found) {}
+
+  void run() {
+    if (chain_holds()) {
+      check_what_follows();
+    }
+    check_chunks("frame_chunk", "first_frame", "frame_count");
+    check_chunks("gaze_chunk", "first_sample", "sample_count");
+    check_film_hashes();
+    check_clock();
+    list_gaps();
+  }
+
+ private:
+  void fault(const std::string& what) { found_.faults.push_back({participant_, what}); }
+  void warning(const std::string& what) { found_.warnings.push_back({participant_, what}); }
+  void gap(const std::string& what) { found_.gaps.push_back({participant_, what}); }
+
+  PreparedStatement rows(const std::string& sql) const { return rows(study_, sql); }
+  PreparedStatement rows(PreparedStatements& statements, const std::string& sql) const {
+    return {statements, sql, session_};
+  }
+
+  bool chain_holds() {
+    std::string previous = hash_before_events(study_, session_);
+    std::int64_t expected = 1;
+    PreparedStatement log = rows(
+        "SELECT sequence, time_ns, utc, type, payload, hash FROM event WHERE session = ?"
+        " ORDER BY sequence");
+    while (log->executeStep()) {
+      const LogLine line{.sequence = log->getColumn(0).getInt64(),
+                         .time_ns = log->getColumn(1).getInt64(),
+                         .utc = log->getColumn(2).getString(),
+                         .type = log->getColumn(3).getString(),
+                         .payload = log->getColumn(4).getString()};
+      ++found_.events;
+      previous = hash_of(previous, line);
+      if (line.sequence != expected || previous != log->getColumn(5).getString()) {
+        fault(expected == 1 ? "event 1, the study, the session or its plan is not what was written"
+                            : fmt::format("event {} is not what was written", expected));
+        return false;
+      }
+      ++expected;
+    }
+    return true;
+  }
+
+  /// Goes through the events again, and compares.
+  void check_what_follows() {
+    try {
+      replay_events(again_, session_, recorded_procedure_of(again_.database(), session_),
+                    events_of(study_.database(), session_));
+      for (const char* table : event_tables) {
+        const std::string sql = fmt::format("SELECT * FROM {} WHERE session = ?", table);
+        if (sorted_rows(*rows(study_, sql)) != sorted_rows(*rows(again_, sql))) {
+          fault(fmt::format("its rows in {} do not follow from its events", table));
+        }
+      }
+      if (state_in(study_) != state_in(again_)) {
+        fault(fmt::format("its state is {}, and its events lead to {}", state_in(study_),
+                          state_in(again_)));
+      }
+    } catch (const Error& error) {
+      fault(error.what());
+    }
+  }
+
+  std::string state_in(PreparedStatements& statements) const {
+    PreparedStatement row = rows(statements, "SELECT state FROM session WHERE id = ?");
+    row->executeStep();
+    return row->getColumn(0).getString();
+  }
+
+  void check_chunks(const std::string& table, const std::string& first, const std::string& count) {
+    std::map<std::pair<std::int64_t, int>, std::int64_t> next;  // of each attempt
+    PreparedStatement chunks =
+        rows(fmt::format("SELECT *, {} AS first, {} AS count FROM {} WHERE session = ?"
+                         " ORDER BY trial, attempt, first",
+                         first, count, table));
+    while (chunks->executeStep()) {
+      ++found_.chunks;
+      const std::int64_t trial = chunks->getColumn("trial").getInt64();
+      const int attempt = chunks->getColumn("attempt").getInt();
+      std::int64_t& expected = next[{trial, attempt}];
+      if (chunks->getColumn("first").getInt64() != expected || !is_what_was_written(*chunks)) {
+        fault(fmt::format("trial {}, attempt {}: {} from {} on is missing or not what was written",
+                          trial, attempt, table, expected));
+      }
+      expected = chunks->getColumn("first").getInt64() + chunks->getColumn("count").getInt64();
+    }
+  }
+
+  static bool is_what_was_written(SQLite::Statement& chunk) {
+    const std::string encoding = chunk.getColumn("encoding").getString();
+    const std::int64_t bytes_each =
+        encoding == gaze_encoding_name ? bytes_per_gaze_sample : bytes_per_frame(encoding);
+    try {
+      chunk_bytes(stored_chunk(chunk), chunk.getColumn("count").getInt64() * bytes_each);
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+    return true;
+  }
+
+  void check_film_hashes() {
+    PreparedStatement attempts =
+        rows("SELECT DISTINCT trial, attempt FROM film_hash WHERE session = ?");
+    while (attempts->executeStep()) {
+      try {
+        film_hashes_of(study_.database(), session_,
+                       static_cast<std::size_t>(attempts->getColumn("trial").getInt64()),
+                       attempts->getColumn("attempt").getInt());
+      } catch (const Error& error) {
+        fault(error.what());
+      }
+    }
+  }
+
+  void check_clock() {
+    PreparedStatement session = rows("SELECT started_utc FROM session WHERE id = ?");
+    session->executeStep();
+    std::string before = session->getColumn(0).getString();
+    PreparedStatement log =
+        rows("SELECT sequence, type, utc FROM event WHERE session = ? ORDER BY sequence");
+    while (log->executeStep()) {
+      const std::string utc = log->getColumn(2).getString();
+      if (const std::optional<std::string> back = clock_set_back(before, utc)) {
+        warning(
+            fmt::format("the computer's clock was set back by {} before event {} ({}): dates are "
+                        "in doubt, and times stand, since they are by another clock",
+                        *back, log->getColumn(0).getInt64(), log->getColumn(1).getString()));
+      }
+      before = utc;
+    }
+  }
+
+  void list_gaps() {
+    list_gaps(
+        "SELECT 'is not over: ' || state FROM session WHERE id = ?"
+        " AND state NOT IN ('completed', 'withdrawn', 'excluded', 'refused')");
+    list_gaps(
+        "SELECT 'trial ' || trial || ', attempt ' || attempt || ' has no frames' FROM attempt"
+        " JOIN session ON session.id = attempt.session"
+        " WHERE session = ?1 AND first_frame_ns IS NOT NULL"
+        " AND json_extract(devices, '$.simulation.predicted') IS NOT 1 AND NOT EXISTS"
+        "  (SELECT 1 FROM frame_chunk WHERE frame_chunk.session = attempt.session"
+        "   AND frame_chunk.trial = attempt.trial AND frame_chunk.attempt = attempt.attempt)");
+    list_gaps(
+        "SELECT 'trial ' || planned_trial.trial || ' has no rated attempt' FROM planned_trial"
+        " JOIN session ON session.id = planned_trial.session"
+        " WHERE planned_trial.session = ? AND session.state = 'completed' AND NOT EXISTS"
+        "  (SELECT 1 FROM attempt WHERE attempt.session = planned_trial.session"
+        "   AND attempt.trial = planned_trial.trial AND outcome = 'rated')");
+  }
+
+  void list_gaps(const char* sql) {
+    PreparedStatement gaps = rows(sql);
+    while (gaps->executeStep()) {
+      gap(gaps->getColumn(0).getString());
+    }
+  }
+
+  PreparedStatements& study_;
+  PreparedStatements& again_;
+  std::int64_t session_;
+  std::string participant_;
+  Verification& found_;
+};
+
+}  // namespace
+
+SQLite::Database without_sessions(SQLite::Database& study) {
+  SQLite::Database blank(":memory:",
+                         SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX);
+  blank.exec(study_schema());
+  for (const char* table : study_tables) {
+    copy_rows(study, blank, table);
+  }
+  return blank;
+}
+
+Verification check_sessions(PreparedStatements& study, PreparedStatements& blank,
+                            std::span<const SessionKey> sessions) {
+  Verification found{.sessions = sessions.size()};
+  const SQLite::Transaction to_be_undone(blank.database());
+  add_sessions_before_events(study.database(), sessions, blank.database());
+  for (const SessionKey& session : sessions) {
+    SessionCheck(study, blank, session, found).run();
+  }
+  return found;
+}
+
+}  // namespace foveola::study
