@@ -34,9 +34,11 @@ std::map<std::string, double> golden_inference() {
   return values_by_sample("inference_values.csv");
 }
 
-std::map<std::string, GoldenMatrix> golden_matrices() {
+std::map<std::string, double> golden_models() { return values_by_sample("models_values.csv"); }
+
+std::map<std::string, GoldenMatrix> golden_matrices(const std::string& file) {
   std::map<std::string, GoldenMatrix> matrices;
-  for (const CsvRow& row : golden_rows("inference_samples.csv")) {
+  for (const CsvRow& row : golden_rows(file)) {
     const std::size_t participant = std::stoul(row.at(1)) - 1;
     const std::size_t column = std::stoul(row.at(2)) - 1;
     GoldenMatrix& matrix = matrices[row[0]];

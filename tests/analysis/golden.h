@@ -17,13 +17,15 @@ std::vector<CsvRow> golden_rows(const std::string& file);
 std::map<std::string, double> golden_statistics();
 std::map<std::string, double> golden_study();
 
-/// data/golden/inference_samples.csv: "sample" to rows of columns, with nothing where a cell is
-/// missing.
+/// "sample" to rows of columns, with nothing where a cell is missing, from a file as
+/// data/golden/inference_samples.csv.
 using GoldenMatrix = std::vector<std::vector<std::optional<double>>>;
-std::map<std::string, GoldenMatrix> golden_matrices();
+std::map<std::string, GoldenMatrix> golden_matrices(
+    const std::string& file = "inference_samples.csv");
 
-/// "sample.quantity" to value, from inference_values.csv.
+/// "sample.quantity" to value, from inference_values.csv; from models_values.csv.
 std::map<std::string, double> golden_inference();
+std::map<std::string, double> golden_models();
 
 /// One column of a matrix without gaps.
 std::vector<double> golden_column(const GoldenMatrix& matrix, std::size_t column);

@@ -1,0 +1,166 @@
+#include "analysis/statistics/crossed_model.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "analysis/statistics/extended_mean.h"
+#include "analysis/statistics/logarithms.h"
+#include "analysis/statistics/student_t.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// A sum of squares and its degrees of freedom.
+struct Stratum {
+  long double squares = 0.0L;
+  long double degrees = 0.0L;
+
+  long double mean_square() const { return squares / degrees; }
+};
+
+/// The strata of the two-way layout. A factor whose variance is 0 is pooled with the residual: its
+/// stratum is empty.
+struct Strata {
+  long double mean = 0.0L;
+  std::optional<Stratum> participants;
+  std::optional<Stratum> scenes;
+  Stratum residual;
+};
+
+std::vector<long double> column_means(const RepeatedMeasures& data) {
+  std::vector<long double> means(data.conditions, 0.0L);
+  for (std::size_t participant = 0; participant < data.participants; ++participant) {
+    for (std::size_t scene = 0; scene < data.conditions; ++scene) {
+      means[scene] += data.at(participant, scene);
+    }
+  }
+  for (long double& mean : means) {
+    mean /= static_cast<long double>(data.participants);
+  }
+  return means;
+}
+
+Strata analyse_variance(const RepeatedMeasures& data) {
+  const auto participants = static_cast<long double>(data.participants);
+  const auto scenes = static_cast<long double>(data.conditions);
+  const std::vector<long double> scene_means = column_means(data);
+  Strata strata;
+  strata.mean = extended_mean(data.values);
+  strata.participants = Stratum{0.0L, participants - 1.0L};
+  strata.scenes = Stratum{0.0L, scenes - 1.0L};
+  strata.residual.degrees = (participants - 1.0L) * (scenes - 1.0L);
+  for (const long double mean : scene_means) {
+    strata.scenes->squares += participants * (mean - strata.mean) * (mean - strata.mean);
+  }
+  for (std::size_t participant = 0; participant < data.participants; ++participant) {
+    const long double effect = extended_mean(data.of(participant)) - strata.mean;
+    strata.participants->squares += scenes * effect * effect;
+    for (std::size_t scene = 0; scene < data.conditions; ++scene) {
+      const long double residual = data.at(participant, scene) - scene_means[scene] - effect;
+      strata.residual.squares += residual * residual;
+    }
+  }
+  return strata;
+}
+
+bool is_below_residual(const std::optional<Stratum>& factor, const Stratum& residual) {
+  return factor && factor->mean_square() < residual.mean_square();
+}
+
+void pool(std::optional<Stratum>& factor, Stratum& residual) {
+  residual.squares += factor->squares;
+  residual.degrees += factor->degrees;
+  factor.reset();
+}
+
+/// Pools factors whose mean square is below the residual's, the smaller first: afterwards the other
+/// may be above it.
+void pool_negative_components(Strata& strata) {
+  std::optional<Stratum>* first = &strata.participants;
+  std::optional<Stratum>* second = &strata.scenes;
+  if (second->value().mean_square() < first->value().mean_square()) {
+    std::swap(first, second);
+  }
+  for (std::optional<Stratum>* factor : {first, second}) {
+    if (is_below_residual(*factor, strata.residual)) {
+      pool(*factor, strata.residual);
+    }
+  }
+}
+
+/// A linear combination of independent mean squares.
+struct Combination {
+  long double value = 0.0L;
+  long double variance = 0.0L;  ///< Half of its estimated variance.
+
+  void add(long double coefficient, const Stratum& stratum) {
+    const long double term = coefficient * stratum.mean_square();
+    value += term;
+    variance += term * term / stratum.degrees;
+  }
+  double satterthwaite() const { return static_cast<double>(value * value / variance); }
+};
+
+/// participants x scenes times the variance of the mean.
+Combination variance_of_mean(const Strata& strata) {
+  Combination sum;
+  long double factors = 0.0L;
+  for (const std::optional<Stratum>& factor : {strata.participants, strata.scenes}) {
+    if (factor) {
+      sum.add(1.0L, *factor);
+      factors += 1.0L;
+    }
+  }
+  if (factors != 1.0L) {  // a single factor's mean square is the whole
+    sum.add(1.0L - factors, strata.residual);
+  }
+  return sum;
+}
+
+double component(const std::optional<Stratum>& factor, const Stratum& residual,
+                 std::size_t repetitions) {
+  return factor ? static_cast<double>((factor->mean_square() - residual.mean_square()) /
+                                      static_cast<long double>(repetitions))
+                : 0.0;
+}
+
+}  // namespace
+
+std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, double confidence) {
+  assert(log_ratios.values.size() == log_ratios.participants * log_ratios.conditions);
+  if (log_ratios.participants < 2 || log_ratios.conditions < 2) {
+    return std::nullopt;
+  }
+  Strata strata = analyse_variance(log_ratios);
+  pool_negative_components(strata);
+  CrossedModel model;
+  model.participants = log_ratios.participants;
+  model.scenes = log_ratios.conditions;
+  model.mean = static_cast<double>(strata.mean);
+  model.ratio = std::exp(model.mean);
+  model.participant_variance =
+      component(strata.participants, strata.residual, log_ratios.conditions);
+  model.scene_variance = component(strata.scenes, strata.residual, log_ratios.participants);
+  model.residual_variance = static_cast<double>(strata.residual.mean_square());
+  const Combination variance = variance_of_mean(strata);
+  const auto standard_error = static_cast<double>(
+      std::sqrt(variance.value / static_cast<long double>(log_ratios.values.size())));
+  if (standard_error <= rounding_of_logarithms) {
+    return model;
+  }
+  CrossedTest test;
+  test.standard_error = standard_error;
+  test.degrees_of_freedom = variance.satterthwaite();
+  test.t = model.mean / standard_error;
+  test.p = student_t_two_sided(test.t, test.degrees_of_freedom);
+  const double half_width =
+      student_t_quantile(confidence, test.degrees_of_freedom) * standard_error;
+  test.interval = {model.mean - half_width, model.mean + half_width};
+  test.ratio_interval = exp_of(test.interval);
+  model.test = test;
+  return model;
+}
+
+}  // namespace foveola::analysis

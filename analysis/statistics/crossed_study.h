@@ -1,0 +1,40 @@
+// Studies drawn from a crossed model, to count how often the intervals of its analyses hold.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "analysis/statistics/repeated_measures.h"
+#include "renderer/base/random.h"
+
+namespace foveola::analysis {
+
+/// A study of two methods, of which every participant uses both in every scene. Standard deviations
+/// are of natural logarithms of times, and not below zero.
+struct CrossedDesign {
+  std::size_t participants = 16;
+  std::size_t scenes = 5;
+  double mean = 0.0;            ///< The mean log ratio of the two methods' times.
+  double participant_sd = 0.0;  ///< Between participants, of their mean log ratios.
+  double scene_sd = 0.0;        ///< Between scenes, of their mean log ratios.
+  double residual_sd = 0.3;     ///< Of one time; a log ratio has sqrt(2) times as much.
+};
+
+/// The log ratios [participant][scene] of one study.
+RepeatedMeasures draw_log_ratios(const CrossedDesign& design, Pcg32& generator);
+
+/// In how many studies a 95 % interval covers the mean log ratio. In the others the test of the
+/// true mean rejects at 5 %: the error of the first kind, where the mean is 0.
+struct CrossedCoverage {
+  std::size_t studies = 0;
+  std::size_t crossed_model = 0;
+  std::size_t over_participants = 0;  ///< Of ratio_t of the participants' mean log ratios.
+};
+
+/// Counts over the studies first ... last - 1. Each is a function of the seed and its number alone,
+/// so that parts of a simulation may be counted apart and added. The design has two participants
+/// and two scenes at least, and a residual.
+CrossedCoverage count_coverage(const CrossedDesign& design, std::uint64_t seed, std::uint64_t first,
+                               std::uint64_t last);
+
+}  // namespace foveola::analysis
