@@ -23,9 +23,11 @@ using GoldenMatrix = std::vector<std::vector<std::optional<double>>>;
 std::map<std::string, GoldenMatrix> golden_matrices(
     const std::string& file = "inference_samples.csv");
 
-/// "sample.quantity" to value, from inference_values.csv; from models_values.csv.
+/// "sample.quantity" to value, from inference_values.csv, models_values.csv and
+/// survival_values.csv.
 std::map<std::string, double> golden_inference();
 std::map<std::string, double> golden_models();
+std::map<std::string, double> golden_survival();
 
 /// One column of a matrix without gaps.
 std::vector<double> golden_column(const GoldenMatrix& matrix, std::size_t column);
