@@ -5,10 +5,10 @@
 #include <set>
 #include <span>
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/statistics/order_balance.h"
 
 namespace foveola::analysis {
 namespace {
@@ -105,57 +105,33 @@ DataQualityCheck check_validation(const StudyTables& tables,
 
 /// The positions of the methods in one scene of one participant; empty unless each position is
 /// taken once: a trial that is missing from the record has no position of its own.
-std::vector<std::size_t> places_of_methods(std::span<const Trial> block) {
-  std::vector<std::size_t> places;
+std::vector<std::size_t> positions_of_methods(std::span<const Trial> block) {
+  std::vector<std::size_t> positions;
   for (const Trial& trial : block) {
-    places.push_back(static_cast<std::size_t>(trial.method_position));
+    positions.push_back(static_cast<std::size_t>(trial.method_position));
   }
-  std::vector<std::size_t> sorted = places;
+  std::vector<std::size_t> sorted = positions;
   std::sort(sorted.begin(), sorted.end());
-  for (std::size_t place = 0; place < sorted.size(); ++place) {
-    if (sorted[place] != place) {
+  for (std::size_t position = 0; position < sorted.size(); ++position) {
+    if (sorted[position] != position) {
       return {};
     }
   }
-  return places;
+  return positions;
 }
 
 /// How often each method had each position, over the participants' scenes with all their trials.
-struct PlaceCounts {
-  std::vector<std::vector<double>> counts;  ///< [method][position]
-  double blocks = 0.0;  ///< Pairs of a participant and a scene, each with one permutation.
-};
-
-PlaceCounts count_places(const Dataset& set) {
+PositionCounts count_positions(const Dataset& set) {
   const std::size_t methods = set.methods.size();
-  PlaceCounts found{std::vector<std::vector<double>>(methods, std::vector<double>(methods, 0.0))};
+  PositionCounts counts(methods, std::vector<std::size_t>(methods, 0));
   const std::span<const Trial> trials(set.trials);
   for (std::size_t first = 0; first < trials.size(); first += methods) {
-    const std::vector<std::size_t> places = places_of_methods(trials.subspan(first, methods));
-    for (std::size_t method = 0; method < places.size(); ++method) {
-      found.counts[method][places[method]] += 1.0;
-    }
-    found.blocks += places.empty() ? 0.0 : 1.0;
-  }
-  return found;
-}
-
-/// The probability that random orders are spread at least as unevenly. In each of b blocks the k
-/// methods are permuted, so that a method has every place once in k blocks on average, with the
-/// variance b (k - 1) / k^2 rather than the b / k of free counts: (k - 1) / k times Pearson's sum
-/// of (O - E)^2 / E is chi-squared with (k - 1)^2 degrees of freedom (Anderson 1959, "Use of
-/// contingency tables in the analysis of consumer preference studies", Biometrics 15).
-double probability_of_places(const PlaceCounts& found) {
-  const auto k = static_cast<double>(found.counts.size());
-  const double expected = found.blocks / k;
-  double pearson = 0.0;
-  for (const std::vector<double>& row : found.counts) {
-    for (const double count : row) {
-      pearson += (count - expected) * (count - expected) / expected;
+    const std::vector<std::size_t> positions = positions_of_methods(trials.subspan(first, methods));
+    for (std::size_t method = 0; method < positions.size(); ++method) {
+      ++counts[method][positions[method]];
     }
   }
-  const boost::math::chi_squared distribution((k - 1.0) * (k - 1.0));
-  return boost::math::cdf(boost::math::complement(distribution, (k - 1.0) / k * pearson));
+  return counts;
 }
 
 DataQualityCheck check_order(const Dataset& set) {
@@ -164,21 +140,14 @@ DataQualityCheck check_order(const Dataset& set) {
   if (set.methods.size() < 2) {
     return check;
   }
-  const PlaceCounts found = count_places(set);
-  if (found.blocks == 0.0) {
+  const std::optional<OrderBalance> balance = order_balance(count_positions(set));
+  if (!balance) {
     check.found = "no participant has all trials of a scene";
     return check;
   }
-  double fewest = found.blocks;
-  double most = 0.0;
-  for (const std::vector<double>& row : found.counts) {
-    fewest = std::min(fewest, *std::min_element(row.begin(), row.end()));
-    most = std::max(most, *std::max_element(row.begin(), row.end()));
-  }
-  const double p = probability_of_places(found);
-  check.found =
-      fmt::format("each method {:g} to {:g} times in each place; P {}", fewest, most, p_value(p));
-  check.verdict = within(p >= least_balance_p);
+  check.found = fmt::format("each method {} to {} times in each place; P {}", balance->fewest,
+                            balance->most, p_value(balance->p));
+  check.verdict = within(balance->p >= least_balance_p);
   return check;
 }
 
