@@ -23,6 +23,8 @@ enum class Chance : std::uint32_t {
   injected_scene,
   injected_trial,
   injected_dropout,
+  injected_rating_person,
+  injected_rating_trial,
 };
 
 /// A hash of a text, the same on every platform.

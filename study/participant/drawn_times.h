@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
+#include "study/participant/drawn_trial.h"
 #include "study/participant/injected_effect.h"
 
 namespace foveola::study {
@@ -21,21 +21,18 @@ struct TimesModel {
   double trial_spread = 0.25;
 };
 
-/// A trial of a participant.
-struct DrawnTrial {
-  std::uint64_t seed = 0;  ///< The participant's seed.
-  int participant = 1;     ///< Number of the participant; the first is 1.
-  std::string scene;
-  std::string method;
-  int trials_before = 0;
-  std::uint32_t timing = 0;  ///< Number of the attempt; each draws a new effect of the trial.
+/// One of the protocol's marks.
+struct DrawnMark {
+  std::size_t index = 0;  ///< Among the marks of a trial, in their order.
+  std::string id;
 };
 
-/// The time of a mark (0: the first) after the trial's first frame, in seconds. It depends on its
-/// arguments alone, and the scene's effect on its name alone. Between two methods' trials the
-/// logarithm of the ratio is normal with mean -ln(faster_a / faster_b), plus ln(order_factor) for
-/// each trial between them, and standard deviation sqrt(2) trial_spread.
+/// The time of a mark after the trial's first frame, in seconds. It depends on its arguments alone,
+/// and the scene's effect on its name alone. Between two methods' trials the logarithm of the ratio
+/// of a mark's times is normal with mean -ln(factor_a / factor_b), where a method's factor is the
+/// product of its own and the mark's with it, plus ln(order_factor) for each trial between them,
+/// and standard deviation sqrt(2) trial_spread.
 double drawn_time_s(const TimesModel& model, const InjectedEffect& effect, const DrawnTrial& trial,
-                    std::size_t mark);
+                    const DrawnMark& mark);
 
 }  // namespace foveola::study

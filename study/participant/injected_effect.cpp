@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
 
@@ -16,10 +15,12 @@ namespace foveola::study {
 namespace {
 
 constexpr double largest_factor = 1e3;
+constexpr double most_points = 1e6;
 
 [[noreturn]] void refuse(std::string_view part, const std::string& what) {
   throw UsageError(fmt::format("--inject {}", part), what,
-                   "write none, faster:METHOD:FACTOR, order:FACTOR, outlier:PARTICIPANT:FACTOR, "
+                   "write none, faster:METHOD:FACTOR, faster-mark:MARK:METHOD:FACTOR, "
+                   "shift-rating:RATING:METHOD:POINTS, order:FACTOR, outlier:PARTICIPANT:FACTOR, "
                    "dropout:FRACTION or tracker-loss:FRACTION");
 }
 
@@ -35,6 +36,12 @@ double number_from(std::string_view text, double minimum, double maximum, std::s
 
 double factor_from(std::string_view text, std::string_view part) {
   return number_from(text, 1.0 / largest_factor, largest_factor, part);
+}
+
+/// From -most_points to most_points, with or without a sign.
+double points_from(std::string_view text, std::string_view part) {
+  const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
+  return number_from(text.substr(has_plus ? 1 : 0), -most_points, most_points, part);
 }
 
 /// The text of one effect, divided at its first and its last colon.
@@ -56,7 +63,30 @@ Words words_of(std::string_view part) {
           .amount = part.substr(last + 1)};
 }
 
-bool takes_subject(std::string_view kind) { return kind == "faster" || kind == "outlier"; }
+/// Whether the effect may be there more than once.
+bool is_of_a_method(std::string_view kind) {
+  return kind == "faster" || kind == "faster-mark" || kind == "shift-rating";
+}
+
+bool takes_subject(std::string_view kind) { return is_of_a_method(kind) || kind == "outlier"; }
+
+void add_of_method(std::string_view method, double amount, std::string_view part,
+                   InjectedEffect::ByMethod& amounts) {
+  if (method.empty()) {
+    refuse(part, "names no method");
+  }
+  if (!amounts.emplace(method, amount).second) {
+    refuse(part, "is a second effect of that method");
+  }
+}
+
+/// `subject` is a measure's id, which has no colon in it, a colon and a method.
+void add_of_measure(std::string_view subject, double amount, std::string_view part,
+                    std::map<std::string, InjectedEffect::ByMethod>& effects) {
+  const std::size_t colon = std::min(subject.find(':'), subject.size());
+  add_of_method(subject.substr(std::min(colon + 1, subject.size())), amount, part,
+                effects[std::string(subject.substr(0, colon))]);
+}
 
 void add(std::string_view part, InjectedEffect& effect) {
   const Words words = words_of(part);
@@ -64,11 +94,11 @@ void add(std::string_view part, InjectedEffect& effect) {
     refuse(part, "is not a known effect");
   }
   if (words.kind == "faster") {
-    const bool is_new =
-        effect.faster.emplace(words.subject, factor_from(words.amount, part)).second;
-    if (!is_new) {
-      refuse(part, "is a second effect of that method");
-    }
+    add_of_method(words.subject, factor_from(words.amount, part), part, effect.faster);
+  } else if (words.kind == "faster-mark") {
+    add_of_measure(words.subject, factor_from(words.amount, part), part, effect.faster_marks);
+  } else if (words.kind == "shift-rating") {
+    add_of_measure(words.subject, points_from(words.amount, part), part, effect.shifted_ratings);
   } else if (words.kind == "order") {
     effect.order_factor = factor_from(words.amount, part);
   } else if (words.kind == "outlier") {
@@ -99,7 +129,7 @@ InjectedEffect parse_injected_effect(const std::string& text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view part = std::string_view(text).substr(begin, end - begin);
     const std::string_view kind = words_of(part).kind;
-    if (kind != "faster" && std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
+    if (!is_of_a_method(kind) && std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
       refuse(part, "is there twice");
     }
     add(part, effect);
@@ -107,16 +137,6 @@ InjectedEffect parse_injected_effect(const std::string& text) {
     begin = end + 1;
   }
   return effect;
-}
-
-void require_methods(const InjectedEffect& effect, const std::vector<std::string>& methods) {
-  for (const auto& [method, factor] : effect.faster) {
-    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
-      throw UsageError(fmt::format("--inject faster:{}:{}", method, factor),
-                       "names a method that the protocol does not have",
-                       fmt::format("choose one of {}", fmt::join(methods, ", ")));
-    }
-  }
 }
 
 }  // namespace foveola::study

@@ -9,35 +9,43 @@
 
 namespace foveola::study {
 
-/// Participants with an injected effect do not look at images: their times are drawn (see
-/// drawn_times.h), from one distribution for all methods except for the injected effects.
+/// Participants with an injected effect do not look at images: their times and ratings are drawn
+/// (see drawn_times.h and drawn_ratings.h), from one distribution for all methods except for the
+/// injected effects.
 struct InjectedEffect {
+  /// A number for each method that has one, by a mark's or a rating's id.
+  using ByMethod = std::map<std::string, double>;
+
   struct Outlier {
     int participant = 1;  ///< Number of the participant; the first is 1.
     double slower = 1.0;  ///< Factor on all of that participant's times.
   };
-  std::map<std::string, double> faster;  ///< A method's times are divided by its number.
-  double order_factor = 1.0;             ///< Times are multiplied by it with every trial.
+  ByMethod faster;  ///< A method's times are divided by its number.
+  /// Of one mark, a method's times are divided by its number as well.
+  std::map<std::string, ByMethod> faster_marks;
+  /// A method's answers to a rating are its number of points higher.
+  std::map<std::string, ByMethod> shifted_ratings;
+  double order_factor = 1.0;  ///< Times are multiplied by it with every trial.
   std::optional<Outlier> outlier;
   double dropout_part = 0.0;  ///< Fraction of participants who withdraw, after the first trial.
   double tracker_loss_part = 0.0;  ///< Fraction of its samples that the eye tracker loses.
 };
 
-/// Parses "none" or any of "faster:METHOD:FACTOR", "order:FACTOR", "outlier:PARTICIPANT:FACTOR",
+/// Parses "none" or any of "faster:METHOD:FACTOR", "faster-mark:MARK:METHOD:FACTOR",
+/// "shift-rating:RATING:METHOD:POINTS", "order:FACTOR", "outlier:PARTICIPANT:FACTOR",
 /// "dropout:FRACTION" and "tracker-loss:FRACTION" with commas between them; factors are positive,
-/// fractions in [0, 1], only "faster" may be there more than once, for different methods. METHOD
-/// may have colons in it. Throws UsageError.
+/// fractions in [0, 1], points may be below zero. The first three may be there more than once, each
+/// for different methods, marks or ratings. METHOD may have colons in it. Throws UsageError.
 InjectedEffect parse_injected_effect(const std::string& text);
 
 /// What parse_injected_effect() takes, for the command line's help.
 inline constexpr const char* injected_effect_help =
     "Draw times and ratings from a model with known effects, instead of judging images: none "
-    "(judge "
-    "images), or, separated by commas, faster:METHOD:FACTOR (divides the method's times), "
-    "order:FACTOR (multiplies times with every trial), outlier:PARTICIPANT:FACTOR (multiplies one "
-    "participant's times), dropout:FRACTION (of participants), tracker-loss:FRACTION (of samples)";
-
-/// Throws UsageError if an effect names a method that is not one of `methods`.
-void require_methods(const InjectedEffect& effect, const std::vector<std::string>& methods);
+    "(judge images), or, separated by commas, faster:METHOD:FACTOR (divides the method's times of "
+    "all marks), faster-mark:MARK:METHOD:FACTOR (divides those of one mark), "
+    "shift-rating:RATING:METHOD:POINTS (adds to the method's answers to a rating, as "
+    "shift-rating:comfort:fv:-10), order:FACTOR (multiplies times with every trial), "
+    "outlier:PARTICIPANT:FACTOR (multiplies one participant's times), dropout:FRACTION (of "
+    "participants), tracker-loss:FRACTION (of samples); order:1 draws without any effect";
 
 }  // namespace foveola::study

@@ -4,27 +4,28 @@
 
 #include "study/participant/answers.h"
 #include "study/participant/chance.h"
+#include "study/participant/drawn_ratings.h"
+#include "study/participant/drawn_times.h"
 
 namespace foveola::study {
 
 InjectedEffectParticipant::InjectedEffectParticipant(const InjectedEffect& effect,
                                                      const SimulatedParticipant& person,
                                                      const Background& background,
-                                                     std::uint64_t seed, int row, const Plan& plan)
+                                                     const ObservedSession& session)
     : SimulatedParticipant(person),
       effect_(effect),
       background_(background),
-      seed_(seed),
-      row_(row),
-      plan_(plan),
+      session_(session),
       withdraws_after_(draw_dropout()) {}
 
 std::optional<int> InjectedEffectParticipant::draw_dropout() const {
-  Pcg32 random = chance(seed_, Chance::injected_dropout);
-  if (plan_.size() < 2 || random.uniform() >= effect_.dropout_part) {
+  const std::size_t trials = session_.plan.size();
+  Pcg32 random = chance(session_.seed, Chance::injected_dropout);
+  if (trials < 2 || random.uniform() >= effect_.dropout_part) {
     return std::nullopt;
   }
-  return 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(plan_.size() - 1)));
+  return 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(trials - 1)));
 }
 
 void InjectedEffectParticipant::begin_attempt(const Attempt& attempt) {
@@ -45,26 +46,42 @@ bool InjectedEffectParticipant::wants_to_withdraw(int trials_before) const {
 }
 
 std::vector<Answer> InjectedEffectParticipant::rate(const std::vector<Question>& ratings) {
-  Pcg32 random = chance(seed_, Chance::ratings, {attempt_.conduct});
-  return draw_answers(ratings, background_, random);
+  Pcg32 random = chance(session_.seed, Chance::ratings, {attempt_.conduct});
+  std::vector<Answer> answers = draw_answers(ratings, background_, random);
+  for (const Question& rating : ratings) {
+    if (effect_.shifted_ratings.contains(rating.id)) {
+      std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+        return answer.question == rating.id;
+      })->value = drawn_rating(effect_, rating, drawn());
+    }
+  }
+  return answers;
 }
 
 std::optional<Nanoseconds> InjectedEffectParticipant::consider(const Evidence& /*evidence*/,
                                                                Nanoseconds now) {
   first_frame_ = first_frame_.value_or(now);
-  const PlannedTrial& shown = plan_.at(static_cast<std::size_t>(attempt_.trials_before));
-  if (!is_marking_ || shown.kind == TrialKind::catch_trial) {
+  if (!is_marking_ || planned().kind == TrialKind::catch_trial) {
     return std::nullopt;
   }
   is_marking_ = false;
-  const DrawnTrial trial{.seed = seed_,
-                         .participant = row_ + 1,
-                         .scene = shown.scene,
-                         .method = shown.method,
-                         .trials_before = attempt_.trials_before,
-                         .timing = attempt_.conduct};
-  const double time_s = drawn_time_s({}, effect_, trial, marks_++);
+  const DrawnMark mark{.index = marks_, .id = session_.marks.at(marks_)};
+  ++marks_;
+  const double time_s = drawn_time_s({}, effect_, drawn(), mark);
   return std::max(now, *first_frame_ + nanoseconds_from_seconds(time_s));
+}
+
+const PlannedTrial& InjectedEffectParticipant::planned() const {
+  return session_.plan.at(static_cast<std::size_t>(attempt_.trials_before));
+}
+
+DrawnTrial InjectedEffectParticipant::drawn() const {
+  return {.seed = session_.seed,
+          .participant = session_.row + 1,
+          .scene = planned().scene,
+          .method = planned().method,
+          .trials_before = attempt_.trials_before,
+          .timing = attempt_.conduct};
 }
 
 }  // namespace foveola::study

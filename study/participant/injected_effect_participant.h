@@ -1,20 +1,20 @@
 // A participant with an injected effect, who moves the eyes like any other, but presses the key at
-// drawn times, whatever the display shows.
+// drawn times and gives drawn ratings, whatever the display shows.
 #pragma once
 
-#include "study/design/plan.h"
-#include "study/participant/drawn_times.h"
+#include "study/participant/drawn_trial.h"
+#include "study/participant/injected_effect.h"
+#include "study/participant/observed_session.h"
 #include "study/participant/simulated_participant.h"
 
 namespace foveola::study {
 
 class InjectedEffectParticipant final : public SimulatedParticipant {
  public:
-  /// `person` answers forms, chooses objects and moves the eyes. `row` is the participant's, from 0
-  /// on. `plan` is the session's, from which the scene and method of a trial are known.
+  /// `person` answers forms, chooses objects and moves the eyes. The session's plan says of which
+  /// scene and method a trial is.
   InjectedEffectParticipant(const InjectedEffect& effect, const SimulatedParticipant& person,
-                            const Background& background, std::uint64_t seed, int row,
-                            const Plan& plan);
+                            const Background& background, const ObservedSession& session);
 
   void begin_attempt(const Attempt& attempt) override;
   void begin(Task task, Nanoseconds now) override;
@@ -24,7 +24,7 @@ class InjectedEffectParticipant final : public SimulatedParticipant {
   bool wants_retime() const override { return false; }
   /// True with the effect's probability, from some trial after the first on.
   bool wants_to_withdraw(int trials_before) const override;
-  /// Draws ratings like the answers to a form.
+  /// Draws the ratings that the effect shifts by its model, others like the answers to a form.
   std::vector<Answer> rate(const std::vector<Question>& ratings) override;
 
   /// The first glance of an attempt counts as its first frame. There is no mark in a catch trial.
@@ -35,11 +35,12 @@ class InjectedEffectParticipant final : public SimulatedParticipant {
   /// The number of trials before withdrawing; empty for a participant who stays.
   std::optional<int> draw_dropout() const;
 
+  const PlannedTrial& planned() const;
+  DrawnTrial drawn() const;
+
   InjectedEffect effect_;
   Background background_;
-  std::uint64_t seed_;
-  int row_;
-  Plan plan_;
+  ObservedSession session_;
   std::optional<int> withdraws_after_;
   Attempt attempt_;
   std::optional<Nanoseconds> first_frame_;

@@ -8,14 +8,14 @@ namespace foveola::study {
 
 std::unique_ptr<SimulatedObserver> make_observer(const Population& population,
                                                  const std::optional<InjectedEffect>& effect,
-                                                 SceneKnowledge knowledge, std::uint64_t seed,
-                                                 int row, const Plan& plan) {
-  SimulatedParticipant person(population, std::move(knowledge), seed);
+                                                 SceneKnowledge knowledge,
+                                                 const ObservedSession& session) {
+  SimulatedParticipant person(population, std::move(knowledge), session.seed);
   if (!effect) {
     return std::make_unique<SimulatedParticipant>(std::move(person));
   }
-  return std::make_unique<InjectedEffectParticipant>(*effect, person, population.background, seed,
-                                                     row, plan);
+  return std::make_unique<InjectedEffectParticipant>(*effect, person, population.background,
+                                                     session);
 }
 
 }  // namespace foveola::study

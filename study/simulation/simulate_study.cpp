@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/progress.h"
+#include "study/participant/effect_on_protocol.h"
 #include "study/participant/judged_measures.h"
 #include "study/participant/make_observer.h"
 #include "study/participant/population_file.h"
@@ -109,12 +110,20 @@ Protocol simulated_protocol(const SimulateSettings& settings, const Simulated& s
   if (!simulated.effect) {
     require_judgements(protocol);
   } else {
-    require_methods(*simulated.effect, protocol.methods);
+    require_drawable(*simulated.effect, protocol);
     if (simulated.effect->tracker_loss_part > 0.0) {
       protocol.tracker.simulated.data_loss = simulated.effect->tracker_loss_part;
     }
   }
   return protocol;
+}
+
+std::vector<std::string> mark_ids(const Protocol& protocol) {
+  std::vector<std::string> ids;
+  for (const MarkEntry& mark : protocol.marks) {
+    ids.push_back(mark.id);
+  }
+  return ids;
 }
 
 KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {
@@ -226,8 +235,8 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   study.make_observer = [&](std::uint32_t seed, int design_row, const Plan& plan) {
     return make_observer(
         simulated.people.population, simulated.effect,
-        [&stages](const std::string& scene) { return knowledge_of(stages, scene); }, seed,
-        design_row, plan);
+        [&stages](const std::string& scene) { return knowledge_of(stages, scene); },
+        {.seed = seed, .row = design_row, .plan = plan, .marks = mark_ids(protocol)});
   };
   const bool looks = !simulated.effect;
   SimulateReport report;

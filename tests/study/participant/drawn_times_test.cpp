@@ -11,6 +11,9 @@ namespace {
 
 constexpr int people = 20'000;
 
+const DrawnMark first{.index = 0, .id = "outline"};
+const DrawnMark second{.index = 1, .id = "material"};
+
 /// ln of the ratio of two trials' first marks over many people: its mean and deviation.
 struct LogRatio {
   double mean = 0.0;
@@ -23,7 +26,7 @@ LogRatio log_ratio(const InjectedEffect& effect, const DrawnTrial& a, const Draw
   for (int person = 0; person < people; ++person) {
     const auto log_time = [&](DrawnTrial trial) {
       trial.seed = static_cast<std::uint64_t>(person);
-      return std::log(drawn_time_s({}, effect, trial, 0));
+      return std::log(drawn_time_s({}, effect, trial, first));
     };
     const double log = log_time(a) - log_time(b);
     sum += log;
@@ -50,6 +53,18 @@ TEST(DrawnTimes, AMethodIsAsMuchFasterAsInjected) {
   EXPECT_NEAR(ratio.deviation, deviation, 0.02 * deviation);
 }
 
+TEST(DrawnTimes, OneMarkIsAsMuchFasterAsInjectedBesideTheMethod) {
+  const InjectedEffect effect = parse_injected_effect("faster:fv:2,faster-mark:material:fv:1.5");
+  const InjectedEffect of_the_method = parse_injected_effect("faster:fv:2");
+  for (const DrawnTrial& trial : {fv, od}) {
+    EXPECT_EQ(drawn_time_s({}, effect, trial, first),
+              drawn_time_s({}, of_the_method, trial, first));
+  }
+  EXPECT_NEAR(drawn_time_s({}, effect, fv, second),
+              drawn_time_s({}, of_the_method, fv, second) / 1.5, 1e-9);
+  EXPECT_EQ(drawn_time_s({}, effect, od, second), drawn_time_s({}, of_the_method, od, second));
+}
+
 TEST(DrawnTimes, PracticeMakesFaster) {
   DrawnTrial later = od;
   later.scene = "church";
@@ -66,14 +81,16 @@ TEST(DrawnTimes, OnlyTheOutlierIsSlow) {
   const DrawnTrial usual{.seed = 9, .participant = 2, .scene = "arcade", .method = "od"};
   DrawnTrial slow = usual;
   slow.participant = 3;
-  EXPECT_EQ(drawn_time_s({}, effect, usual, 0), drawn_time_s({}, {}, usual, 0));
-  EXPECT_NEAR(drawn_time_s({}, effect, slow, 1), 5.0 * drawn_time_s({}, {}, slow, 1), 1e-9);
+  EXPECT_EQ(drawn_time_s({}, effect, usual, first), drawn_time_s({}, {}, usual, first));
+  EXPECT_NEAR(drawn_time_s({}, effect, slow, second), 5.0 * drawn_time_s({}, {}, slow, second),
+              1e-9);
 }
 
 TEST(DrawnTimes, MarksFollowOneAnotherInAFixedRatio) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const DrawnTrial trial{.seed = seed, .scene = "arcade", .method = "od"};
-    EXPECT_NEAR(drawn_time_s({}, {}, trial, 1) / drawn_time_s({}, {}, trial, 0), 4.0, 1e-12);
+    EXPECT_NEAR(drawn_time_s({}, {}, trial, second) / drawn_time_s({}, {}, trial, first), 4.0,
+                1e-12);
   }
 }
 
@@ -86,7 +103,7 @@ TEST(DrawnTimes, PeopleDifferAsTheModelSays) {
   for (int person = 0; person < people; ++person) {
     DrawnTrial trial = od;
     trial.seed = static_cast<std::uint64_t>(person);
-    const double log = std::log(drawn_time_s(model, {}, trial, 0));
+    const double log = std::log(drawn_time_s(model, {}, trial, first));
     sum += log;
     squares += log * log;
   }
@@ -98,8 +115,8 @@ TEST(DrawnTimes, PeopleDifferAsTheModelSays) {
 TEST(DrawnTimes, AnotherTimingIsDrawnAnew) {
   DrawnTrial again = od;
   again.timing = 1;
-  EXPECT_NE(drawn_time_s({}, {}, od, 0), drawn_time_s({}, {}, again, 0));
-  EXPECT_EQ(drawn_time_s({}, {}, od, 0), drawn_time_s({}, {}, od, 0));
+  EXPECT_NE(drawn_time_s({}, {}, od, first), drawn_time_s({}, {}, again, first));
+  EXPECT_EQ(drawn_time_s({}, {}, od, first), drawn_time_s({}, {}, od, first));
 }
 
 }  // namespace

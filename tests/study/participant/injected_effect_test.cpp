@@ -9,7 +9,6 @@ namespace foveola::study {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::Pair;
 
 TEST(InjectedEffect, NoneIsNoEffect) {
@@ -33,6 +32,19 @@ TEST(InjectedEffect, AllKindsTogether) {
   EXPECT_EQ(effect.tracker_loss_part, 0.3);
 }
 
+TEST(InjectedEffect, OfSingleMarksAndRatings) {
+  const InjectedEffect effect = parse_injected_effect(
+      "faster-mark:third:fv:1.5,faster-mark:third:mix:a=1:0.5,faster-mark:fourth:fv:2,"
+      "shift-rating:comfort:fv:+10,shift-rating:comfort:mix:a=1:-2.5,shift-rating:effort:vp:1");
+  EXPECT_THAT(effect.faster_marks,
+              ElementsAre(Pair("fourth", ElementsAre(Pair("fv", 2.0))),
+                          Pair("third", ElementsAre(Pair("fv", 1.5), Pair("mix:a=1", 0.5)))));
+  EXPECT_THAT(effect.shifted_ratings,
+              ElementsAre(Pair("comfort", ElementsAre(Pair("fv", 10.0), Pair("mix:a=1", -2.5))),
+                          Pair("effort", ElementsAre(Pair("vp", 1.0)))));
+  EXPECT_TRUE(effect.faster.empty());
+}
+
 TEST(InjectedEffect, WhatMakesNoSenseIsRefused) {
   for (const char* text : {"",
                            "faster",
@@ -54,19 +66,16 @@ TEST(InjectedEffect, WhatMakesNoSenseIsRefused) {
                            "tracker-loss:2",
                            "none,order:0.9",
                            "slower:fv:2",
+                           "faster-mark:fv:2",
+                           "faster-mark:third:fv:-2",
+                           "faster-mark:third:fv:2,faster-mark:third:fv:3",
+                           "shift-rating:comfort:1",
+                           "shift-rating:comfort:fv:",
+                           "shift-rating:comfort:fv:+-1",
+                           "shift-rating:comfort:fv:inf",
+                           "shift-rating:comfort:fv:1,shift-rating:comfort:fv:1",
                            "order:0.9 "}) {
     EXPECT_THROW(parse_injected_effect(text), UsageError) << "'" << text << "'";
-  }
-}
-
-TEST(InjectedEffect, OfAMethodThatIsNotInTheStudyIsRefused) {
-  const InjectedEffect effect = parse_injected_effect("faster:fw:2");
-  EXPECT_NO_THROW(require_methods(effect, {"od", "fw"}));
-  try {
-    require_methods(effect, {"od", "fv"});
-    FAIL() << "nothing was refused";
-  } catch (const UsageError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("choose one of od, fv"));
   }
 }
 

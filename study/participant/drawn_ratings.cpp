@@ -1,0 +1,76 @@
+#include "study/participant/drawn_ratings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/participant/chance.h"
+
+namespace foveola::study {
+namespace {
+
+/// Symmetric in (-1, 1), with a triangular density.
+double triangular(Pcg32& random) {
+  const double first = random.uniform();
+  return first - random.uniform();
+}
+
+/// The answers of the scale on both sides of `value`.
+Span answers_around(const Question& rating, double value) {
+  if (rating.kind != QuestionKind::choice) {
+    return {.low = std::max(rating.minimum, std::floor(value)),
+            .high = std::min(rating.maximum, std::floor(value) + 1.0)};
+  }
+  Span around = span_of(rating);
+  for (const Option& option : rating.options) {
+    if (*option.value <= value) {
+      around.low = std::max(around.low, *option.value);
+    } else {
+      around.high = std::min(around.high, *option.value);
+    }
+  }
+  return around;
+}
+
+/// One of the answers around `value`; its expectation is `value`.
+double rounded_by_chance(const Question& rating, double value, Pcg32& random) {
+  const Span around = answers_around(rating, value);
+  return random.uniform() * around.width() < value - around.low ? around.high : around.low;
+}
+
+}  // namespace
+
+Span span_of(const Question& rating) {
+  if (rating.kind != QuestionKind::choice) {
+    return {.low = rating.minimum, .high = rating.maximum};
+  }
+  const auto [low, high] = std::minmax_element(
+      rating.options.begin(), rating.options.end(),
+      [](const Option& one, const Option& other) { return *one.value < *other.value; });
+  return {.low = *low->value, .high = *high->value};
+}
+
+Span span_of(const InjectedEffect::ByMethod& shifts) {
+  Span span;
+  for (const auto& [method, points] : shifts) {
+    span = {.low = std::min(span.low, points), .high = std::max(span.high, points)};
+  }
+  return span;
+}
+
+double drawn_rating(const InjectedEffect& effect, const Question& rating, const DrawnTrial& trial) {
+  const InjectedEffect::ByMethod& shifts = effect.shifted_ratings.at(rating.id);
+  const Span answers = span_of(rating);
+  const Span shifted = span_of(shifts);
+  const double free_half = 0.5 * (answers.width() - shifted.width());
+  const auto shift = shifts.find(trial.method);
+  const std::uint32_t key = key_of(rating.id);
+  Pcg32 of_person = chance(trial.seed, Chance::injected_rating_person, {key});
+  Pcg32 of_trial = chance(trial.seed, Chance::injected_rating_trial,
+                          {key, key_of(trial.scene), key_of(trial.method), trial.timing});
+  const double value = answers.low - shifted.low + free_half +
+                       (shift != shifts.end() ? shift->second : 0.0) +
+                       0.5 * free_half * (triangular(of_person) + triangular(of_trial));
+  return rounded_by_chance(rating, std::clamp(value, answers.low, answers.high), of_trial);
+}
+
+}  // namespace foveola::study

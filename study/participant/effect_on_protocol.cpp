@@ -1,0 +1,115 @@
+#include "study/participant/effect_on_protocol.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/error.h"
+#include "study/participant/drawn_ratings.h"
+#include "study/participant/drawn_times.h"
+#include "study/protocol/measure.h"
+
+namespace foveola::study {
+namespace {
+
+/// The least ratio of a mark's median time to that of the mark before: marks are made one after the
+/// other, a glance apart at least.
+constexpr double least_mark_ratio = 2.0;
+
+/// Throws UsageError if `id` is not one of `there`, which are all of the protocol's `kind`.
+void require_known(const std::string& where, const std::string& kind, const std::string& id,
+                   const std::vector<std::string>& there) {
+  if (std::find(there.begin(), there.end(), id) == there.end()) {
+    throw UsageError(where, fmt::format("the protocol has no {} '{}'", kind, id),
+                     there.empty() ? fmt::format("it has no {} at all; leave this out", kind)
+                                   : fmt::format("choose one of {}", fmt::join(there, ", ")));
+  }
+}
+
+template <typename Entries>
+std::vector<std::string> ids_of(const Entries& entries) {
+  std::vector<std::string> ids;
+  for (const auto& entry : entries) {
+    ids.push_back(entry.id);
+  }
+  return ids;
+}
+
+void require_drawable_shifts(const std::string& where, const Question& rating,
+                             const InjectedEffect::ByMethod& shifts) {
+  if (!Measure{.kind = MeasureKind::rating, .questionnaire = {}, .question = rating}.is_numeric()) {
+    throw UsageError(where, fmt::format("the answers to '{}' are no numbers", rating.id),
+                     "shift a rating on a scale, a number, or a choice whose options have values");
+  }
+  const double scale = span_of(rating).width();
+  const double shifted = span_of(shifts).width();
+  if (!(shifted < scale)) {
+    throw UsageError(
+        where,
+        fmt::format("shifts that are {:g} apart do not fit on the scale of '{}', which "
+                    "is {:g} wide",
+                    shifted, rating.id, scale),
+        "shift it by less");
+  }
+}
+
+double factor_of(const InjectedEffect& effect, const std::string& mark, const std::string& method) {
+  const auto of_mark = effect.faster_marks.find(mark);
+  if (of_mark == effect.faster_marks.end() || !of_mark->second.contains(method)) {
+    return 1.0;
+  }
+  return of_mark->second.at(method);
+}
+
+void require_marks_in_order(const InjectedEffect& effect, const Protocol& protocol) {
+  const double most = TimesModel{}.mark_ratio / least_mark_ratio;
+  for (const std::string& method : protocol.methods) {
+    for (std::size_t i = 1; i < protocol.marks.size(); ++i) {
+      const std::string& mark = protocol.marks[i].id;
+      const std::string& before = protocol.marks[i - 1].id;
+      if (factor_of(effect, mark, method) > most * factor_of(effect, before, method)) {
+        throw UsageError(
+            "--inject faster-mark",
+            fmt::format("with {} the mark '{}' would come too soon after '{}'", method, mark,
+                        before),
+            fmt::format("keep its factor at or below {:g} times that of '{}'", most, before));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void require_drawable(const InjectedEffect& effect, const Protocol& protocol) {
+  for (const auto& [method, factor] : effect.faster) {
+    require_known(fmt::format("--inject faster:{}:{}", method, factor), "method", method,
+                  protocol.methods);
+  }
+  for (const auto& [mark, factors] : effect.faster_marks) {
+    for (const auto& [method, factor] : factors) {
+      const std::string where = fmt::format("--inject faster-mark:{}:{}:{}", mark, method, factor);
+      require_known(where, "mark", mark, ids_of(protocol.marks));
+      require_known(where, "method", method, protocol.methods);
+    }
+  }
+  require_marks_in_order(effect, protocol);
+  for (const auto& [id, shifts] : effect.shifted_ratings) {
+    for (const auto& [method, points] : shifts) {
+      const std::string where = fmt::format("--inject shift-rating:{}:{}:{}", id, method, points);
+      const std::string& wanted = id;
+      require_known(where, "rating", id, ids_of(protocol.ratings));
+      require_known(where, "method", method, protocol.methods);
+      require_drawable_shifts(
+          where,
+          *std::find_if(protocol.ratings.begin(), protocol.ratings.end(),
+                        [&](const Question& rating) { return rating.id == wanted; }),
+          shifts);
+    }
+  }
+}
+
+}  // namespace foveola::study
