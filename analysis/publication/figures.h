@@ -1,4 +1,4 @@
-// The figures as SVG, PDF and PNG, drawn by gnuplot in the style of the published ones.
+// The figures as SVG, PDF and PNG, drawn by gnuplot.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace foveola::analysis {
 
-/// Above this many participants the figures of times leave out the dots of single participants.
+/// Above this many participants the figures leave out the dots of single participants.
 inline constexpr std::size_t most_dots = 500;
 
 struct Figure {
@@ -23,9 +23,8 @@ struct Figure {
 /// The name of the figure of a rating.
 std::string rating_figure_name(const Measure& rating);
 
-/// Draws the times of all marks, relative_times and times_in_seconds (the published Fig. 5), and
-/// each rating whose points can be counted (the published Fig. 6), as far as there are values.
-/// Throws Error if gnuplot is missing.
+/// Draws the times of all marks, relative_times and times_in_seconds, and each rating in numbers,
+/// as far as there are values. Throws Error if gnuplot is missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
 /// The figure as a PDF without a date, so that the same figure gives the same bytes. Throws Error

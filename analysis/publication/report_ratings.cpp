@@ -8,6 +8,23 @@
 #include "analysis/tables/html.h"
 
 namespace foveola::analysis {
+namespace {
+
+std::string figure_explained(const Measure& measure) {
+  const std::string scale = study::scale_in_words(measure);
+  return measure.points().empty()
+             ? fmt::format(
+                   "Open dots: each participant’s mean, {}, joined by thin lines, over the "
+                   "scenes rated with every method. Filled dots: their mean and its 95 % "
+                   "interval, which may run off the axis.",
+                   scale)
+             : fmt::format(
+                   "Bars: the share of each answer, {}, with its count. At the right: mean "
+                   "± standard deviation.",
+                   scale);
+}
+
+}  // namespace
 
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures) {
   std::string html =
@@ -22,9 +39,7 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
     const Measure& measure = tables.set.measures[rating];
     html += figure_html(tables, figures, rating_figure_name(measure),
                         fmt::format("Ratings, {}, of all scenes and participants.", measure.id()),
-                        fmt::format("Bars: the share of each answer, {}, with its count. At the "
-                                    "right: mean ± standard deviation.",
-                                    study::scale_in_words(measure)));
+                        figure_explained(measure));
     html += html_of(printed_ratings(tables, rating), data_notice(tables));
   }
   return tables.set.ratings().empty() ? "" : html_section("Ratings", html);

@@ -137,5 +137,18 @@ TEST_F(ProtocolsLabels, AreThereForEveryRatingAndMeasure) {
   EXPECT_THAT(texts_.at("trials_long.csv"), HasSubstr(",third_s,third_censored,comfort_rating"));
 }
 
+TEST_F(ProtocolsLabels, AScaleOfManyPointsHasAFigureWithItsCaption) {
+  study::StudyRecords records = complete_study(3);
+  study::Question& rating = records.measures[artifacts_index].question;
+  rating.maximum = 100;
+  rating.labels = {"not at all", "very"};
+  analyse(records);
+  EXPECT_THAT(texts_.at("report.html"),
+              AllOf(HasSubstr("aria-label=\"Ratings, artifacts, of all scenes and participants."),
+                    HasSubstr("each participant’s mean, 1 not at all to 100 very, joined"),
+                    Not(HasSubstr("the share of each answer"))));
+  EXPECT_TRUE(fs::exists(scratch_ / "out/ratings_artifacts.pdf"));
+}
+
 }  // namespace
 }  // namespace foveola::analysis
