@@ -1,5 +1,7 @@
 #include "analysis/koskela2018/profile.h"
 
+#include <fmt/format.h>
+
 namespace foveola::analysis {
 namespace {
 
@@ -28,6 +30,14 @@ std::string meaning_of_mark(const std::string& mark) {
   return mark == "material" ? "The material mark says when they could tell whether changing its "
                               "material had succeeded."
                             : "";
+}
+
+std::string reason_for_mark(const Measure& mark) {
+  if (mark.id() == "outline") {
+    return "the outline of a chosen object could be judged";
+  }
+  return mark.id() == "material" ? "its material could be judged"
+                                 : fmt::format("“{}” ({})", mark.question.text, mark.id());
 }
 
 std::string moment_of(const Measure& mark) {

@@ -15,6 +15,10 @@ bool measures_what_was_published(const Dataset& set);
 /// What a mark of the published study means, as a sentence; empty for any other.
 std::string meaning_of_mark(const std::string& mark);
 
+/// What a mark is made on, in sentences: "the outline of a chosen object could be judged", or the
+/// protocol's words for it with its id.
+std::string reason_for_mark(const Measure& mark);
+
 /// A mark's name in sentences: "the outline was visible", or "the mark ID".
 std::string moment_of(const Measure& mark);
 

@@ -9,6 +9,7 @@
 
 #include "analysis/dataset/amended_labels.h"
 #include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/profile.h"
 
 namespace foveola::analysis {
 namespace {
@@ -19,11 +20,7 @@ using study::MeasureKind;
 std::string measures_in_words(const Dataset& set) {
   std::vector<std::string> marks;
   for (const std::size_t mark : set.times()) {
-    const std::string& id = set.measures[mark].id();
-    marks.push_back(id == "outline" ? "the outline of a chosen object could be judged"
-                    : id == "material"
-                        ? "its material could be judged"
-                        : fmt::format("“{}” ({})", set.measures[mark].question.text, id));
+    marks.push_back(reason_for_mark(set.measures[mark]));
   }
   std::string text = fmt::format(", and marked when {}",
                                  fmt::join(marks, marks.size() == 2 ? " and when " : ", when "));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/paper_notes.h"
+#include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
 #include "analysis/tables/html.h"
 #include "analysis/tables/printed_table.h"
@@ -24,13 +26,13 @@ std::string checks_table(const StudyTables& tables, const DataQualityReport& rep
   return html_of(table, data_notice(tables));
 }
 
-/// Fig. 7: the mean latency of each session's frames, from the eye to the display.
+/// The mean latency of each session's frames, from the eye to the display.
 std::string latency_html(const StudyTables& tables, const study::DataQualityRecords& quality) {
   constexpr std::size_t most_rows = 100;
   PrintedTable table;
   table.title = "Latency from the eye to the display.";
-  table.note =
-      "As Fig. 7 of the published study, from the frame log: means over each session’s frames.";
+  table.note = joined("From the frame log: means over each session’s frames.",
+                      paper_notes(tables.set).latency);
   table.columns = {
       "Participant", "frames",           "age of the gaze, ms", "polling to display, ms",
       "both, ms",    "longest frame, ms"};

@@ -60,6 +60,14 @@ std::string baseline_label(const StudyTables& tables) {
   return method_label(tables.set.methods[baseline]);
 }
 
+std::string paragraph_html(const std::string& text) {
+  return text.empty() ? "" : fmt::format("<p>{}</p>\n", escape_html(text));
+}
+
+std::string joined(const std::string& sentence, const std::string& more) {
+  return more.empty() ? sentence : sentence + " " + more;
+}
+
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,
                         std::string_view explanation) {

@@ -13,6 +13,12 @@ namespace foveola::analysis {
 /// The baseline as tables name it.
 std::string baseline_label(const StudyTables& tables);
 
+/// The plain text as a paragraph; nothing if it is empty.
+std::string paragraph_html(const std::string& text);
+
+/// Two sentences with a space between them; the second may be empty.
+std::string joined(const std::string& sentence, const std::string& more);
+
 /// The figure of this name as a part of the page; empty if there is none. Texts are plain.
 std::string figure_html(const StudyTables& tables, const std::vector<Figure>& figures,
                         std::string_view name, std::string_view title,

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
-#include "analysis/koskela2018/profile.h"
+#include "analysis/koskela2018/paper_notes.h"
 #include "analysis/publication/printed_results.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
@@ -27,14 +27,12 @@ std::string figure_explained(const Measure& measure) {
 }  // namespace
 
 std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures) {
+  const PaperNotes paper = paper_notes(tables.set);
   std::string html =
-      measures_what_was_published(tables.set)
-          ? "<p>The rating artifacts is Fig. 6 of the published study: how disturbing artifacts "
-            "were in the areas other than the chosen object. </p>\n"
-          : "";
-  html +=
-      "<p>Means treat the steps of a scale as equal, as the published study did; the distribution "
-      "is given too, because they need not be.</p>\n";
+      paragraph_html(paper.ratings) +
+      paragraph_html(joined("Means treat the steps of a scale as equal; the distribution, or each "
+                            "participant’s mean, is given too, because they need not be.",
+                            paper.means_of_ratings));
   for (const std::size_t rating : tables.set.ratings()) {
     const Measure& measure = tables.set.measures[rating];
     html += figure_html(tables, figures, rating_figure_name(measure),

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/paper_notes.h"
 #include "analysis/koskela2018/profile.h"
 #include "analysis/publication/printed_results.h"
 #include "analysis/publication/report_parts.h"
@@ -31,15 +32,9 @@ std::string meanings_of_marks(const StudyTables& tables) {
 }  // namespace
 
 std::string scenes_section(const StudyTables& tables) {
-  const bool is_published = measures_what_was_published(tables.set);
-  std::string html =
-      fmt::format("<p>{}{}</p>\n", is_published ? "Table 2 of the published study." : "",
-                  escape_html(meanings_of_marks(tables)));
-  if (is_published) {
-    html +=
-        "<p>The paper does not say how its percentages and percentage points were formed. Both "
-        "readings are here: each participant’s own ratio, then the ratio of means.</p>\n";
-  }
+  const PaperNotes paper = paper_notes(tables.set);
+  std::string html = paragraph_html(paper.times_by_scene + meanings_of_marks(tables)) +
+                     paragraph_html(paper.percentages);
   for (const std::size_t mark : tables.set.times()) {
     html += html_of(printed_times(tables, mark), data_notice(tables));
     if (tables.set.methods.size() > 1) {
@@ -54,8 +49,7 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
   const std::string what_is_drawn =
       "Geometric mean over scenes and 95 % interval over participants" + points_in_words(tables);
   const std::string off_the_axis = " An interval may run off the axis; the table has it.";
-  std::string html =
-      measures_what_was_published(tables.set) ? "<p>Fig. 5 of the published study.</p>\n" : "";
+  std::string html = paragraph_html(paper_notes(tables.set).times_by_method);
   html += figure_html(tables, figures, "relative_times",
                       fmt::format("Time relative to {}.", baseline_label(tables)),
                       what_is_drawn + " The dark vertical line is no change." + off_the_axis);
