@@ -1,19 +1,13 @@
-// A person's session in the real window, by keys, and what its record then must hold.
-#include <algorithm>
+// A person's whole session in the real window, by keys, and what its record then must hold.
 #include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
 #include <gmock/gmock.h>
-#include <sqlite3.h>
 
 #include "study/record/maintenance.h"
 #include "tests/end_to_end/coverable_tracker.h"
-#include "tests/end_to_end/seated_participant.h"
-#include "tests/end_to_end/study_rows.h"
+#include "tests/end_to_end/study_run.h"
 #include "tests/end_to_end/tracker_profile.h"
 
 namespace fs = std::filesystem;
@@ -25,16 +19,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using namespace std::chrono_literals;
-
-const char* const one_trial_keys = R"(
-methods = ["od"]
-phases = ["trials"]
-)";
-
-const char* const short_look = R"(
-[timing]
-rating_s = 0.2
-)";
 
 /// Everything that a session can have.
 const char* const whole_keys = R"(
@@ -74,89 +58,26 @@ required = false
 )"});
 }
 
-class StudyRun : public ::testing::Test {
- protected:
-  /// From the page that asks whether the participant is ready to the one that says to look around.
-  /// Returns the marks' keys.
-  std::vector<KeyPress> time_trial(int marks = 2) {
-    participant_.answer_page("space");
-    std::vector<KeyPress> presses;
-    for (int mark = 0; mark < marks; ++mark) {
-      participant_.wait_for_page();
-      std::this_thread::sleep_for(50ms + (mark * 37ms) % 90ms);
-      presses.push_back(participant_.type("space"));
-    }
-    participant_.wait_for_page();
-    return presses;
-  }
+/// Until the session has noticed both, that the tracker is lost and that it is back.
+void cover_for_a_while(CoverableTracker& tracker, RunningProgram& program) {
+  tracker.cover();
+  program.wait_for("note_written: the eye tracker sends no gaze");
+  tracker.uncover();
+  program.wait_for("note_written: the eye tracker sends gaze again");
+}
 
-  void rate(const std::string& point) {
-    participant_.type("Return");
-    participant_.wait_for_page();
-    participant_.type_all({point, "Return", "Return"});
-  }
-
-  void end_by_enter() {
-    participant_.answer_page("Return");
-    EXPECT_EQ(participant_.program().wait_for_end(), 0);
-  }
-
-  /// Until the session has noticed both, that the tracker is lost and that it is back.
-  void cover_for_a_while(CoverableTracker& tracker) {
-    tracker.cover();
-    participant_.program().wait_for("note_written: the eye tracker sends no gaze");
-    tracker.uncover();
-    participant_.program().wait_for("note_written: the eye tracker sends gaze again");
-  }
-
-  /// In seconds of the session's clock.
-  std::vector<double> recorded_marks() const {
-    std::vector<double> marks_s;
-    for (const std::string& time_ns :
-         participant_.ask("SELECT time_ns FROM event WHERE type = 'marked' ORDER BY sequence")) {
-      marks_s.push_back(1e-9 * std::stod(time_ns));
-    }
-    return marks_s;
-  }
-
-  /// A mark's time is within a millisecond of when the X server took its key.
-  static void expect_marks_of(const std::vector<KeyPress>& presses,
-                              const std::vector<double>& marks_s) {
-    constexpr double servers_resolution_s = 1e-3;
-    ASSERT_EQ(marks_s.size(), presses.size());
-    for (std::size_t i = 0; i < presses.size(); ++i) {
-      EXPECT_GT(marks_s[i], presses[i].asked_s - servers_resolution_s) << i;
-      EXPECT_LT(marks_s[i], presses[i].taken_s + servers_resolution_s) << i;
-    }
-  }
-
-  static void print_lateness(const char* than, const std::vector<double>& marks_s,
-                             const std::vector<KeyPress>& presses, double KeyPress::*since_s) {
-    std::vector<double> late_ms;
-    for (std::size_t i = 0; i < marks_s.size(); ++i) {
-      late_ms.push_back(1e3 * (marks_s[i] - presses[i].*since_s));
-    }
-    std::sort(late_ms.begin(), late_ms.end());
-    std::printf("%zu marks later than %s: median %.3f ms, 99th percentile %.3f, worst %.3f\n",
-                late_ms.size(), than, late_ms[late_ms.size() / 2],
-                late_ms[late_ms.size() * 99 / 100], late_ms.back());
-  }
-
-  /// Of the whole session, each attempt's film.
-  void expect_replay_bit_for_bit() const {
-    const ProgramResult replayed = participant_.replay();
-    EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
-    const std::string the_same = ": [0-9]+ frames, [1-9][0-9]* samples: the same, bit for bit\n";
-    EXPECT_THAT(replayed.output,
-                MatchesRegex("trial 0 \\(hall, od, practice\\), attempt 1" + the_same +
-                             "trial 1 \\(hall, od\\), attempt 1" + the_same +
-                             "trial 1 \\(hall, od\\), attempt 2" + the_same +
-                             "trial 2 \\(hall, fv\\), attempt 1" + the_same +
-                             "trial 2 \\(hall, fv\\), attempt 2" + the_same));
-  }
-
-  SeatedParticipant participant_;
-};
+/// The film of each attempt of the whole session.
+void expect_replay_bit_for_bit(const SeatedParticipant& participant) {
+  const ProgramResult replayed = participant.replay();
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.errors;
+  const std::string the_same = ": [0-9]+ frames, [1-9][0-9]* samples: the same, bit for bit\n";
+  EXPECT_THAT(replayed.output,
+              MatchesRegex("trial 0 \\(hall, od, practice\\), attempt 1" + the_same +
+                           "trial 1 \\(hall, od\\), attempt 1" + the_same +
+                           "trial 1 \\(hall, od\\), attempt 2" + the_same +
+                           "trial 2 \\(hall, fv\\), attempt 1" + the_same +
+                           "trial 2 \\(hall, fv\\), attempt 2" + the_same));
+}
 
 TEST_F(StudyRun, AWholeSessionByKeys) {
   participant_.write_protocol(whole_keys, whole_tables());
@@ -195,7 +116,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
 
   participant_.answer_page("space");
   participant_.wait_for_page();
-  cover_for_a_while(tracker);
+  cover_for_a_while(tracker, participant_.program());
   participant_.type("Escape");
   EXPECT_EQ(participant_.wait_for_page(), "paused");
   RunningProgram& program = participant_.program();
@@ -246,7 +167,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_THAT(participant_.ask("SELECT state, kind FROM session"), ElementsAre("completed|human"));
   EXPECT_THAT(participant_.ask("SELECT count(*) FROM reaction WHERE early = 0"), ElementsAre("2"));
 
-  // After their keys, and long before the next ones; AMarkIsNotBeforeItsKey measures how long.
+  // After their keys, and long before the next ones; AMarkHasTheTimeOfItsKey measures how long.
   const std::vector<double> marks_s = recorded_marks();
   ASSERT_EQ(marks_s.size(), 8U);
   const std::vector<double> last_s(marks_s.begin() + 4, marks_s.end());
@@ -260,7 +181,7 @@ TEST_F(StudyRun, AWholeSessionByKeys) {
   EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
   EXPECT_TRUE(verified.gaps.empty()) << verified.gaps.front().what;
 
-  expect_replay_bit_for_bit();
+  expect_replay_bit_for_bit(participant_);
 }
 
 TEST_F(StudyRun, ATrialThatFollowsTheGazeWaitsForOne) {
@@ -298,131 +219,6 @@ TEST_F(StudyRun, ATrialThatFollowsTheGazeWaitsForOne) {
   const study::Verification verified = study::verify_study(participant_.database());
   EXPECT_TRUE(verified.faults.empty()) << verified.faults.front().what;
   EXPECT_EQ(participant_.replay().exit_code, 0);
-}
-
-TEST_F(StudyRun, AParticipantMayStop) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin();
-  participant_.answer_page("Return");  // welcome
-  participant_.answer_page("Return");  // choosing
-  participant_.answer_page("Escape");  // ready
-  participant_.answer_page("BackSpace");
-  participant_.answer_page("n");  // no, go on
-  participant_.answer_page("BackSpace");
-  participant_.answer_page("y");
-  end_by_enter();
-  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("withdrawn"));
-}
-
-TEST_F(StudyRun, WhatWasKilledGoesOn) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin();
-  participant_.wait_for_page();
-  participant_.program().kill(SIGKILL);
-  participant_.program().wait_for_end();
-  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("choosing_object"));
-  EXPECT_THAT(participant_.run_besides("P1", {}).errors, HasSubstr("unfinished session"));
-
-  participant_.begin({"--resume"});
-  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
-  participant_.program().type_line("withdraw");
-  participant_.program().wait_for("withdrawn");
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
-  EXPECT_THAT(
-      participant_.ask("SELECT type FROM event ORDER BY sequence"),
-      ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
-  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
-}
-
-/// As if the last event had been recorded by a clock that was ten years ahead.
-void date_last_event_ahead(const fs::path& study) {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(study.c_str(), &database), SQLITE_OK);
-  const std::string guard =
-      value_of(study, "SELECT sql FROM sqlite_schema WHERE name = 'event_is_fixed'");
-  const std::string sql =
-      "DROP TRIGGER event_is_fixed; UPDATE event SET utc ="
-      " strftime('%Y-%m-%dT%H:%M:%fZ', utc, '+10 years') WHERE sequence ="
-      " (SELECT max(sequence) FROM event); " +
-      guard;
-  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
-  sqlite3_close(database);
-}
-
-TEST_F(StudyRun, AClockThatWasSetBackMeanwhileIsNoted) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin();
-  participant_.wait_for_page();
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
-  date_last_event_ahead(participant_.database());
-
-  participant_.begin({"--resume"});
-  participant_.wait_for_page();
-  participant_.program().type_line("quit");
-  participant_.program().wait_for_end();
-  EXPECT_THAT(participant_.ask("SELECT text FROM note ORDER BY sequence"),
-              ElementsAre(testing::StartsWith("goes on with "),
-                          AllOf(testing::StartsWith("the computer's clock was set back by 365"),
-                                HasSubstr(" days since 20"))));
-}
-
-TEST_F(StudyRun, TheExperimenterMayExclude) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  participant_.begin();
-  participant_.wait_for_page();
-  participant_.program().type_line("exclude the tracker failed");
-  participant_.program().wait_for("excluded: the tracker failed");
-  participant_.program().type_line("quit");
-  EXPECT_EQ(participant_.program().wait_for_end(), 0);
-  EXPECT_THAT(participant_.ask("SELECT type, json_extract(payload, '$.reason') FROM event "
-                               "ORDER BY sequence"),
-              ElementsAre("session_started|-", "excluded|the tracker failed"));
-}
-
-TEST_F(StudyRun, SaysWhatIsWrong) {
-  participant_.write_protocol(one_trial_keys, short_look);
-  EXPECT_THAT(participant_.run_besides("P2", {"--resume"}).errors,
-              HasSubstr("no session to go on with"));
-  EXPECT_EQ(participant_.run_besides("Jane Doe", {}).exit_code, 2);
-}
-
-TEST_F(StudyRun, AMarkHasTheTimeOfItsKey) {
-  // With FOVEOLA_PRESSES set, prints how long after their keys so many marks are.
-  const char* const asked = std::getenv("FOVEOLA_PRESSES");
-  constexpr int marks_a_trial = 20;
-  const int trials = std::max(1, (asked != nullptr ? std::atoi(asked) : 0) / marks_a_trial);
-  std::string tables = short_look;
-  for (int i = 0; i < marks_a_trial; ++i) {
-    tables += "[[mark]]\nid = \"m" + std::to_string(i) + "\"\ninstruction = \"Press.\"\n";
-  }
-  for (int i = 1; i < trials; ++i) {
-    tables += "[[practice]]\nscene = \"hall\"\nmethod = \"od\"\n";
-  }
-  participant_.write_protocol(one_trial_keys, tables);
-  participant_.begin();
-  participant_.answer_page("Return");  // welcome
-  std::vector<KeyPress> presses;
-  for (int trial = 0; trial < trials; ++trial) {
-    const bool begins_a_kind = trial == 0 || trial == trials - 1;
-    if (begins_a_kind && trials > 1) {
-      participant_.answer_page("Return");  // practice, or from now on it counts
-    }
-    if (begins_a_kind) {
-      participant_.answer_page("Return");  // choosing
-    }
-    for (const KeyPress& press : time_trial(marks_a_trial)) {
-      presses.push_back(press);
-    }
-    rate("1");
-  }
-  end_by_enter();
-
-  const std::vector<double> marks_s = recorded_marks();
-  expect_marks_of(presses, marks_s);
-  print_lateness("the X server's own time of their keys", marks_s, presses, &KeyPress::stamped_s);
-  print_lateness("asking the X server for their keys", marks_s, presses, &KeyPress::asked_s);
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+// Sessions in the real window that end early, are gone on with, or do not begin.
+#include <csignal>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <sqlite3.h>
+
+#include "tests/end_to_end/study_rows.h"
+#include "tests/end_to_end/study_run.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST_F(StudyRun, AParticipantMayStop) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.answer_page("Return");  // welcome
+  participant_.answer_page("Return");  // choosing
+  participant_.answer_page("Escape");  // ready
+  participant_.answer_page("BackSpace");
+  participant_.answer_page("n");  // no, go on
+  participant_.answer_page("BackSpace");
+  participant_.answer_page("y");
+  end_by_enter();
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("withdrawn"));
+}
+
+TEST_F(StudyRun, WhatWasKilledGoesOn) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.wait_for_page();
+  participant_.program().kill(SIGKILL);
+  participant_.program().wait_for_end();
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("choosing_object"));
+  EXPECT_THAT(participant_.run_besides("P1", {}).errors, HasSubstr("unfinished session"));
+
+  participant_.begin({"--resume"});
+  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  participant_.program().type_line("withdraw");
+  participant_.program().wait_for("withdrawn");
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  EXPECT_THAT(
+      participant_.ask("SELECT type FROM event ORDER BY sequence"),
+      ElementsAre("session_started", "interrupted", "note_written", "resumed", "withdrawn"));
+  EXPECT_THAT(participant_.run_besides("P1", {"--resume"}).errors, HasSubstr("which is withdrawn"));
+}
+
+/// As if the last event had been recorded by a clock that was ten years ahead.
+void date_last_event_ahead(const fs::path& study) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(study.c_str(), &database), SQLITE_OK);
+  const std::string guard =
+      value_of(study, "SELECT sql FROM sqlite_schema WHERE name = 'event_is_fixed'");
+  const std::string sql =
+      "DROP TRIGGER event_is_fixed; UPDATE event SET utc ="
+      " strftime('%Y-%m-%dT%H:%M:%fZ', utc, '+10 years') WHERE sequence ="
+      " (SELECT max(sequence) FROM event); " +
+      guard;
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+}
+
+TEST_F(StudyRun, AClockThatWasSetBackMeanwhileIsNoted) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.wait_for_page();
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  date_last_event_ahead(participant_.database());
+
+  participant_.begin({"--resume"});
+  participant_.wait_for_page();
+  participant_.program().type_line("quit");
+  participant_.program().wait_for_end();
+  EXPECT_THAT(participant_.ask("SELECT text FROM note ORDER BY sequence"),
+              ElementsAre(testing::StartsWith("goes on with "),
+                          AllOf(testing::StartsWith("the computer's clock was set back by 365"),
+                                HasSubstr(" days since 20"))));
+}
+
+TEST_F(StudyRun, TheExperimenterMayExclude) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin();
+  participant_.wait_for_page();
+  participant_.program().type_line("exclude the tracker failed");
+  participant_.program().wait_for("excluded: the tracker failed");
+  participant_.program().type_line("quit");
+  EXPECT_EQ(participant_.program().wait_for_end(), 0);
+  EXPECT_THAT(participant_.ask("SELECT type, json_extract(payload, '$.reason') FROM event "
+                               "ORDER BY sequence"),
+              ElementsAre("session_started|-", "excluded|the tracker failed"));
+}
+
+TEST_F(StudyRun, SaysWhatIsWrong) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  EXPECT_THAT(participant_.run_besides("P2", {"--resume"}).errors,
+              HasSubstr("no session to go on with"));
+  EXPECT_EQ(participant_.run_besides("Jane Doe", {}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace foveola::test
