@@ -122,7 +122,7 @@ std::string simulation_in_words(const study::SimulationFacts& simulation) {
   }
   if (!simulation.injected.empty()) {
     text +=
-        fmt::format(" Their times and ratings were drawn, with injected effects ({}).", simulation.injected);
+        fmt::format(" Their times were drawn, with injected effects ({}).", simulation.injected);
   }
   if (simulation.scale != 1.0) {
     text += fmt::format(" Film and machine were scaled down by {:g}.", simulation.scale);
