@@ -36,6 +36,8 @@ std::map<std::string, double> golden_inference() {
 
 std::map<std::string, double> golden_models() { return values_by_sample("models_values.csv"); }
 
+std::map<std::string, double> golden_outliers() { return values_by_sample("outliers_values.csv"); }
+
 std::map<std::string, double> golden_survival() { return values_by_sample("survival_values.csv"); }
 
 std::map<std::string, GoldenMatrix> golden_matrices(const std::string& file) {

@@ -27,6 +27,7 @@ std::map<std::string, GoldenMatrix> golden_matrices(
 /// survival_values.csv.
 std::map<std::string, double> golden_inference();
 std::map<std::string, double> golden_models();
+std::map<std::string, double> golden_outliers();
 std::map<std::string, double> golden_survival();
 
 /// One column of a matrix without gaps.
