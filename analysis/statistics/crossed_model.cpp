@@ -23,6 +23,8 @@ struct Stratum {
 /// The strata of the two-way layout. A factor whose variance is 0 is pooled with the residual: its
 /// stratum is empty.
 struct Strata {
+  std::size_t participant_count = 0;
+  std::size_t scene_count = 0;
   long double mean = 0.0L;
   std::optional<Stratum> participants;
   std::optional<Stratum> scenes;
@@ -42,15 +44,20 @@ std::vector<long double> column_means(const RepeatedMeasures& data) {
   return means;
 }
 
+/// Strata with their degrees of freedom, and no squares yet.
+Strata empty_strata(std::size_t participant_count, std::size_t scene_count) {
+  const long double participants = static_cast<long double>(participant_count) - 1.0L;
+  const long double scenes = static_cast<long double>(scene_count) - 1.0L;
+  return {participant_count,           scene_count,           0.0L,
+          Stratum{0.0L, participants}, Stratum{0.0L, scenes}, Stratum{0.0L, participants * scenes}};
+}
+
 Strata analyse_variance(const RepeatedMeasures& data) {
   const auto participants = static_cast<long double>(data.participants);
   const auto scenes = static_cast<long double>(data.conditions);
   const std::vector<long double> scene_means = column_means(data);
-  Strata strata;
+  Strata strata = empty_strata(data.participants, data.conditions);
   strata.mean = extended_mean(data.values);
-  strata.participants = Stratum{0.0L, participants - 1.0L};
-  strata.scenes = Stratum{0.0L, scenes - 1.0L};
-  strata.residual.degrees = (participants - 1.0L) * (scenes - 1.0L);
   for (const long double mean : scene_means) {
     strata.scenes->squares += participants * (mean - strata.mean) * (mean - strata.mean);
   }
@@ -126,27 +133,19 @@ double component(const std::optional<Stratum>& factor, const Stratum& residual,
                 : 0.0;
 }
 
-}  // namespace
-
-std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, double confidence) {
-  assert(log_ratios.values.size() == log_ratios.participants * log_ratios.conditions);
-  if (log_ratios.participants < 2 || log_ratios.conditions < 2) {
-    return std::nullopt;
-  }
-  Strata strata = analyse_variance(log_ratios);
+CrossedModel model_of(Strata strata, double confidence) {
   pool_negative_components(strata);
   CrossedModel model;
-  model.participants = log_ratios.participants;
-  model.scenes = log_ratios.conditions;
+  model.participants = strata.participant_count;
+  model.scenes = strata.scene_count;
   model.mean = static_cast<double>(strata.mean);
   model.ratio = std::exp(model.mean);
-  model.participant_variance =
-      component(strata.participants, strata.residual, log_ratios.conditions);
-  model.scene_variance = component(strata.scenes, strata.residual, log_ratios.participants);
+  model.participant_variance = component(strata.participants, strata.residual, strata.scene_count);
+  model.scene_variance = component(strata.scenes, strata.residual, strata.participant_count);
   model.residual_variance = static_cast<double>(strata.residual.mean_square());
   const Combination variance = variance_of_mean(strata);
-  const auto standard_error = static_cast<double>(
-      std::sqrt(variance.value / static_cast<long double>(log_ratios.values.size())));
+  const auto standard_error = static_cast<double>(std::sqrt(
+      variance.value / static_cast<long double>(strata.participant_count * strata.scene_count)));
   if (standard_error <= rounding_of_logarithms) {
     return model;
   }
@@ -161,6 +160,76 @@ std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, do
   test.ratio_interval = exp_of(test.interval);
   model.test = test;
   return model;
+}
+
+RepeatedMeasures without_participant(const RepeatedMeasures& data, std::size_t participant) {
+  RepeatedMeasures others{data.participants - 1, data.conditions, data.values};
+  const auto row =
+      others.values.begin() + static_cast<std::ptrdiff_t>(participant * data.conditions);
+  others.values.erase(row, row + static_cast<std::ptrdiff_t>(data.conditions));
+  return others;
+}
+
+/// The strata without one participant, from those with all: n / (n - 1) times the square of a
+/// deviation from the mean of all n is what a sum of squares loses with it.
+class Downdate {
+ public:
+  explicit Downdate(const RepeatedMeasures& data)
+      : data_(data), all_(analyse_variance(data)), scene_means_(column_means(data)) {}
+
+  Strata without(std::size_t participant) const {
+    const auto n = static_cast<long double>(data_.participants);
+    const auto scenes = static_cast<long double>(data_.conditions);
+    const long double effect = extended_mean(data_.of(participant)) - all_.mean;
+    Strata strata = empty_strata(data_.participants - 1, data_.conditions);
+    strata.mean = all_.mean - effect / (n - 1.0L);
+    strata.participants->squares =
+        all_.participants->squares - scenes * n / (n - 1.0L) * effect * effect;
+    strata.residual.squares = all_.residual.squares;
+    for (std::size_t scene = 0; scene < data_.conditions; ++scene) {
+      const long double residual = data_.at(participant, scene) - scene_means_[scene] - effect;
+      strata.residual.squares -= n / (n - 1.0L) * residual * residual;
+      const long double scene_effect = scene_means_[scene] - all_.mean - residual / (n - 1.0L);
+      strata.scenes->squares += (n - 1.0L) * scene_effect * scene_effect;
+    }
+    // Where hardly anything is left, it is the rounding of what was subtracted.
+    return sum_of_squares(strata) > 1e-6L * sum_of_squares(all_)
+               ? strata
+               : analyse_variance(without_participant(data_, participant));
+  }
+
+ private:
+  static long double sum_of_squares(const Strata& strata) {
+    return strata.participants->squares + strata.scenes->squares + strata.residual.squares;
+  }
+
+  const RepeatedMeasures& data_;
+  Strata all_;
+  std::vector<long double> scene_means_;
+};
+
+}  // namespace
+
+std::optional<CrossedModel> crossed_model(const RepeatedMeasures& log_ratios, double confidence) {
+  assert(log_ratios.values.size() == log_ratios.participants * log_ratios.conditions);
+  if (log_ratios.participants < 2 || log_ratios.conditions < 2) {
+    return std::nullopt;
+  }
+  return model_of(analyse_variance(log_ratios), confidence);
+}
+
+std::vector<CrossedModel> crossed_models_without_each(const RepeatedMeasures& log_ratios) {
+  assert(log_ratios.values.size() == log_ratios.participants * log_ratios.conditions);
+  std::vector<CrossedModel> models;
+  if (log_ratios.participants < 3 || log_ratios.conditions < 2) {
+    return models;
+  }
+  const Downdate downdate(log_ratios);
+  models.reserve(log_ratios.participants);
+  for (std::size_t participant = 0; participant < log_ratios.participants; ++participant) {
+    models.push_back(model_of(downdate.without(participant), default_confidence));
+  }
+  return models;
 }
 
 }  // namespace foveola::analysis

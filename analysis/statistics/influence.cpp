@@ -59,21 +59,12 @@ std::optional<LeaveOneOut> leave_one_out(std::span<const double> log_ratios) {
 }
 
 std::optional<LeaveOneOut> leave_one_out(const RepeatedMeasures& log_ratios) {
-  if (log_ratios.participants < 3 || log_ratios.conditions < 2) {
+  const std::vector<CrossedModel> models = crossed_models_without_each(log_ratios);
+  if (models.empty()) {
     return std::nullopt;
   }
-  const std::size_t scenes = log_ratios.conditions;
-  RepeatedMeasures others{
-      log_ratios.participants - 1,
-      scenes,
-      {log_ratios.values.begin() + static_cast<std::ptrdiff_t>(scenes), log_ratios.values.end()}};
-  return range_of(log_ratios.participants, [&](std::size_t participant) {
-    if (participant > 0) {
-      const std::span<const double> row = log_ratios.of(participant - 1);
-      std::copy(row.begin(), row.end(),
-                others.values.begin() + static_cast<std::ptrdiff_t>((participant - 1) * scenes));
-    }
-    const CrossedModel model = crossed_model(others).value();
+  return range_of(models.size(), [&](std::size_t participant) {
+    const CrossedModel& model = models[participant];
     return Result{model.mean, model.test ? std::optional(model.test->p) : std::nullopt};
   });
 }
