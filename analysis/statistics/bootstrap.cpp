@@ -109,7 +109,7 @@ std::optional<Interval> bca_from_replicates(double observed, std::vector<double>
 
 std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
                                      const BootstrapSettings& settings) {
-  if (values.size() < 2) {
+  if (values.size() < fewest_for_bca) {
     return std::nullopt;
   }
   return bca_from_replicates(statistic(values), resampled(values, statistic, settings),
@@ -119,7 +119,7 @@ std::optional<Interval> bca_interval(std::span<const double> values, const Stati
 std::optional<Interval> bca_geometric_mean(std::span<const double> values,
                                            const BootstrapSettings& settings) {
   const std::vector<double> logs = logarithms(values);
-  if (logs.size() < 2) {
+  if (logs.size() < fewest_for_bca) {
     return std::nullopt;
   }
   const std::optional<Interval> interval =

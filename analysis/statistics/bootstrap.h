@@ -1,6 +1,7 @@
 // The bootstrap: intervals that assume no distribution of the values, by resampling participants.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -20,10 +21,14 @@ struct BootstrapSettings {
   double confidence = default_confidence;
 };
 
+/// Few values have few resamples and too little spread: the mean of this many normal values is
+/// covered by 31 % of 95 % intervals with 2 values, 70 % with 3, 83 % with 5, 88 % with 8, 90 %
+/// with 10, 92 % with 16 and 94 % with 24 (2000 studies each), where t covers 95 % with any number.
+inline constexpr std::size_t fewest_for_bca = 8;
+
 /// The bias-corrected and accelerated interval (Efron 1987) of `statistic`, with the acceleration
-/// from the jackknife, which calls `statistic` once for each value. Empty for fewer than two values
-/// or when every resample gives the same value. Of a mean of 16 normal values a 95 % interval
-/// covers about 92 %, where t covers 95 %.
+/// from the jackknife, which calls `statistic` once for each value. Empty for fewer than
+/// fewest_for_bca values or when every resample gives the same value.
 std::optional<Interval> bca_interval(std::span<const double> values, const Statistic& statistic,
                                      const BootstrapSettings& settings = {});
 

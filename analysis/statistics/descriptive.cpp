@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -10,6 +11,18 @@
 #include "analysis/statistics/student_t.h"
 
 namespace foveola::analysis {
+namespace {
+
+bool is_above_rounding(double deviation, std::span<const double> values) {
+  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+  double largest = 0.0;
+  for (const double value : values) {
+    largest = std::max(largest, std::abs(value));
+  }
+  return deviation > rounding * largest;
+}
+
+}  // namespace
 
 std::optional<double> mean(std::span<const double> values) {
   if (values.empty()) {
@@ -43,6 +56,11 @@ std::optional<double> median(std::span<const double> values) {
   return std::midpoint(*std::max_element(ordered.begin(), middle), *middle);
 }
 
+bool varies(std::span<const double> values) {
+  const std::optional<double> deviation = standard_deviation(values);
+  return deviation && is_above_rounding(*deviation, values);
+}
+
 Description describe(std::span<const double> values) {
   return {values.size(), mean(values), standard_deviation(values), median(values)};
 }
@@ -53,7 +71,8 @@ std::optional<Estimate> mean_estimate(std::span<const double> values, double con
     return std::nullopt;
   }
   Estimate estimate{values.size(), *center, std::nullopt};
-  if (const std::optional<double> deviation = standard_deviation(values)) {
+  const std::optional<double> deviation = standard_deviation(values);
+  if (deviation && is_above_rounding(*deviation, values)) {
     const auto n = static_cast<double>(values.size());
     const double half_width = student_t_quantile(confidence, n - 1.0) * *deviation / std::sqrt(n);
     estimate.interval = {*center - half_width, *center + half_width};
@@ -62,12 +81,20 @@ std::optional<Estimate> mean_estimate(std::span<const double> values, double con
 }
 
 std::optional<Estimate> geometric_mean(std::span<const double> values, double confidence) {
-  std::optional<Estimate> estimate = mean_estimate(logarithms(values), confidence);
-  if (estimate) {
-    estimate->value = std::exp(estimate->value);
-    if (estimate->interval) {
-      estimate->interval = exp_of(*estimate->interval);
-    }
+  return geometric_mean_of_logs(logarithms(values), confidence);
+}
+
+std::optional<Estimate> geometric_mean_of_logs(std::span<const double> logs, double confidence) {
+  std::optional<Estimate> estimate = mean_estimate(logs, confidence);
+  if (!estimate) {
+    return std::nullopt;
+  }
+  estimate->value = std::exp(estimate->value);
+  if (standard_deviation(logs).value_or(0.0) <= rounding_of_logarithms) {
+    estimate->interval.reset();
+  }
+  if (estimate->interval) {
+    estimate->interval = exp_of(*estimate->interval);
   }
   return estimate;
 }

@@ -7,8 +7,10 @@
 
 namespace foveola::analysis {
 
-// All values are finite. Sums are taken in long double around the mean, so that values with a
-// large common offset keep their digits. What a sample is too small for is empty, never NaN.
+// All values are finite. An estimate is given wherever there are values; its interval needs two
+// that differ, as every test does: values that are all equal say nothing of how far others may lie.
+// Sums are taken in long double around the mean, so that values with a large common offset keep
+// their digits. What a sample is too small for is empty, never NaN.
 
 std::optional<double> mean(std::span<const double> values);
 
@@ -17,6 +19,10 @@ std::optional<double> standard_deviation(std::span<const double> values);
 
 /// The middle value, or the mean of the two middle ones.
 std::optional<double> median(std::span<const double> values);
+
+/// Whether there are two values or more that differ by more than their rounding: their standard
+/// deviation is above 16 units in the last place of the largest.
+bool varies(std::span<const double> values);
 
 struct Description {
   std::size_t n = 0;
@@ -35,7 +41,7 @@ struct Interval {
 struct Estimate {
   std::size_t n = 0;
   double value = 0.0;
-  std::optional<Interval> interval;  ///< Needs two values.
+  std::optional<Interval> interval;  ///< Empty where the values do not vary.
 };
 
 inline constexpr double default_confidence = 0.95;
@@ -45,9 +51,14 @@ std::optional<Estimate> mean_estimate(std::span<const double> values,
                                       double confidence = default_confidence);
 
 /// The geometric mean and its interval, exp(m -+ t s / sqrt(n)) with m and s of the logarithms
-/// (Sauro and Lewis 2010, "Average task times in usability tests"). Empty for an empty sample.
+/// (Sauro and Lewis 2010, "Average task times in usability tests"). Empty for an empty sample; its
+/// interval is empty too where s is no more than rounding_of_logarithms.
 /// Throws Error, naming the position from 1, if a value is not above zero.
 std::optional<Estimate> geometric_mean(std::span<const double> values,
                                        double confidence = default_confidence);
+
+/// The geometric mean of what these are the logarithms of, as ratios of times.
+std::optional<Estimate> geometric_mean_of_logs(std::span<const double> logs,
+                                               double confidence = default_confidence);
 
 }  // namespace foveola::analysis

@@ -9,7 +9,7 @@
 namespace foveola::analysis {
 
 std::optional<FriedmanTest> friedman(const RepeatedMeasures& data) {
-  if (data.participants == 0 || data.conditions < 2) {
+  if (data.participants < 2 || data.conditions < 2) {
     return std::nullopt;
   }
   const auto n = static_cast<double>(data.participants);

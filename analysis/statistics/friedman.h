@@ -17,8 +17,8 @@ struct FriedmanTest {
   double kendalls_w = 0.0;  ///< Agreement of the participants, 0 to 1.
 };
 
-/// Empty where the statistic is not defined: no participant, fewer than two conditions, or every
-/// participant's values all equal.
+/// Empty with fewer than two participants, whose agreement is what is tested, or two conditions, or
+/// where every participant's values are all equal.
 std::optional<FriedmanTest> friedman(const RepeatedMeasures& data);
 
 }  // namespace foveola::analysis

@@ -20,8 +20,8 @@ struct TTest {
   double d_z = 0.0;  ///< Cohen's (1988) effect size of differences: mean / standard deviation.
 };
 
-/// Tests whether the mean of values is `hypothesis`. Empty where t is not defined: fewer than two
-/// values, or all equal.
+/// Tests whether the mean of values is `hypothesis`. Empty where t is not defined: the values do
+/// not vary (descriptive.h), or are fewer than two.
 std::optional<TTest> one_sample_t(std::span<const double> values, double hypothesis = 0.0,
                                   double confidence = default_confidence);
 
@@ -32,7 +32,8 @@ struct RatioTest {
   Interval interval;   ///< Interval of `ratio`.
 };
 
-/// Tests whether the geometric mean of ratios is 1. Empty where one_sample_t is.
+/// Tests whether the geometric mean of ratios is 1. Empty where geometric_mean_of_logs, which gives
+/// the estimate without a test, has no interval.
 std::optional<RatioTest> ratio_t(std::span<const double> log_ratios,
                                  double confidence = default_confidence);
 

@@ -81,8 +81,12 @@ TEST(Bootstrap, AnyStatisticCanBeResampled) {
 }
 
 TEST(Bootstrap, ConstantOrFewValuesHaveNoInterval) {
-  EXPECT_FALSE(bca_geometric_mean(std::vector<double>{2, 2, 2}));
-  EXPECT_FALSE(bca_geometric_mean(std::vector<double>{2}));
+  EXPECT_FALSE(bca_geometric_mean(std::vector<double>(16, 2.0)));
+  const std::span<const double> few = std::span(times).first(fewest_for_bca - 1);
+  EXPECT_FALSE(bca_geometric_mean(few));
+  EXPECT_FALSE(bca_interval(few, [](std::span<const double> sample) { return *mean(sample); }));
+  EXPECT_TRUE(bca_geometric_mean(std::span(times).first(fewest_for_bca)));
+  EXPECT_FALSE(bca_geometric_mean(std::vector<double>{2.0, 3.0}));
   EXPECT_FALSE(bca_geometric_mean(std::vector<double>{}));
 }
 

@@ -39,9 +39,10 @@ TEST(Friedman, PValuesAreRightDownTo1eMinus300) {
   EXPECT_GOLDEN(test.p, golden_inference().at("tails.chi_squared_1380"));
 }
 
-TEST(Friedman, WithoutADifferenceBetweenConditionsThereIsNoTest) {
+TEST(Friedman, OneParticipantOrNoDifferenceBetweenConditionsHasNoTest) {
   EXPECT_FALSE(friedman(complete_participants({{3.0, 3.0, 3.0}, {2.0, 2.0, 2.0}})));
   EXPECT_FALSE(friedman(complete_participants({{1.0}, {2.0}})));
+  EXPECT_FALSE(friedman(complete_participants({{1.0, 2.0, 3.0}})));
   EXPECT_FALSE(friedman(complete_participants({})));
 }
 

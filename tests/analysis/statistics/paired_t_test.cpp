@@ -60,6 +60,10 @@ TEST(PairedT, WhatDoesNotVaryHasNoT) {
   EXPECT_FALSE(one_sample_t(std::vector<double>{2, 2, 2}));
   EXPECT_FALSE(one_sample_t(std::vector<double>{2}));
   EXPECT_FALSE(one_sample_t(std::vector<double>{}));
+  const std::vector<double> halves = log_ratios({50.0, 5.0, 0.35}, {100.0, 10.0, 0.7});
+  EXPECT_FALSE(one_sample_t(halves));
+  EXPECT_FALSE(ratio_t(halves));
+  EXPECT_FALSE(ratio_t(log_ratios({101.0, 10100.0}, {100.0, 10000.0})));
 }
 
 TEST(PairedT, SwappingTheSidesInvertsTheRatio) {
