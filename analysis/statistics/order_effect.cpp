@@ -1,57 +1,21 @@
 #include "analysis/statistics/order_effect.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
+#include <utility>
+
+#include "analysis/statistics/additive_fit.h"
 
 namespace foveola::analysis {
 namespace {
 
-/// The index of the value's participant, or of its condition.
-using Grouping = std::function<std::size_t(const OrderedValue&)>;
-
-struct Group {
-  double n = 0.0;
-  long double position = 0.0L;
-  long double value = 0.0L;
-};
-
-/// Subtracts the mean of each group from its values; returns the largest of these means.
-double take_out_means(std::vector<OrderedValue>& values, const Grouping& group_of) {
-  std::map<std::size_t, Group> sums;
+/// The additive fit of what `quantity` is of each value.
+AdditiveFit fit_of(const std::vector<OrderedValue>& values, double OrderedValue::*quantity) {
+  std::vector<TrialValue> trials;
+  trials.reserve(values.size());
   for (const OrderedValue& value : values) {
-    Group& sum = sums[group_of(value)];
-    sum.n += 1.0;
-    sum.position += value.position;
-    sum.value += value.value;
+    trials.push_back({value.participant, value.condition, value.*quantity});
   }
-  double largest = 0.0;
-  for (OrderedValue& value : values) {
-    const Group& sum = sums.at(group_of(value));
-    const auto position = static_cast<double>(sum.position / sum.n);
-    const auto mean_value = static_cast<double>(sum.value / sum.n);
-    value.position -= position;
-    value.value -= mean_value;
-    largest = std::max({largest, std::abs(position), std::abs(mean_value)});
-  }
-  return largest;
-}
-
-/// The residuals of an additive model of participants and conditions, whose means are taken out in
-/// turn until none is left: at once without missing cells, else in a few rounds.
-std::vector<OrderedValue> residuals_of(std::vector<OrderedValue> values) {
-  constexpr int most_rounds = 1000;
-  constexpr double rounding = 1e-15;
-  const Grouping participant = [](const OrderedValue& value) { return value.participant; };
-  const Grouping condition = [](const OrderedValue& value) { return value.condition; };
-  for (int round = 0; round < most_rounds; ++round) {
-    const double taken = take_out_means(values, participant);
-    if (std::max(taken, take_out_means(values, condition)) <= rounding) {
-      break;
-    }
-  }
-  return values;
+  return AdditiveFit(std::move(trials));
 }
 
 struct Slope {
@@ -63,11 +27,14 @@ struct Slope {
 
 std::optional<TTest> order_effect(const std::vector<OrderedValue>& values, double confidence) {
   constexpr long double rounding = 1e-18L;
+  const AdditiveFit positions = fit_of(values, &OrderedValue::position);
+  const AdditiveFit fit = fit_of(values, &OrderedValue::value);
   std::map<std::size_t, Slope> participants;
-  for (const OrderedValue& residual : residuals_of(values)) {
-    Slope& own = participants[residual.participant];
-    own.squares += static_cast<long double>(residual.position) * residual.position;
-    own.products += static_cast<long double>(residual.position) * residual.value;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const long double position = positions.residual(i);
+    Slope& own = participants[values[i].participant];
+    own.squares += position * position;
+    own.products += position * fit.residual(i);
   }
   std::vector<double> slopes;
   for (const auto& [participant, own] : participants) {

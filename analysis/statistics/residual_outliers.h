@@ -4,14 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace foveola::analysis {
+#include "analysis/statistics/additive_fit.h"
 
-/// One trial's value, as the logarithm of its time.
-struct TrialValue {
-  std::size_t participant = 0;
-  std::size_t condition = 0;  ///< Index of the scene and method together.
-  double value = 0.0;
-};
+namespace foveola::analysis {
 
 struct ResidualOutlier {
   std::size_t index = 0;     ///< Of the trial in the values given.

@@ -1,0 +1,103 @@
+#include "analysis/statistics/additive_fit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace foveola::analysis {
+
+void AdditiveFit::Effects::count(std::size_t index, double change) {
+  if (index >= counts.size()) {
+    counts.resize(index + 1, 0.0);
+    means.resize(index + 1, 0.0);
+  }
+  counts[index] += change;
+}
+
+double AdditiveFit::Effects::present() const {
+  return static_cast<double>(
+      std::count_if(counts.begin(), counts.end(), [](double count) { return count > 0.0; }));
+}
+
+AdditiveFit::AdditiveFit(std::vector<TrialValue> values)
+    : values_(std::move(values)), kept_(values_.size(), true), size_(values_.size()) {
+  double largest = 0.0;
+  for (const TrialValue& value : values_) {
+    participants_.count(value.participant, 1.0);
+    conditions_.count(value.condition, 1.0);
+    largest = std::max(largest, std::abs(value.value));
+  }
+  rounding_ = 4.0 * std::numeric_limits<double>::epsilon() * largest;
+  fit();
+}
+
+void AdditiveFit::take_out(std::size_t index) {
+  assert(kept_[index]);
+  kept_[index] = false;
+  --size_;
+  participants_.count(values_[index].participant, -1.0);
+  conditions_.count(values_[index].condition, -1.0);
+  fit();
+}
+
+double AdditiveFit::degrees_of_freedom() const {
+  return static_cast<double>(size_) - participants_.present() - conditions_.present() + 1.0;
+}
+
+double AdditiveFit::residual(std::size_t index) const {
+  const TrialValue& value = values_[index];
+  return value.value - participants_.means[value.participant] - conditions_.means[value.condition];
+}
+
+double AdditiveFit::standard_deviation() const {
+  long double squares = 0.0L;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (kept_[i]) {
+      squares += static_cast<long double>(residual(i)) * residual(i);
+    }
+  }
+  return std::sqrt(static_cast<double>(squares) / degrees_of_freedom());
+}
+
+double AdditiveFit::freedom(std::size_t index) const {
+  const double of_participant = participants_.counts[values_[index].participant];
+  const double of_condition = conditions_.counts[values_[index].condition];
+  if (of_participant < 2.0 || of_condition < 2.0) {
+    return 0.0;
+  }
+  return 1.0 - 1.0 / of_participant - 1.0 / of_condition + 1.0 / static_cast<double>(size_);
+}
+
+/// Adds to the effects what the residuals of each have on average; returns the largest change.
+double AdditiveFit::sweep(Effects& effects, std::size_t TrialValue::*index) const {
+  std::vector<double> sums(effects.means.size(), 0.0);
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (kept_[i]) {
+      sums[values_[i].*index] += residual(i);
+    }
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (effects.counts[i] > 0.0) {
+      const double change = sums[i] / effects.counts[i];
+      effects.means[i] += change;
+      largest = std::max(largest, std::abs(change));
+    }
+  }
+  return largest;
+}
+
+/// By turns of participants and conditions: at once without missing cells, else in a few sweeps.
+void AdditiveFit::fit() {
+  constexpr int most_sweeps = 1000;
+  for (int i = 0; i < most_sweeps; ++i) {
+    const double change = sweep(participants_, &TrialValue::participant);
+    if (std::max(change, sweep(conditions_, &TrialValue::condition)) <= rounding_) {
+      break;
+    }
+  }
+}
+
+}  // namespace foveola::analysis
