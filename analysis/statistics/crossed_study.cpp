@@ -43,17 +43,18 @@ RepeatedMeasures draw_log_ratios(const CrossedDesign& design, Pcg32& generator) 
   return data;
 }
 
-CrossedCoverage count_coverage(const CrossedDesign& design, std::uint64_t seed, std::uint64_t first,
-                               std::uint64_t last) {
+CrossedCoverage count_coverage(const CrossedDesign& design, double value, std::uint64_t seed,
+                               std::uint64_t first, std::uint64_t last, double confidence) {
   assert(design.participants >= 2 && design.scenes >= 2 && design.residual_sd > 0.0);
   CrossedCoverage counts;
   for (std::uint64_t study = first; study < last; ++study) {
     Pcg32 generator(seed, study);
     const RepeatedMeasures data = draw_log_ratios(design, generator);
+    const std::optional<CrossedModel> model = crossed_model(data, confidence);
+    const std::optional<RatioTest> over_participants = ratio_t(participant_means(data), confidence);
     ++counts.studies;
-    counts.crossed_model += covers(crossed_model(data)->test.value().interval, design.mean) ? 1 : 0;
-    counts.over_participants +=
-        covers(ratio_t(participant_means(data))->logs.interval, design.mean) ? 1 : 0;
+    counts.crossed_model += covers(model->test.value().interval, value) ? 1 : 0;
+    counts.over_participants += covers(over_participants.value().logs.interval, value) ? 1 : 0;
   }
   return counts;
 }

@@ -23,18 +23,20 @@ struct CrossedDesign {
 /// The log ratios [participant][scene] of one study.
 RepeatedMeasures draw_log_ratios(const CrossedDesign& design, Pcg32& generator);
 
-/// In how many studies a 95 % interval covers the mean log ratio. In the others the test of the
-/// true mean rejects at 5 %: the error of the first kind, where the mean is 0.
+/// In how many studies an interval covers a value of the mean log ratio. In the others the test of
+/// this value rejects it: the error of the first kind where it is the design's mean, the power
+/// where it is 0 and the mean is not.
 struct CrossedCoverage {
   std::size_t studies = 0;
-  std::size_t crossed_model = 0;
-  std::size_t over_participants = 0;  ///< Of ratio_t of the participants' mean log ratios.
+  std::size_t crossed_model = 0;      ///< By crossed_model's interval.
+  std::size_t over_participants = 0;  ///< By ratio_t of the participants' mean log ratios.
 };
 
 /// Counts over the studies first ... last - 1. Each is a function of the seed and its number alone,
 /// so that parts of a simulation may be counted apart and added. The design has two participants
 /// and two scenes at least, and a residual.
-CrossedCoverage count_coverage(const CrossedDesign& design, std::uint64_t seed, std::uint64_t first,
-                               std::uint64_t last);
+CrossedCoverage count_coverage(const CrossedDesign& design, double value, std::uint64_t seed,
+                               std::uint64_t first, std::uint64_t last,
+                               double confidence = default_confidence);
 
 }  // namespace foveola::analysis

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/paired_t.h"
 
 namespace foveola::analysis {
@@ -21,6 +22,11 @@ struct EquivalenceTest {
 /// (0, 0.5). The ratios of times are tested by their logarithms and that of the margin. Empty where
 /// one_sample_t is.
 std::optional<EquivalenceTest> equivalence(std::span<const double> values, double margin,
+                                           double alpha = 0.05);
+
+/// Tests whether the crossed model's mean log ratio lies within -log(margin) ... log(margin);
+/// margin, a ratio of times, above 1. Empty where the model has no test.
+std::optional<EquivalenceTest> equivalence(const CrossedModel& model, double margin,
                                            double alpha = 0.05);
 
 }  // namespace foveola::analysis

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/power.h"
 #include "analysis/statistics/proportion.h"
 
 namespace foveola::analysis {
@@ -24,9 +25,9 @@ TEST(CrossedStudy, HasTheVariancesOfItsDesign) {
 
 TEST(CrossedStudy, PartsOfASimulationAddUpToTheWhole) {
   const CrossedDesign design{.participants = 12, .participant_sd = 0.1, .scene_sd = 0.1};
-  const CrossedCoverage whole = count_coverage(design, 3, 0, 90);
-  const CrossedCoverage part = count_coverage(design, 3, 0, 40);
-  const CrossedCoverage rest = count_coverage(design, 3, 40, 90);
+  const CrossedCoverage whole = count_coverage(design, 0.0, 3, 0, 90);
+  const CrossedCoverage part = count_coverage(design, 0.0, 3, 0, 40);
+  const CrossedCoverage rest = count_coverage(design, 0.0, 3, 40, 90);
   EXPECT_EQ(whole.studies, 90U);
   EXPECT_EQ(whole.studies, part.studies + rest.studies);
   EXPECT_EQ(whole.crossed_model, part.crossed_model + rest.crossed_model);
@@ -42,17 +43,30 @@ void expect_share(std::size_t hits, std::size_t studies, const Interval& require
 
 TEST(CrossedStudy, OnlyTheCrossedModelCoversWhereScenesDiffer) {
   const CrossedDesign design{.participants = 24, .participant_sd = 0.1, .scene_sd = 0.2};
-  const CrossedCoverage counts = count_coverage(design, 1, 0, 4000);
+  const CrossedCoverage counts = count_coverage(design, design.mean, 1, 0, 4000);
   expect_share(counts.crossed_model, counts.studies, {0.935, 0.965});
   EXPECT_LT(static_cast<double>(counts.over_participants), 0.7 * 4000.0);
 }
 
 TEST(CrossedStudy, BothCoverWhereScenesDoNotDiffer) {
   const CrossedDesign design{.participants = 16, .mean = -0.7, .participant_sd = 0.2};
-  const CrossedCoverage counts = count_coverage(design, 2, 0, 4000);
+  const CrossedCoverage counts = count_coverage(design, design.mean, 2, 0, 4000);
   // A variance that is 0 cannot be estimated below it: the interval is too wide rather than narrow.
   expect_share(counts.crossed_model, counts.studies, {0.95, 0.98});
   expect_share(counts.over_participants, counts.studies, {0.95, 0.95});
+}
+
+TEST(CrossedStudy, WhatDoesNotCoverNoEffectIsThePower) {
+  // Without differences between scenes, a participant's mean of five has this standard deviation.
+  const CrossedDesign design{.participants = 12, .mean = -0.25, .participant_sd = 0.2};
+  const double sd = std::sqrt(0.04 + 2.0 * 0.09 / 5.0);
+  constexpr std::size_t studies = 4000;
+  const CrossedCoverage counts = count_coverage(design, 0.0, 7, 0, studies, 0.99);
+  const double power = paired_t_power(12, {-0.25, sd}, 0.01);
+  EXPECT_NEAR(static_cast<double>(studies - counts.over_participants) / studies, power,
+              4.0 * std::sqrt(power * (1.0 - power) / studies));
+  // What other scenes may be like costs some of it.
+  EXPECT_GT(counts.crossed_model, counts.over_participants);
 }
 
 }  // namespace
