@@ -29,7 +29,7 @@ struct CrossedModel {
   double ratio = 1.0;                 ///< exp of `mean`.
   double participant_variance = 0.0;  ///< Between participants, in their gain; 0 at the boundary.
   double scene_variance = 0.0;        ///< Between scenes, in their gain; 0 at the boundary.
-  double residual_variance = 0.0;     ///< Of one difference; twice that of one log time.
+  double residual_variance = 0.0;     ///< Residual variance of one difference.
   std::optional<CrossedTest> test;    ///< Empty where the differences do not vary.
 };
 

@@ -17,7 +17,7 @@ struct CrossedDesign {
   double mean = 0.0;            ///< The mean log ratio of the two methods' times.
   double participant_sd = 0.0;  ///< Between participants, of their mean log ratios.
   double scene_sd = 0.0;        ///< Between scenes, of their mean log ratios.
-  double residual_sd = 0.3;     ///< Of one time; a log ratio has sqrt(2) times as much.
+  double residual_sd = 0.3;     ///< Residual of one time; a log ratio's is sqrt(2) times that.
 };
 
 /// The log ratios [participant][scene] of one study.

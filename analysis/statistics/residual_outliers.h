@@ -9,7 +9,7 @@
 namespace foveola::analysis {
 
 struct ResidualOutlier {
-  std::size_t index = 0;     ///< Of the trial in the values given.
+  std::size_t index = 0;     ///< Index of the trial in the values given.
   double deviation = 0.0;    ///< From the fit to the trials that are no outliers, in values' unit.
   double studentized = 0.0;  ///< Its studentized residual when it was taken out.
 };
