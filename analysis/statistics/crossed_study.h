@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "analysis/statistics/descriptive.h"
 #include "analysis/statistics/repeated_measures.h"
 #include "renderer/base/random.h"
 
