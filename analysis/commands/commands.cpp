@@ -113,6 +113,9 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   command->add_flag("--bids", arguments->options.bids,
                     "Also write the behavioural data and the gaze in the BIDS layout, a folder for "
                     "each participant");
+  command->add_flag("--r", arguments->options.r,
+                    "Fit mixed, ordinal and Tobit models by R, and take the primary analyses from "
+                    "them; seconds for times, up to a minute for each rating");
   command->add_flag("--unverified", arguments->options.unverified,
                     "Analyse a file even if it was changed or damaged since it was written; the "
                     "report then says what is wrong with it");

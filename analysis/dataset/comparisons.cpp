@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,16 +53,8 @@ MethodComparison start_comparison(const Dataset& set, const study::AnalysisPlan&
   return comparison;
 }
 
-/// The P-value that Holm's method adjusts.
-std::optional<double> main_p(const MethodComparison& comparison) {
-  if (!comparison.is_time) {
-    return comparison.ranks ? std::optional(comparison.ranks->p) : std::nullopt;
-  }
-  return comparison.ratio ? std::optional(comparison.ratio->logs.p) : std::nullopt;
-}
-
 std::string why_no_p(const MethodComparison& comparison) {
-  if (main_p(comparison)) {
+  if (comparison.primary) {
     return "";
   }
   return comparison.n < 2 ? fmt::format("{} with both values: a test needs two",
@@ -71,13 +62,21 @@ std::string why_no_p(const MethodComparison& comparison) {
                           : "the differences do not vary";
 }
 
-/// `means`: of this measure, as participant_means has them.
-MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan, std::size_t measure,
-                         const ParticipantValues& means, std::size_t method,
-                         std::size_t reference) {
-  MethodComparison comparison = start_comparison(set, plan, measure, method, reference);
-  const std::vector<double> differences = paired_differences(means, method, reference);
-  comparison.n = differences.size();
+/// Over participants' values that are complete in all methods.
+CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair& pair,
+                             bool is_time) {
+  const std::vector<double> differences = paired_differences(means, pair.method, pair.reference);
+  CompleteCases cases{.n = differences.size()};
+  if (is_time) {
+    cases.ratio = ratio_t(differences);
+  } else {
+    cases.points = one_sample_t(differences);
+  }
+  return cases;
+}
+
+void compare_participants(const PairedTrials& trials, double alpha, MethodComparison& comparison) {
+  const std::vector<double> differences = trials.participant_means();
   if (comparison.is_time) {
     comparison.ratio = ratio_t(differences);
     comparison.ratio_bca = bca_of_ratio(differences);
@@ -88,8 +87,39 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan, st
   comparison.pseudo_median = pseudo_median(differences);
   if (comparison.margin) {
     const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
-    comparison.equivalent = equivalence(differences, margin, plan.alpha);
+    comparison.equivalent = equivalence(differences, margin, alpha);
   }
+}
+
+std::optional<PrimaryResult> primary_of(const MethodComparison& comparison,
+                                        const PairedTrials& trials, const study::AnalysisPlan& plan,
+                                        bool has_points, const FittedModels& models) {
+  if (comparison.n < 2) {
+    return std::nullopt;
+  }
+  const auto model = [&](const char* name) {
+    return models.find(name, comparison.measure, comparison.method, comparison.reference);
+  };
+  const ParticipantResults results = {comparison.ratio, comparison.ranks, comparison.pseudo_median};
+  return comparison.is_time
+             ? primary_of_times(trials, results, plan, model("crossed"), model("tobit"))
+             : primary_of_ratings(results, plan, has_points, model("ordinal"));
+}
+
+/// `means`: of this measure, as participant_means has them.
+MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
+                         const ComparedPair& pair, const ParticipantValues& means,
+                         const FittedModels& models) {
+  MethodComparison comparison =
+      start_comparison(set, plan, pair.measure, pair.method, pair.reference);
+  const PairedTrials trials = paired_trials(set, pair.measure, pair.method, pair.reference);
+  comparison.n = trials.participants();
+  comparison.pairs = trials.pairs;
+  comparison.censored = trials.censored;
+  compare_participants(trials, plan.alpha, comparison);
+  comparison.complete = complete_cases(means, pair, comparison.is_time);
+  comparison.primary =
+      primary_of(comparison, trials, plan, !set.measures[pair.measure].points().empty(), models);
   comparison.missing = why_no_p(comparison);
   return comparison;
 }
@@ -99,11 +129,11 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan, st
 void adjust_family(std::vector<MethodComparison>& family) {
   std::vector<double> p_values;
   for (const MethodComparison& member : family) {
-    p_values.push_back(main_p(member).value_or(1.0));
+    p_values.push_back(member.primary ? member.primary->p : 1.0);
   }
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
-    if (main_p(family[i])) {
+    if (family[i].primary) {
       family[i].p_holm = adjusted[i];
     }
   }
@@ -146,62 +176,85 @@ std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
   return means;
 }
 
-std::vector<MethodComparison> planned_comparisons(const Dataset& set,
-                                                  const study::AnalysisPlan& plan,
-                                                  const std::vector<ParticipantValues>& means) {
-  std::vector<MethodComparison> comparisons;
-  for (const study::PlannedComparison& planned : plan.primary) {
-    const auto measure = set.measure_named(planned.measure);
-    const auto method = index_of(set.methods, planned.method);
-    const auto reference = index_of(set.methods, planned.baseline);
-    if (measure && method && reference && set.measures[*measure].is_numeric()) {
-      comparisons.push_back(compare(set, plan, *measure, means[*measure], *method, *reference));
-    } else {
-      comparisons.push_back({.measure = planned.measure,
-                             .method = planned.method,
-                             .reference = planned.baseline,
-                             .missing = "the study has no such measure or method"});
-    }
-    comparisons.back().primary = true;
+/// Empty if the study does not have the planned measure, in numbers, or methods.
+std::optional<ComparedPair> pair_of(const Dataset& set, const study::PlannedComparison& planned) {
+  const auto measure = set.measure_named(planned.measure);
+  const auto method = index_of(set.methods, planned.method);
+  const auto reference = index_of(set.methods, planned.baseline);
+  if (!measure || !method || !reference || !set.measures[*measure].is_numeric()) {
+    return std::nullopt;
   }
-  return comparisons;
+  return ComparedPair{*measure, *method, *reference};
 }
 
-std::vector<MethodComparison> exploratory_comparisons(const Dataset& set,
-                                                      const study::AnalysisPlan& plan,
-                                                      std::size_t measure,
-                                                      const ParticipantValues& means) {
-  std::vector<MethodComparison> comparisons;
+std::vector<ComparedPair> unplanned_pairs(const Dataset& set, const study::AnalysisPlan& plan,
+                                          std::size_t measure) {
+  std::vector<ComparedPair> pairs;
   for (std::size_t reference = 0; reference < set.methods.size(); ++reference) {
     for (std::size_t method = reference + 1; method < set.methods.size(); ++method) {
       if (std::none_of(plan.primary.begin(), plan.primary.end(), [&](const auto& planned) {
             return is_of_pair(planned, set.measures[measure].id(), set.methods[method],
                               set.methods[reference]);
           })) {
-        comparisons.push_back(compare(set, plan, measure, means, method, reference));
+        pairs.push_back({measure, method, reference});
       }
     }
+  }
+  return pairs;
+}
+
+std::vector<MethodComparison> planned_comparisons(const Dataset& set,
+                                                  const study::AnalysisPlan& plan,
+                                                  const std::vector<ParticipantValues>& means,
+                                                  const FittedModels& models) {
+  std::vector<MethodComparison> comparisons;
+  for (const study::PlannedComparison& planned : plan.primary) {
+    if (const std::optional<ComparedPair> pair = pair_of(set, planned)) {
+      comparisons.push_back(compare(set, plan, *pair, means[pair->measure], models));
+    } else {
+      comparisons.push_back({.measure = planned.measure,
+                             .method = planned.method,
+                             .reference = planned.baseline,
+                             .missing = "the study has no such measure or method"});
+    }
+    comparisons.back().planned = true;
   }
   return comparisons;
 }
 
 }  // namespace
 
-Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan) {
+std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
+  std::vector<ComparedPair> pairs;
+  for (const study::PlannedComparison& planned : plan.primary) {
+    if (const std::optional<ComparedPair> pair = pair_of(set, planned)) {
+      pairs.push_back(*pair);
+    }
+  }
+  for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
+    if (set.measures[measure].is_numeric()) {
+      const std::vector<ComparedPair> others = unplanned_pairs(set, plan, measure);
+      pairs.insert(pairs.end(), others.begin(), others.end());
+    }
+  }
+  return pairs;
+}
+
+Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
+                            FittedModels models) {
   const std::vector<ParticipantValues> means = means_of_measures(set);
   Comparisons result;
   result.plan = plan;
-  result.methods = planned_comparisons(set, plan, means);
+  result.methods = planned_comparisons(set, plan, means, models);
   adjust_family(result.methods);
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     const Measure& of = set.measures[measure];
     if (!of.is_numeric()) {
       continue;
     }
-    std::vector<MethodComparison> others =
-        exploratory_comparisons(set, plan, measure, means[measure]);
-    adjust_family(others);
-    std::move(others.begin(), others.end(), std::back_inserter(result.methods));
+    for (const ComparedPair& pair : unplanned_pairs(set, plan, measure)) {
+      result.methods.push_back(compare(set, plan, pair, means[measure], models));
+    }
     result.omnibus.push_back(test_all(of, means[measure]));
     for (const auto& [order, name] : {std::pair(OrderOf::trials, "trial in the session"),
                                       std::pair(OrderOf::methods, "method in the scene")}) {
@@ -209,6 +262,7 @@ Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan)
                               order_effect(ordered_values(set, measure, order))});
     }
   }
+  result.models = std::move(models);
   return result;
 }
 

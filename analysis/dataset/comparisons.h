@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
+#include "analysis/dataset/fitted_model.h"
+#include "analysis/dataset/primary_analysis.h"
 #include "analysis/statistics/equivalence.h"
 #include "analysis/statistics/friedman.h"
 #include "analysis/statistics/paired_t.h"
@@ -18,14 +20,31 @@
 
 namespace foveola::analysis {
 
-/// One method compared with another in one measure, over the participants who have both.
+/// The same over the participants' means of the scenes in which all methods were measured.
+struct CompleteCases {
+  std::size_t n = 0;
+  std::optional<RatioTest> ratio;  ///< Times only.
+  std::optional<TTest> points;     ///< Ratings only.
+};
+
+/// One method compared with another in one measure, over all trials that have both.
 struct MethodComparison {
   std::string measure;  ///< The id of a mark or a rating.
   bool is_time = true;  ///< Otherwise a rating.
   std::string method;
   std::string reference;
-  bool primary = false;  ///< Planned in the protocol; otherwise exploratory.
-  std::size_t n = 0;
+  bool planned = false;      ///< By the protocol; otherwise exploratory.
+  std::size_t n = 0;         ///< Participants with a pair of trials.
+  std::size_t pairs = 0;     ///< Trials with both methods, of one participant in one scene.
+  std::size_t censored = 0;  ///< Pairs that are left out since a time is right-censored.
+
+  /// What the comparison's estimate and P-value are. All that follows are sensitivity analyses.
+  std::optional<PrimaryResult> primary;
+  /// Holm's adjusted P of the primary analysis, over all planned comparisons together; exploratory
+  /// ones are not adjusted.
+  std::optional<double> p_holm;
+  /// Why there is no primary P-value; empty if there is one.
+  std::string missing;
 
   std::optional<RatioTest> ratio;     ///< Times only: method over reference.
   std::optional<Interval> ratio_bca;  ///< Times only: the bootstrap's interval of `ratio`.
@@ -35,12 +54,7 @@ struct MethodComparison {
   std::optional<PseudoMedian> pseudo_median;
   std::optional<EquivalenceTest> equivalent;  ///< Where the plan has a margin.
   std::optional<double> margin;
-
-  /// Holm's adjusted P, over all planned comparisons together, or over the exploratory ones of the
-  /// measure: of t for times, of ranks for ratings.
-  std::optional<double> p_holm;
-  /// Why there is no P-value; empty if there is one.
-  std::string missing;
+  CompleteCases complete;
 
   /// A tested value, or an interval of such, as a ratio of times or a difference of ratings.
   double in_unit(double tested) const { return is_time ? std::exp(tested) : tested; }
@@ -72,11 +86,24 @@ struct Comparisons {
   std::vector<MethodComparison> methods;
   std::vector<OmnibusTest> omnibus;
   std::vector<OrderTest> order;
+  FittedModels models;  ///< Those by R.
 };
 
-/// Compares all pairs of methods in all measures that are numbers. Of planned comparisons the plan
-/// says which method is compared with which, and every one of them has its row, with P-values or
-/// the reason why there are none; Holm's adjustment is for as many as were planned.
-Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan);
+/// A comparison to be made: the indices of its measure, method and reference.
+struct ComparedPair {
+  std::size_t measure = 0;
+  std::size_t method = 0;
+  std::size_t reference = 0;
+};
+
+/// All pairs of methods in all measures that are numbers: first the planned ones as the plan has
+/// them, without those that the study does not have, then the others, measure by measure.
+std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan);
+
+/// Compares the pairs. Of planned comparisons every one has its row, with P-values or the reason
+/// why there are none; Holm's adjustment is for as many as were planned. `models`: of the same
+/// pairs, as far as they were fitted.
+Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
+                            FittedModels models = {});
 
 }  // namespace foveola::analysis

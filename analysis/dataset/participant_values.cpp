@@ -1,6 +1,8 @@
 #include "analysis/dataset/participant_values.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace foveola::analysis {
 namespace {
@@ -8,6 +10,20 @@ namespace {
 /// A measured value as it is compared: of a time its logarithm.
 double compared(const Measure& measure, const Value& value) {
   return measure.kind == MeasureKind::time ? std::log(value.number) : value.number;
+}
+
+/// Scenes in which neither value is missing and at least one is right-censored.
+std::size_t censored_pairs(const Dataset& set, std::size_t participant, std::size_t measure,
+                           std::size_t method, std::size_t reference) {
+  using State = Value::State;
+  std::size_t count = 0;
+  for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+    const State a = set.value(participant, scene, method, measure).state;
+    const State b = set.value(participant, scene, reference, measure).state;
+    const bool is_known = a != State::missing && b != State::missing;
+    count += is_known && (a == State::right_censored || b == State::right_censored) ? 1 : 0;
+  }
+  return count;
 }
 
 }  // namespace
@@ -42,6 +58,56 @@ std::vector<double> paired_differences(const ParticipantValues& values, std::siz
     }
   }
   return differences;
+}
+
+std::vector<double> PairedTrials::participant_means() const {
+  std::vector<double> means;
+  for (const auto& row : differences) {
+    std::vector<double> present;
+    for (const std::optional<double>& difference : row) {
+      if (difference) {
+        present.push_back(*difference);
+      }
+    }
+    means.push_back(mean(present).value());
+  }
+  return means;
+}
+
+PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t method,
+                           std::size_t reference) {
+  const auto difference = [&](std::size_t participant, std::size_t scene) {
+    const Value& of_method = set.value(participant, scene, method, measure);
+    const Value& of_reference = set.value(participant, scene, reference, measure);
+    return of_method.is_measured() && of_reference.is_measured()
+               ? std::optional(compared(set.measures[measure], of_method) -
+                               compared(set.measures[measure], of_reference))
+               : std::nullopt;
+  };
+  std::vector<std::size_t> scenes;
+  for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+    for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+      if (difference(participant, scene)) {
+        scenes.push_back(scene);
+        break;
+      }
+    }
+  }
+  PairedTrials trials;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    std::vector<std::optional<double>> row;
+    for (const std::size_t scene : scenes) {
+      row.push_back(difference(participant, scene));
+    }
+    const auto present = static_cast<std::size_t>(
+        std::count_if(row.begin(), row.end(), [](const auto& value) { return value.has_value(); }));
+    if (present > 0) {
+      trials.pairs += present;
+      trials.differences.push_back(std::move(row));
+    }
+    trials.censored += censored_pairs(set, participant, measure, method, reference);
+  }
+  return trials;
 }
 
 std::vector<OrderedValue> ordered_values(const Dataset& set, std::size_t measure, OrderOf order) {

@@ -22,6 +22,25 @@ ParticipantValues participant_means(const Dataset& set, std::size_t measure);
 std::vector<double> paired_differences(const ParticipantValues& values, std::size_t method,
                                        std::size_t reference);
 
+/// The trials of two methods in the same scene by the same participant.
+struct PairedTrials {
+  /// [participant][scene]: method less reference, of times their logarithms; empty where one of
+  /// both was not measured. Only participants with at least one, and scenes that somebody has.
+  std::vector<std::vector<std::optional<double>>> differences;
+  std::size_t pairs = 0;     ///< Differences that are there.
+  std::size_t censored = 0;  ///< Pairs of which at least one time is right-censored.
+
+  std::size_t participants() const { return differences.size(); }
+  std::size_t scenes() const { return differences.empty() ? 0 : differences.front().size(); }
+  /// Whether every participant has every scene.
+  bool is_complete() const { return pairs == participants() * scenes(); }
+  /// Each participant's mean over the scenes that there are.
+  std::vector<double> participant_means() const;
+};
+
+PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t method,
+                           std::size_t reference);
+
 /// All measured values, of times their logarithms, with their place in the session, counted in
 /// trials from 0, or in the order of methods within the scene.
 enum class OrderOf { trials, methods };

@@ -19,6 +19,7 @@ namespace foveola::analysis {
 
 struct AnalysisOptions {
   bool bids = false;        ///< Also write bids/, with a folder for each participant.
+  bool r = false;           ///< Fit models by R, and take the primary analyses from them.
   bool unverified = false;  ///< Analyse a study's file even if its verification fails.
 };
 

@@ -143,6 +143,75 @@ void add_equivalence(ColumnsOf<Comparison>& columns) {
       [](const auto& /*row*/, const auto& test) { return test.p; });
 }
 
+void add_primary(ColumnsOf<Comparison>& columns) {
+  const auto add_text = [&](const char* name, const char* description, auto value) {
+    columns.push_back({{name, text, "", description}, [=](const Comparison& row) {
+                         return row.primary ? field(std::string(value(*row.primary))) : Field();
+                       }});
+  };
+  const auto add = [&](const char* name, const char* description, auto value) {
+    columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
+                         return row.primary ? field(std::optional<double>(value(*row.primary)))
+                                            : Field();
+                       }});
+  };
+  add_text("analysis", "The primary analysis",
+           [](const PrimaryResult& result) { return name_of(result.kind); });
+  add_text("analysis_note",
+           "Why it stands in for the one that was planned; empty if it is that one",
+           [](const PrimaryResult& result) { return result.instead; });
+  add_text("scale", "What its estimate is: ratio, odds ratio or points",
+           [](const PrimaryResult& result) { return scale_of(result.kind); });
+  add("estimate", "Estimate of the primary analysis",
+      [](const PrimaryResult& result) { return result.in_scale(result.estimate); });
+  const auto end = [](const PrimaryResult& result, double Interval::*which) {
+    return result.interval ? std::optional(result.in_scale(*result.interval.*which)) : std::nullopt;
+  };
+  add("estimate_low", "Lower end of its 95 % interval",
+      [=](const PrimaryResult& result) { return end(result, &Interval::low); });
+  add("estimate_high", "Upper end of its 95 % interval",
+      [=](const PrimaryResult& result) { return end(result, &Interval::high); });
+  add("estimate_df", "Its degrees of freedom, where it has any",
+      [](const PrimaryResult& result) { return result.degrees_of_freedom; });
+  add("p", "Its two-sided P", [](const PrimaryResult& result) { return result.p; });
+  columns.push_back(
+      {{"p_holm", number, "",
+        "P adjusted by Holm's method over all planned comparisons together; empty for "
+        "exploratory ones, which are not adjusted"},
+       [](const Comparison& row) { return field(row.p_holm); }});
+  columns.push_back({{"missing", text, "", "Why there is no P; empty if there is one"},
+                     [](const Comparison& row) { return field(row.missing); }});
+}
+
+void add_complete_cases(ColumnsOf<Comparison>& columns) {
+  columns.push_back({{"n_complete", whole, "",
+                      "Participants with a scene in which all methods were measured (complete "
+                      "cases)"},
+                     [](const Comparison& row) { return field(row.complete.n); }});
+  const auto add_ratio = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, RatioTest>(
+        name, "%", description, [](const Comparison& row) { return row.complete.ratio; }, value,
+        columns);
+  };
+  add_ratio("complete_ratio_percent", "Of times, in those scenes: ratio_percent",
+            [](const RatioTest& test) { return 100.0 * test.ratio; });
+  add_ratio("complete_ci95_low_percent", "Lower end of its 95 % t interval",
+            [](const RatioTest& test) { return 100.0 * test.interval.low; });
+  add_ratio("complete_ci95_high_percent", "Upper end of its 95 % t interval",
+            [](const RatioTest& test) { return 100.0 * test.interval.high; });
+  const auto add_points = [&](const char* name, const char* description, auto value) {
+    add_number<Comparison, TTest>(
+        name, "points", description, [](const Comparison& row) { return row.complete.points; },
+        value, columns);
+  };
+  add_points("complete_difference_points", "Of ratings, in those scenes: difference_points",
+             [](const TTest& test) { return test.mean; });
+  add_points("complete_ci95_low_points", "Lower end of its 95 % t interval",
+             [](const TTest& test) { return test.interval.low; });
+  add_points("complete_ci95_high_points", "Upper end of its 95 % t interval",
+             [](const TTest& test) { return test.interval.high; });
+}
+
 template <typename Value>
 ColumnOf<OmnibusTest> of_variance(const char* name, const char* description, Value value) {
   return {{name, number, "", description},
@@ -165,25 +234,25 @@ Table comparisons_table(const StudyTables& tables, const Comparisons& comparison
        [](const Comparison& row) { return field(row.method); }},
       {{"reference", text, "", "Id of the method that it is compared with"},
        [](const Comparison& row) { return field(row.reference); }},
-      {{"status", text, "", "primary: planned in the protocol; otherwise exploratory"},
+      {{"status", text, "", "planned in the protocol, or exploratory"},
        [](const Comparison& row) {
-         return field(std::string(row.primary ? "primary" : "exploratory"));
+         return field(std::string(row.planned ? "planned" : "exploratory"));
        }},
-      {{"n", whole, "", "Participants with both values"},
-       [](const Comparison& row) { return field(row.n); }}};
+      {{"n", whole, "", "Participants with a pair of trials"},
+       [](const Comparison& row) { return field(row.n); }},
+      {{"pairs", whole, "", "Pairs of trials with both values, of a participant in a scene"},
+       [](const Comparison& row) { return field(row.pairs); }},
+      {{"censored_pairs", whole, "", "Pairs with a right-censored time, which are not among these"},
+       [](const Comparison& row) { return field(row.censored); }}};
+  add_primary(columns);
   add_ratio(columns);
   add_points(columns);
   add_t(columns);
   add_ranks(columns);
   add_pseudo_median(true, "ratio_percent", "%", 100.0, columns);
   add_pseudo_median(false, "points", "points", 1.0, columns);
-  columns.push_back({{"p_holm", number, "",
-                      "Holm's adjusted P, of p_t for times and p_wilcoxon for ratings, over all "
-                      "planned comparisons together or the exploratory ones of the measure"},
-                     [](const Comparison& row) { return field(row.p_holm); }});
-  columns.push_back({{"missing", text, "", "Why there is no P; empty if there is one"},
-                     [](const Comparison& row) { return field(row.missing); }});
   add_equivalence(columns);
+  add_complete_cases(columns);
   columns.push_back(kind_of_all<Comparison>(tables));
   return tabulate("comparisons", "measure and pair of methods", columns, comparisons.methods);
 }

@@ -8,6 +8,10 @@
 namespace foveola::analysis {
 
 Table comparisons_table(const StudyTables& tables, const Comparisons& comparisons);
+/// models: what R fitted; without rows if it did not.
+Table models_table(const StudyTables& tables, const Comparisons& comparisons);
+/// model_versions: of R and its packages.
+Table model_versions_table(const StudyTables& tables, const Comparisons& comparisons);
 Table omnibus_table(const StudyTables& tables, const Comparisons& comparisons);
 Table order_effects_table(const StudyTables& tables, const Comparisons& comparisons);
 

@@ -1,5 +1,4 @@
-// The data as files for other programs: tables of everything recorded, a folder as Psych-DS lays it
-// out, and scripts for R.
+// The data as files for other programs: a folder as Psych-DS lays it out.
 #pragma once
 
 #include <string>
@@ -20,9 +19,5 @@ struct PsychDs {
 };
 PsychDs psych_ds(const StudyTables& tables, const TrialColumns& trials,
                  const ParticipantColumns& participants);
-
-/// R scripts for what Foveola leaves to R: mixed models of log times with missing cells (lme4,
-/// emmeans), and ordinal models of ratings (ordinal). They read trials_long.csv beside them.
-std::vector<TextFile> r_scripts(const Dataset& set);
 
 }  // namespace foveola::analysis

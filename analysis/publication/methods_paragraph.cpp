@@ -83,26 +83,59 @@ std::string apparatus_in_words(const study::StudyRecords& records) {
                             records.protocol.timing.mark_timeout_s);
 }
 
+std::string primary_in_words(const StudyTables& tables, const Comparisons& comparisons) {
+  std::set<AnalysisKind> kinds;
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.primary && (row.planned || comparisons.plan.primary.empty())) {
+      kinds.insert(row.primary->kind);
+    }
+  }
+  std::string text;
+  const auto add = [&](AnalysisKind kind, const std::string& sentence) {
+    text += kinds.contains(kind) ? " " + sentence : "";
+  };
+  add(AnalysisKind::crossed_model,
+      "Logarithms of times were compared by a mixed model with participants and scenes as crossed "
+      "random effects, each with its own difference between the methods (restricted maximum "
+      "likelihood, Satterthwaite’s degrees of freedom).");
+  add(AnalysisKind::participant_t,
+      fmt::format("Each participant’s mean log ratio of times over the {} was tested by a paired t "
+                  "test, whose interval is of participants and of these scenes alone.",
+                  counted(tables.set.scenes.size(), "scene")));
+  add(AnalysisKind::tobit_model,
+      "Times of which some were right-censored were compared by a Tobit model of their logarithms "
+      "with terms for participants and scenes, and standard errors clustered by participant.");
+  add(AnalysisKind::ordinal_model,
+      "Ratings were compared by a cumulative link mixed model with random effects of participants "
+      "and their differences between the methods.");
+  add(AnalysisKind::signed_ranks,
+      "Participants’ mean ratings were compared by Wilcoxon’s signed-rank test, with Hodges and "
+      "Lehmann’s estimate of the difference.");
+  if (!comparisons.models.versions.empty()) {
+    std::vector<std::string> versions;
+    for (const auto& [name, version] : comparisons.models.versions) {
+      versions.push_back(fmt::format("{} {}", name, version));
+    }
+    text += fmt::format(" Models were fitted by {}.", listed(versions));
+  }
+  return text;
+}
+
 std::string analysis_in_words(const StudyTables& tables, const Comparisons& comparisons) {
-  std::string text = fmt::format(
-      " Each participant’s mean logarithm of times over scenes was the unit of analysis; methods "
-      "are "
-      "compared by geometric means of ratios to {} with 95 % t intervals and paired t tests on "
-      "logarithms, beside Wilcoxon signed-rank tests; ratings by Wilcoxon signed-rank tests.",
-      method_label(tables.set.methods.front()));
+  std::string text = primary_in_words(tables, comparisons);
   text += comparisons.plan.primary.empty()
-              ? " No comparison was planned in the protocol; P-values are exploratory and adjusted "
-                "by Holm’s method within each measure."
+              ? " No comparison was planned in the protocol; P-values are exploratory and not "
+                "adjusted for their number."
               : fmt::format(
                     " {} planned before data were collected, with Holm’s adjustment at a "
-                    "level of {:g}; all others are exploratory.",
+                    "level of {:g}; all others are exploratory and not adjusted.",
                     comparisons.plan.primary.size() == 1
                         ? std::string("One comparison was")
                         : fmt::format("{} comparisons were", comparisons.plan.primary.size()),
                     comparisons.plan.alpha);
   const auto missing = static_cast<std::size_t>(std::count_if(
       comparisons.methods.begin(), comparisons.methods.end(),
-      [](const MethodComparison& row) { return row.primary && !row.missing.empty(); }));
+      [](const MethodComparison& row) { return row.planned && !row.missing.empty(); }));
   if (missing > 0) {
     text += fmt::format(
         " {} of those planned had no P-value and {} as not significant in the adjustment.", missing,

@@ -31,7 +31,7 @@ answer in `answers_long.csv`. Sessions that were withdrawn from are in no file.
 | `times-MARK.tex`, `geometric-means.tex`, `ratings-RATING.tex`, `planned-comparisons.tex` and others | the report's tables for LaTeX, with booktabs |
 | `relative_times`, `times_in_seconds`, `ratings_RATING`: `.svg`, `.pdf`, `.png` | figures |
 | `psych-ds/` | trials and participants as Psych-DS 1 lays them out |
-| `models_times.R`, `models_ratings.R` | scripts for R, which read `trials_long.csv`: mixed models of log times, with random effects of participants, scenes and their interactions with the method (lme4, lmerTest, emmeans), and ordinal models of ratings with the same (ordinal) |
+| `models.R`, `models_plan.csv` | a script for R, and the comparisons that it fits: crossed mixed models of log times (lme4, lmerTest), Tobit models where times are right-censored (survival), cumulative link mixed models of ratings (ordinal). It reads `trials_long.csv`; `--r` runs it, and `models.csv` has what it found |
 | `bids/` (`--bids`) | BIDS 1.11.1: behaviour, and gaze as eye-tracking, below |
 
 ## Tables

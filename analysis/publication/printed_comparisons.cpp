@@ -8,21 +8,10 @@
 namespace foveola::analysis {
 namespace {
 
-std::string p_or_dash(const std::optional<double>& p) { return p ? p_value(*p) : "–"; }
-
 std::string bracketed(const Interval& interval, double scale, int decimals) {
   return fmt::format("[{}, {}]", fixed(scale * interval.low, decimals),
                      fixed(scale * interval.high, decimals));
 }
-
-/// The two methods with the sign that joins them, and the measure; and why there is no P.
-std::string name_of(const MethodComparison& row) {
-  return fmt::format("{} {} {}, {}{}", method_label(row.method), row.is_time ? "/" : "−",
-                     method_label(row.reference), row.measure,
-                     row.missing.empty() ? "" : " (" + row.missing + ")");
-}
-
-std::string planned_mark(const MethodComparison& row) { return row.primary ? " (planned)" : ""; }
 
 /// A pseudo-median with its interval, in the comparison's unit times `scale`.
 std::string pseudo_median_text(const MethodComparison& row, double scale, int decimals) {
@@ -47,7 +36,7 @@ std::string rank_biserial(const MethodComparison& row) {
 }
 
 std::vector<std::string> ratio_row(const MethodComparison& row) {
-  std::vector<std::string> cells = {name_of(row), std::to_string(row.n)};
+  std::vector<std::string> cells = {compared_in_words(row), std::to_string(row.n)};
   if (row.ratio) {
     const TTest& logs = row.ratio->logs;
     cells.push_back(fmt::format("{:.1f} {}", 100.0 * row.ratio->ratio,
@@ -55,17 +44,20 @@ std::vector<std::string> ratio_row(const MethodComparison& row) {
     cells.push_back(row.ratio_bca ? bracketed(*row.ratio_bca, 100.0, 1) : "–");
     cells.push_back(fmt::format("{:.2f} ({:g})", logs.t, logs.degrees_of_freedom));
     cells.push_back(p_value(logs.p));
-    cells.push_back(p_or_dash(row.p_holm));
     cells.push_back(fmt::format("{:.2f}", logs.d_z));
   } else {
-    cells.insert(cells.end(), 6, "–");
+    cells.insert(cells.end(), 5, "–");
   }
-  cells.push_back(row.ranks ? p_value(row.ranks->p) : "–");
+  cells.push_back(std::to_string(row.complete.n));
+  cells.push_back(row.complete.ratio
+                      ? fmt::format("{:.1f} {}", 100.0 * row.complete.ratio->ratio,
+                                    bracketed(row.complete.ratio->interval, 100.0, 1))
+                      : "–");
   return cells;
 }
 
 std::vector<std::string> rating_row(const MethodComparison& row) {
-  return {name_of(row),
+  return {compared_in_words(row),
           std::to_string(row.n),
           row.points
               ? fmt::format("{:.2f} {}", row.points->mean, bracketed(row.points->interval, 1.0, 2))
@@ -73,7 +65,6 @@ std::vector<std::string> rating_row(const MethodComparison& row) {
           pseudo_median_text(row, 1.0, 2),
           rank_sums(row),
           row.ranks ? p_value(row.ranks->p) : "–",
-          p_or_dash(row.p_holm),
           rank_biserial(row)};
 }
 
@@ -115,17 +106,24 @@ std::string change_text(const OrderTest& row) {
 
 }  // namespace
 
-PrintedTable printed_ratios(const Comparisons& comparisons, bool planned) {
+std::string compared_in_words(const MethodComparison& row) {
+  return fmt::format("{} {} {}, {}", method_label(row.method), row.is_time ? "/" : "−",
+                     method_label(row.reference), row.measure);
+}
+
+PrintedTable printed_ratios(const Comparisons& comparisons) {
   PrintedTable table;
-  table.id = planned ? "planned-comparisons" : "exploratory-comparisons";
-  table.title = planned ? "Planned comparisons of times." : "Exploratory comparisons of times.";
+  table.id = "times-over-participants";
+  table.title = "Times over participants, in these scenes.";
   table.note =
-      "Ratio of times in per cent: geometric mean over participants with t interval, then BCa "
-      "bootstrap interval; paired t on logarithms; Wilcoxon signed-rank.";
-  table.columns = {"Methods, mark", "n",   "ratio, % [95 %]", "BCa 95 %", "t (df)", "P",
-                   "P, Holm",       "d_z", "P, Wilcoxon"};
+      "Geometric mean ratio of the participants’ pairs with t interval, then BCa bootstrap "
+      "interval; paired t on logarithms; the same of the scenes in which all methods were "
+      "measured (complete cases).";
+  table.columns = {"Methods, mark", "n",           "ratio, % [95 %]",
+                   "BCa 95 %",      "t (df)",      "P",
+                   "d_z",           "n, complete", "ratio, % [95 %], complete"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.is_time && row.primary == planned) {
+    if (row.is_time) {
       table.rows.push_back(ratio_row(row));
     }
   }
@@ -146,7 +144,7 @@ PrintedTable printed_ranks(const Comparisons& comparisons) {
       continue;
     }
     table.rows.push_back(
-        {name_of(row) + planned_mark(row), std::to_string(row.n),
+        {compared_in_words(row), std::to_string(row.n),
          row.ranks ? std::to_string(row.ranks->zeros) : "–", rank_sums(row),
          row.ranks ? p_value(row.ranks->p) + (row.ranks->exact ? "" : " (approximate)") : "–",
          rank_biserial(row), pseudo_median_text(row, 100.0, 1)});
@@ -154,17 +152,18 @@ PrintedTable printed_ranks(const Comparisons& comparisons) {
   return table;
 }
 
-PrintedTable printed_rating_differences(const Comparisons& comparisons, bool planned) {
+PrintedTable printed_rating_differences(const Comparisons& comparisons) {
   PrintedTable table;
-  table.id = planned ? "planned-rating-differences" : "rating-differences";
-  table.title = planned ? "Planned comparisons of ratings." : "Exploratory comparisons of ratings.";
+  table.id = "rating-differences";
+  table.title = "Ratings over participants, in these scenes.";
   table.note =
       "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
-      "participants; the difference of means is given too.";
-  table.columns = {"Methods, rating", "n",           "difference [95 %]", "pseudo-median [95 %]",
-                   "W+ / W−",         "P, Wilcoxon", "P, Holm",           "r, rank"};
+      "participants; the difference of means is given too, as in the published study.";
+  table.columns = {
+      "Methods, rating", "n",      "difference [95 %]", "pseudo-median [95 %]", "W+ / W−",
+      "P, Wilcoxon",     "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
-    if (!row.is_time && row.primary == planned) {
+    if (!row.is_time) {
       table.rows.push_back(rating_row(row));
     }
   }
@@ -181,9 +180,10 @@ PrintedTable printed_equivalence(const Comparisons& comparisons) {
   table.columns = {"Methods, measure", "margin", "interval", "P"};
   for (const MethodComparison& row : comparisons.methods) {
     if (row.equivalent) {
-      table.rows.push_back(
-          {name_of(row), fmt::format("{} {:g}", row.is_time ? "factor" : "±", *row.margin),
-           bracketed(row.in_unit(row.equivalent->interval), 1.0, 2), p_value(row.equivalent->p)});
+      table.rows.push_back({compared_in_words(row),
+                            fmt::format("{} {:g}", row.is_time ? "factor" : "±", *row.margin),
+                            bracketed(row.in_unit(row.equivalent->interval), 1.0, 2),
+                            p_value(row.equivalent->p)});
     }
   }
   return table;
@@ -227,14 +227,10 @@ PrintedTable printed_order_effects(const Comparisons& comparisons) {
   return table;
 }
 
-std::vector<PrintedTable> comparison_pages(const Comparisons& comparisons) {
-  return {printed_ratios(comparisons, true),
-          printed_rating_differences(comparisons, true),
-          printed_ratios(comparisons, false),
-          printed_ranks(comparisons),
-          printed_rating_differences(comparisons, false),
-          printed_equivalence(comparisons),
-          printed_omnibus(comparisons),
+std::vector<PrintedTable> sensitivity_tables(const Comparisons& comparisons) {
+  return {printed_models(comparisons),       printed_ratios(comparisons),
+          printed_ranks(comparisons),        printed_rating_differences(comparisons),
+          printed_equivalence(comparisons),  printed_omnibus(comparisons),
           printed_order_effects(comparisons)};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "analysis/dataset/comparisons.h"
@@ -38,15 +39,21 @@ PrintedTable printed_scores(const Table& scores);
 
 PrintedTable printed_background(const StudyTables& tables, const Background& background);
 
-/// The planned or the exploratory comparisons of times, and those of ratings.
-PrintedTable printed_ratios(const Comparisons& comparisons, bool planned);
+/// The two methods with the sign that joins them, and the measure: "FV / OD, outline".
+std::string compared_in_words(const MethodComparison& row);
+
+/// The primary analyses of the planned comparisons, or of the exploratory ones.
+PrintedTable printed_primary(const Comparisons& comparisons, bool planned);
+
+PrintedTable printed_models(const Comparisons& comparisons);
+PrintedTable printed_ratios(const Comparisons& comparisons);
 PrintedTable printed_ranks(const Comparisons& comparisons);
-PrintedTable printed_rating_differences(const Comparisons& comparisons, bool planned);
+PrintedTable printed_rating_differences(const Comparisons& comparisons);
 PrintedTable printed_equivalence(const Comparisons& comparisons);
 PrintedTable printed_omnibus(const Comparisons& comparisons);
 PrintedTable printed_order_effects(const Comparisons& comparisons);
 
 /// All of these, in the report's order; some may have no rows.
-std::vector<PrintedTable> comparison_pages(const Comparisons& comparisons);
+std::vector<PrintedTable> sensitivity_tables(const Comparisons& comparisons);
 
 }  // namespace foveola::analysis

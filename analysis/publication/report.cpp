@@ -11,24 +11,47 @@
 namespace foveola::analysis {
 namespace {
 
-std::string findings_html(const StudyTables& tables) {
+/// The crossed model's ratio, for scenes like these; empty where it is not the primary analysis.
+std::string for_other_scenes(const Comparisons& comparisons, const MethodTimes& times,
+                             const std::string& reference) {
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.measure == times.mark && row.method == times.method && row.reference == reference &&
+        row.primary && row.primary->kind == AnalysisKind::crossed_model) {
+      const PrimaryResult& result = *row.primary;
+      Estimate percent{.value = 100.0 * result.in_scale(result.estimate)};
+      if (result.interval) {
+        percent.interval = {100.0 * result.in_scale(result.interval->low),
+                            100.0 * result.in_scale(result.interval->high)};
+      }
+      return fmt::format("; in scenes like these, {} %", with_interval(percent, 1));
+    }
+  }
+  return "";
+}
+
+std::string findings_html(const StudyTables& tables, const Comparisons& comparisons) {
   std::string items;
   for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
     for (const std::size_t mark : tables.set.times()) {
       const MethodTimes& times = tables.method_times_of(mark, method);
       if (times.percent_of_baseline) {
-        items += fmt::format("<li>{} took <strong>{} %</strong> of {}’s time until {}.</li>\n",
-                             escape_html(method_label(times.method)),
-                             escape_html(with_interval(times.percent_of_baseline, 1)),
-                             escape_html(baseline_label(tables)),
-                             escape_html(moment_of(tables.set.measures[mark])));
+        items += fmt::format(
+            "<li>{} took <strong>{} %</strong> of {}’s time until {} in {}{}.</li>\n",
+            escape_html(method_label(times.method)),
+            escape_html(with_interval(times.percent_of_baseline, 1)),
+            escape_html(baseline_label(tables)), escape_html(moment_of(tables.set.measures[mark])),
+            tables.set.scenes.size() == 1
+                ? std::string("this scene")
+                : fmt::format("these {} scenes", tables.set.scenes.size()),
+            escape_html(for_other_scenes(comparisons, times, tables.set.methods[baseline])));
       }
     }
   }
   return items.empty() ? ""
                        : "<ul class=\"findings\">\n" + items +
                              "</ul>\n<p>Geometric means over scenes, with 95 % intervals over "
-                             "participants in brackets.</p>\n";
+                             "participants in brackets; in scenes like these, with intervals over "
+                             "participants and scenes (crossed mixed model).</p>\n";
 }
 
 std::string methods_text_section(const std::string& methods) {
@@ -55,7 +78,7 @@ std::string report_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
   return report_page(tables, "Foveola study report",
                      record_flags(content.record) + data_quality_flags(tables, content.checks) +
-                         findings_html(tables) + scenes_section(tables) +
+                         findings_html(tables, content.comparisons) + scenes_section(tables) +
                          methods_section(tables, content.figures, content.published) +
                          ratings_section(tables, content.figures) +
                          comparisons_section(tables, content.comparisons) +
@@ -64,6 +87,7 @@ std::string report_html(const ReportContent& content) {
                          data_quality_section(tables, content.checks, content.quality) +
                          record_section(content.record) + exclusions_section(tables) +
                          amended_section(tables) + methods_text_section(content.methods) +
+                         sensitivity_section(tables, content.comparisons) +
                          definitions_section(tables) + citation_section());
 }
 

@@ -31,8 +31,11 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
 /// The tables answers_by_question and questionnaire_scores; empty if nothing was asked.
 std::string answers_section(const StudyTables& tables, const Table& answers, const Table& scores);
 
-/// The planned and exploratory tests; empty for a single method.
+/// The primary analyses of planned and exploratory comparisons; empty for a single method.
 std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons);
+
+/// All other tests of the same comparisons; empty for a single method.
+std::string sensitivity_section(const StudyTables& tables, const Comparisons& comparisons);
 
 /// The correlation of background with speed-up, and its P-value.
 std::string background_section(const StudyTables& tables, const Background& background);

@@ -123,6 +123,14 @@ std::string name_of(Order order) {
   return "random";
 }
 
+std::string name_of(SceneEffects scenes) {
+  return scenes == SceneEffects::random ? "random" : "fixed";
+}
+
+std::string name_of(RatingAnalysis analysis) {
+  return analysis == RatingAnalysis::ordinal_model ? "ordinal_model" : "signed_ranks";
+}
+
 std::string name_of(const PhaseEntry& phase) {
   switch (phase.kind) {
     case PhaseEntry::Kind::consent:

@@ -155,10 +155,18 @@ struct PlannedComparison {
   std::string baseline;  ///< A method of the protocol.
 };
 
+/// Whether the comparisons of times speak of the study's scenes alone, or of others like them.
+enum class SceneEffects { random, fixed };
+
+/// The analysis that the comparisons of ratings are read from.
+enum class RatingAnalysis { ordinal_model, signed_ranks };
+
 /// The preregistered part of the analysis; any other comparison is exploratory.
 struct AnalysisPlan {
   std::vector<PlannedComparison> primary;
   double alpha = 0.05;
+  SceneEffects scenes = SceneEffects::random;
+  RatingAnalysis ratings = RatingAnalysis::ordinal_model;
   /// The margin of equivalence tests by measure, the largest difference that does not matter: a
   /// ratio above 1 for times, points for ratings.
   std::map<std::string, double> equivalence_margins;
@@ -234,6 +242,8 @@ std::filesystem::path folder_of(const Protocol& protocol);
 
 /// The names in a protocol: "latin"; "trials", or a questionnaire's id.
 std::string name_of(Order order);
+std::string name_of(SceneEffects scenes);
+std::string name_of(RatingAnalysis analysis);
 std::string name_of(const PhaseEntry& phase);
 
 /// The settings of a trial of this scene and method: the protocol's, overridden by the scene's,

@@ -1,6 +1,7 @@
 #include "study/protocol/read_analysis.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,12 @@
 
 namespace foveola::study {
 namespace {
+
+constexpr std::array scene_effects{Word<SceneEffects>{"random", SceneEffects::random},
+                                   Word<SceneEffects>{"fixed", SceneEffects::fixed}};
+constexpr std::array rating_analyses{
+    Word<RatingAnalysis>{"ordinal_model", RatingAnalysis::ordinal_model},
+    Word<RatingAnalysis>{"signed_ranks", RatingAnalysis::signed_ranks}};
 
 std::vector<Measure> comparable_measures(const Protocol& protocol) {
   std::vector<Measure> measures = trial_measures(protocol.marks, protocol.ratings);
@@ -114,6 +121,8 @@ AnalysisPlan read_analysis(TomlReader reader, const Protocol& protocol) {
   if (reader.has("participants")) {
     plan.participants = participants;
   }
+  reader.read("scenes", plan.scenes, scene_effects);
+  reader.read("ratings", plan.ratings, rating_analyses);
   plan.primary = read_comparisons(reader, protocol);
   plan.equivalence_margins = read_margins(reader.table("equivalence_margins"), protocol);
   reader.reject_unknown_keys();

@@ -72,6 +72,8 @@ Json json_analysis(const AnalysisPlan& plan) {
   }
   return {{"participants", plan.participants ? Json(*plan.participants) : Json()},
           {"alpha", plan.alpha},
+          {"scenes", name_of(plan.scenes)},
+          {"ratings", name_of(plan.ratings)},
           {"primary", primary},
           {"equivalence_margins", plan.equivalence_margins}};
 }

@@ -94,7 +94,8 @@ TEST(AnalysisJson, HasTheTests) {
   EXPECT_EQ(fv["measure"], "outline");
   EXPECT_EQ(fv["method"], "fv");
   EXPECT_EQ(fv["status"], "exploratory");
-  EXPECT_GOLDEN(fv["ratio_percent"].get<double>(), golden.at("outline.fv.geometric_mean_percent"));
+  EXPECT_GOLDEN(fv["complete_ratio_percent"].get<double>(),
+                golden.at("outline.fv.geometric_mean_percent"));
   EXPECT_TRUE(fv["difference_points"].is_null());
   EXPECT_EQ(fv["wilcoxon_exact"], true);
   EXPECT_GT(tables["omnibus"].at(0)["f"].get<double>(), 1.0);

@@ -147,14 +147,16 @@ TEST(Report, CountsRightCensoredTimesWithoutEstimatingFromTheirBounds) {
 TEST(Report, WhatWasPlannedStandsApart) {
   study::StudyRecords records = complete_study(4);
   EXPECT_THAT(report_of(records), HasSubstr("The protocol plans no comparison"));
-  EXPECT_THAT(report_of(records), Not(HasSubstr("Planned comparisons of times.")));
+  EXPECT_THAT(report_of(records), Not(HasSubstr("Planned comparisons.")));
   records.protocol.analysis.participants = 16;
   records.protocol.analysis.primary = {{"outline", "fv", "od"}};
   const std::string html = report_of(records);
   EXPECT_THAT(html, HasSubstr("The protocol planned 1 primary comparison"));
   EXPECT_THAT(html, HasSubstr("It planned 16 participants; 4 are analysed."));
-  EXPECT_THAT(html, HasSubstr("Planned comparisons of times."));
-  EXPECT_THAT(html, HasSubstr("Exploratory comparisons of times."));
+  EXPECT_THAT(html, HasSubstr("Planned comparisons."));
+  EXPECT_THAT(html, HasSubstr("Exploratory comparisons, P-values unadjusted."));
+  EXPECT_THAT(html, HasSubstr("Appendix: sensitivity analyses"));
+  EXPECT_THAT(html, HasSubstr("No model was fitted by R."));
 }
 
 TEST(Report, ShowsTheFloorOfReactionTimes) {

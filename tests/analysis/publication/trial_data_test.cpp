@@ -221,48 +221,5 @@ TEST(TrialData, PsychDsDescribesItsVariables) {
   EXPECT_EQ(shared.trials_name, "psych-ds/data/study-mystudy2_type-trials_data.csv");
 }
 
-TEST(TrialData, ScriptsReadTheLongTable) {
-  for (const TextFile& script : r_scripts(select_for_analysis(complete_study(1)))) {
-    EXPECT_THAT(script.content, HasSubstr("read.csv(\"trials_long.csv\""));
-  }
-}
-
-// Trials of one participant with one method, and of one scene with one method, are alike: a model
-// without these random effects takes each trial for one more participant.
-std::string r_script(const std::string& name) {
-  for (const TextFile& file : r_scripts(select_for_analysis(complete_study(1)))) {
-    if (file.name == name) {
-      return file.content;
-    }
-  }
-  ADD_FAILURE() << "no " << name;
-  return {};
-}
-
-TEST(TrialData, NoModelTakesTrialsForParticipants) {
-  for (const char* name : {"models_times.R", "models_ratings.R"}) {
-    for (const char* effect :
-         {"(1 | participant)", "(1 | participant:method)", "(1 | scene)", "(1 | scene:method)"}) {
-      EXPECT_THAT(r_script(name), HasSubstr(effect)) << name;
-    }
-  }
-  EXPECT_THAT(r_script("models_times.R"), Not(HasSubstr("method * scene")));
-  EXPECT_THAT(r_script("models_times.R"), HasSubstr("emmeans(model, ~ method"));
-}
-
-TEST(TrialData, ModelsAreOfTheStudysOwnMarksAndRatings) {
-  EXPECT_THAT(r_script("models_times.R"), HasSubstr("marks <- c(\"outline\", \"material\")\n"));
-  EXPECT_THAT(r_script("models_ratings.R"), HasSubstr("ratings <- c(\"artifacts\")\n"));
-  study::StudyRecords records = complete_study(1);
-  records.methods[0] = "vp:x=1";
-  records.measures[material_index].question.id = "third";
-  records.measures[artifacts_index].question.id = "comfort";
-  const std::vector<TextFile> scripts = r_scripts(select_for_analysis(records));
-  EXPECT_THAT(scripts.at(0).content, HasSubstr("marks <- c(\"outline\", \"third\")\n"));
-  EXPECT_THAT(scripts.at(0).content, HasSubstr("ref = \"vp:x=1\""));
-  EXPECT_THAT(scripts.at(1).content, HasSubstr("ratings <- c(\"comfort\")\n"));
-  EXPECT_THAT(scripts.at(1).content, Not(HasSubstr("artifacts")));
-}
-
 }  // namespace
 }  // namespace foveola::analysis

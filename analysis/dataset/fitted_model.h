@@ -1,0 +1,51 @@
+// Models of a comparison that another program fitted, R with its packages.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/statistics/descriptive.h"
+
+namespace foveola::analysis {
+
+/// One model of one measure with two methods. Its estimate is a natural logarithm: of a ratio of
+/// times, method over reference, or of the odds of a higher rating.
+struct FittedModel {
+  std::string model;  ///< "crossed", "tobit" or "ordinal".
+  std::string measure;
+  std::string method;
+  std::string reference;
+  /// What the data allowed to estimate.
+  struct Fit {
+    double estimate = 0.0;
+    double standard_error = 0.0;
+    double degrees_of_freedom = 0.0;
+    Interval interval;
+    double p = 0.0;
+  };
+  std::optional<Fit> fit;
+  std::size_t trials = 0;
+  std::size_t participants = 0;
+  std::size_t scenes = 0;
+  std::size_t censored = 0;  ///< Trials that are right-censored.
+  // Standard deviations of the difference between the methods, where the model has them.
+  std::optional<double> participant_sd;
+  std::optional<double> scene_sd;
+  std::optional<double> residual_sd;
+  std::string note;  ///< Why there is no fit, or a warning about it.
+};
+
+struct FittedModels {
+  std::vector<FittedModel> models;
+  std::vector<std::pair<std::string, std::string>> versions;  ///< Of R and its packages.
+  std::string missing;  ///< Why no model was fitted; empty if R ran.
+
+  /// The model, if it has a fit; nullptr otherwise.
+  const FittedModel* find(const std::string& model, const std::string& measure,
+                          const std::string& method, const std::string& reference) const;
+};
+
+}  // namespace foveola::analysis

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include "analysis/dataset/wording.h"
+#include "analysis/publication/printed_results.h"
+
+namespace foveola::analysis {
+namespace {
+
+/// "45.2 [40.1, 51.0] %", "2.3 [1.2, 4.4] odds ratio" or "0.33 [0.10, 0.50] points".
+std::string estimate_text(const PrimaryResult& result) {
+  const bool is_ratio = std::string_view(scale_of(result.kind)) == "ratio";
+  const double factor = is_ratio ? 100.0 : 1.0;
+  Estimate estimate{.value = factor * result.in_scale(result.estimate)};
+  if (result.interval) {
+    estimate.interval = {factor * result.in_scale(result.interval->low),
+                         factor * result.in_scale(result.interval->high)};
+  }
+  return fmt::format("{} {}", with_interval(estimate, is_ratio ? 1 : 2),
+                     is_ratio ? "%" : scale_of(result.kind));
+}
+
+/// How many times sooner the method's mark came: the ratio's inverse.
+std::string speed_up_text(const PrimaryResult& result) {
+  if (std::string_view(scale_of(result.kind)) != "ratio") {
+    return "–";
+  }
+  Estimate estimate{.value = result.in_scale(-result.estimate)};
+  if (result.interval) {
+    estimate.interval = {result.in_scale(-result.interval->high),
+                         result.in_scale(-result.interval->low)};
+  }
+  return with_interval(estimate, 2) + " ×";
+}
+
+std::string analysis_text(const PrimaryResult& result) {
+  return result.instead.empty() ? name_of(result.kind)
+                                : fmt::format("{} ({})", name_of(result.kind), result.instead);
+}
+
+std::vector<std::string> primary_row(const MethodComparison& row) {
+  std::vector<std::string> cells = {compared_in_words(row), std::to_string(row.n),
+                                    std::to_string(row.pairs)};
+  if (row.primary) {
+    const PrimaryResult& result = *row.primary;
+    cells.push_back(estimate_text(result));
+    cells.push_back(speed_up_text(result));
+    cells.push_back(p_value(result.p));
+    if (row.planned) {
+      cells.push_back(p_value(row.p_holm.value()));
+    }
+    cells.push_back(analysis_text(result));
+  } else {
+    cells.insert(cells.end(), row.planned ? 4 : 3, "–");
+    cells.push_back(row.missing);
+  }
+  return cells;
+}
+
+}  // namespace
+
+PrintedTable printed_primary(const Comparisons& comparisons, bool planned) {
+  PrintedTable table;
+  table.id = planned ? "planned-comparisons" : "exploratory-comparisons";
+  table.title = planned ? "Planned comparisons." : "Exploratory comparisons, P-values unadjusted.";
+  table.note =
+      "The primary analysis of each, with its 95 % interval. A crossed mixed model is of scenes "
+      "and "
+      "participants like these; a paired t, signed ranks and a Tobit model are of participants "
+      "like "
+      "these in these scenes. Speed-up: how many times sooner the mark came.";
+  table.columns = {"Methods, measure", "n", "pairs", "estimate [95 %]", "speed-up [95 %]", "P"};
+  if (planned) {
+    table.columns.emplace_back("P, Holm");
+  }
+  table.columns.emplace_back("analysis");
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.planned == planned) {
+      table.rows.push_back(primary_row(row));
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_models(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "models";
+  table.title = "Models by R.";
+  table.note =
+      "Crossed and Tobit models of log times: ratios in per cent; cumulative link mixed models of "
+      "ratings: odds ratios of a higher rating. Standard deviations are of the difference between "
+      "the methods, in log units or logits.";
+  table.columns = {"Methods, measure", "model", "trials", "right-censored",
+                   "estimate [95 %]",  "df",    "P",      "SD, participants",
+                   "SD, scenes"};
+  for (const FittedModel& model : comparisons.models.models) {
+    const bool is_ratio = model.model != "ordinal";
+    std::vector<std::string> cells = {fmt::format("{} / {}, {}", method_label(model.method),
+                                                  method_label(model.reference), model.measure),
+                                      model.model, std::to_string(model.trials),
+                                      std::to_string(model.censored)};
+    if (model.fit) {
+      PrimaryResult result{
+          .kind = is_ratio ? AnalysisKind::crossed_model : AnalysisKind::ordinal_model,
+          .estimate = model.fit->estimate,
+          .interval = model.fit->interval};
+      cells.push_back(estimate_text(result));
+      cells.push_back(fmt::format("{:.1f}", model.fit->degrees_of_freedom));
+      cells.push_back(p_value(model.fit->p));
+    } else {
+      cells.push_back(model.note);
+      cells.insert(cells.end(), 2, "–");
+    }
+    cells.push_back(fixed(model.participant_sd, 3));
+    cells.push_back(fixed(model.scene_sd, 3));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+}  // namespace foveola::analysis

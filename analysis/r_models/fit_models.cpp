@@ -1,0 +1,156 @@
+#include "analysis/r_models/fit_models.h"
+
+#include <charconv>
+#include <limits>
+#include <map>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "renderer/base/csv.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/programs.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::analysis {
+namespace {
+
+constexpr const char* models_file = "models.csv";
+constexpr const char* versions_file = "models_versions.csv";
+
+[[noreturn]] void fail(const std::string& where, const std::string& what) {
+  throw Error(where, what, "report it with the study's protocol: R's script writes this file");
+}
+
+/// A row of a table with a heading, by its columns' names.
+class NamedRow {
+ public:
+  NamedRow(const CsvRow& heading, const CsvRow& row, const std::string& where) : where_(where) {
+    if (row.size() != heading.size()) {
+      fail(where,
+           fmt::format("a row has {} fields, and the heading {}", row.size(), heading.size()));
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      fields_[heading[i]] = row[i];
+    }
+  }
+
+  const std::string& text(const std::string& column) const {
+    const auto found = fields_.find(column);
+    if (found == fields_.end()) {
+      fail(where_, fmt::format("has no column {}", column));
+    }
+    return found->second;
+  }
+
+  /// Empty for an empty field. R writes an infinite number as Inf.
+  std::optional<double> number(const std::string& column) const {
+    const std::string& digits = text(column);
+    if (digits.empty()) {
+      return std::nullopt;
+    }
+    if (digits == "Inf") {
+      return std::numeric_limits<double>::infinity();
+    }
+    double value = 0.0;
+    const char* end = digits.data() + digits.size();
+    if (std::from_chars(digits.data(), end, value).ptr != end) {
+      fail(where_, fmt::format("\"{}\" in the column {} is no number", digits, column));
+    }
+    return value;
+  }
+
+  std::size_t count(const std::string& column) const {
+    const std::optional<double> value = number(column);
+    return value && *value > 0.0 ? static_cast<std::size_t>(*value) : 0;
+  }
+
+ private:
+  const std::string& where_;
+  std::map<std::string, std::string> fields_;
+};
+
+std::optional<FittedModel::Fit> fit_of(const NamedRow& row) {
+  const auto estimate = row.number("estimate");
+  const auto error = row.number("standard_error");
+  const auto df = row.number("degrees_of_freedom");
+  const auto low = row.number("low");
+  const auto high = row.number("high");
+  const auto p = row.number("p");
+  if (!estimate || !error || !df || !low || !high || !p) {
+    return std::nullopt;
+  }
+  return FittedModel::Fit{*estimate, *error, *df, {*low, *high}, *p};
+}
+
+FittedModel model_of(const NamedRow& row) {
+  return {.model = row.text("model"),
+          .measure = row.text("measure"),
+          .method = row.text("method"),
+          .reference = row.text("reference"),
+          .fit = fit_of(row),
+          .trials = row.count("trials"),
+          .participants = row.count("participants"),
+          .scenes = row.count("scenes"),
+          .censored = row.count("censored"),
+          .participant_sd = row.number("participant_sd"),
+          .scene_sd = row.number("scene_sd"),
+          .residual_sd = row.number("residual_sd"),
+          .note = row.text("note")};
+}
+
+/// Calls `take` for every row below the heading.
+template <typename Take>
+void for_each_row(const std::string& text, const std::string& where, const Take& take) {
+  const std::vector<CsvRow> rows = parse_csv(text, where);
+  if (rows.empty()) {
+    fail(where, "is empty");
+  }
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    take(NamedRow(rows.front(), rows[i], where));
+  }
+}
+
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  if (end == std::string::npos) {
+    return "it says nothing";
+  }
+  const std::size_t before = text.find_last_of('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return text.substr(begin, end + 1 - begin);
+}
+
+}  // namespace
+
+FittedModels read_models(const std::string& models_csv, const std::string& versions_csv) {
+  FittedModels fitted;
+  for_each_row(models_csv, models_file,
+               [&](const NamedRow& row) { fitted.models.push_back(model_of(row)); });
+  for_each_row(versions_csv, versions_file, [&](const NamedRow& row) {
+    fitted.versions.emplace_back(row.text("name"), row.text("version"));
+  });
+  return fitted;
+}
+
+FittedModels fit_models(const fs::path& folder) {
+  FittedModels fitted;
+  ProgramEnd end;
+  try {
+    end = run_to_end(
+        {.words = {"Rscript", "--vanilla", (folder / "models.R").string(), folder.string()}});
+  } catch (const std::system_error&) {
+    fitted.missing = fmt::format("R is not installed (apt-get install {})", r_packages);
+    return fitted;
+  }
+  if (end.status != 0) {
+    fitted.missing =
+        fmt::format("R ended with {}: {}", failure_named(end.status), last_line(end.errors));
+    return fitted;
+  }
+  return read_models(read_file(folder / models_file), read_file(folder / versions_file));
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,260 @@
+# Fits the models of a study's planned and other comparisons of two methods.
+#
+#   Rscript models.R [FOLDER]      (the working folder by default)
+#
+# reads   trials_long.csv        a row for each trial
+#         models_plan.csv        a row for each comparison: measure, method, reference, whether
+#                                scenes are random or fixed, and the measure's kind: time, points
+#                                (a rating with few) or scale (a rating with many)
+# writes  models.csv             a row for each model of each comparison
+#         models_versions.csv    the versions of R and of the packages that were used
+#
+# What cannot be fitted has a row whose column `note` says why; nothing ends in an error but files
+# that are not there. Needs lme4 and lmerTest for times and scales, survival for right-censored
+# times, ordinal for points; without a package its rows say so.
+
+arguments <- commandArgs(trailingOnly = TRUE)
+folder <- if (length(arguments) > 0) arguments[1] else "."
+confidence <- 0.95
+
+# One row of models.csv. Estimates are natural logarithms, of a ratio of times, method over
+# reference, or of the odds of a higher rating; or, of a scale of many points, points.
+result <- function(comparison, model, estimate = NA, standard_error = NA, degrees_of_freedom = NA,
+                   p = NA, trials = 0, participants = 0, scenes = 0, censored = 0,
+                   participant_sd = NA, scene_sd = NA, residual_sd = NA, note = "") {
+  half <- qt((1 + confidence) / 2, degrees_of_freedom) * standard_error
+  data.frame(measure = comparison$measure, method = comparison$method,
+             reference = comparison$reference, model = model, estimate = estimate,
+             standard_error = standard_error, degrees_of_freedom = degrees_of_freedom,
+             low = estimate - half, high = estimate + half, p = p, trials = trials,
+             participants = participants, scenes = scenes, censored = censored,
+             participant_sd = participant_sd, scene_sd = scene_sd, residual_sd = residual_sd,
+             note = note, stringsAsFactors = FALSE)
+}
+
+# Calls fit(), and turns an error into a row; warnings go into the row's note.
+guarded <- function(comparison, model, packages, fit) {
+  missing <- packages[!vapply(packages, requireNamespace, TRUE, quietly = TRUE)]
+  if (length(missing) > 0) {
+    return(result(comparison, model,
+                  note = paste("R has no package", paste(missing, collapse = " and "))))
+  }
+  warned <- character()
+  row <- tryCatch(
+    withCallingHandlers(fit(), warning = function(w) {
+      warned <<- c(warned, conditionMessage(w))
+      invokeRestart("muffleWarning")
+    }),
+    error = function(e) result(comparison, model, note = conditionMessage(e)))
+  notes <- unique(c(row$note, warned))
+  row$note <- gsub("[[:space:]]+", " ", paste(notes[nzchar(notes)], collapse = "; "))
+  row
+}
+
+# The trials of a comparison's two methods that have a value, with `value` and `censored`.
+trials_of <- function(trials, comparison) {
+  is_time <- comparison$kind == "time"
+  value <- trials[[paste0(comparison$measure, if (is_time) "_s" else "_rating")]]
+  rows <- trials[trials$method %in% c(comparison$method, comparison$reference), ]
+  rows$value <- value[as.integer(rows$row)]
+  rows$censored <- FALSE
+  if (is_time) {
+    rows$censored <-
+      toupper(trials[[paste0(comparison$measure, "_censored")]][rows$row]) %in% "TRUE"
+  }
+  rows <- rows[!is.na(rows$value), ]
+  rows$method <- factor(rows$method, levels = c(comparison$reference, comparison$method))
+  rows$participant <- factor(rows$participant)
+  rows$scene <- factor(rows$scene)
+  rows
+}
+
+# An empty text if there is enough to fit a model to.
+why_not <- function(rows) {
+  if (nlevels(rows$participant) < 2) return("it needs two participants")
+  if (nlevels(droplevels(rows$method)) < 2) return("one of the methods has no values")
+  ""
+}
+
+counts <- function(rows) {
+  list(trials = nrow(rows), participants = nlevels(rows$participant),
+       scenes = nlevels(rows$scene), censored = sum(rows$censored))
+}
+
+# The differences of the pairs: method less reference by one participant in one scene, of times
+# their logarithms.
+pairs_of <- function(rows, is_time) {
+  rows$compared <- if (is_time) log(rows$value) else rows$value
+  rows <- rows[!rows$censored, c("participant", "scene", "method", "compared")]
+  of <- function(method) rows[rows$method == method, c("participant", "scene", "compared")]
+  pairs <- merge(of(levels(rows$method)[2]), of(levels(rows$method)[1]),
+                 by = c("participant", "scene"))
+  pairs$difference <- pairs$compared.x - pairs$compared.y
+  droplevels(pairs)
+}
+
+# The crossed mixed model: log time ~ method with participants, scenes, both of their interactions
+# with the method, and participant:scene, as a model of the pairs' differences. People differ in
+# their ratios, and so do scenes: without these, every trial would count as one more participant.
+crossed_model <- function(rows, comparison) {
+  pairs <- pairs_of(rows, comparison$kind == "time")
+  if (nlevels(pairs$participant) < 2) stop("it needs two participants")
+  if (comparison$scenes == "random" && nlevels(pairs$scene) < 2) stop("it needs two scenes")
+  model <- if (nlevels(pairs$scene) < 2) {
+    NULL
+  } else if (comparison$scenes == "random") {
+    difference ~ 1 + (1 | participant) + (1 | scene)
+  } else {
+    # The intercept is the mean over the scenes.
+    contrasts(pairs$scene) <- contr.sum(nlevels(pairs$scene))
+    difference ~ 1 + scene + (1 | participant)
+  }
+  if (is.null(model)) stop("one scene: a paired t test is the model")
+  fit <- lmerTest::lmer(model, data = pairs, control = lme4::lmerControl(
+    check.conv.singular = "ignore", optimizer = "nloptwrap",
+    optCtrl = list(xtol_abs = 1e-12, ftol_abs = 1e-14, maxeval = 10000)))
+  row <- coef(summary(fit))[1, ]
+  deviations <- as.data.frame(lme4::VarCorr(fit))
+  deviation <- function(group) {
+    found <- deviations$sdcor[deviations$grp == group]
+    if (length(found) == 1) found else NA
+  }
+  of_pairs <- list(trials = 2 * nrow(pairs), participants = nlevels(pairs$participant),
+                   scenes = nlevels(pairs$scene), censored = sum(rows$censored))
+  do.call(result, c(list(comparison, "crossed", row[["Estimate"]], row[["Std. Error"]],
+                         row[["df"]], row[["Pr(>|t|)"]],
+                         participant_sd = deviation("participant"), scene_sd = deviation("scene"),
+                         residual_sd = deviation("Residual")), of_pairs))
+}
+
+# A Tobit model of single trials: a right-censored time says that the log time is longer. Terms for
+# participants and scenes; errors clustered by participant; t with one degree of freedom fewer than
+# there are participants.
+tobit_model <- function(rows, comparison) {
+  rows <- with_a_measured_time(rows)
+  if (nzchar(why_not(rows))) stop(why_not(rows))
+  for (method in levels(rows$method)) {
+    if (all(rows$censored[rows$method == method])) {
+      stop("every time of ", method, " is right-censored")
+    }
+  }
+  terms <- if (nlevels(rows$scene) > 1) "method + participant + scene" else "method + participant"
+  fit <- survival::survreg(
+    as.formula(paste("survival::Surv(log(value), !censored) ~", terms)), data = rows,
+    dist = "gaussian", cluster = participant, control = survival::survreg.control(maxiter = 100))
+  estimate <- coef(fit)[[2]]
+  # The sandwich estimator is too small for few clusters; this is the usual correction (CR1).
+  clusters <- nlevels(rows$participant)
+  correction <- clusters / (clusters - 1) * (nrow(rows) - 1) / (nrow(rows) - length(coef(fit)))
+  standard_error <- sqrt(vcov(fit)[2, 2] * correction)
+  df <- clusters - 1
+  do.call(result, c(list(comparison, "tobit", estimate, standard_error, df,
+                         2 * pt(-abs(estimate / standard_error), df),
+                         residual_sd = sqrt(2) * fit$scale), counts(rows)))
+}
+
+# Without participants and scenes all of whose times are right-censored: their terms would be
+# infinite, and they say nothing of the ratio.
+with_a_measured_time <- function(rows) {
+  repeat {
+    measured <- rows[!rows$censored, ]
+    kept <- droplevels(rows[rows$participant %in% measured$participant &
+                              rows$scene %in% measured$scene, ])
+    if (nrow(kept) == nrow(rows)) return(kept)
+    rows <- kept
+  }
+}
+
+# A cumulative link mixed model: steps of the scale need not be equal.
+ordinal_model <- function(rows, comparison) {
+  rows$rating <- ordered(rows$value)
+  rows <- droplevels(rows)
+  if (nzchar(why_not(rows))) stop(why_not(rows))
+  if (nlevels(rows$rating) < 2) stop("all answers are the same")
+  random <- "(1 | participant)"
+  fixed <- "method"
+  if (nlevels(rows$scene) > 1) {
+    random <- paste(random, "+ (1 | participant:method)")
+    if (comparison$scenes == "random") {
+      random <- paste(random, "+ (1 | scene) + (1 | scene:method)")
+    } else {
+      fixed <- "method + scene"
+    }
+  }
+  fit <- ordinal::clmm(as.formula(paste("rating ~", fixed, "+", random)), data = rows)
+  row <- coef(summary(fit))[paste0("method", comparison$method), ]
+  estimate <- row[["Estimate"]]
+  standard_error <- row[["Std. Error"]]
+  if (!is.finite(standard_error)) stop("the model's curvature is not that of a maximum")
+  variances <- ordinal::VarCorr(fit)
+  # The variance of the difference between two methods.
+  of_difference <- function(group) {
+    if (group %in% names(variances)) 2 * variances[[group]][1] else NA
+  }
+  gain <- list(participant = of_difference("participant:method"),
+               scene = of_difference("scene:method"))
+  df <- latent_degrees_of_freedom(standard_error^2, gain, counts(rows))
+  do.call(result, c(list(comparison, "ordinal", estimate, standard_error, df,
+                         2 * pt(-abs(estimate / standard_error), df),
+                         participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene)),
+                    counts(rows)))
+}
+
+# Satterthwaite's degrees of freedom of the method's effect, as in a linear model of the latent
+# variable: ordinal has none, and its normal approximation takes few participants and scenes for
+# many. `variance`: of the estimate; `gain`: of the difference between methods.
+latent_degrees_of_freedom <- function(variance, gain, count) {
+  n <- count$participants
+  k <- count$scenes
+  if (k < 2) return(n - 1)
+  of_participants <- if (is.na(gain$participant)) 0 else gain$participant / n
+  of_scenes <- if (is.na(gain$scene)) 0 else gain$scene / k
+  of_trials <- max(variance - of_participants - of_scenes, 0)
+  variance^2 / (of_participants^2 / (n - 1) + of_scenes^2 / (k - 1) +
+                  of_trials^2 / ((n - 1) * (k - 1)))
+}
+
+models_of <- function(trials, comparison) {
+  rows <- trials_of(trials, comparison)
+  models <- list()
+  if (comparison$kind != "points") {
+    models$crossed <- guarded(comparison, "crossed", c("lme4", "lmerTest"),
+                              function() crossed_model(rows, comparison))
+  }
+  if (any(rows$censored)) {
+    models$tobit <- guarded(comparison, "tobit", "survival",
+                            function() tobit_model(rows, comparison))
+  }
+  if (comparison$kind == "points") {
+    models$ordinal <- guarded(comparison, "ordinal", "ordinal",
+                              function() ordinal_model(rows, comparison))
+  }
+  do.call(rbind, models)
+}
+
+versions <- function() {
+  packages <- c("lme4", "lmerTest", "survival", "ordinal")
+  have <- packages[vapply(packages, requireNamespace, TRUE, quietly = TRUE)]
+  data.frame(name = c("R", have),
+             version = c(paste(R.version$major, R.version$minor, sep = "."),
+                         vapply(have, function(name) as.character(packageVersion(name)), "")))
+}
+
+trials <- read.csv(file.path(folder, "trials_long.csv"), colClasses = "character",
+                   na.strings = "", check.names = FALSE, encoding = "UTF-8")
+trials <- trials[trials$status == "analysed", ]
+for (column in grep("_(s|rating)$", names(trials), value = TRUE)) {
+  trials[[column]] <- suppressWarnings(as.numeric(trials[[column]]))
+}
+trials$row <- seq_len(nrow(trials))
+plan <- read.csv(file.path(folder, "models_plan.csv"), colClasses = "character",
+                 encoding = "UTF-8")
+
+rows <- lapply(seq_len(nrow(plan)), function(i) {
+  cat(sprintf("%d of %d: %s, %s against %s\n", i, nrow(plan), plan$measure[i], plan$method[i],
+              plan$reference[i]))
+  models_of(trials, plan[i, ])
+})
+write.csv(do.call(rbind, rows), file.path(folder, "models.csv"), row.names = FALSE, na = "",
+          quote = c(1, 2, 3, 4, 18))
+write.csv(versions(), file.path(folder, "models_versions.csv"), row.names = FALSE)

@@ -1,0 +1,28 @@
+#include "analysis/r_models/models_plan.h"
+
+namespace foveola::analysis {
+
+using enum ColumnType;
+
+Table models_plan(const Dataset& set, const std::vector<ComparedPair>& pairs,
+                  study::SceneEffects scenes) {
+  const ColumnsOf<ComparedPair> columns = {
+      {{"measure", text, "", "Id of the mark or rating"},
+       [&](const ComparedPair& pair) { return field(set.measures[pair.measure].id()); }},
+      {{"kind", text, "", "time; points: a rating with few; scale: a rating with many"},
+       [&](const ComparedPair& pair) {
+         const Measure& measure = set.measures[pair.measure];
+         return field(std::string(measure.kind == MeasureKind::time ? "time"
+                                  : measure.points().empty()        ? "scale"
+                                                                    : "points"));
+       }},
+      {{"method", text, "", "Id of the method"},
+       [&](const ComparedPair& pair) { return field(set.methods[pair.method]); }},
+      {{"reference", text, "", "Id of the method that it is compared with"},
+       [&](const ComparedPair& pair) { return field(set.methods[pair.reference]); }},
+      {{"scenes", text, "", "Whether scenes are random or fixed, by the protocol"},
+       [&](const ComparedPair& /*pair*/) { return field(name_of(scenes)); }}};
+  return tabulate("models_plan", "comparison that models.R fits", columns, pairs);
+}
+
+}  // namespace foveola::analysis
