@@ -23,7 +23,7 @@ json measures(const Dataset& set) {
   return rows;
 }
 
-/// Those of trials and participants are in their files only.
+/// Those of trials, answers and participants are in their files only.
 json tables_of(const AnalysisOutput& output) {
   json tables = json::object();
   for (const Table& table : output.results) {

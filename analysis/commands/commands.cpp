@@ -119,6 +119,10 @@ void add_analysis_commands(CLI::App& app, std::stop_token /*stop*/) {
   command->add_flag("--unverified", arguments->options.unverified,
                     "Analyse a file even if it was changed or damaged since it was written; the "
                     "report then says what is wrong with it");
+  command->add_flag("--withdrawn", arguments->options.withdrawn,
+                    "Also write the trials and answers of participants who withdrew to "
+                    "trials_long.csv and answers_long.csv, with the status withdrawn; no result "
+                    "uses them. Only where the participants agreed to that");
   add_planning(*command, *arguments);
   command->footer(
       "Examples: foveola analyze study.sqlite -o results\n"

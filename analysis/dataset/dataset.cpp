@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -58,20 +59,11 @@ std::vector<std::string> participants_of(const StudyRecords& records, const std:
   return {codes.begin(), codes.end()};
 }
 
-std::string why_not_analysed(const SessionRow& row) {
-  return row.reason.empty() ? fmt::format("session {}", row.state)
-                            : fmt::format("session {}: {}", row.state, row.reason);
-}
-
 std::vector<Exclusion> excluded_sessions(const StudyRecords& records, const std::string& kind) {
   std::vector<Exclusion> exclusions;
   for (const SessionRow& row : records.sessions) {
-    if (row.state != "completed") {
-      exclusions.push_back({row.participant, "", "", "", why_not_analysed(row)});
-    } else if (row.kind != kind) {
-      exclusions.push_back(
-          {row.participant, "", "", "",
-           fmt::format("{} session; only {} sessions are analysed together", row.kind, kind)});
+    if (std::string reason = reason_not_analysed(row, kind); !reason.empty()) {
+      exclusions.push_back({row.participant, "", "", "", std::move(reason)});
     }
   }
   return exclusions;
@@ -96,20 +88,6 @@ void check_value(const Measure& measure, const Value& value, const std::string& 
                             study::scale_in_words(measure)),
                 "restore the study's file, or exclude the session");
   }
-}
-
-/// The index in the set's participants of each session; empty for those that are not analysed.
-std::vector<std::optional<std::size_t>> analysed_sessions(const StudyRecords& records,
-                                                          const Dataset& set) {
-  std::vector<std::optional<std::size_t>> analysed;
-  for (const SessionRow& row : records.sessions) {
-    const auto found =
-        std::lower_bound(set.participants.begin(), set.participants.end(), row.participant);
-    const bool is_analysed = found != set.participants.end() && *found == row.participant;
-    analysed.push_back(is_analysed ? std::optional<std::size_t>(found - set.participants.begin())
-                                   : std::nullopt);
-  }
-  return analysed;
 }
 
 /// Fills the set's trials and values from the rows; returns which trials have a row.
@@ -239,6 +217,42 @@ Dataset select_for_analysis(const StudyRecords& records) {
   list_gaps(fill_trials(records, set), set);
   exclude(excluded_sessions(records, set.kind), set);
   return set;
+}
+
+std::vector<std::optional<std::size_t>> analysed_sessions(const StudyRecords& records,
+                                                          const Dataset& set) {
+  std::vector<std::optional<std::size_t>> analysed;
+  for (const SessionRow& row : records.sessions) {
+    const auto found =
+        std::lower_bound(set.participants.begin(), set.participants.end(), row.participant);
+    const bool is_analysed = found != set.participants.end() && *found == row.participant;
+    analysed.push_back(is_analysed ? std::optional<std::size_t>(found - set.participants.begin())
+                                   : std::nullopt);
+  }
+  return analysed;
+}
+
+std::string end_of(const SessionRow& session) {
+  for (const char* end : {"completed", "withdrawn", "excluded", "refused"}) {
+    if (session.state == end) {
+      return end;
+    }
+  }
+  return "interrupted";
+}
+
+std::string reason_not_analysed(const SessionRow& session, const std::string& kind) {
+  const std::string end = end_of(session);
+  if (end != "completed") {
+    const std::string reason = end == "interrupted" && session.state != end
+                                   ? "in its state " + session.state
+                                   : session.reason;
+    return reason.empty() ? fmt::format("session {}", end)
+                          : fmt::format("session {}: {}", end, reason);
+  }
+  return session.kind == kind ? ""
+                              : fmt::format("{} session; only {} sessions are analysed together",
+                                            session.kind, kind);
 }
 
 void exclude(const std::vector<Exclusion>& exclusions, Dataset& set) {

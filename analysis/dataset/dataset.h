@@ -87,6 +87,19 @@ struct Dataset {
 /// twice), naming it.
 Dataset select_for_analysis(const study::StudyRecords& records);
 
+/// For each session of the records, the index of its participant in the set; empty for a session
+/// that is not analysed.
+std::vector<std::optional<std::size_t>> analysed_sessions(const study::StudyRecords& records,
+                                                          const Dataset& set);
+
+/// How a session ended: "completed", "withdrawn", "excluded", "refused", or "interrupted" for one
+/// that has not ended, whatever it was interrupted in.
+std::string end_of(const study::SessionRow& session);
+
+/// Why a session is not among those of the analysed kind, as "session excluded: fell asleep"; empty
+/// for one that is.
+std::string reason_not_analysed(const study::SessionRow& session, const std::string& kind);
+
 /// Adds to the set's exclusions and keeps their order.
 void exclude(const std::vector<Exclusion>& exclusions, Dataset& set);
 

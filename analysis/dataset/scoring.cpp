@@ -138,10 +138,11 @@ std::vector<ScoreRow> score_questionnaires(const study::StudyRecords& records) {
   // Session, step and questionnaire.
   std::map<std::tuple<std::uint32_t, int, std::string>, Answers> filled_in;
   for (const study::AnswerRow& row : records.answers) {
-    if (const auto* number = std::get_if<double>(&row.value); known.contains(row.questionnaire)) {
-      Answers& answers = filled_in[{row.session, row.step, row.questionnaire}];
-      if (number != nullptr) {
-        answers[row.question] = *number;
+    const std::string& questionnaire = records.questionnaire_of(row);
+    if (known.contains(questionnaire)) {
+      Answers& answers = filled_in[{row.session, row.step, questionnaire}];
+      if (row.value.is_measured()) {
+        answers[records.question_of(row)] = row.value.number;
       }
     }
   }

@@ -103,9 +103,9 @@ BackgroundCorrelation correlate_with_method(const Dataset& set, const Answers& a
 std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& records) {
   std::vector<BackgroundAnswer> answers;
   for (const study::AnswerRow& row : records.answers) {
-    if (const auto* number = std::get_if<double>(&row.value);
-        number != nullptr && row.questionnaire == "background") {
-      answers.push_back({records.sessions[row.session].participant, row.question, *number});
+    if (row.value.is_measured() && records.questionnaire_of(row) == "background") {
+      answers.push_back(
+          {records.sessions[row.session].participant, records.question_of(row), row.value.number});
     }
   }
   return answers;

@@ -17,7 +17,10 @@ PaperNotes paper_notes(const Dataset& set) {
               "The rating artifacts is Fig. 6 of the published study: how disturbing artifacts "
               "were in the areas other than the chosen object.",
           .means_of_ratings = "The published study treated them so too.",
-          .latency = "Fig. 7 of the published study."};
+          .latency = "Fig. 7 of the published study.",
+          .background =
+              "The published study took graphics_3d and offline_rendering, and correlated their "
+              "mean with OD − FV."};
 }
 
 }  // namespace foveola::analysis

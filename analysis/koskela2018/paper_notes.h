@@ -16,6 +16,7 @@ struct PaperNotes {
   std::string ratings;
   std::string means_of_ratings;
   std::string latency;
+  std::string background;
 };
 
 /// All empty for a study that does not measure what was published.

@@ -118,11 +118,11 @@ std::vector<std::string> warnings_about(const AnalysisOutput& output) {
   return warnings;
 }
 
-/// All tables, in the order of OUTPUTS.md; those of trials and participants, which may be large,
-/// have no rows.
+/// All tables, in the order of OUTPUTS.md; those of trials, answers and participants, which may be
+/// large, have no rows.
 std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRecords& records,
                              const TrialColumns& trials, const ParticipantColumns& participants,
-                             const Table& models) {
+                             const AnswerColumns& answers, const Table& models) {
   const StudyTables& tables = output.tables;
   std::vector<Table> all = {times_by_scene(tables),
                             times_by_method(tables),
@@ -142,11 +142,11 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
                             reaction_times_table(tables, output.checks),
                             catch_trials_table(tables, output.checks),
                             exclusions(tables),
-                            amended_sessions(tables),
-                            answers_long(records)};
+                            amended_sessions(tables)};
   for (Table& table : all) {
     table = stamped(std::move(table), tables.set);
   }
+  all.push_back({"answers_long", "answer of a questionnaire", answers.columns(), {}});
   all.push_back({"trials_long", "trial of a session, its last timing", trials.columns(), {}});
   all.push_back(
       {"trials_timed_again", "timing of a trial that does not count", trials.columns(), {}});
@@ -224,10 +224,23 @@ void write_output(const fs::path& folder, const std::string& name, const std::st
   output.files.push_back(folder / name);
 }
 
-/// Writes the data, which may be large.
+bool is_withdrawn(const study::SessionRow& session) { return session.state == "withdrawn"; }
+
+std::string withdrawn_in_words(const study::StudyRecords& records) {
+  const auto count = static_cast<std::size_t>(
+      std::count_if(records.sessions.begin(), records.sessions.end(), is_withdrawn));
+  return fmt::format(
+      "trials_long.csv, trials_timed_again.csv and answers_long.csv have the data of {} that a "
+      "participant withdrew from (--withdrawn); no result uses them, and psych-ds/ and bids/ leave "
+      "them out.",
+      count == 1 ? "one session" : counted(count, "session"));
+}
+
+/// Writes the data, which may be large. The files that are made to be shared, of Psych-DS, never
+/// have those of withdrawn sessions.
 void write_data(const study::StudyRecords& records, const TrialColumns& trials,
-                const ParticipantColumns& participants, const fs::path& folder,
-                AnalysisOutput& output) {
+                const ParticipantColumns& participants, const AnswerColumns& answers,
+                const fs::path& folder, AnalysisOutput& output) {
   const PsychDs shared = psych_ds(output.tables, trials, participants);
   write_output(folder, shared.description.name, shared.description.content, output);
   const auto open = [&](const std::string& name, const std::vector<Column>& columns) {
@@ -241,7 +254,9 @@ void write_data(const study::StudyRecords& records, const TrialColumns& trials,
     const Row row = trials.row(i);
     if (records.trials[i].counts) {
       all.add(row);
-      shared_trials.add(row);
+      if (!is_withdrawn(records.sessions[records.trials[i].session])) {
+        shared_trials.add(row);
+      }
     } else {
       again.add(row);
     }
@@ -253,7 +268,11 @@ void write_data(const study::StudyRecords& records, const TrialColumns& trials,
     wide.add(row);
     shared_wide.add(row);
   }
-  for (RowFile* file : {&all, &again, &shared_trials, &wide, &shared_wide}) {
+  RowFile answered = open("answers_long.csv", answers.columns());
+  for (std::size_t i = 0; i < records.answers.size(); ++i) {
+    answered.add(answers.row(i));
+  }
+  for (RowFile* file : {&all, &again, &shared_trials, &wide, &shared_wide, &answered}) {
     file->close();
   }
 }
@@ -294,13 +313,14 @@ void write_bids(const study::StudyRecords& records, const TrialColumns& trials,
 
 bool is_written_by_rows(const Table& table) {
   return table.id == "trials_long" || table.id == "trials_timed_again" ||
-         table.id == "participants_wide";
+         table.id == "participants_wide" || table.id == "answers_long";
 }
 
 AnalysisOutput analyze_records(const study::StudyRecords& records,
                                const study::DataQualityRecords& quality, const fs::path& folder,
                                const AnalysisOptions& options, const GazeReader& read_gaze,
-                               std::optional<study::Verification> record) {
+                               std::optional<study::Verification> record,
+                               const std::optional<study::StudyRecords>& exported) {
   AnalysisOutput output;
   output.record = std::move(record);
   output.tables = tabulate_study(records);
@@ -309,10 +329,12 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   }
   output.background = analyse_background(background_answers(records), output.tables.set);
   output.checks = check_data_quality(output.tables, quality, records);
-  const TrialColumns trials(records, output.tables.set);
+  const study::StudyRecords& data = exported ? *exported : records;
+  const TrialColumns trials(data, output.tables.set);
   const ParticipantColumns participants(records, output.tables.set);
+  const AnswerColumns answers(data, output.tables.set);
   StagedFolder staged(folder);
-  write_data(records, trials, participants, staged.path(), output);
+  write_data(data, trials, participants, answers, staged.path(), output);
   write_output(staged.path(), "models.R", models_script(), output);
   const study::AnalysisPlan& plan = records.protocol.analysis;
   const Table models =
@@ -321,11 +343,14 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
       compare_methods(output.tables.set, plan,
                       options.r ? fit_models_of(models, staged.path())
                                 : FittedModels{.missing = "it was not asked for (analyze --r)"});
-  output.results = tables_of(output, records, trials, participants, models);
+  output.results = tables_of(output, records, trials, participants, answers, models);
   output.summary = terminal_summary(output.tables, output.background);
   output.warnings = warnings_about(output);
+  if (options.withdrawn) {
+    output.warnings.push_back(withdrawn_in_words(data));
+  }
   if (options.bids) {
-    write_bids(records, trials, participants, quality.gaze_runs, read_gaze, staged.path(), output);
+    write_bids(data, trials, participants, quality.gaze_runs, read_gaze, staged.path(), output);
   }
   for (const TextFile& file : files_of(output, quality, records)) {
     write_output(staged.path(), file.name, file.content, output);
@@ -340,7 +365,10 @@ AnalysisOutput analyze_study(const fs::path& database, const fs::path& folder,
   study::Verification record = verified(database, options.unverified);
   return analyze_records(
       study::read_study(database), study::read_data_quality(database), folder, options,
-      [&](const auto& visit) { study::visit_gaze(database, visit); }, std::move(record));
+      [&](const auto& visit) { study::visit_gaze(database, visit); }, std::move(record),
+      options.withdrawn
+          ? std::optional(study::read_study(database, study::WithdrawnSessions::with_data))
+          : std::nullopt);
 }
 
 }  // namespace foveola::analysis

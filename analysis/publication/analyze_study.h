@@ -14,6 +14,7 @@
 #include "analysis/tables/table.h"
 #include "study/record/maintenance.h"
 #include "study/record/recorded_gaze.h"
+#include "study/record/study_records.h"
 
 namespace foveola::analysis {
 
@@ -21,6 +22,9 @@ struct AnalysisOptions {
   bool bids = false;        ///< Also write bids/, with a folder for each participant.
   bool r = false;           ///< Fit models by R, and take the primary analyses from them.
   bool unverified = false;  ///< Analyse a study's file even if its verification fails.
+  /// Also write the data of withdrawn sessions to trials_long.csv, trials_timed_again.csv and
+  /// answers_long.csv. No result uses them.
+  bool withdrawn = false;
 };
 
 /// Calls its argument for every attempt's gaze, as study::visit_gaze does. An empty one stands for
@@ -36,8 +40,8 @@ struct AnalysisOutput {
   Background background;
   Comparisons comparisons;
   DataQualityReport checks;
-  /// Every table that was written; those of trials and participants, which are written row by row,
-  /// have no rows here.
+  /// Every table that was written; those of trials, answers and participants, which are written row
+  /// by row, have no rows here.
   std::vector<Table> results;
   std::optional<study::Verification> record;  ///< The verification of the study's file, if read.
 };
@@ -54,12 +58,14 @@ AnalysisOutput analyze_study(const std::filesystem::path& database,
                              const AnalysisOptions& options = {});
 
 /// Analyses records that are in memory; `record` is the verification of their file, if there is
-/// one.
+/// one. The files that are written row by row have the rows of `exported`, which is the same study
+/// with the data of its withdrawn sessions; empty: those of `records`.
 AnalysisOutput analyze_records(const study::StudyRecords& records,
                                const study::DataQualityRecords& quality,
                                const std::filesystem::path& folder,
                                const AnalysisOptions& options = {},
                                const GazeReader& read_gaze = {},
-                               std::optional<study::Verification> record = {});
+                               std::optional<study::Verification> record = {},
+                               const std::optional<study::StudyRecords>& exported = {});
 
 }  // namespace foveola::analysis

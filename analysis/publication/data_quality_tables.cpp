@@ -44,8 +44,7 @@ Table latency_table(const StudyTables& tables, const DataQualityReport& report) 
       {{"longest_frame_to_mark_s", number, "s", "The longest of these"},
        [](const F& row) { return field(row.longest_mark_after_frame_s); }},
       kind_of_all<F>(tables)};
-  return tabulate("latency", "session with a frame log (Fig. 7 of the published study)", columns,
-                  report.frames);
+  return tabulate("latency", "session with a frame log", columns, report.frames);
 }
 
 Table catch_trials_table(const StudyTables& tables, const DataQualityReport& report) {

@@ -13,6 +13,7 @@ study's marks, ratings and questions. Foveola's own copy of it is of a made-up s
 
 Every CSV file follows RFC 4180 (CRLF line ends, quotes where needed) with a heading; a column's name
 ends in its unit. A value that does not exist is an empty field (CSV), `null` (JSON), `n/a` (BIDS).
+Truth values are `TRUE` and `FALSE` in CSV, as R and pandas read them, and `true` and `false` elsewhere.
 `participant_kind` says who took part: `human`, `pilot` or `simulated`. Numbers are written so that
 they read back as the same double. Intervals are of 95 % unless another is named.
 The report's definitions say how each number is computed. A study's file is verified before it is read,
@@ -22,7 +23,12 @@ says so above everything else, every caption too, and `record` in every table is
 
 Everything that was recorded comes out: every mark, rating, catch and practice trial in
 `trials_long.csv` (the last timing of each trial) and `trials_timed_again.csv` (the others), every
-answer in `answers_long.csv`. Sessions that were withdrawn from are in no file.
+answer in `answers_long.csv`. Their column `status` says which rows the results are of (`analysed`),
+and which are not: practice and catch trials, and those of sessions that were excluded, interrupted or
+refused, with the recorded reason in `status_reason`. So an analysis of one's own can take back in
+what the results leave out. The data of sessions that a participant withdrew from are in no file,
+unless `--withdrawn` is given: then they are in these three, with the status `withdrawn`, and still in
+no result and not in `psych-ds/` or `bids/`. `study forget` erases a participant from the study's file.
 
 | file | what it is |
 |---|---|
@@ -41,7 +47,7 @@ answer in `answers_long.csv`. Sessions that were withdrawn from are in no file.
 constexpr const char* after_columns = R"md(## `--json`
 
 The same tables on standard output: under `tables` each by its name, a list of objects with the
-columns as their keys; those of trials and participants are in their files only. Beside them
+columns as their keys; those of trials, answers and participants are in their files only. Beside them
 `report`, `files`, `warnings`, `protocol`, `protocol_sha256`, `participant_kind`, `data_notice`,
 `participants`, `scenes`, `methods`, `baseline`, `measures`, `record` (what verifying the study's file
 found, as `study verify --json` prints it) and `excluded` (how many rows `exclusions.csv` has).

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/paper_notes.h"
 #include "analysis/publication/printed_results.h"
 #include "analysis/publication/report_sections.h"
 #include "analysis/tables/html.h"
@@ -13,29 +14,23 @@ std::string background_scale_in_words(const BackgroundScale& scale) {
     return "The study asked no background question on a scale of five points, so there is nothing "
            "to correlate.";
   }
-  const std::string questions = listed(scale.questions);
-  return scale.as_published
-             ? fmt::format(
-                   "Background is the mean of the answers to {}, as in the published "
-                   "study, which correlated it with OD − FV.",
-                   questions)
-             : fmt::format(
-                   "Background is the mean of the answers to every five-point question "
-                   "({}): the study did not ask both of the published study’s, "
-                   "graphics_3d and offline_rendering.",
-                   questions);
+  return fmt::format("Background is the mean of the answers to {}{}.",
+                     scale.as_published ? "" : "every question on a scale of five points: ",
+                     listed(scale.questions));
 }
 
 }  // namespace
 
 std::string background_section(const StudyTables& tables, const Background& background) {
-  const std::string html =
-      fmt::format("<p>{}</p>\n", escape_html(background_scale_in_words(background.scale)));
-  return html_section(
-      "Background and speed-up",
-      background.scale.questions.empty()
-          ? html
-          : html + html_of(printed_background(tables, background), data_notice(tables)));
+  std::string text = background_scale_in_words(background.scale);
+  std::string table;
+  if (!background.scale.questions.empty()) {
+    const std::string paper = paper_notes(tables.set).background;
+    text += paper.empty() ? "" : " " + paper;
+    table = html_of(printed_background(tables, background), data_notice(tables));
+  }
+  return html_section("Background and speed-up",
+                      fmt::format("<p>{}</p>\n", escape_html(text)) + table);
 }
 
 }  // namespace foveola::analysis

@@ -64,7 +64,9 @@ std::string exclusions_section(const StudyTables& tables) {
   PrintedTable table;
   table.is_numeric = false;
   table.title = "Excluded sessions and values.";
-  table.note = "A dash means all.";
+  table.note =
+      "A dash means all. The trials of sessions that are not analysed are in trials_long.csv, with "
+      "their status; those of withdrawn sessions only if the analysis was run with --withdrawn.";
   table.columns = {"Participant", "Scene", "Method", "Measure", "Reason"};
   const auto or_all = [](const std::string& text) { return text.empty() ? "–" : text; };
   for (std::size_t i = 0; i < std::min(most_listed, exclusions.size()); ++i) {

@@ -90,7 +90,8 @@ Table times_by_scene(const StudyTables& tables) {
       {{"sd_percent_of_baseline", number, "percentage points", "Their standard deviation"},
        [](const T& row) { return field(row.percent_of_baseline.standard_deviation); }},
       {{"ratio_of_means_percent", number, "%",
-        "Mean time in per cent of the baseline's mean time, another reading of the paper's"},
+        "Mean time in per cent of the baseline's mean time: a ratio of means, not a mean of "
+        "ratios"},
        [](const T& row) { return field(row.of_baseline_mean.mean_percent); }},
       {{"sd_over_baseline_mean_percent", number, "percentage points",
         "Standard deviation of the times over the baseline's mean time"},
@@ -100,8 +101,7 @@ Table times_by_scene(const StudyTables& tables) {
       {{"missing", whole, "", "Number of times that were not recorded"},
        [](const T& row) { return field(row.missing); }},
       kind_of_all<T>(tables)};
-  return tabulate("times_by_scene", "mark, scene and method (Table 2 of the published study)",
-                  columns, tables.scene_times);
+  return tabulate("times_by_scene", "mark, scene and method", columns, tables.scene_times);
 }
 
 Table times_by_method(const StudyTables& tables) {
@@ -127,8 +127,7 @@ Table times_by_method(const StudyTables& tables) {
         "Upper end of its 95 % interval over participants"},
        [](const T& row) { return high_of(row.percent_of_baseline); }},
       kind_of_all<T>(tables)};
-  return tabulate("times_by_method", "mark and method (Fig. 5 of the published study)", columns,
-                  tables.method_times);
+  return tabulate("times_by_method", "mark and method", columns, tables.method_times);
 }
 
 Table ratings_by_method(const StudyTables& tables) {
@@ -147,8 +146,7 @@ Table ratings_by_method(const StudyTables& tables) {
       {{"missing", whole, "", "Number of trials without an answer"},
        [](const R& row) { return field(row.missing); }},
       kind_of_all<R>(tables)};
-  return tabulate("ratings_by_method", "rating and method (Fig. 6 of the published study)", columns,
-                  tables.ratings);
+  return tabulate("ratings_by_method", "rating and method", columns, tables.ratings);
 }
 
 Table rating_counts(const StudyTables& tables) {

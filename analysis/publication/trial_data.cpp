@@ -1,8 +1,7 @@
 #include "analysis/publication/trial_data.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,15 +14,6 @@ namespace {
 using study::StudyRecords;
 using study::TrialRow;
 using enum ColumnType;
-
-std::vector<bool> analysed_sessions(const StudyRecords& records, const Dataset& set) {
-  std::vector<bool> analysed;
-  for (const study::SessionRow& session : records.sessions) {
-    analysed.push_back(
-        std::binary_search(set.participants.begin(), set.participants.end(), session.participant));
-  }
-  return analysed;
-}
 
 void append_value(const StudyRecords& records, const Measure& measure, const Value& value,
                   Row& row) {
@@ -38,16 +28,38 @@ void append_value(const StudyRecords& records, const Measure& measure, const Val
   }
 }
 
-/// Why a trial is not among those that are analysed, or "analysed".
-std::string status_of(const StudyRecords& records, const TrialRow& row, bool is_analysed) {
+/// "analysed", or why the session is not.
+std::string status_of(const study::SessionRow& session, bool is_analysed) {
+  if (is_analysed) {
+    return "analysed";
+  }
+  return session.state == "completed" ? "other kind" : end_of(session);
+}
+
+std::string status_of(const TrialRow& row, const study::SessionRow& session, bool is_analysed) {
   if (row.kind != study::TrialKind::test) {
     return name_of(row.kind);
   }
-  const study::SessionRow& session = records.sessions[row.session];
-  if (is_analysed) {
-    return row.counts ? "analysed" : "timed again";
-  }
-  return session.state == "completed" ? session.kind : session.state;
+  return is_analysed && !row.counts ? "timed again" : status_of(session, is_analysed);
+}
+
+Field reason_in_field(const study::SessionRow& session, const Dataset& set) {
+  const std::string reason = reason_not_analysed(session, set.kind);
+  return reason.empty() ? Field() : field(reason);
+}
+
+Column participant_column() { return {"participant", text, "", "Code of the participant"}; }
+
+Column state_column() {
+  return {"session_state", text, "",
+          "The session's recorded state: completed, excluded, withdrawn, refused by the protocol's "
+          "gate, or, of a session that has not ended, the state that it was left in"};
+}
+
+Column reason_column() {
+  return {"status_reason", text, "",
+          "Why the session is not analysed, with the reason that was recorded; empty for one that "
+          "is"};
 }
 
 /// A question of a questionnaire that has answers in numbers, in the protocol's order.
@@ -58,12 +70,17 @@ struct NumericQuestion {
   std::string scale;
 };
 
+/// The texts of the questions that somebody answered in numbers.
 std::vector<NumericQuestion> numeric_questions(const StudyRecords& records) {
-  std::set<std::pair<std::string, std::string>> answered;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> in_numbers;
   for (const study::AnswerRow& row : records.answers) {
-    if (std::holds_alternative<double>(row.value)) {
-      answered.emplace(row.questionnaire, row.question);
+    if (row.value.is_measured()) {
+      in_numbers.emplace(row.questionnaire, row.question);
     }
+  }
+  std::set<std::pair<std::string, std::string>> answered;
+  for (const auto& [questionnaire, question] : in_numbers) {
+    answered.emplace(records.words[questionnaire], records.words[question]);
   }
   std::vector<NumericQuestion> questions;
   for (const study::Questionnaire& questionnaire : records.protocol.questionnaires) {
@@ -85,15 +102,25 @@ std::vector<NumericQuestion> numeric_questions(const StudyRecords& records) {
   return questions;
 }
 
-/// [questionnaire, question][participant]: the last answer that is a number.
-using NumericAnswers = std::map<std::pair<std::string, std::string>, std::map<std::string, double>>;
+/// [question][participant of the set]: the last answer that is a number.
+using NumericAnswers = std::vector<std::vector<std::optional<double>>>;
 
-NumericAnswers numeric_answers(const StudyRecords& records) {
-  NumericAnswers answers;
+NumericAnswers numeric_answers(const StudyRecords& records, const Dataset& set,
+                               const std::vector<NumericQuestion>& questions) {
+  std::map<std::pair<std::string, std::string>, std::size_t> indices;
+  for (const NumericQuestion& question : questions) {
+    indices.emplace(std::pair(question.questionnaire, question.question), indices.size());
+  }
+  const auto participants = analysed_sessions(records, set);
+  NumericAnswers answers(questions.size());
+  for (std::vector<std::optional<double>>& given : answers) {
+    given.resize(set.participants.size());
+  }
   for (const study::AnswerRow& row : records.answers) {
-    if (const auto* number = std::get_if<double>(&row.value)) {
-      answers[{row.questionnaire, row.question}][records.sessions[row.session].participant] =
-          *number;
+    if (const auto& participant = participants[row.session];
+        participant && row.value.is_measured()) {
+      answers[indices.at({records.questionnaire_of(row), records.question_of(row)})][*participant] =
+          row.value.number;
     }
   }
   return answers;
@@ -125,14 +152,16 @@ std::vector<Column> columns_of(const Measure& measure, const std::string& scale_
 }
 
 TrialColumns::TrialColumns(const StudyRecords& records, const Dataset& set)
-    : records_(records), set_(set), is_analysed_(analysed_sessions(records, set)) {
+    : records_(records), set_(set), participants_(analysed_sessions(records, set)) {
   columns_ = {
-      {"participant", text, "", "Code of the participant"},
-      {"participant_kind", text, "", "Who took part: human, pilot or simulated"},
-      {"session_state", text, "", "How the session ended, as completed or excluded"},
+      participant_column(),
+      kind_column(),
+      state_column(),
       {"status", text, "",
-       "analysed; or why not: practice, catch, timed again, the kind of a session that is not "
-       "analysed, or its state"},
+       "analysed, the rows that every result is of; or why a row is in none: practice, catch, "
+       "timed again, or its session was excluded, withdrawn (with --withdrawn only), interrupted "
+       "or refused, or is of another kind (other kind: see status_reason)"},
+      reason_column(),
       {"scene", text, "", "Name of the scene"},
       {"method", text, "", "How samples were placed: od, vp, fv or another sampler"},
       {"trial", whole, "", "Place among all of the session's trials as planned, from 0"},
@@ -161,7 +190,8 @@ Row TrialColumns::row(std::size_t trial) const {
   Row fields = {session.participant,
                 session.kind,
                 session.state,
-                status_of(records_, row, is_analysed_[row.session]),
+                status_of(row, session, participants_[row.session].has_value()),
+                reason_in_field(session, set_),
                 records_.scenes[row.scene],
                 records_.methods[row.method],
                 field(static_cast<int>(row.trial)),
@@ -178,73 +208,71 @@ Row TrialColumns::row(std::size_t trial) const {
   return fields;
 }
 
-Table answers_long(const StudyRecords& records) {
-  std::map<std::pair<std::string, std::string>, Measure> asked;
+AnswerColumns::AnswerColumns(const StudyRecords& records, const Dataset& set)
+    : records_(records), set_(set), participants_(analysed_sessions(records, set)) {
   for (const study::Questionnaire& questionnaire : records.protocol.questionnaires) {
     for (Measure& measure : study::measures_of(questionnaire)) {
-      asked[{questionnaire.id, measure.id()}] = std::move(measure);
+      asked_[{questionnaire.id, measure.id()}] = std::move(measure);
     }
   }
-  using A = study::AnswerRow;
-  const auto session = [&](const A& row) -> const study::SessionRow& {
-    return records.sessions[row.session];
-  };
-  const auto measure = [&](const A& row) {
-    const auto found = asked.find({row.questionnaire, row.question});
-    return found == asked.end() ? nullptr : &found->second;
-  };
-  const ColumnsOf<A> columns = {
-      {{"participant", text, "", "Code of the participant"},
-       [=](const A& row) { return field(session(row).participant); }},
-      {{"session_state", text, "", "How the session ended, as completed or excluded"},
-       [=](const A& row) { return field(session(row).state); }},
-      {{"questionnaire", text, "", "Id of the questionnaire"},
-       [](const A& row) { return field(row.questionnaire); }},
-      {{"step", whole, "", "Place in the session's plan: a questionnaire may be asked twice"},
-       [](const A& row) { return field(row.step); }},
-      {{"question", text, "", "Id of the question"},
-       [](const A& row) { return field(row.question); }},
-      {{"number", number, "", "The answer, if it is a number"},
-       [](const A& row) {
-         const auto* value = std::get_if<double>(&row.value);
-         return value != nullptr ? field(*value) : Field();
-       }},
-      {{"text", text, "", "The answer in words, or the protocol's label of the number"},
-       [=](const A& row) {
-         if (const auto* words = std::get_if<std::string>(&row.value)) {
-           return field(*words);
-         }
-         const Measure* asked_one = measure(row);
-         const std::string label =
-             asked_one != nullptr ? asked_one->label_of(std::get<double>(row.value)) : "";
-         return label.empty() ? Field() : field(label);
-       }},
-      {{"question_text", text, "", "The question as the protocol asks it"},
-       [=](const A& row) {
-         const Measure* asked_one = measure(row);
-         return asked_one != nullptr ? field(asked_one->question.text) : Field();
-       }},
-      {{"scale", text, "", "The scale of the answers"},
-       [=](const A& row) {
-         const Measure* asked_one = measure(row);
-         return asked_one != nullptr ? field(study::scale_in_words(*asked_one)) : Field();
-       }},
-      {kind_column(), [=](const A& row) { return field(session(row).kind); }}};
-  return tabulate("answers_long", "answer of a questionnaire", columns, records.answers);
+  columns_ = {
+      participant_column(),
+      state_column(),
+      {"status", text, "",
+       "analysed; or why the session is not: excluded, withdrawn (with --withdrawn only), "
+       "interrupted, refused, or of another kind (other kind: see status_reason)"},
+      reason_column(),
+      {"questionnaire", text, "", "Id of the questionnaire"},
+      {"step", whole, "", "Place in the session's plan: a questionnaire may be asked twice"},
+      {"question", text, "", "Id of the question"},
+      {"number", number, "", "The answer, if it is a number"},
+      {"text", text, "", "The answer in words, or the protocol's label of the number"},
+      {"question_text", text, "", "The question as the protocol asks it"},
+      {"scale", text, "", "The scale of the answers"},
+      kind_column(),
+      record_column()};
+}
+
+Row AnswerColumns::row(std::size_t answer) const {
+  const study::AnswerRow& row = records_.answers[answer];
+  const study::SessionRow& session = records_.sessions[row.session];
+  const std::string& questionnaire = records_.questionnaire_of(row);
+  const std::string& question = records_.question_of(row);
+  const auto known = asked_.find({questionnaire, question});
+  const Measure* asked = known == asked_.end() ? nullptr : &known->second;
+  std::string words;
+  if (!row.value.is_measured()) {
+    words = records_.words[row.value.words];
+  } else if (asked != nullptr) {
+    words = asked->label_of(row.value.number);
+  }
+  return {session.participant,
+          session.state,
+          status_of(session, participants_[row.session].has_value()),
+          reason_in_field(session, set_),
+          questionnaire,
+          field(row.step),
+          question,
+          row.value.is_measured() ? field(row.value.number) : Field(),
+          words.empty() ? Field() : field(words),
+          asked != nullptr ? field(asked->question.text) : Field(),
+          asked != nullptr ? field(study::scale_in_words(*asked)) : Field(),
+          session.kind,
+          field(set_.record)};
 }
 
 Table answers_by_question(const StudyRecords& records, const Dataset& set) {
-  const NumericAnswers answers = numeric_answers(records);
+  const std::vector<NumericQuestion> questions = numeric_questions(records);
+  const NumericAnswers answers = numeric_answers(records, set, questions);
   std::vector<DescribedQuestion> rows;
-  for (const NumericQuestion& question : numeric_questions(records)) {
+  for (std::size_t i = 0; i < questions.size(); ++i) {
     std::vector<double> values;
-    const auto& given = answers.at({question.questionnaire, question.question});
-    for (const std::string& participant : set.participants) {
-      if (const auto own = given.find(participant); own != given.end()) {
-        values.push_back(own->second);
+    for (const std::optional<double>& given : answers[i]) {
+      if (given) {
+        values.push_back(*given);
       }
     }
-    rows.push_back({question, describe(values), set.participants.size() - values.size()});
+    rows.push_back({questions[i], describe(values), set.participants.size() - values.size()});
   }
   using Q = DescribedQuestion;
   const ColumnsOf<Q> columns = {
@@ -265,9 +293,7 @@ Table answers_by_question(const StudyRecords& records, const Dataset& set) {
       {{"missing", whole, "", "Analysed participants without a number"},
        [](const Q& row) { return field(row.missing); }},
       {kind_column(), [&](const Q& /*row*/) { return field(set.kind); }}};
-  return tabulate("answers_by_question",
-                  "question with answers in numbers (Table 1 of the published study)", columns,
-                  rows);
+  return tabulate("answers_by_question", "question with answers in numbers", columns, rows);
 }
 
 Table questionnaire_scores(const StudyRecords& records, const std::string& kind) {
@@ -294,8 +320,7 @@ Table questionnaire_scores(const StudyRecords& records, const std::string& kind)
 ParticipantColumns::ParticipantColumns(const StudyRecords& records, const Dataset& set)
     : records_(records),
       set_(set),
-      columns_(
-          {{"participant", text, "", "Code of the participant"}, kind_column(), record_column()}) {
+      columns_({participant_column(), kind_column(), record_column()}) {
   for (const std::string& scene : set.scenes) {
     for (const std::string& method : set.methods) {
       for (std::size_t i = 0; i < set.measures.size(); ++i) {
@@ -307,19 +332,18 @@ ParticipantColumns::ParticipantColumns(const StudyRecords& records, const Datase
       }
     }
   }
-  NumericAnswers answers = numeric_answers(records);
-  for (const NumericQuestion& question : numeric_questions(records)) {
+  const std::vector<NumericQuestion> questions = numeric_questions(records);
+  answers_ = numeric_answers(records, set, questions);
+  for (const NumericQuestion& question : questions) {
     columns_.push_back({fmt::format("{}.{}", question.questionnaire, question.question), number, "",
                         question.scale.empty()
                             ? question.text
                             : fmt::format("{} Answers: {}", question.text, question.scale)});
-    answers_.push_back(std::move(answers[{question.questionnaire, question.question}]));
   }
 }
 
 Row ParticipantColumns::row(std::size_t participant) const {
-  const std::string& code = set_.participants[participant];
-  Row row = {code, set_.kind, set_.record};
+  Row row = {set_.participants[participant], set_.kind, set_.record};
   for (std::size_t scene = 0; scene < set_.scenes.size(); ++scene) {
     for (std::size_t method = 0; method < set_.methods.size(); ++method) {
       for (std::size_t i = 0; i < set_.measures.size(); ++i) {
@@ -327,9 +351,8 @@ Row ParticipantColumns::row(std::size_t participant) const {
       }
     }
   }
-  for (const std::map<std::string, double>& given : answers_) {
-    const auto own = given.find(code);
-    row.push_back(own != given.end() ? field(own->second) : Field());
+  for (const std::vector<std::optional<double>>& given : answers_) {
+    row.push_back(field(given[participant]));
   }
   return row;
 }

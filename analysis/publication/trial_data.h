@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
@@ -15,7 +17,7 @@
 namespace foveola::analysis {
 
 /// The columns of trials_long and of trials_timed_again, and the rows of a study: the values of
-/// every mark and rating, of test, practice and catch trials, of all sessions but withdrawn ones.
+/// every mark and rating, of test, practice and catch trials, of all sessions whose data were read.
 class TrialColumns {
  public:
   /// Both must outlive it.
@@ -30,15 +32,30 @@ class TrialColumns {
  private:
   const study::StudyRecords& records_;
   const Dataset& set_;
-  std::vector<bool> is_analysed_;  ///< [session]
+  std::vector<std::optional<std::size_t>> participants_;  ///< [session]
   std::vector<Column> columns_;
 };
 
 /// The columns of one measure's values.
 std::vector<Column> columns_of(const Measure& measure, const std::string& scale_in_words);
 
-/// answers_long: every answer of every questionnaire.
-Table answers_long(const study::StudyRecords& records);
+/// The columns and rows of answers_long: every answer of every questionnaire.
+class AnswerColumns {
+ public:
+  /// Both must outlive it.
+  AnswerColumns(const study::StudyRecords& records, const Dataset& set);
+
+  const std::vector<Column>& columns() const { return columns_; }
+  /// Of the row's index in the records' answers.
+  Row row(std::size_t answer) const;
+
+ private:
+  const study::StudyRecords& records_;
+  const Dataset& set_;
+  std::vector<std::optional<std::size_t>> participants_;          ///< [session]
+  std::map<std::pair<std::string, std::string>, Measure> asked_;  ///< [questionnaire, question]
+  std::vector<Column> columns_;
+};
 
 /// answers_by_question: the mean of every question's numbers, over the analysed participants.
 Table answers_by_question(const study::StudyRecords& records, const Dataset& set);
@@ -63,7 +80,7 @@ class ParticipantColumns {
   const study::StudyRecords& records_;
   const Dataset& set_;
   std::vector<Column> columns_;
-  std::vector<std::map<std::string, double>> answers_;  ///< [question][participant's code]
+  std::vector<std::vector<std::optional<double>>> answers_;  ///< [question][participant]
 };
 
 }  // namespace foveola::analysis

@@ -10,13 +10,24 @@
 namespace foveola::analysis {
 namespace {
 
+struct TruthWords {
+  const char* yes;
+  const char* no;
+};
+
+// R reads only the upper case as truth values without being asked, and pandas reads both. BIDS asks
+// for the lower case, as JSON does.
+constexpr TruthWords in_csv{"TRUE", "FALSE"};
+constexpr TruthWords in_tsv{"true", "false"};
+
 /// A text that says which alternative a field holds, for std::visit.
 struct TextOf {
+  TruthWords truth_words;
   std::string operator()(std::monostate /*missing*/) const { return ""; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t whole) const { return std::to_string(whole); }
   std::string operator()(double number) const { return csv_number(number); }
-  std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+  std::string operator()(bool truth) const { return truth ? truth_words.yes : truth_words.no; }
 };
 
 struct JsonOf {
@@ -27,11 +38,11 @@ struct JsonOf {
   }
 };
 
-CsvRow texts_of(const Row& row) {
+CsvRow texts_of(const Row& row, TruthWords truth_words) {
   CsvRow texts;
   texts.reserve(row.size());
   for (const Field& field : row) {
-    texts.push_back(text_of(field));
+    texts.push_back(std::visit(TextOf{truth_words}, field));
   }
   return texts;
 }
@@ -57,13 +68,13 @@ std::string tsv_line(const CsvRow& texts) {
 
 }  // namespace
 
-std::string text_of(const Field& field) { return std::visit(TextOf(), field); }
+std::string text_of(const Field& field) { return std::visit(TextOf{in_csv}, field); }
 
 std::string csv_heading(const std::vector<Column>& columns) {
   return format_csv({names_of(columns)});
 }
 
-std::string csv_row(const Row& row) { return format_csv({texts_of(row)}); }
+std::string csv_row(const Row& row) { return format_csv({texts_of(row, in_csv)}); }
 
 std::string csv_of(const Table& table) {
   std::string text = csv_heading(table.columns);
@@ -75,7 +86,7 @@ std::string csv_of(const Table& table) {
 
 std::string tsv_heading(const std::vector<Column>& columns) { return tsv_line(names_of(columns)); }
 
-std::string tsv_row(const Row& row) { return tsv_line(texts_of(row)); }
+std::string tsv_row(const Row& row) { return tsv_line(texts_of(row, in_tsv)); }
 
 nlohmann::ordered_json json_of(const Table& table) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();

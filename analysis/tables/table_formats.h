@@ -10,16 +10,16 @@
 
 namespace foveola::analysis {
 
-/// The shortest text that reads back as the same value; empty where there is none.
+/// The shortest text that reads back as the same value, as in CSV; empty where there is none.
 std::string text_of(const Field& field);
 
-/// The heading, or a row, as a line of CSV (RFC 4180).
+/// The heading, or a row, as a line of CSV (RFC 4180). Truth values are TRUE and FALSE.
 std::string csv_heading(const std::vector<Column>& columns);
 std::string csv_row(const Row& row);
 std::string csv_of(const Table& table);
 
 /// The heading, or a row, as a line of tab-separated values as BIDS has them: without quotes, tabs
-/// and line breaks as spaces, "n/a" for what is missing.
+/// and line breaks as spaces, "n/a" for what is missing, true and false.
 std::string tsv_heading(const std::vector<Column>& columns);
 std::string tsv_row(const Row& row);
 

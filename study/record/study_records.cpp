@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -83,9 +82,10 @@ std::vector<AmendedSession> read_amended(SQLite::Database& database) {
   return amended;
 }
 
-/// Returns the row ids of the sessions.
-std::vector<std::int64_t> read_sessions(SQLite::Database& database, StudyRecords& records) {
-  std::vector<std::int64_t> ids;
+/// Returns those whose data are to be read.
+SessionIndices read_sessions(SQLite::Database& database, WithdrawnSessions withdrawn,
+                             StudyRecords& records) {
+  SessionIndices with_data;
   SQLite::Statement rows(
       database,
       "SELECT id, participant, kind, state, design_row,"
@@ -93,14 +93,18 @@ std::vector<std::int64_t> read_sessions(SQLite::Database& database, StudyRecords
       " FROM session LEFT JOIN event ON event.session = session.id AND type = 'excluded'"
       " ORDER BY id");
   while (rows.executeStep()) {
-    ids.push_back(rows.getColumn("id").getInt64());
+    const std::string state = rows.getColumn("state").getString();
+    if (state != "withdrawn" || withdrawn == WithdrawnSessions::with_data) {
+      with_data.emplace(rows.getColumn("id").getInt64(),
+                        static_cast<std::uint32_t>(records.sessions.size()));
+    }
     records.sessions.push_back({.participant = rows.getColumn("participant").getString(),
                                 .kind = rows.getColumn("kind").getString(),
-                                .state = rows.getColumn("state").getString(),
+                                .state = state,
                                 .design_row = optional_integer(rows, "design_row"),
                                 .reason = rows.getColumn("reason").getString()});
   }
-  return ids;
+  return with_data;
 }
 
 std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
@@ -120,41 +124,41 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
                          .injected = rows.getColumn("injected").getString()};
 }
 
-std::vector<AnswerRow> read_answers(SQLite::Database& database,
-                                    const std::vector<std::int64_t>& session_ids) {
-  std::unordered_map<std::int64_t, std::uint32_t> sessions;
-  for (const std::int64_t id : session_ids) {
-    sessions.emplace(id, static_cast<std::uint32_t>(sessions.size()));
-  }
-  std::vector<AnswerRow> answers;
+void read_answers(SQLite::Database& database, const SessionIndices& sessions, WordIndices& words,
+                  StudyRecords& records) {
   SQLite::Statement rows(database,
                          "SELECT session, step, questionnaire, question, number, text"
-                         " FROM questionnaire_answer JOIN session ON session.id = session"
-                         " WHERE state <> 'withdrawn' ORDER BY questionnaire_answer.rowid");
+                         " FROM questionnaire_answer ORDER BY rowid");
   while (rows.executeStep()) {
-    AnswerRow answer{.session = sessions.at(rows.getColumn("session").getInt64()),
-                     .step = rows.getColumn("step").getInt(),
-                     .questionnaire = rows.getColumn("questionnaire").getString(),
-                     .question = rows.getColumn("question").getString(),
-                     .value = rows.getColumn("text").getString()};
-    if (const SQLite::Column number = rows.getColumn("number"); !number.isNull()) {
-      answer.value = number.getDouble();
+    const auto session = sessions.find(rows.getColumn(0).getInt64());
+    if (session == sessions.end()) {
+      continue;
     }
-    answers.push_back(std::move(answer));
+    const SQLite::Column number = rows.getColumn(4);
+    records.answers.push_back(
+        {.session = session->second,
+         .step = rows.getColumn(1).getInt(),
+         .questionnaire = words.index_of(rows.getColumn(2).getString()),
+         .question = words.index_of(rows.getColumn(3).getString()),
+         .value = number.isNull()
+                      ? Value{.state = Value::State::in_words,
+                              .words = words.index_of(rows.getColumn(5).getString())}
+                      : Value{.state = Value::State::measured, .number = number.getDouble()}});
   }
-  return answers;
 }
 
 /// All queries see the same moment of a study that is being written.
-StudyRecords read_records(SQLite::Database& database, const fs::path& path) {
+StudyRecords read_records(SQLite::Database& database, const fs::path& path,
+                          WithdrawnSessions withdrawn) {
   const SQLite::Transaction moment(database);
   StudyRecords records;
   read_protocol(database, path, records);
-  const std::vector<std::int64_t> session_ids = read_sessions(database, records);
+  const SessionIndices sessions = read_sessions(database, withdrawn, records);
   records.simulation = read_simulation(database);
   records.amended = read_amended(database);
-  read_trial_rows(database, session_ids, records);
-  records.answers = read_answers(database, session_ids);
+  WordIndices words(records.words);
+  read_trial_rows(database, sessions, words, records);
+  read_answers(database, sessions, words, records);
   return records;
 }
 
@@ -165,11 +169,11 @@ bool StudyRecords::has_simulated() const {
                              [](const SessionRow& row) { return row.kind == "simulated"; });
 }
 
-StudyRecords read_study(const fs::path& path) {
+StudyRecords read_study(const fs::path& path, WithdrawnSessions withdrawn) {
   StudyRecords records;
   with_clear_errors(path, [&] {
     SQLite::Database database = open_study_to_read(path);
-    records = read_records(database, path);
+    records = read_records(database, path, withdrawn);
   });
   return records;
 }

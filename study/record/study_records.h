@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "study/design/plan.h"
@@ -55,11 +54,11 @@ struct TrialRow {
 
 /// One answer of a questionnaire.
 struct AnswerRow {
-  std::uint32_t session = 0;  ///< index into StudyRecords::sessions
-  int step = 0;               ///< of the session's plan: a questionnaire may be asked twice
-  std::string questionnaire;
-  std::string question;
-  std::variant<double, std::string> value;
+  std::uint32_t session = 0;        ///< index into StudyRecords::sessions
+  std::int32_t step = 0;            ///< of the session's plan: a questionnaire may be asked twice
+  std::uint32_t questionnaire = 0;  ///< index of its id in StudyRecords::words
+  std::uint32_t question = 0;       ///< index of its id in StudyRecords::words
+  Value value;                      ///< a number, or an answer in words
 };
 
 /// A session that went by other words or time-outs than the study's protocol has.
@@ -93,12 +92,16 @@ struct StudyRecords {
   std::optional<SimulationFacts> simulation;
   std::vector<AmendedSession> amended;  ///< none twice: reports must say which
 
-  // Nothing of withdrawn sessions.
+  // Of withdrawn sessions only what WithdrawnSessions says.
   std::vector<TrialRow> trials;    ///< by session, trial and attempt
   std::vector<Value> values;       ///< [row of trials][measure]
   std::vector<std::string> words;  ///< texts that rows refer to; the first is empty
   std::vector<AnswerRow> answers;  ///< in the order in which they were given
 
+  const std::string& questionnaire_of(const AnswerRow& row) const {
+    return words[row.questionnaire];
+  }
+  const std::string& question_of(const AnswerRow& row) const { return words[row.question]; }
   const Value& value(std::size_t row, std::size_t measure) const {
     return values[row * measures.size() + measure];
   }
@@ -117,8 +120,15 @@ struct StudyRecords {
   bool has_simulated() const;
 };
 
+/// What is read of sessions that a participant withdrew from.
+enum class WithdrawnSessions : std::uint8_t {
+  without_data,  ///< that there was one: no trials and no answers
+  with_data,
+};
+
 /// Reads a study's file without changing it. Throws Error if it is missing, not a database,
 /// damaged, or of a schema that this program does not know.
-StudyRecords read_study(const std::filesystem::path& path);
+StudyRecords read_study(const std::filesystem::path& path,
+                        WithdrawnSessions withdrawn = WithdrawnSessions::without_data);
 
 }  // namespace foveola::study

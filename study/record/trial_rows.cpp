@@ -45,19 +45,15 @@ TrialKind kind_named(const std::string& name) {
 
 class TrialReader {
  public:
-  TrialReader(SQLite::Database& database, const std::vector<std::int64_t>& session_ids,
+  TrialReader(SQLite::Database& database, const SessionIndices& sessions, WordIndices& words,
               StudyRecords& records)
-      : database_(database), records_(records) {
-    for (const std::int64_t id : session_ids) {
-      sessions_.emplace(id, sessions_.size());
-    }
+      : database_(database), sessions_(sessions), words_(words), records_(records) {
     for (const Measure& measure : records.measures) {
       measures_.emplace(measure.id(), measures_.size());
     }
   }
 
   void read() {
-    records_.words = {""};
     read_rows();
     records_.values.assign(records_.trials.size() * records_.measures.size(), Value{});
     read_values(
@@ -69,22 +65,11 @@ class TrialReader {
   }
 
  private:
-  using Key = std::tuple<std::size_t, std::uint32_t, int>;  ///< Session, trial, attempt.
+  using Key = std::tuple<std::uint32_t, std::uint32_t, int>;  ///< Session, trial, attempt.
 
   static Key key_of(const TrialRow& row) { return {row.session, row.trial, row.attempt}; }
 
-  /// The index of a text, each of which is kept once.
-  std::uint32_t word(const std::string& text) {
-    const auto [known, is_new] =
-        words_.emplace(text, static_cast<std::uint32_t>(records_.words.size()));
-    if (is_new) {
-      records_.words.push_back(text);
-    }
-    return known->second;
-  }
-
   void read_rows() {
-    words_.emplace("", 0);
     const Positions scenes = positions_of(records_.scenes);
     const Positions methods = positions_of(records_.methods);
     SQLite::Statement row(
@@ -92,26 +77,27 @@ class TrialReader {
         "SELECT planned_trial.session, planned_trial.trial, planned_trial.kind, scene, method,"
         " scene_position, method_position, coalesce(attempt, 0), coalesce(object, ''),"
         " coalesce(outcome, '')"
-        " FROM planned_trial JOIN session ON session.id = planned_trial.session"
-        " LEFT JOIN attempt ON attempt.session = planned_trial.session"
+        " FROM planned_trial LEFT JOIN attempt ON attempt.session = planned_trial.session"
         "  AND attempt.trial = planned_trial.trial"
-        " WHERE state <> 'withdrawn'"
         " ORDER BY planned_trial.session, planned_trial.trial, attempt");
     while (row.executeStep()) {
+      const auto session = sessions_.find(row.getColumn(0).getInt64());
+      if (session == sessions_.end()) {
+        continue;
+      }
       const auto number = [&](int column) {
         return static_cast<std::uint16_t>(row.getColumn(column).getInt());
       };
-      const TrialRow trial{
-          .session = static_cast<std::uint32_t>(sessions_.at(row.getColumn(0).getInt64())),
-          .trial = row.getColumn(1).getUInt(),
-          .kind = kind_named(row.getColumn(2).getString()),
-          .scene = position_of(scenes, row.getColumn(3).getString(), "scene"),
-          .method = position_of(methods, row.getColumn(4).getString(), "method"),
-          .scene_position = number(5),
-          .method_position = number(6),
-          .attempt = number(7),
-          .object = word(row.getColumn(8).getString()),
-          .outcome = word(row.getColumn(9).getString())};
+      const TrialRow trial{.session = session->second,
+                           .trial = row.getColumn(1).getUInt(),
+                           .kind = kind_named(row.getColumn(2).getString()),
+                           .scene = position_of(scenes, row.getColumn(3).getString(), "scene"),
+                           .method = position_of(methods, row.getColumn(4).getString(), "method"),
+                           .scene_position = number(5),
+                           .method_position = number(6),
+                           .attempt = number(7),
+                           .object = words_.index_of(row.getColumn(8).getString()),
+                           .outcome = words_.index_of(row.getColumn(9).getString())};
       if (!records_.trials.empty()) {
         TrialRow& before = records_.trials.back();
         before.counts = before.session != trial.session || before.trial != trial.trial;
@@ -144,24 +130,37 @@ class TrialReader {
 
   Value value_of(const SQLite::Column& column, bool is_censored) {
     if (column.isText()) {
-      return {.state = Value::State::in_words, .words = word(column.getString())};
+      return {.state = Value::State::in_words, .words = words_.index_of(column.getString())};
     }
     return {.state = is_censored ? Value::State::right_censored : Value::State::measured,
             .number = column.getDouble()};
   }
 
   SQLite::Database& database_;
+  const SessionIndices& sessions_;
+  WordIndices& words_;
   StudyRecords& records_;
-  std::unordered_map<std::int64_t, std::size_t> sessions_;
   Positions measures_;
-  std::unordered_map<std::string, std::uint32_t> words_;
 };
 
 }  // namespace
 
-void read_trial_rows(SQLite::Database& database, const std::vector<std::int64_t>& session_ids,
+WordIndices::WordIndices(std::vector<std::string>& words) : words_(words) {
+  words_.assign(1, {});
+  indices_.emplace("", 0);
+}
+
+std::uint32_t WordIndices::index_of(const std::string& text) {
+  const auto [known, is_new] = indices_.emplace(text, static_cast<std::uint32_t>(words_.size()));
+  if (is_new) {
+    words_.push_back(text);
+  }
+  return known->second;
+}
+
+void read_trial_rows(SQLite::Database& database, const SessionIndices& sessions, WordIndices& words,
                      StudyRecords& records) {
-  TrialReader(database, session_ids, records).read();
+  TrialReader(database, sessions, words, records).read();
 }
 
 }  // namespace foveola::study

@@ -47,7 +47,8 @@ def read_table(path, renamed, ignored):
         columns = [str(i) for i in range(len(columns))]
     else:
         del rows[0]
-    return [{c: v for c, v in zip(columns, row) if c not in ignored} for row in rows]
+    truth = {"TRUE": "true", "FALSE": "false"}  # CSV was in lower case once, as TSV is.
+    return [{c: truth.get(v, v) for c, v in zip(columns, row) if c not in ignored} for row in rows]
 
 
 def rows_by_texts(rows, columns):

@@ -109,7 +109,26 @@ std::size_t index_of(const StudyRecords& records, const std::string& participant
   return static_cast<std::size_t>(found - records.trials.begin());
 }
 
+void record_answer(StudyRecords& records, const std::string& participant,
+                   const std::string& questionnaire, const std::string& question,
+                   const Value& value, int step) {
+  records.answers.push_back({.session = session_of(records, participant),
+                             .step = step,
+                             .questionnaire = word_in(records, questionnaire),
+                             .question = word_in(records, question),
+                             .value = value});
+}
+
 }  // namespace
+
+std::uint32_t word_in(StudyRecords& records, const std::string& text) {
+  const auto found = std::find(records.words.begin(), records.words.end(), text);
+  const auto index = static_cast<std::uint32_t>(found - records.words.begin());
+  if (found == records.words.end()) {
+    records.words.push_back(text);
+  }
+  return index;
+}
 
 Value measured(double number) { return {.state = Value::State::measured, .number = number}; }
 
@@ -207,12 +226,16 @@ StudyRecords reordered(const StudyRecords& records, unsigned seed) {
 }
 
 void add_answer(StudyRecords& records, const std::string& participant,
-                const std::string& questionnaire, const std::string& question, double number) {
-  records.answers.push_back({.session = session_of(records, participant),
-                             .step = 0,
-                             .questionnaire = questionnaire,
-                             .question = question,
-                             .value = number});
+                const std::string& questionnaire, const std::string& question, double number,
+                int step) {
+  record_answer(records, participant, questionnaire, question, measured(number), step);
+}
+
+void add_answer_in_words(StudyRecords& records, const std::string& participant,
+                         const std::string& questionnaire, const std::string& question,
+                         const std::string& words, int step) {
+  record_answer(records, participant, questionnaire, question,
+                {.state = Value::State::in_words, .words = word_in(records, words)}, step);
 }
 
 }  // namespace foveola::analysis

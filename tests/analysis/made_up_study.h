@@ -1,6 +1,7 @@
 // Studies for tests, built in code or from the golden files; no person took part in them.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -44,8 +45,17 @@ inline constexpr std::size_t outline_index = 0;
 inline constexpr std::size_t material_index = 1;
 inline constexpr std::size_t artifacts_index = 2;
 
+/// The index of a text in the records' words; adds it if it is new.
+std::uint32_t word_in(study::StudyRecords& records, const std::string& text);
+
 /// Adds an answer in numbers; the participant must have a session.
 void add_answer(study::StudyRecords& records, const std::string& participant,
-                const std::string& questionnaire, const std::string& question, double number);
+                const std::string& questionnaire, const std::string& question, double number,
+                int step = 0);
+
+/// Adds an answer in words; the participant must have a session.
+void add_answer_in_words(study::StudyRecords& records, const std::string& participant,
+                         const std::string& questionnaire, const std::string& question,
+                         const std::string& words, int step = 0);
 
 }  // namespace foveola::analysis

@@ -214,7 +214,7 @@ TEST_F(EveryMeasure, EveryMarkIsExportedAndNothingElse) {
       if (!row[mark + "_s"].empty()) {
         marks.push_back(row["participant"] + "/" + row["trial"] + "/" + row["attempt"] + "/" +
                         mark + "/" + printed(row[mark + "_s"]) + "/" +
-                        (row[mark + "_censored"] == "true" ? "1" : "0"));
+                        (row[mark + "_censored"] == "TRUE" ? "1" : "0"));
       }
     }
   }

@@ -85,9 +85,10 @@ TEST(Dataset, SessionsThatAreNotCompletedAreListedWithWhy) {
   records.sessions[2].reason = "asleep";
   records.sessions[3].state = "withdrawn";
   EXPECT_THAT(select_for_analysis(records).participants, ElementsAre("P5"));
-  EXPECT_THAT(exclusions_of(records),
-              ElementsAre("P1///: session paused", "P2///: session interrupted",
-                          "P3///: session excluded: asleep", "P4///: session withdrawn"));
+  EXPECT_THAT(
+      exclusions_of(records),
+      ElementsAre("P1///: session interrupted: in its state paused", "P2///: session interrupted",
+                  "P3///: session excluded: asleep", "P4///: session withdrawn"));
 }
 
 TEST(Dataset, RatingsOnAnyScaleAreTaken) {

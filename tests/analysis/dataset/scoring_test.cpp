@@ -134,7 +134,7 @@ TEST(Scoring, OtherQuestionsMayStandBesideTheItems) {
 TEST(Scoring, EachTimeThatItIsAskedHasItsOwnScores) {
   study::StudyRecords records = answered(form_of("load", tlx_answers, 0, 20), tlx_answers);
   for (const auto& [item, answer] : tlx_answers) {
-    records.answers.push_back({0, 3, "load", item, 20.0});
+    add_answer(records, "P1", "load", item, 20.0, 3);
   }
   const std::vector<ScoreRow> rows = score_questionnaires(records);
   ASSERT_EQ(rows.size(), 2U);

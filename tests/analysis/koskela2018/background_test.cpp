@@ -103,7 +103,7 @@ TEST(Background, AnAnswerThatIsNoNumberIsNamed) {
 TEST(Background, IsWhatWasAnsweredInNumbersToTheQuestionnaireOfThatId) {
   study::StudyRecords records = complete_study(1);
   add_answer(records, "P1", "tlx", "mental", 7.0);
-  records.answers.push_back({0, 0, "background", "work", "painter"});
+  add_answer_in_words(records, "P1", "background", "work", "painter");
   const std::vector<BackgroundAnswer> answers = background_answers(records);
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].participant, "P1");

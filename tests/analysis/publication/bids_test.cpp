@@ -33,9 +33,11 @@ TEST(Bids, EveryParticipantHasAFileOfTrialsInTheirOrder) {
   records.trials[6].scene_position = 1;  // the record has the rows in the order of the plan
   const std::string text =
       content_of(bids_of(records), "bids/sub-P2/beh/sub-P2_task-preview_beh.tsv");
-  EXPECT_THAT(text, StartsWith("status\tscene\tmethod\ttrial\ttrial_kind\ttrial_position\t"));
+  EXPECT_THAT(
+      text,
+      StartsWith("status\tstatus_reason\tscene\tmethod\ttrial\ttrial_kind\ttrial_position\t"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
-  EXPECT_LT(text.find("\nanalysed\taula\tod\t0\ttest\t3\t"), text.find("\taula\tvp\t"));
+  EXPECT_LT(text.find("\nanalysed\tn/a\taula\tod\t0\ttest\t3\t"), text.find("\taula\tvp\t"));
 }
 
 TEST(Bids, PracticeAndCatchTrialsAreThereAndEarlierTimingsAreNot) {
@@ -51,10 +53,11 @@ TEST(Bids, PracticeAndCatchTrialsAreThereAndEarlierTimingsAreNot) {
   const std::string text =
       content_of(bids_of(records), "bids/sub-P1/beh/sub-P1_task-preview_beh.tsv");
   EXPECT_EQ(text.find("99.5"), std::string::npos);
-  EXPECT_THAT(text, HasSubstr("\npractice\taula\tod\t0\tpractice\tn/a\tn/a\t1\tthe chair\trated\t"
-                              "88.5\tfalse\tn/a\tn/a\tn/a\tnone\n"));
   EXPECT_THAT(text,
-              HasSubstr("\ncatch\taula\tod\t0\tcatch\tn/a\tn/a\t1\tthe chair\trated\t8\ttrue\t"
+              HasSubstr("\npractice\tn/a\taula\tod\t0\tpractice\tn/a\tn/a\t1\tthe chair\trated\t"
+                        "88.5\tfalse\tn/a\tn/a\tn/a\tnone\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\ncatch\tn/a\taula\tod\t0\tcatch\tn/a\tn/a\t1\tthe chair\trated\t8\ttrue\t"
                         "n/a\tn/a\tn/a\tnone\n"));
 }
 

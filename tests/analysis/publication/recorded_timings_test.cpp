@@ -13,8 +13,10 @@ namespace foveola::analysis {
 namespace {
 
 using study::ms;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class RecordedTimings : public study::StudyFile {
  protected:
@@ -43,15 +45,48 @@ TEST_F(RecordedTimings, OnesThatWereMadeAgainAreInAFileOfTheirOwn) {
   const AnalysisOutput output = analyze_study(path_, folder_ / "out");
   const std::vector<CsvRow> again = rows_in("trials_timed_again.csv");
   ASSERT_EQ(again.size(), 2U);
-  EXPECT_THAT(again[1], ElementsAre("P01", "simulated", "completed", "timed again", "hall", "fv",
-                                    "0", "test", "0", "0", "1", "vase", "retimed", "1", "false",
-                                    "120", "true", "", "verified"));
+  EXPECT_THAT(again[1], ElementsAre("P01", "simulated", "completed", "timed again", "", "hall",
+                                    "fv", "0", "test", "0", "0", "1", "vase", "retimed", "1",
+                                    "FALSE", "120", "TRUE", "", "verified"));
   const std::vector<CsvRow> counted = rows_in("trials_long.csv");
   ASSERT_EQ(counted.size(), 5U);
-  EXPECT_THAT(counted[1], ElementsAre("P01", "simulated", "completed", "analysed", "hall", "fv",
-                                      "0", "test", "0", "0", "2", "vase", "rated", "0.5", "false",
-                                      "1.5", "false", "3", "verified"));
+  EXPECT_THAT(counted[1], ElementsAre("P01", "simulated", "completed", "analysed", "", "hall", "fv",
+                                      "0", "test", "0", "0", "2", "vase", "rated", "0.5", "FALSE",
+                                      "1.5", "FALSE", "3", "verified"));
   EXPECT_EQ(output.tables.scene_times.at(0).censored, 0);
+}
+
+TEST_F(RecordedTimings, OfWithdrawnSessionsComeOutOnlyIfAskedForAndChangeNoResult) {
+  write_retimed_study();
+  {
+    study::StudyStore store(path_, study::small_protocol());
+    study::PlayedSession session(store, study::facts_of("P02"), study::small_plan());
+    session.begin();
+    session.run_trial(ms(1000), ms(500), ms(1500), 1);
+    session.happen(ms(5000), study::Withdrawn{});
+  }
+  (void)analyze_study(path_, folder_ / "out");
+  EXPECT_THAT(read_file(folder_ / "out" / "trials_long.csv"), Not(HasSubstr("P02")));
+  EXPECT_THAT(read_file(folder_ / "out" / "answers_long.csv"), Not(HasSubstr("P02")));
+  const std::string report = read_file(folder_ / "out" / "report.html");
+  const std::string times = read_file(folder_ / "out" / "times_by_scene.csv");
+
+  const AnalysisOutput output = analyze_study(path_, folder_ / "out", {.withdrawn = true});
+  EXPECT_THAT(output.warnings, Contains(HasSubstr("one session that a participant withdrew from")));
+  const std::vector<CsvRow> rows = rows_in("trials_long.csv");
+  ASSERT_EQ(rows.size(), 1U + 4U + 4U);
+  EXPECT_THAT(std::vector<std::string>(rows[5].begin(), rows[5].begin() + 5),
+              ElementsAre("P02", "simulated", "withdrawn", "withdrawn", "session withdrawn"));
+  EXPECT_EQ(rows[5].at(14), "0.5");
+  EXPECT_THAT(read_file(folder_ / "out" / "answers_long.csv"),
+              HasSubstr("P02,withdrawn,withdrawn,session withdrawn,background,"));
+  EXPECT_EQ(read_file(folder_ / "out" / "report.html"), report);
+  EXPECT_EQ(read_file(folder_ / "out" / "times_by_scene.csv"), times);
+  for (const std::filesystem::path& file : output.files) {
+    if (file.string().find("psych-ds") != std::string::npos) {
+      EXPECT_THAT(read_file(file), Not(HasSubstr("P02"))) << file;
+    }
+  }
 }
 
 TEST_F(RecordedTimings, OfExcludedSessionsComeOutToo) {
@@ -74,7 +109,7 @@ TEST_F(RecordedTimings, OfExcludedSessionsComeOutToo) {
               ElementsAre("P01", "simulated", "excluded", "excluded"));
   EXPECT_EQ(rows_in("trials_timed_again.csv").size(), 1U + 2U * 3U);
   const std::string answers = read_file(folder_ / "out" / "answers_long.csv");
-  EXPECT_THAT(answers, HasSubstr("P02,completed,debrief,"));
+  EXPECT_THAT(answers, HasSubstr("P02,completed,analysed,,debrief,"));
   EXPECT_THAT(answers, HasSubstr(",comments,,\"a, \"\"b\"\"\",,,simulated,verified\r\n"));
   EXPECT_EQ(rows_in("catch_trials.csv").at(1).at(0), "P02");
 }

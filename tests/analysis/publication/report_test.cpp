@@ -198,8 +198,8 @@ TEST(Report, HostileStringsStayText) {
     measure.question.text = hostile;
   }
   records.measures[artifacts_index].question.labels = {hostile, hostile};
-  for (study::AnswerRow& row : records.answers) {
-    row.question = row.question == "graphics_3d" ? hostile : row.question;
+  for (std::string& word : records.words) {
+    word = word == "graphics_3d" ? hostile : word;
   }
   const std::string html = report_of(records);
   EXPECT_THAT(html, Not(HasSubstr("<script")));

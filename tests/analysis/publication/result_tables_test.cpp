@@ -73,8 +73,8 @@ TEST(ResultTables, AmendedSessionsAreListed) {
   EXPECT_THAT(results_of(records).rows_of("amended_sessions"),
               ElementsAre(ElementsAre("participant", "protocol_sha256", "changed_keys", "analysed",
                                       "participant_kind"),
-                          ElementsAre("P2", "0a1b", "timing.timeout_s texts.rest", "true", "human"),
-                          ElementsAre("P3", "2c3d", "", "false", "human")));
+                          ElementsAre("P2", "0a1b", "timing.timeout_s texts.rest", "TRUE", "human"),
+                          ElementsAre("P3", "2c3d", "", "FALSE", "human")));
 }
 
 TEST(ResultTables, EveryRowHasEveryColumn) {

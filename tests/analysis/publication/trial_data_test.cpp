@@ -49,7 +49,7 @@ std::vector<CsvRow> wide_rows(const study::StudyRecords& records) {
 const CsvRow& row_of(const std::vector<CsvRow>& rows, const std::string& participant,
                      const std::string& scene, const std::string& method) {
   return *std::find_if(rows.begin(), rows.end(), [&](const CsvRow& row) {
-    return row[0] == participant && row[4] == scene && row[5] == method;
+    return row[0] == participant && row[5] == scene && row[6] == method;
   });
 }
 
@@ -58,30 +58,34 @@ TEST(TrialData, TheLongTableHasARowForEveryRecordedTrial) {
   const std::vector<CsvRow> rows = long_rows(records);
   ASSERT_EQ(rows.size(), 1U + records.trials.size());
   EXPECT_THAT(rows, Each(SizeIs(rows[0].size())));
-  EXPECT_THAT(rows[0],
-              ElementsAre("participant", "participant_kind", "session_state", "status", "scene",
-                          "method", "trial", "trial_kind", "trial_position", "method_position",
-                          "attempt", "object", "outcome", "outline_s", "outline_censored",
-                          "material_s", "material_censored", "artifacts_rating", "record"));
-  EXPECT_THAT(rows[1], ElementsAre("P01", "human", "completed", "analysed", "aula", "od", "0",
-                                   "test", "0", "0", "1", "the chair", "rated", "8.0041", "false",
-                                   "12.0567", "false", "2", "none"));
+  EXPECT_THAT(rows[0], ElementsAre("participant", "participant_kind", "session_state", "status",
+                                   "status_reason", "scene", "method", "trial", "trial_kind",
+                                   "trial_position", "method_position", "attempt", "object",
+                                   "outcome", "outline_s", "outline_censored", "material_s",
+                                   "material_censored", "artifacts_rating", "record"));
+  EXPECT_THAT(rows[1], ElementsAre("P01", "human", "completed", "analysed", "", "aula", "od", "0",
+                                   "test", "0", "0", "1", "the chair", "rated", "8.0041", "FALSE",
+                                   "12.0567", "FALSE", "2", "none"));
 }
 
 TEST(TrialData, RightCensoredTimesAreBoundsAndMissingOnesAreEmpty) {
   const std::vector<CsvRow> rows = long_rows(golden_study_records());
   const CsvRow& ran_out = row_of(rows, "P03", "aula", "od");
-  EXPECT_EQ(ran_out.at(13), "60");
-  EXPECT_EQ(ran_out.at(14), "true");
+  EXPECT_EQ(ran_out.at(14), "60");
+  EXPECT_EQ(ran_out.at(15), "TRUE");
   const CsvRow& missing = row_of(rows, "P04", "barn", "fv");
-  EXPECT_EQ(missing.at(15), "");
   EXPECT_EQ(missing.at(16), "");
+  EXPECT_EQ(missing.at(17), "");
 }
 
 TEST(TrialData, StatusSaysWhyATrialIsNotAnalysed) {
-  study::StudyRecords records = complete_study(3);
-  records.sessions[1].state = "interrupted";
+  study::StudyRecords records = complete_study(6);
+  records.sessions[1].state = "rating";
   records.sessions[2].kind = "pilot";
+  records.sessions[3].state = "excluded";
+  records.sessions[3].reason = "fell asleep";
+  records.sessions[4].state = "withdrawn";
+  records.sessions[5].state = "refused";
   TrialRow row = records.trials.front();
   row.counts = false;
   records.add_trial(row, {{}, {}, {}});
@@ -91,13 +95,21 @@ TEST(TrialData, StatusSaysWhyATrialIsNotAnalysed) {
   row.kind = TrialKind::catch_trial;
   records.add_trial(row, {{}, {}, {}});
   const std::vector<CsvRow> rows = long_rows(records);
-  EXPECT_EQ(rows.at(1).at(3), "analysed");
-  EXPECT_EQ(rows.at(1 + 6).at(3), "interrupted");
-  EXPECT_EQ(rows.at(1 + 12).at(3), "pilot");
-  EXPECT_EQ(rows.at(1 + 18).at(3), "timed again");
-  EXPECT_EQ(rows.at(1 + 19).at(3), "practice");
-  EXPECT_EQ(rows.at(1 + 20).at(3), "catch");
-  EXPECT_EQ(rows.at(1 + 20).at(8), "");
+  const auto status = [&](std::size_t trial) {
+    return std::vector<std::string>{rows.at(1 + trial).at(3), rows.at(1 + trial).at(4)};
+  };
+  EXPECT_THAT(status(0), ElementsAre("analysed", ""));
+  EXPECT_THAT(status(6), ElementsAre("interrupted", "session interrupted: in its state rating"));
+  EXPECT_THAT(status(12), ElementsAre("other kind",
+                                      "pilot session; only human sessions are "
+                                      "analysed together"));
+  EXPECT_THAT(status(18), ElementsAre("excluded", "session excluded: fell asleep"));
+  EXPECT_THAT(status(24), ElementsAre("withdrawn", "session withdrawn"));
+  EXPECT_THAT(status(30), ElementsAre("refused", "session refused"));
+  EXPECT_THAT(status(36), ElementsAre("timed again", ""));
+  EXPECT_THAT(status(37), ElementsAre("practice", ""));
+  EXPECT_THAT(status(38), ElementsAre("catch", ""));
+  EXPECT_EQ(rows.at(1 + 38).at(9), "");
 }
 
 TEST(TrialData, EveryMeasureOfTheProtocolHasItsColumns) {
@@ -105,17 +117,17 @@ TEST(TrialData, EveryMeasureOfTheProtocolHasItsColumns) {
   records.measures[material_index].question.id = "third";
   study::Question& rating = records.measures[artifacts_index].question;
   rating = {.id = "remarks", .text = "Remarks?", .kind = study::QuestionKind::text};
-  records.words.emplace_back("odd, \"very\"");
+  const std::uint32_t odd = word_in(records, "odd, \"very\"");
   change_values(records, "remarks",
-                [](Value& value) { value = {.state = Value::State::in_words, .words = 3}; });
+                [&](Value& value) { value = {.state = Value::State::in_words, .words = odd}; });
   const std::vector<CsvRow> rows = long_rows(records);
-  EXPECT_EQ(rows.at(0).at(15), "third_s");
-  EXPECT_EQ(rows.at(0).at(17), "remarks_rating");
-  EXPECT_EQ(rows.at(1).at(17), "odd, \"very\"");
+  EXPECT_EQ(rows.at(0).at(16), "third_s");
+  EXPECT_EQ(rows.at(0).at(18), "remarks_rating");
+  EXPECT_EQ(rows.at(1).at(18), "odd, \"very\"");
   const Dataset set = select_for_analysis(records);
   const TrialColumns trials(records, set);
-  EXPECT_EQ(trials.columns().at(17).type, ColumnType::text);
-  EXPECT_EQ(trials.columns().at(17).description, "Remarks? Answers: in words");
+  EXPECT_EQ(trials.columns().at(18).type, ColumnType::text);
+  EXPECT_EQ(trials.columns().at(18).description, "Remarks? Answers: in words");
 }
 
 TEST(TrialData, TheWideTableHasARowForEveryParticipant) {
@@ -141,26 +153,46 @@ study::StudyRecords study_with_forms() {
   records.protocol.questionnaires = {form};
   records.answers.clear();
   add_answer(records, "P1", "mood", "ease", 2.0);
-  records.answers.push_back({0, 4, "mood", "remarks", "none, \"really\""});
+  add_answer_in_words(records, "P1", "mood", "remarks", "none, \"really\"", 4);
   add_answer(records, "P2", "mood", "noise", 0.5);
   add_answer(records, "P2", "unknown", "thing", 7.0);
   return records;
 }
 
+std::vector<CsvRow> answer_rows(const study::StudyRecords& records) {
+  const Dataset set = select_for_analysis(records);
+  const AnswerColumns answers(records, set);
+  std::string text = csv_heading(answers.columns());
+  for (std::size_t i = 0; i < records.answers.size(); ++i) {
+    text += csv_row(answers.row(i));
+  }
+  return parse_csv(text, "answers");
+}
+
+TEST(TrialData, AnswersOfSessionsThatAreNotAnalysedSayWhy) {
+  study::StudyRecords records = study_with_forms();
+  records.sessions[1].state = "withdrawn";
+  const std::vector<CsvRow> rows = answer_rows(records);
+  EXPECT_EQ(rows.at(1).at(2), "analysed");
+  EXPECT_EQ(rows.at(3).at(2), "withdrawn");
+  EXPECT_EQ(rows.at(3).at(3), "session withdrawn");
+}
+
 TEST(TrialData, EveryAnswerHasARowWithTheProtocolsLabel) {
-  const std::vector<CsvRow> rows = parse_csv(csv_of(answers_long(study_with_forms())), "answers");
+  const std::vector<CsvRow> rows = answer_rows(study_with_forms());
   ASSERT_EQ(rows.size(), 5U);
-  EXPECT_THAT(rows[0],
-              ElementsAre("participant", "session_state", "questionnaire", "step", "question",
-                          "number", "text", "question_text", "scale", "participant_kind"));
-  EXPECT_THAT(rows[1], ElementsAre("P1", "completed", "mood", "0", "ease", "2", "yes", "At ease?",
-                                   "1 no to 2 yes", "human"));
-  EXPECT_THAT(rows[2], ElementsAre("P1", "completed", "mood", "4", "remarks", "",
-                                   "none, \"really\"", "Remarks?", "in words", "human"));
-  EXPECT_THAT(rows[3], ElementsAre("P2", "completed", "mood", "0", "noise", "0.5", "a little",
-                                   "Noise?", "0.5 (a little), 2 (much)", "human"));
-  EXPECT_THAT(rows[4],
-              ElementsAre("P2", "completed", "unknown", "0", "thing", "7", "", "", "", "human"));
+  EXPECT_THAT(rows[0], ElementsAre("participant", "session_state", "status", "status_reason",
+                                   "questionnaire", "step", "question", "number", "text",
+                                   "question_text", "scale", "participant_kind", "record"));
+  EXPECT_THAT(rows[1], ElementsAre("P1", "completed", "analysed", "", "mood", "0", "ease", "2",
+                                   "yes", "At ease?", "1 no to 2 yes", "human", "none"));
+  EXPECT_THAT(rows[2], ElementsAre("P1", "completed", "analysed", "", "mood", "4", "remarks", "",
+                                   "none, \"really\"", "Remarks?", "in words", "human", "none"));
+  EXPECT_THAT(rows[3],
+              ElementsAre("P2", "completed", "analysed", "", "mood", "0", "noise", "0.5",
+                          "a little", "Noise?", "0.5 (a little), 2 (much)", "human", "none"));
+  EXPECT_THAT(rows[4], ElementsAre("P2", "completed", "analysed", "", "unknown", "0", "thing", "7",
+                                   "", "", "", "human", "none"));
 }
 
 TEST(TrialData, QuestionsInNumbersAreDescribed) {

@@ -32,10 +32,10 @@ Table every_kind() {
 
 TEST(TableFormats, CsvReadsBackAsItWasWritten) {
   const std::string csv = csv_of(every_kind());
-  EXPECT_TRUE(csv.starts_with("name,count,mean_s,is_true\r\nplain,-3,0.1,true\r\n")) << csv;
+  EXPECT_TRUE(csv.starts_with("name,count,mean_s,is_true\r\nplain,-3,0.1,TRUE\r\n")) << csv;
   const std::vector<CsvRow> rows = parse_csv(csv, "kinds");
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_THAT(rows[2], ElementsAre("a \"b\",\tc\nd", "9007199254740993", "1e-300", "false"));
+  EXPECT_THAT(rows[2], ElementsAre("a \"b\",\tc\nd", "9007199254740993", "1e-300", "FALSE"));
   EXPECT_THAT(rows[3], ElementsAre("", "", "", ""));
 }
 

@@ -61,10 +61,10 @@ std::vector<std::string> lines_of(const StudyRecords& records) {
 std::vector<std::string> answers_of(const StudyRecords& records) {
   std::vector<std::string> lines;
   for (const AnswerRow& row : records.answers) {
-    const auto* number = std::get_if<double>(&row.value);
-    lines.push_back(fmt::format(
-        "{} {}.{} {}", records.sessions[row.session].participant, row.questionnaire, row.question,
-        number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(row.value)));
+    lines.push_back(fmt::format("{} {}.{} {}", records.sessions[row.session].participant,
+                                records.questionnaire_of(row), records.question_of(row),
+                                row.value.is_measured() ? fmt::format("{:g}", row.value.number)
+                                                        : records.words[row.value.words]));
   }
   return lines;
 }
@@ -164,6 +164,21 @@ TEST_F(Records, LeaveOutWhatAParticipantTookBack) {
   EXPECT_THAT(line_of(records, 0), "P02 hall fv 0.0 test attempt 1 [rated]: 0.6 1.6 2");
   EXPECT_THAT(answers_of(records),
               ElementsAre("P02 background.age 31", "P02 background.cg_experience 4"));
+}
+
+TEST_F(Records, HoldWhatAParticipantTookBackIfAskedFor) {
+  PlayedSession withdrawn = session_of("P01");
+  withdrawn.run_trial(ms(1000), ms(500), ms(1500), 1);
+  withdrawn.happen(ms(5000), Withdrawn{});
+  PlayedSession other = session_of("P02");
+  other.run_trial(ms(1000), ms(600), ms(1600), 2);
+  const StudyRecords records = read_study(path_, WithdrawnSessions::with_data);
+  ASSERT_THAT(records.trials, testing::SizeIs(8));
+  EXPECT_THAT(line_of(records, 0), "P01 hall fv 0.0 test attempt 1 [rated]: 0.5 1.5 1");
+  EXPECT_THAT(line_of(records, 4), "P02 hall fv 0.0 test attempt 1 [rated]: 0.6 1.6 2");
+  EXPECT_THAT(answers_of(records),
+              ElementsAre("P01 background.age 31", "P01 background.cg_experience 4",
+                          "P02 background.age 31", "P02 background.cg_experience 4"));
 }
 
 TEST_F(Records, HoldPracticeCatchTrialsAndEarlierTimings) {
