@@ -261,7 +261,7 @@ TEST_F(EveryMeasure, EveryAnswerIsExportedAndNothingElse) {
 TEST_F(EveryMeasure, PlannedComparisonsComeFirstInTheirOrder) {
   Rows planned;
   for (auto& row : rows_in("comparisons.csv")) {
-    if (row["status"] == "primary") {
+    if (row["status"] == "planned") {
       planned.push_back(row["measure"] + " " + row["method"] + " " + row["reference"]);
       EXPECT_NE(row["p_holm"].empty(), row["missing"].empty()) << planned.back();
     }
