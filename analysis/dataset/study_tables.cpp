@@ -174,6 +174,7 @@ StudyTables tabulate_study(const study::StudyRecords& records) {
       tables.ratings.push_back(tabulate_ratings(set, rating, method));
     }
   }
+  tables.survival = mark_survival(set);
   tables.amended = list_amended(records, set);
   tables.incomplete_scenes = count_incomplete_scenes(set);
   return tables;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
+#include "analysis/dataset/mark_survival.h"
 #include "analysis/statistics/descriptive.h"
 #include "study/record/study_records.h"
 
@@ -82,6 +83,7 @@ struct StudyTables {
   std::vector<SceneTimes> scene_times;    ///< [mark][scene][method]
   std::vector<MethodTimes> method_times;  ///< [mark][method]
   std::vector<MethodRatings> ratings;     ///< [rating in numbers][method]
+  std::vector<MarkSurvival> survival;     ///< [mark][method]
   std::vector<AmendedSession> amended;
   /// (participant, scene, mark) triples that the means over all scenes leave out.
   std::size_t incomplete_scenes = 0;

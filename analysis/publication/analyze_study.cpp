@@ -21,6 +21,7 @@
 #include "analysis/publication/result_tables.h"
 #include "analysis/publication/row_file.h"
 #include "analysis/publication/summary.h"
+#include "analysis/publication/survival_output.h"
 #include "analysis/r_models/fit_models.h"
 #include "analysis/r_models/models_plan.h"
 #include "analysis/r_models/models_script.h"
@@ -126,6 +127,7 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
   const StudyTables& tables = output.tables;
   std::vector<Table> all = {times_by_scene(tables),
                             times_by_method(tables),
+                            time_to_mark_table(tables),
                             ratings_by_method(tables),
                             rating_counts(tables),
                             comparisons_table(tables, output.comparisons),
@@ -167,6 +169,7 @@ std::vector<TextFile> latex_files(const AnalysisOutput& output,
     printed.push_back(printed_times(tables, mark));
   }
   printed.push_back(printed_geometric_means(tables, published));
+  printed.push_back(printed_time_to_mark(tables));
   for (const std::size_t rating : tables.set.ratings()) {
     printed.push_back(printed_ratings(tables, rating));
   }

@@ -6,6 +6,7 @@
 
 #include "analysis/publication/gnuplot.h"
 #include "analysis/publication/rating_figures.h"
+#include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
 
 namespace foveola::analysis {
@@ -28,6 +29,9 @@ std::string rating_figure_name(const Measure& rating) { return "ratings_" + rati
 
 std::vector<Figure> draw_figures(const StudyTables& tables) {
   std::vector<std::optional<Figure>> drawn_ones = {relative_figure(tables), seconds_figure(tables)};
+  for (const std::size_t mark : tables.set.times()) {
+    drawn_ones.push_back(survival_figure(tables, mark));
+  }
   for (const std::size_t rating : tables.set.ratings()) {
     drawn_ones.push_back(rating_figure(tables, rating));
   }

@@ -23,8 +23,9 @@ struct Figure {
 /// The name of the figure of a rating.
 std::string rating_figure_name(const Measure& rating);
 
-/// Draws the times of all marks, relative_times and times_in_seconds, and each rating in numbers,
-/// as far as there are values. Throws Error if gnuplot is missing.
+/// Draws the times of all marks, relative_times and times_in_seconds, the curve time_to_MARK of
+/// each mark, and each rating in numbers, as far as there are values. Throws Error if gnuplot is
+/// missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
 /// The figure as a PDF without a date, so that the same figure gives the same bytes. Throws Error

@@ -2,6 +2,7 @@
 
 #include "analysis/dataset/wording.h"
 #include "analysis/publication/printed_results.h"
+#include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
 #include "analysis/tables/html.h"
 
@@ -49,10 +50,6 @@ std::string tables_html(const StudyTables& tables, const std::vector<PrintedTabl
   return html;
 }
 
-std::string paragraph(const std::string& text) {
-  return fmt::format("<p>{}</p>\n", escape_html(text));
-}
-
 }  // namespace
 
 std::string comparisons_section(const StudyTables& tables, const Comparisons& comparisons) {
@@ -60,7 +57,7 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
     return "";
   }
   return html_section("Comparisons of methods",
-                      paragraph(plan_in_words(comparisons, tables.set.participants.size())) +
+                      paragraph_html(plan_in_words(comparisons, tables.set.participants.size())) +
                           tables_html(tables, {printed_primary(comparisons, true),
                                                printed_primary(comparisons, false)}));
 }
@@ -71,9 +68,10 @@ std::string sensitivity_section(const StudyTables& tables, const Comparisons& co
   }
   return html_section(
       "Appendix: sensitivity analyses",
-      paragraph("The same comparisons by other means. Conclusions rest on the primary analyses; "
-                "here they are seen to depend, or not, on how the data are analysed.") +
-          paragraph(models_in_words(comparisons.models)) +
+      paragraph_html(
+          "The same comparisons by other means. Conclusions rest on the primary analyses; "
+          "here they are seen to depend, or not, on how the data are analysed.") +
+          paragraph_html(models_in_words(comparisons.models)) +
           tables_html(tables, sensitivity_tables(comparisons)));
 }
 

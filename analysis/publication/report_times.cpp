@@ -6,6 +6,7 @@
 #include "analysis/publication/printed_results.h"
 #include "analysis/publication/report_parts.h"
 #include "analysis/publication/report_sections.h"
+#include "analysis/publication/survival_output.h"
 #include "analysis/tables/html.h"
 
 namespace foveola::analysis {
@@ -27,6 +28,21 @@ std::string meanings_of_marks(const StudyTables& tables) {
                        : meaning);
   }
   return text;
+}
+
+/// The times with trials in which a mark was never reached.
+std::string unreached_html(const StudyTables& tables, const std::vector<Figure>& figures) {
+  std::string html;
+  for (const std::string& sentence : unreached_in_words(tables.survival)) {
+    html += paragraph_html(sentence);
+  }
+  for (const std::size_t mark : tables.set.times()) {
+    const Measure& measure = tables.set.measures[mark];
+    html += figure_html(tables, figures, survival_figure_name(measure),
+                        fmt::format("Trials without the mark {}, by time.", measure.id()),
+                        "Kaplan and Meier’s curve of each method, over all trials.");
+  }
+  return html + html_of(printed_time_to_mark(tables), data_notice(tables));
 }
 
 }  // namespace
@@ -56,6 +72,7 @@ std::string methods_section(const StudyTables& tables, const std::vector<Figure>
   html += figure_html(tables, figures, "times_in_seconds", "Time in seconds.",
                       what_is_drawn + off_the_axis);
   html += html_of(printed_geometric_means(tables, published), data_notice(tables));
+  html += unreached_html(tables, figures);
   if (tables.incomplete_scenes > 0) {
     html += fmt::format(
         "<p>Left out here, because not every method’s time was measured: {} of {} pairs of a "

@@ -26,7 +26,8 @@ std::vector<std::string> names_of(const std::vector<Figure>& figures) {
 TEST(Figures, ThePublishedOnesAreDrawn) {
   const std::vector<Figure> figures = draw_figures(tabulate_study(golden_study_records()));
   EXPECT_THAT(names_of(figures),
-              ElementsAre("relative_times", "times_in_seconds", "ratings_artifacts"));
+              ElementsAre("relative_times", "times_in_seconds", "time_to_outline",
+                          "time_to_material", "ratings_artifacts"));
   for (const Figure& figure : figures) {
     EXPECT_THAT(figure.svg, HasSubstr("</svg>"));
     EXPECT_THAT(figure.svg, HasSubstr("<text>FV</text>"));
@@ -35,7 +36,7 @@ TEST(Figures, ThePublishedOnesAreDrawn) {
     EXPECT_TRUE(png_of(figure).starts_with("\x89PNG"));
   }
   // From R: the means and deviations of the ratings.
-  EXPECT_THAT(figures[2].svg, HasSubstr("2.42 ± 0.78"));
+  EXPECT_THAT(figures.back().svg, HasSubstr("2.42 ± 0.78"));
 }
 
 TEST(Figures, EveryFileSaysWhoseDataItShows) {
@@ -63,7 +64,7 @@ TEST(Figures, ManyParticipantsAreDrawnWithoutDots) {
 }
 
 TEST(Figures, OneParticipantIsDrawnWithoutIntervals) {
-  EXPECT_EQ(draw_figures(tabulate_study(complete_study(1))).size(), 3U);
+  EXPECT_EQ(draw_figures(tabulate_study(complete_study(1))).size(), 5U);
 }
 
 TEST(Figures, WithoutValuesThereIsNoFigure) {
@@ -76,8 +77,9 @@ TEST(Figures, OneMethodHasNoRelativeFigure) {
   study::StudyRecords records = complete_study(2);
   records.methods = {"od"};
   keep_trials(records, [](const study::TrialRow& row) { return row.method == 0; });
-  EXPECT_THAT(names_of(draw_figures(tabulate_study(records))),
-              ElementsAre("times_in_seconds", "ratings_artifacts"));
+  EXPECT_THAT(
+      names_of(draw_figures(tabulate_study(records))),
+      ElementsAre("times_in_seconds", "time_to_outline", "time_to_material", "ratings_artifacts"));
 }
 
 /// complete_study() with ratings on a scale of many points: 10, 20, 31 by the first participant
@@ -100,7 +102,8 @@ study::StudyRecords study_on_a_wide_scale(int participants) {
 TEST(Figures, OnAScaleOfManyPointsEveryParticipantIsDrawnBetweenTheNamedEnds) {
   const std::vector<Figure> figures = draw_figures(tabulate_study(study_on_a_wide_scale(3)));
   ASSERT_THAT(names_of(figures),
-              ElementsAre("relative_times", "times_in_seconds", "ratings_artifacts"));
+              ElementsAre("relative_times", "times_in_seconds", "time_to_outline",
+                          "time_to_material", "ratings_artifacts"));
   const Figure& figure = figures.back();
   EXPECT_THAT(figure.script,
               HasSubstr("10 0\n20 1\n31 2\n\n17 0\n27 1\n38 2\n\n24 0\n34 1\n45 2\n\nEND"));

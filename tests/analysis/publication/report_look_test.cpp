@@ -70,7 +70,7 @@ TEST(ReportLook, EveryTableHasACaptionAndHeadingsForRowsAndColumns) {
 
 TEST(ReportLook, EveryFigureHasANameACaptionAndAMark) {
   const std::vector<std::string> figures = parts(simulated_report(), "<figure>", "</figure>");
-  EXPECT_EQ(figures.size(), 3U);
+  EXPECT_EQ(figures.size(), 5U);
   EXPECT_THAT(figures, Each(testing::ContainsRegex("<svg role=\"img\" aria-label=\"[A-Z]")));
   EXPECT_THAT(figures, Each(HasSubstr("<figcaption><span class=\"tag\">Simulated data</span>")));
   EXPECT_THAT(figures, Each(HasSubstr("<text>Simulated data</text>")));

@@ -57,8 +57,8 @@ study::StudyRecords simulated_study() {
 
 TEST(Report, IsOnePageWithItsFiguresInside) {
   const std::string html = report_of(golden_study_records());
-  EXPECT_EQ(count_of(html, "<svg role=\"img\""), 3U);
-  EXPECT_EQ(count_of(html, "</svg>"), 3U);
+  EXPECT_EQ(count_of(html, "<svg role=\"img\""), 5U);
+  EXPECT_EQ(count_of(html, "</svg>"), 5U);
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
   EXPECT_THAT(html, Not(HasSubstr("src=")));
   EXPECT_THAT(html, Not(HasSubstr("<script")));

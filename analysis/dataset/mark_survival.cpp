@@ -1,0 +1,92 @@
+#include "analysis/dataset/mark_survival.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/wording.h"
+
+namespace foveola::analysis {
+namespace {
+
+std::vector<TimeToMark> times_to(const Dataset& set, std::size_t mark, std::size_t method) {
+  std::vector<TimeToMark> times;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+      const Value& value = set.value(participant, scene, method, mark);
+      if (value.is_measured() || value.state == Value::State::right_censored) {
+        times.push_back({value.number, !value.is_measured()});
+      }
+    }
+  }
+  return times;
+}
+
+std::optional<Interval> limits_of(const std::vector<TimeToMark>& times) {
+  std::optional<Interval> limits;
+  for (const TimeToMark& time : times) {
+    if (time.censored) {
+      limits = limits
+                   ? Interval{std::min(limits->low, time.time), std::max(limits->high, time.time)}
+                   : Interval{time.time, time.time};
+    }
+  }
+  return limits;
+}
+
+/// Empty without times.
+std::optional<double> horizon_of(const std::vector<std::vector<TimeToMark>>& by_method) {
+  std::optional<double> longest;
+  std::optional<double> earliest_limit;
+  for (const std::vector<TimeToMark>& times : by_method) {
+    for (const TimeToMark& time : times) {
+      longest = std::max(longest.value_or(0.0), time.time);
+    }
+    if (const std::optional<Interval> limits = limits_of(times)) {
+      earliest_limit = std::min(earliest_limit.value_or(limits->low), limits->low);
+    }
+  }
+  return earliest_limit ? earliest_limit : longest;
+}
+
+}  // namespace
+
+std::vector<MarkSurvival> mark_survival(const Dataset& set) {
+  std::vector<MarkSurvival> survival;
+  for (const std::size_t mark : set.times()) {
+    std::vector<std::vector<TimeToMark>> by_method;
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      by_method.push_back(times_to(set, mark, method));
+    }
+    const std::optional<double> horizon = horizon_of(by_method);
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      MarkSurvival& row = survival.emplace_back();
+      row.mark = set.measures[mark].id();
+      row.method = set.methods[method];
+      row.curve = kaplan_meier(by_method[method]);
+      if (horizon && *horizon > 0.0) {
+        row.restricted = restricted_mean(row.curve, *horizon);
+      }
+      row.limits_s = limits_of(by_method[method]);
+    }
+  }
+  return survival;
+}
+
+std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& survival) {
+  std::vector<std::string> sentences;
+  for (const MarkSurvival& row : survival) {
+    if (row.limits_s) {
+      const std::string limit =
+          row.limits_s->low == row.limits_s->high
+              ? fmt::format("{:.3g} s", row.limits_s->low)
+              : fmt::format("{:.3g} to {:.3g} s", row.limits_s->low, row.limits_s->high);
+      sentences.push_back(fmt::format("{} did not reach the mark {} within {} in {} of {} trials.",
+                                      method_label(row.method), row.mark, limit, row.curve.censored,
+                                      row.curve.n));
+    }
+  }
+  return sentences;
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,31 @@
+// Times to a mark with those trials in which it was never reached.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/dataset.h"
+#include "analysis/statistics/survival.h"
+
+namespace foveola::analysis {
+
+/// One mark with one method, over all trials in which it was reached or right-censored.
+struct MarkSurvival {
+  std::string mark;    ///< Its id.
+  std::string method;  ///< Its id.
+  SurvivalCurve curve;
+  /// To the earliest time at which any method's time was right-censored, or else to the longest
+  /// time of the mark: the same for all methods.
+  std::optional<RestrictedMean> restricted;
+  std::optional<Interval> limits_s;  ///< The earliest and latest of its right-censored times.
+};
+
+/// [mark][method], in the set's order.
+std::vector<MarkSurvival> mark_survival(const Dataset& set);
+
+/// "od did not reach the mark outline within 180 s in 23 of 80 trials." for each that has
+/// right-censored times.
+std::vector<std::string> unreached_in_words(const std::vector<MarkSurvival>& survival);
+
+}  // namespace foveola::analysis
