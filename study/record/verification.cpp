@@ -67,9 +67,6 @@ SQLite::Database copy_to_verify(const fs::path& path) {
   return copy;
 }
 
-/// Sessions that are checked as one piece of work: enough to make up for opening the file again.
-constexpr std::size_t sessions_at_once = 128;
-
 std::vector<SessionKey> session_keys(SQLite::Database& study) {
   std::vector<SessionKey> keys;
   SQLite::Statement sessions(study, "SELECT id, participant FROM session ORDER BY id");
@@ -102,21 +99,23 @@ Verification check_sessions_in(const fs::path& path, std::span<const SessionKey>
   return check_sessions(of_study, of_blank, sessions);
 }
 
-/// Appends what is found in the sessions, many at a time, in their order.
+/// Appends what is found in the sessions, in their order; each thread has some at a time.
 void check_all_sessions(const fs::path& path, const std::vector<SessionKey>& sessions,
                         Verification& found) {
-  const std::size_t pieces = (sessions.size() + sessions_at_once - 1) / sessions_at_once;
-  const auto threads = std::max(1U, std::thread::hardware_concurrency());
-  OrderedJobs<Verification> checks(pieces, 2 * std::size_t{threads}, [&](std::size_t piece) {
-    const std::size_t first = piece * sessions_at_once;
-    return check_sessions_in(path, std::span(sessions).subspan(
-                                       first, std::min(sessions_at_once, sessions.size() - first)));
+  constexpr std::size_t most_at_once = 128;  // what they are before events is in memory
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t at_once =
+      std::clamp<std::size_t>((sessions.size() + threads - 1) / threads, 1, most_at_once);
+  OrderedJobs<Verification> checks(
+      (sessions.size() + at_once - 1) / at_once, 2 * threads, [&](std::size_t piece) {
+        const std::size_t first = piece * at_once;
+        return check_sessions_in(
+            path, std::span(sessions).subspan(first, std::min(at_once, sessions.size() - first)));
+      });
+  checks.run(static_cast<int>(threads), [&](std::size_t /*piece*/, const Verification& part) {
+    append(found, part);
+    return true;
   });
-  checks.run(static_cast<int>(std::min<std::size_t>(threads, pieces)),
-             [&](std::size_t /*piece*/, const Verification& part) {
-               append(found, part);
-               return true;
-             });
 }
 
 Verification verify(const fs::path& path) {
