@@ -206,11 +206,8 @@ std::vector<TextFile> files_of(const AnalysisOutput& output,
   files.push_back({"OUTPUTS.md", outputs_in_words(output.results)});
   std::vector<TextFile> latex = latex_files(output, published);
   std::move(latex.begin(), latex.end(), std::back_inserter(files));
-  for (const Figure& figure : figures) {
-    files.push_back({figure.name + ".svg", figure.svg});
-    files.push_back({figure.name + ".pdf", pdf_of(figure)});
-    files.push_back({figure.name + ".png", png_of(figure)});
-  }
+  std::vector<TextFile> drawn = files_of_figures(figures);
+  std::move(drawn.begin(), drawn.end(), std::back_inserter(files));
   files.push_back(
       {"report.html",
        report_html({tables, output.background, table_named(output.results, "answers_by_question"),

@@ -1,6 +1,9 @@
 #include "analysis/publication/figures.h"
 
+#include <algorithm>
 #include <optional>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,6 +11,7 @@
 #include "analysis/publication/rating_figures.h"
 #include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
+#include "renderer/base/ordered_jobs.h"
 
 namespace foveola::analysis {
 namespace {
@@ -42,6 +46,29 @@ std::vector<Figure> draw_figures(const StudyTables& tables) {
     }
   }
   return figures;
+}
+
+std::vector<TextFile> files_of_figures(const std::vector<Figure>& figures) {
+  constexpr std::size_t formats = 3;
+  std::vector<TextFile> files;
+  OrderedJobs<TextFile> drawings(formats * figures.size(), formats * figures.size(),
+                                 [&](std::size_t index) -> TextFile {
+                                   const Figure& figure = figures[index / formats];
+                                   switch (index % formats) {
+                                     case 0:
+                                       return {figure.name + ".svg", figure.svg};
+                                     case 1:
+                                       return {figure.name + ".pdf", pdf_of(figure)};
+                                     default:
+                                       return {figure.name + ".png", png_of(figure)};
+                                   }
+                                 });
+  drawings.run(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+               [&](std::size_t /*index*/, TextFile file) {
+                 files.push_back(std::move(file));
+                 return true;
+               });
+  return files;
 }
 
 std::string pdf_of(const Figure& figure) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/dataset/study_tables.h"
+#include "analysis/tables/text_file.h"
 
 namespace foveola::analysis {
 
@@ -27,6 +28,10 @@ std::string rating_figure_name(const Measure& rating);
 /// each mark, and each rating in numbers, as far as there are values. Throws Error if gnuplot is
 /// missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
+
+/// Each figure as NAME.svg, NAME.pdf and NAME.png; several are drawn at a time. Throws Error as
+/// below.
+std::vector<TextFile> files_of_figures(const std::vector<Figure>& figures);
 
 /// The figure as a PDF without a date, so that the same figure gives the same bytes. Throws Error
 /// if gnuplot is missing.
