@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/publication/coverage.h"
+#include "analysis/publication/crossed_coverage.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 
@@ -60,7 +61,11 @@ void run_bench_statistics(const CoverageSettings& settings, bool json,
   {
     Progress progress("Studies with injected effects");
     figures = measure_coverage(
-        settings, [&](double done) { progress.update(done); }, stop);
+        settings, [&](double done) { progress.update(0.9 * done); }, stop);
+    for (CoverageFigure& figure : measure_crossed_coverage(
+             settings, [&](double done) { progress.update(0.9 + 0.1 * done); }, stop)) {
+      figures.push_back(std::move(figure));
+    }
   }
   json ? print_json(settings, figures) : print_table(settings, figures);
   for (const CoverageFigure& figure : figures) {

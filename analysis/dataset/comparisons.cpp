@@ -8,6 +8,8 @@
 
 #include "analysis/dataset/participant_values.h"
 #include "analysis/statistics/bootstrap.h"
+#include "analysis/statistics/crossed_model.h"
+#include "analysis/statistics/influence.h"
 #include "analysis/statistics/multiplicity.h"
 
 namespace foveola::analysis {
@@ -75,7 +77,7 @@ CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair&
   return cases;
 }
 
-void compare_participants(const PairedTrials& trials, double alpha, MethodComparison& comparison) {
+void compare_participants(const PairedTrials& trials, MethodComparison& comparison) {
   const std::vector<double> differences = trials.participant_means();
   if (comparison.is_time) {
     comparison.ratio = ratio_t(differences);
@@ -85,10 +87,6 @@ void compare_participants(const PairedTrials& trials, double alpha, MethodCompar
   }
   comparison.ranks = signed_rank(without_rounding(differences));
   comparison.pseudo_median = pseudo_median(differences);
-  if (comparison.margin) {
-    const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
-    comparison.equivalent = equivalence(differences, margin, alpha);
-  }
 }
 
 std::optional<PrimaryResult> primary_of(const MethodComparison& comparison,
@@ -100,10 +98,55 @@ std::optional<PrimaryResult> primary_of(const MethodComparison& comparison,
   const auto model = [&](const char* name) {
     return models.find(name, comparison.measure, comparison.method, comparison.reference);
   };
-  const ParticipantResults results = {comparison.ratio, comparison.ranks, comparison.pseudo_median};
-  return comparison.is_time
-             ? primary_of_times(trials, results, plan, model("crossed"), model("tobit"))
-             : primary_of_ratings(results, plan, has_points, model("ordinal"));
+  const PrimarySources sources{
+      .pairs = trials,
+      .t = comparison.ratio ? std::optional(comparison.ratio->logs) : comparison.points,
+      .ranks = comparison.ranks,
+      .pseudo_median = comparison.pseudo_median,
+      .crossed = model("crossed"),
+      .tobit = model("tobit"),
+      .ordinal = model("ordinal")};
+  return comparison.is_time ? primary_of_times(sources, plan)
+                            : primary_of_ratings(sources, plan, has_points);
+}
+
+/// By the crossed model where that is the primary analysis, else over participants.
+std::optional<EquivalenceTest> equivalence_of(const PairedTrials& trials,
+                                              const MethodComparison& comparison, double alpha) {
+  const double margin = comparison.is_time ? std::log(*comparison.margin) : *comparison.margin;
+  if (comparison.primary && comparison.primary->kind == AnalysisKind::crossed_model) {
+    const auto model = crossed_model(complete_participants(trials.differences));
+    return model ? equivalence(*model, margin, alpha) : std::nullopt;
+  }
+  return equivalence(trials.participant_means(), margin, alpha);
+}
+
+std::optional<Influence> influence_of(const Dataset& set, const PairedTrials& trials,
+                                      const PrimaryResult& primary) {
+  constexpr std::size_t fewest = 3;
+  constexpr std::size_t most = 2000;  // takes time that grows with their square
+  std::vector<std::size_t> who = trials.who;
+  std::optional<LeaveOneOut> range;
+  if (trials.participants() < fewest || trials.participants() > most) {
+    return std::nullopt;
+  }
+  if (primary.kind == AnalysisKind::crossed_model) {
+    who.clear();
+    for (std::size_t i = 0; i < trials.participants(); ++i) {
+      const auto& row = trials.differences[i];
+      if (std::all_of(row.begin(), row.end(),
+                      [](const auto& value) { return value.has_value(); })) {
+        who.push_back(trials.who[i]);
+      }
+    }
+    range = leave_one_out(complete_participants(trials.differences));
+  } else {
+    range = leave_one_out(trials.participant_means());
+  }
+  return range
+             ? std::optional(Influence{range->estimates, set.participants[who[range->without_low]],
+                                       set.participants[who[range->without_high]]})
+             : std::nullopt;
 }
 
 /// `means`: of this measure, as participant_means has them.
@@ -116,10 +159,16 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
   comparison.n = trials.participants();
   comparison.pairs = trials.pairs;
   comparison.censored = trials.censored;
-  compare_participants(trials, plan.alpha, comparison);
+  compare_participants(trials, comparison);
   comparison.complete = complete_cases(means, pair, comparison.is_time);
   comparison.primary =
       primary_of(comparison, trials, plan, !set.measures[pair.measure].points().empty(), models);
+  if (comparison.margin) {
+    comparison.equivalent = equivalence_of(trials, comparison, plan.alpha);
+  }
+  if (comparison.primary) {
+    comparison.influence = influence_of(set, trials, *comparison.primary);
+  }
   comparison.missing = why_no_p(comparison);
   return comparison;
 }

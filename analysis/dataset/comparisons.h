@@ -27,6 +27,14 @@ struct CompleteCases {
   std::optional<TTest> points;     ///< Ratings only.
 };
 
+/// What the estimate becomes without each participant in turn: of a crossed model that of the
+/// participants who have all scenes, of any other analysis the mean over participants.
+struct Influence {
+  Interval estimates;        ///< The smallest and the largest, as in_unit() takes them.
+  std::string without_low;   ///< The code of the participant without whom it is the smallest.
+  std::string without_high;  ///< The code of the one without whom it is the largest.
+};
+
 /// One method compared with another in one measure, over all trials that have both.
 struct MethodComparison {
   std::string measure;  ///< The id of a mark or a rating.
@@ -52,9 +60,13 @@ struct MethodComparison {
   // These test log ratios of times, or differences of ratings.
   std::optional<SignedRankTest> ranks;
   std::optional<PseudoMedian> pseudo_median;
-  std::optional<EquivalenceTest> equivalent;  ///< Where the plan has a margin.
+  /// Where the plan has a margin: by the crossed model if that is primary, else over participants.
+  std::optional<EquivalenceTest> equivalent;
   std::optional<double> margin;
   CompleteCases complete;
+  /// Empty where the primary analysis is not defined, with fewer than three participants or with
+  /// so many that nobody matters.
+  std::optional<Influence> influence;
 
   /// A tested value, or an interval of such, as a ratio of times or a difference of ratings.
   double in_unit(double tested) const { return is_time ? std::exp(tested) : tested; }

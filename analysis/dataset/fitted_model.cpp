@@ -8,7 +8,7 @@ const FittedModel* FittedModels::find(const std::string& model, const std::strin
                                       const std::string& method,
                                       const std::string& reference) const {
   const auto found = std::find_if(models.begin(), models.end(), [&](const FittedModel& row) {
-    return row.fit && row.model == model && row.measure == measure && row.method == method &&
+    return row.model == model && row.measure == measure && row.method == method &&
            row.reference == reference;
   });
   return found != models.end() ? &*found : nullptr;

@@ -7,18 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/dataset/effect_scale.h"
 #include "analysis/statistics/descriptive.h"
 
 namespace foveola::analysis {
 
-/// One model of one measure with two methods. Its estimate is a natural logarithm: of a ratio of
-/// times, method over reference, or of the odds of a higher rating.
+/// One model of one measure with two methods.
 struct FittedModel {
   std::string model;  ///< "crossed", "tobit" or "ordinal".
   std::string measure;
   std::string method;
   std::string reference;
-  /// What the data allowed to estimate.
+  EffectScale scale = EffectScale::ratio;
+  /// What the data allowed to estimate, as the scale is computed with.
   struct Fit {
     double estimate = 0.0;
     double standard_error = 0.0;
@@ -43,7 +44,7 @@ struct FittedModels {
   std::vector<std::pair<std::string, std::string>> versions;  ///< Of R and its packages.
   std::string missing;  ///< Why no model was fitted; empty if R ran.
 
-  /// The model, if it has a fit; nullptr otherwise.
+  /// The model, with a fit or the reason why there is none; nullptr if it was not tried.
   const FittedModel* find(const std::string& model, const std::string& measure,
                           const std::string& method, const std::string& reference) const;
 };

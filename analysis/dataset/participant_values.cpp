@@ -104,6 +104,7 @@ PairedTrials paired_trials(const Dataset& set, std::size_t measure, std::size_t 
     if (present > 0) {
       trials.pairs += present;
       trials.differences.push_back(std::move(row));
+      trials.who.push_back(participant);
     }
     trials.censored += censored_pairs(set, participant, measure, method, reference);
   }

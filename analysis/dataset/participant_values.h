@@ -27,8 +27,9 @@ struct PairedTrials {
   /// [participant][scene]: method less reference, of times their logarithms; empty where one of
   /// both was not measured. Only participants with at least one, and scenes that somebody has.
   std::vector<std::vector<std::optional<double>>> differences;
-  std::size_t pairs = 0;     ///< Differences that are there.
-  std::size_t censored = 0;  ///< Pairs of which at least one time is right-censored.
+  std::vector<std::size_t> who;  ///< [participant]: its index in the set.
+  std::size_t pairs = 0;         ///< Differences that are there.
+  std::size_t censored = 0;      ///< Pairs of which at least one time is right-censored.
 
   std::size_t participants() const { return differences.size(); }
   std::size_t scenes() const { return differences.empty() ? 0 : differences.front().size(); }

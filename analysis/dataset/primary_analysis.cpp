@@ -1,7 +1,5 @@
 #include "analysis/dataset/primary_analysis.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "analysis/statistics/crossed_model.h"
@@ -9,68 +7,85 @@
 namespace foveola::analysis {
 namespace {
 
-std::optional<PrimaryResult> fitted(AnalysisKind kind, const FittedModel& model) {
-  return PrimaryResult{.kind = kind,
-                       .estimate = model.fit->estimate,
-                       .interval = model.fit->interval,
-                       .degrees_of_freedom = model.fit->degrees_of_freedom,
-                       .p = model.fit->p};
+/// Two reasons as one; either may be empty.
+std::string both(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + "; " + b;
 }
 
-std::optional<PrimaryResult> over_participants(const std::optional<RatioTest>& ratio,
+/// Why a model by R is not what is reported.
+std::string without_model(AnalysisKind kind, const FittedModel* tried) {
+  return tried == nullptr ? fmt::format("the {} needs R (analyze --r)", name_of(kind))
+                          : fmt::format("R could not fit the {}: {}", name_of(kind), tried->note);
+}
+
+bool has_fit(const FittedModel* model) { return model != nullptr && model->fit; }
+
+PrimaryResult fitted(AnalysisKind kind, const FittedModel& model) {
+  return {.kind = kind,
+          .scale = model.scale,
+          .estimate = model.fit->estimate,
+          .interval = model.fit->interval,
+          .degrees_of_freedom = model.fit->degrees_of_freedom,
+          .p = model.fit->p};
+}
+
+std::optional<PrimaryResult> over_participants(const PrimarySources& sources, EffectScale scale,
                                                const std::string& instead) {
-  if (!ratio) {
+  if (!sources.t) {
     return std::nullopt;
   }
   return PrimaryResult{.kind = AnalysisKind::participant_t,
+                       .scale = scale,
                        .instead = instead,
-                       .estimate = ratio->logs.mean,
-                       .interval = ratio->logs.interval,
-                       .degrees_of_freedom = ratio->logs.degrees_of_freedom,
-                       .p = ratio->logs.p};
+                       .estimate = sources.t->mean,
+                       .interval = sources.t->interval,
+                       .degrees_of_freedom = sources.t->degrees_of_freedom,
+                       .p = sources.t->p};
 }
 
 /// In closed form, of the participants who have all scenes.
-std::optional<PrimaryResult> crossed_in_closed_form(const PairedTrials& pairs,
-                                                    const std::string& instead) {
-  const RepeatedMeasures complete = complete_participants(pairs.differences);
+std::optional<PrimaryResult> crossed_in_closed_form(const PrimarySources& sources,
+                                                    EffectScale scale, const std::string& instead) {
+  const RepeatedMeasures complete = complete_participants(sources.pairs.differences);
   const std::optional<CrossedModel> model = crossed_model(complete);
   if (!model || !model->test) {
     return std::nullopt;
   }
-  const std::size_t left_out = pairs.participants() - complete.participants;
-  return PrimaryResult{
-      .kind = AnalysisKind::crossed_model,
-      .instead = left_out == 0
-                     ? instead
-                     : fmt::format("{}{} of {} participants, who have all scenes; R fits it to all "
-                                   "pairs (analyze --r)",
-                                   instead.empty() ? "" : instead + "; ", complete.participants,
-                                   pairs.participants()),
-      .estimate = model->mean,
-      .interval = model->test->interval,
-      .degrees_of_freedom = model->test->degrees_of_freedom,
-      .p = model->test->p};
+  const bool is_complete = complete.participants == sources.pairs.participants();
+  const std::string of_whom =
+      is_complete ? ""
+                  : fmt::format("of {} of {} participants, who have all scenes, since with gaps {}",
+                                complete.participants, sources.pairs.participants(),
+                                without_model(AnalysisKind::crossed_model, sources.crossed));
+  return PrimaryResult{.kind = AnalysisKind::crossed_model,
+                       .scale = scale,
+                       .instead = both(instead, of_whom),
+                       .estimate = model->mean,
+                       .interval = model->test->interval,
+                       .degrees_of_freedom = model->test->degrees_of_freedom,
+                       .p = model->test->p};
 }
 
-/// Of measured times: what the plan says.
-std::optional<PrimaryResult> of_measured_times(const PairedTrials& pairs,
-                                               const ParticipantResults& results,
+/// Of the pairs that were measured: what the plan says.
+std::optional<PrimaryResult> of_measured_pairs(const PrimarySources& sources, EffectScale scale,
                                                const study::AnalysisPlan& plan,
-                                               const FittedModel* crossed,
                                                const std::string& instead) {
   if (plan.scenes == study::SceneEffects::fixed) {
-    return over_participants(results.ratio, instead);
+    return over_participants(sources, scale, instead);
   }
-  if (!pairs.is_complete() && crossed != nullptr && instead.empty()) {
-    return fitted(AnalysisKind::crossed_model, *crossed);
+  if (!sources.pairs.is_complete() && has_fit(sources.crossed)) {
+    PrimaryResult result = fitted(AnalysisKind::crossed_model, *sources.crossed);
+    result.instead = instead;
+    return result;
   }
-  if (std::optional<PrimaryResult> closed = crossed_in_closed_form(pairs, instead)) {
+  if (std::optional<PrimaryResult> closed = crossed_in_closed_form(sources, scale, instead)) {
     return closed;
   }
-  const std::string why =
-      pairs.scenes() < 2 ? "one scene" : "too few participants have all scenes without R";
-  return over_participants(results.ratio, instead.empty() ? why : instead + "; " + why);
+  const std::string why = sources.pairs.scenes() < 2
+                              ? "one scene"
+                              : "too few participants have all scenes, and with gaps " +
+                                    without_model(AnalysisKind::crossed_model, sources.crossed);
+  return over_participants(sources, scale, both(instead, why));
 }
 
 }  // namespace
@@ -91,50 +106,41 @@ const char* name_of(AnalysisKind kind) {
   return "";
 }
 
-const char* scale_of(AnalysisKind kind) {
-  return kind == AnalysisKind::ordinal_model  ? "odds ratio"
-         : kind == AnalysisKind::signed_ranks ? "points"
-                                              : "ratio";
+std::optional<PrimaryResult> primary_of_times(const PrimarySources& sources,
+                                              const study::AnalysisPlan& plan) {
+  const std::size_t censored = sources.pairs.censored;
+  if (censored == 0) {
+    return of_measured_pairs(sources, EffectScale::ratio, plan, "");
+  }
+  if (has_fit(sources.tobit)) {
+    return fitted(AnalysisKind::tobit_model, *sources.tobit);
+  }
+  return of_measured_pairs(
+      sources, EffectScale::ratio, plan,
+      fmt::format("{} with a right-censored time left out, which biases the ratio; {}",
+                  censored == 1 ? "one pair" : fmt::format("{} pairs", censored),
+                  without_model(AnalysisKind::tobit_model, sources.tobit)));
 }
 
-double PrimaryResult::in_scale(double value) const {
-  return kind == AnalysisKind::signed_ranks ? value : std::exp(value);
-}
-
-std::optional<PrimaryResult> primary_of_times(const PairedTrials& pairs,
-                                              const ParticipantResults& results,
-                                              const study::AnalysisPlan& plan,
-                                              const FittedModel* crossed,
-                                              const FittedModel* tobit) {
-  if (pairs.censored == 0) {
-    return of_measured_times(pairs, results, plan, crossed, "");
+std::optional<PrimaryResult> primary_of_ratings(const PrimarySources& sources,
+                                                const study::AnalysisPlan& plan, bool has_points) {
+  const bool wants_model = plan.ratings == study::RatingAnalysis::ordinal_model;
+  if (wants_model && !has_points) {
+    return of_measured_pairs(sources, EffectScale::points, plan, "");
   }
-  if (tobit != nullptr) {
-    return fitted(AnalysisKind::tobit_model, *tobit);
+  if (wants_model && has_fit(sources.ordinal)) {
+    return fitted(AnalysisKind::ordinal_model, *sources.ordinal);
   }
-  return of_measured_times(
-      pairs, results, plan, crossed,
-      fmt::format("{} with a right-censored time left out, which biases the ratio; R fits "
-                  "a Tobit model to all (analyze --r)",
-                  pairs.censored == 1 ? "one pair" : fmt::format("{} pairs", pairs.censored)));
-}
-
-std::optional<PrimaryResult> primary_of_ratings(const ParticipantResults& results,
-                                                const study::AnalysisPlan& plan, bool has_points,
-                                                const FittedModel* ordinal) {
-  const bool wants_model = has_points && plan.ratings == study::RatingAnalysis::ordinal_model;
-  if (wants_model && ordinal != nullptr) {
-    return fitted(AnalysisKind::ordinal_model, *ordinal);
-  }
-  if (!results.ranks || !results.pseudo_median) {
+  if (!sources.ranks || !sources.pseudo_median) {
     return std::nullopt;
   }
   return PrimaryResult{
       .kind = AnalysisKind::signed_ranks,
-      .instead = wants_model ? "the cumulative link mixed model needs R (analyze --r)" : "",
-      .estimate = results.pseudo_median->value,
-      .interval = results.pseudo_median->interval,
-      .p = results.ranks->p};
+      .scale = EffectScale::points,
+      .instead = wants_model ? without_model(AnalysisKind::ordinal_model, sources.ordinal) : "",
+      .estimate = sources.pseudo_median->value,
+      .interval = sources.pseudo_median->interval,
+      .p = sources.ranks->p};
 }
 
 }  // namespace foveola::analysis

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/dataset/effect_scale.h"
 #include "analysis/dataset/fitted_model.h"
 #include "analysis/dataset/participant_values.h"
 #include "analysis/statistics/paired_t.h"
@@ -14,7 +15,7 @@
 namespace foveola::analysis {
 
 enum class AnalysisKind {
-  crossed_model,  ///< Mixed model of log times, participants and scenes random.
+  crossed_model,  ///< Mixed model of log times or points, participants and scenes random.
   participant_t,  ///< Paired t over participants, in these scenes.
   tobit_model,    ///< Of single trials, some right-censored, in these scenes.
   ordinal_model,  ///< Cumulative link mixed model of ratings.
@@ -24,42 +25,39 @@ enum class AnalysisKind {
 /// "crossed mixed model", "paired t over participants" and so on.
 const char* name_of(AnalysisKind kind);
 
-/// What an estimate is, after exp where it is a logarithm: "ratio", "odds ratio" or "points".
-const char* scale_of(AnalysisKind kind);
-
 struct PrimaryResult {
   AnalysisKind kind = AnalysisKind::participant_t;
+  EffectScale scale = EffectScale::ratio;
   /// Why it stands in for the analysis that is planned; empty if it is that one.
   std::string instead;
-  double estimate = 0.0;  ///< A logarithm of a ratio or of odds, or points.
+  double estimate = 0.0;  ///< As the scale is computed with, and so is the interval.
   std::optional<Interval> interval;
   std::optional<double> degrees_of_freedom;
   double p = 0.0;  ///< Two-sided.
-
-  /// An estimate as scale_of() says.
-  double in_scale(double value) const;
 };
 
-/// The results over participants that a primary analysis may be.
-struct ParticipantResults {
-  std::optional<RatioTest> ratio;
+/// What a primary analysis is taken from.
+struct PrimarySources {
+  const PairedTrials& pairs;
+  std::optional<TTest> t;  ///< Over participants, of log ratios or points.
   std::optional<SignedRankTest> ranks;
   std::optional<PseudoMedian> pseudo_median;
+  // By R; nullptr if it was not asked.
+  const FittedModel* crossed = nullptr;
+  const FittedModel* tobit = nullptr;
+  const FittedModel* ordinal = nullptr;
 };
 
 /// The primary analysis of times, by the plan: with right-censored times the Tobit model; else the
 /// crossed mixed model, or with fixed scenes the paired t over participants. Where R would have to
 /// fit it and did not, the best of what there is stands in, and `instead` says why. Empty if there
 /// is none.
-std::optional<PrimaryResult> primary_of_times(const PairedTrials& pairs,
-                                              const ParticipantResults& results,
-                                              const study::AnalysisPlan& plan,
-                                              const FittedModel* crossed, const FittedModel* tobit);
+std::optional<PrimaryResult> primary_of_times(const PrimarySources& sources,
+                                              const study::AnalysisPlan& plan);
 
-/// The primary analysis of ratings: the cumulative link mixed model, or signed ranks if the plan
-/// says so, the scale has too many points for thresholds, or there is no model.
-std::optional<PrimaryResult> primary_of_ratings(const ParticipantResults& results,
-                                                const study::AnalysisPlan& plan, bool has_points,
-                                                const FittedModel* ordinal);
+/// The primary analysis of ratings, by the plan: signed ranks, or the cumulative link mixed model
+/// of a scale with few points and, of one with too many for thresholds, what times have.
+std::optional<PrimaryResult> primary_of_ratings(const PrimarySources& sources,
+                                                const study::AnalysisPlan& plan, bool has_points);
 
 }  // namespace foveola::analysis

@@ -28,6 +28,7 @@
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "study/protocol/cautions.h"
 
 namespace fs = std::filesystem;
 
@@ -53,12 +54,11 @@ study::Verification verified(const fs::path& database, bool takes_broken) {
 /// With so few scenes, what is said of others like them is less certain than its interval: see
 /// data/golden/README.md. Empty if there are enough, or if nothing planned is said of others.
 std::string few_scenes(const Comparisons& comparisons, std::size_t scenes) {
-  constexpr std::size_t enough = 5;
   const bool is_of_others = std::any_of(
       comparisons.methods.begin(), comparisons.methods.end(), [](const MethodComparison& row) {
         return row.planned && row.primary && row.primary->kind == AnalysisKind::crossed_model;
       });
-  return is_of_others && scenes < enough
+  return is_of_others && scenes < study::fewest_random_scenes
              ? fmt::format(
                    "{}: 95 % intervals for scenes like these cover less (87 % with two, "
                    "92 % with three); plan five, or fixed scenes.",
@@ -143,6 +143,7 @@ std::vector<Table> tables_of(const AnalysisOutput& output, const study::StudyRec
                             latency_table(tables, output.checks),
                             reaction_times_table(tables, output.checks),
                             catch_trials_table(tables, output.checks),
+                            outlying_times_table(tables, output.checks),
                             exclusions(tables),
                             amended_sessions(tables)};
   for (Table& table : all) {
@@ -346,6 +347,9 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   output.results = tables_of(output, records, trials, participants, answers, models);
   output.summary = terminal_summary(output.tables, output.background);
   output.warnings = warnings_about(output);
+  if (const std::string& why = output.comparisons.models.missing; options.r && !why.empty()) {
+    output.warnings.push_back(fmt::format("No model was fitted: {}.", why));
+  }
   if (options.withdrawn) {
     output.warnings.push_back(withdrawn_in_words(data));
   }

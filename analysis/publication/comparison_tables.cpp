@@ -161,11 +161,12 @@ void add_primary(ColumnsOf<Comparison>& columns) {
            "Why it stands in for the one that was planned; empty if it is that one",
            [](const PrimaryResult& result) { return result.instead; });
   add_text("scale", "What its estimate is: ratio, odds ratio or points",
-           [](const PrimaryResult& result) { return scale_of(result.kind); });
+           [](const PrimaryResult& result) { return name_of(result.scale); });
   add("estimate", "Estimate of the primary analysis",
-      [](const PrimaryResult& result) { return result.in_scale(result.estimate); });
+      [](const PrimaryResult& result) { return in_scale(result.scale, result.estimate); });
   const auto end = [](const PrimaryResult& result, double Interval::*which) {
-    return result.interval ? std::optional(result.in_scale(*result.interval.*which)) : std::nullopt;
+    return result.interval ? std::optional(in_scale(result.scale, *result.interval.*which))
+                           : std::nullopt;
   };
   add("estimate_low", "Lower end of its 95 % interval",
       [=](const PrimaryResult& result) { return end(result, &Interval::low); });
@@ -181,6 +182,31 @@ void add_primary(ColumnsOf<Comparison>& columns) {
        [](const Comparison& row) { return field(row.p_holm); }});
   columns.push_back({{"missing", text, "", "Why there is no P; empty if there is one"},
                      [](const Comparison& row) { return field(row.missing); }});
+}
+
+void add_influence(ColumnsOf<Comparison>& columns) {
+  const auto add_number = [&](const char* name, const char* description, auto value) {
+    columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
+                         return field_in(row.influence, [&](const Influence& found) {
+                           return row.in_unit(value(found.estimates));
+                         });
+                       }});
+  };
+  const auto add_code = [&](const char* name, const char* description, auto value) {
+    columns.push_back({{name, text, "", description},
+                       [=](const Comparison& row) { return field_in(row.influence, value); }});
+  };
+  add_number(
+      "leave_one_out_low",
+      "Smallest estimate without one participant, of the crossed model or over participants, "
+      "as a ratio or in points",
+      [](const Interval& estimates) { return estimates.low; });
+  add_code("leave_one_out_low_without", "The code of that participant",
+           [](const Influence& found) { return found.without_low; });
+  add_number("leave_one_out_high", "Largest estimate without one participant",
+             [](const Interval& estimates) { return estimates.high; });
+  add_code("leave_one_out_high_without", "The code of that participant",
+           [](const Influence& found) { return found.without_high; });
 }
 
 void add_complete_cases(ColumnsOf<Comparison>& columns) {
@@ -253,6 +279,7 @@ Table comparisons_table(const StudyTables& tables, const Comparisons& comparison
   add_pseudo_median(false, "points", "points", 1.0, columns);
   add_equivalence(columns);
   add_complete_cases(columns);
+  add_influence(columns);
   columns.push_back(kind_of_all<Comparison>(tables));
   return tabulate("comparisons", "measure and pair of methods", columns, comparisons.methods);
 }

@@ -221,6 +221,23 @@ DataQualityCheck check_catches(const std::vector<CatchFigures>& catches) {
   return check;
 }
 
+DataQualityCheck check_outliers(const std::vector<OutlyingTime>& outliers) {
+  constexpr std::size_t most_named = 3;
+  std::vector<std::string> named;
+  for (const OutlyingTime& time : outliers) {
+    if (named.size() < most_named) {
+      named.push_back(fmt::format("{}, {}, {}, {}: {:.2g} × the expected", time.participant,
+                                  time.scene, time.method, time.mark, time.times_expected));
+    }
+  }
+  return {"Single times that stand out",
+          outliers.empty() ? "none"
+                           : fmt::format("{}: {}{}", outliers.size(), fmt::join(named, "; "),
+                                         outliers.size() > named.size() ? "; and others" : ""),
+          "none; by chance, one study in twenty has any (Rosner’s test, level 5 %, for each mark)",
+          within(outliers.empty())};
+}
+
 std::vector<ReactionFloor> reaction_floors(const StudyTables& tables,
                                            const study::DataQualityRecords& quality) {
   std::map<std::string, std::vector<double>> presses;
@@ -270,6 +287,7 @@ DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::StudyRecords& records) {
   DataQualityReport report;
   report.catches = catch_figures(tables.set, records);
+  report.outliers = outlying_times(tables.set);
   report.frames = analysed_frames(tables, quality);
   const std::vector<study::FrameFigures>& frames = report.frames;
   report.checks = {
@@ -287,7 +305,8 @@ DataQualityReport check_data_quality(const StudyTables& tables,
                    [](const auto& row) { return 1e3 * row.longest_mark_after_frame_s; }),
       check_validation(tables, quality),
       check_order(tables.set),
-      check_catches(report.catches)};
+      check_catches(report.catches),
+      check_outliers(report.outliers)};
   report.reactions = reaction_floors(tables, quality);
   return report;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/dataset/outlying_times.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/tables/table.h"
 #include "study/record/data_quality_records.h"
@@ -50,10 +51,12 @@ struct DataQualityReport {
   std::vector<study::FrameFigures> frames;  ///< One for each analysed participant with frames.
   std::vector<ReactionFloor> reactions;     ///< One for each participant who took the test.
   std::vector<CatchFigures> catches;        ///< One for each participant with catch trials.
+  std::vector<OutlyingTime> outliers;       ///< Times that stand out from the others.
 };
 
 /// Checks dropped frames, gaze loss, latency, validation, the delay from frames to marks, the
-/// balance of orders, and whether the data are people's; for the participants in `tables`.
+/// balance of orders, single times that stand out, and whether the data are people's; for the
+/// participants in `tables`.
 DataQualityReport check_data_quality(const StudyTables& tables,
                                      const study::DataQualityRecords& quality,
                                      const study::StudyRecords& records);
@@ -61,6 +64,7 @@ DataQualityReport check_data_quality(const StudyTables& tables,
 Table data_quality_table(const StudyTables& tables, const DataQualityReport& report);
 Table latency_table(const StudyTables& tables, const DataQualityReport& report);
 Table catch_trials_table(const StudyTables& tables, const DataQualityReport& report);
+Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report);
 Table reaction_times_table(const StudyTables& tables, const DataQualityReport& report);
 
 }  // namespace foveola::analysis

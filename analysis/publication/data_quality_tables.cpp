@@ -62,6 +62,25 @@ Table catch_trials_table(const StudyTables& tables, const DataQualityReport& rep
   return tabulate("catch_trials", "participant with catch trials", columns, report.catches);
 }
 
+Table outlying_times_table(const StudyTables& tables, const DataQualityReport& report) {
+  using O = OutlyingTime;
+  const ColumnsOf<O> columns = {
+      {{"mark", text, "", "Id of the mark"}, [](const O& row) { return field(row.mark); }},
+      {{"participant", text, "", "Code of the participant"},
+       [](const O& row) { return field(row.participant); }},
+      {{"scene", text, "", "Name of the scene"}, [](const O& row) { return field(row.scene); }},
+      {{"method", text, "", "Id of the method"}, [](const O& row) { return field(row.method); }},
+      {{"time_s", number, "s", "The time, which stays in all results"},
+       [](const O& row) { return field(row.seconds); }},
+      {{"times_expected", number, "",
+        "How many times the time that its participant, scene and method let one expect"},
+       [](const O& row) { return field(row.times_expected); }},
+      {{"studentized_residual", number, "", "Of its logarithm, when it was taken out"},
+       [](const O& row) { return field(row.studentized); }},
+      kind_of_all<O>(tables)};
+  return tabulate("outlying_times", "single time that stands out", columns, report.outliers);
+}
+
 Table reaction_times_table(const StudyTables& tables, const DataQualityReport& report) {
   using R = ReactionFloor;
   const ColumnsOf<R> columns = {

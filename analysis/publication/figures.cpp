@@ -1,6 +1,7 @@
 #include "analysis/publication/figures.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -27,24 +28,32 @@ std::string without_date(std::string pdf) {
   return pdf;
 }
 
+/// Each waits for a gnuplot of its own.
+int threads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
 }  // namespace
 
 std::string rating_figure_name(const Measure& rating) { return "ratings_" + rating.id(); }
 
 std::vector<Figure> draw_figures(const StudyTables& tables) {
-  std::vector<std::optional<Figure>> drawn_ones = {relative_figure(tables), seconds_figure(tables)};
+  using Drawing = std::function<std::optional<Figure>()>;
+  std::vector<Drawing> drawings = {[&] { return relative_figure(tables); },
+                                   [&] { return seconds_figure(tables); }};
   for (const std::size_t mark : tables.set.times()) {
-    drawn_ones.push_back(survival_figure(tables, mark));
+    drawings.emplace_back([&tables, mark] { return survival_figure(tables, mark); });
   }
   for (const std::size_t rating : tables.set.ratings()) {
-    drawn_ones.push_back(rating_figure(tables, rating));
+    drawings.emplace_back([&tables, rating] { return rating_figure(tables, rating); });
   }
   std::vector<Figure> figures;
-  for (const std::optional<Figure>& figure : drawn_ones) {
+  OrderedJobs<std::optional<Figure>> jobs(drawings.size(), drawings.size(),
+                                          [&](std::size_t index) { return drawings[index](); });
+  jobs.run(threads(), [&](std::size_t /*index*/, std::optional<Figure> figure) {
     if (figure) {
-      figures.push_back(*figure);
+      figures.push_back(*std::move(figure));
     }
-  }
+    return true;
+  });
   return figures;
 }
 
@@ -63,11 +72,10 @@ std::vector<TextFile> files_of_figures(const std::vector<Figure>& figures) {
                                        return {figure.name + ".png", png_of(figure)};
                                    }
                                  });
-  drawings.run(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-               [&](std::size_t /*index*/, TextFile file) {
-                 files.push_back(std::move(file));
-                 return true;
-               });
+  drawings.run(threads(), [&](std::size_t /*index*/, TextFile file) {
+    files.push_back(std::move(file));
+    return true;
+  });
   return files;
 }
 

@@ -83,34 +83,49 @@ std::string apparatus_in_words(const study::StudyRecords& records) {
                             records.protocol.timing.mark_timeout_s);
 }
 
-std::string primary_in_words(const StudyTables& tables, const Comparisons& comparisons) {
-  std::set<AnalysisKind> kinds;
+/// Whose primary analyses are of this kind, as the subject of a sentence: times, ratings or both.
+std::string compared_by(AnalysisKind kind, const Comparisons& comparisons) {
+  bool times = false;
+  bool ratings = false;
   for (const MethodComparison& row : comparisons.methods) {
-    if (row.primary && (row.planned || comparisons.plan.primary.empty())) {
-      kinds.insert(row.primary->kind);
+    if (row.primary && row.primary->kind == kind &&
+        (row.planned || comparisons.plan.primary.empty())) {
+      (row.is_time ? times : ratings) = true;
     }
   }
+  return times && ratings ? "Logarithms of times, and ratings,"
+         : times          ? "Logarithms of times"
+         : ratings        ? "Ratings"
+                          : "";
+}
+
+std::string primary_in_words(const StudyTables& tables, const Comparisons& comparisons) {
   std::string text;
-  const auto add = [&](AnalysisKind kind, const std::string& sentence) {
-    text += kinds.contains(kind) ? " " + sentence : "";
+  const auto add = [&](AnalysisKind kind, const std::string& how) {
+    if (const std::string what = compared_by(kind, comparisons); !what.empty()) {
+      text += fmt::format(" {} were compared by {}.", what, how);
+    }
   };
   add(AnalysisKind::crossed_model,
-      "Logarithms of times were compared by a mixed model with participants and scenes as crossed "
-      "random effects, each with its own difference between the methods (restricted maximum "
-      "likelihood, Satterthwaite’s degrees of freedom).");
+      "a mixed model with participants and scenes as crossed random effects, each with its own "
+      "difference between the methods (restricted maximum likelihood, Satterthwaite’s degrees of "
+      "freedom)");
   add(AnalysisKind::participant_t,
-      fmt::format("Each participant’s mean log ratio of times over the {} was tested by a paired t "
-                  "test, whose interval is of participants and of these scenes alone.",
+      fmt::format("a paired t test of the participants’ mean differences over the {}, whose "
+                  "interval is of participants in these scenes alone",
                   counted(tables.set.scenes.size(), "scene")));
   add(AnalysisKind::tobit_model,
-      "Times of which some were right-censored were compared by a Tobit model of their logarithms "
-      "with terms for participants and scenes, and standard errors clustered by participant.");
+      "a Tobit model where some were right-censored, with terms for participants and scenes and "
+      "standard errors clustered by participant");
   add(AnalysisKind::ordinal_model,
-      "Ratings were compared by a cumulative link mixed model with random effects of participants "
-      "and their differences between the methods.");
+      fmt::format(
+          "a cumulative link mixed model with random effects of participants{} and of their "
+          "differences between the methods",
+          comparisons.plan.scenes == study::SceneEffects::random ? ", of scenes" : ""));
   add(AnalysisKind::signed_ranks,
-      "Participants’ mean ratings were compared by Wilcoxon’s signed-rank test, with Hodges and "
-      "Lehmann’s estimate of the difference.");
+      "Wilcoxon’s signed-rank test of the participants’ means, with Hodges and Lehmann’s estimate "
+      "of "
+      "the difference");
   if (!comparisons.models.versions.empty()) {
     std::vector<std::string> versions;
     for (const auto& [name, version] : comparisons.models.versions) {

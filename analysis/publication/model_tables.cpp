@@ -21,10 +21,13 @@ Table models_table(const StudyTables& tables, const Comparisons& comparisons) {
       {{"reference", text, "", "Id of the method that it is compared with"},
        [](const M& row) { return field(row.reference); }},
       {{"model", text, "",
-        "crossed: mixed model of log times; tobit: of log times with "
+        "crossed: mixed model of log times, or of points on a scale with many; tobit: of log times "
+        "with "
         "right-censored ones; ordinal: cumulative link mixed model of ratings"},
        [](const M& row) { return field(row.model); }},
-      of_fit("estimate", "Natural logarithm of the ratio of times, or of the odds ratio",
+      {{"scale", text, "", "ratio of times, odds ratio of a higher rating, or points"},
+       [](const M& row) { return field(std::string(name_of(row.scale))); }},
+      of_fit("estimate", "Natural logarithm of the ratio or odds ratio, or points",
              [](const Fit& fit) { return fit.estimate; }),
       of_fit("standard_error", "Its standard error",
              [](const Fit& fit) { return fit.standard_error; }),

@@ -227,10 +227,37 @@ PrintedTable printed_order_effects(const Comparisons& comparisons) {
   return table;
 }
 
+PrintedTable printed_influence(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "influence";
+  table.title = "Without one participant.";
+  table.note =
+      "The smallest and the largest estimate of the planned comparisons when each participant in "
+      "turn is left out, and who that is.";
+  table.columns = {"Methods, measure", "smallest", "without", "largest", "without"};
+  for (const MethodComparison& row : comparisons.methods) {
+    if (row.planned && row.influence) {
+      const double scale = row.is_time ? 100.0 : 1.0;
+      const auto estimate = [&](double value) {
+        return fmt::format("{:.{}f} {}", scale * row.in_unit(value), row.is_time ? 1 : 2,
+                           row.is_time ? "%" : "points");
+      };
+      table.rows.push_back({compared_in_words(row), estimate(row.influence->estimates.low),
+                            row.influence->without_low, estimate(row.influence->estimates.high),
+                            row.influence->without_high});
+    }
+  }
+  return table;
+}
+
 std::vector<PrintedTable> sensitivity_tables(const Comparisons& comparisons) {
-  return {printed_models(comparisons),       printed_ratios(comparisons),
-          printed_ranks(comparisons),        printed_rating_differences(comparisons),
-          printed_equivalence(comparisons),  printed_omnibus(comparisons),
+  return {printed_models(comparisons),
+          printed_influence(comparisons),
+          printed_ratios(comparisons),
+          printed_ranks(comparisons),
+          printed_rating_differences(comparisons),
+          printed_equivalence(comparisons),
+          printed_omnibus(comparisons),
           printed_order_effects(comparisons)};
 }
 

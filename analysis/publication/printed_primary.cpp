@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
@@ -6,28 +8,29 @@
 namespace foveola::analysis {
 namespace {
 
-/// "45.2 [40.1, 51.0] %", "2.3 [1.2, 4.4] odds ratio" or "0.33 [0.10, 0.50] points".
-std::string estimate_text(const PrimaryResult& result) {
-  const bool is_ratio = std::string_view(scale_of(result.kind)) == "ratio";
+/// "45.2 [40.1, 51.0] %", "2.30 [1.20, 4.40] odds ratio" or "0.33 [0.10, 0.50] points" of what was
+/// computed with.
+std::string estimate_text(EffectScale scale, double estimate,
+                          const std::optional<Interval>& interval) {
+  const bool is_ratio = scale == EffectScale::ratio;
   const double factor = is_ratio ? 100.0 : 1.0;
-  Estimate estimate{.value = factor * result.in_scale(result.estimate)};
-  if (result.interval) {
-    estimate.interval = {factor * result.in_scale(result.interval->low),
-                         factor * result.in_scale(result.interval->high)};
+  Estimate scaled{.value = factor * in_scale(scale, estimate)};
+  if (interval) {
+    const Interval ends = in_scale(scale, *interval);
+    scaled.interval = {factor * ends.low, factor * ends.high};
   }
-  return fmt::format("{} {}", with_interval(estimate, is_ratio ? 1 : 2),
-                     is_ratio ? "%" : scale_of(result.kind));
+  return fmt::format("{} {}", with_interval(scaled, is_ratio ? 1 : 2),
+                     is_ratio ? "%" : name_of(scale));
 }
 
 /// How many times sooner the method's mark came: the ratio's inverse.
 std::string speed_up_text(const PrimaryResult& result) {
-  if (std::string_view(scale_of(result.kind)) != "ratio") {
+  if (result.scale != EffectScale::ratio) {
     return "–";
   }
-  Estimate estimate{.value = result.in_scale(-result.estimate)};
+  Estimate estimate{.value = std::exp(-result.estimate)};
   if (result.interval) {
-    estimate.interval = {result.in_scale(-result.interval->high),
-                         result.in_scale(-result.interval->low)};
+    estimate.interval = {std::exp(-result.interval->high), std::exp(-result.interval->low)};
   }
   return with_interval(estimate, 2) + " ×";
 }
@@ -42,7 +45,7 @@ std::vector<std::string> primary_row(const MethodComparison& row) {
                                     std::to_string(row.pairs)};
   if (row.primary) {
     const PrimaryResult& result = *row.primary;
-    cells.push_back(estimate_text(result));
+    cells.push_back(estimate_text(result.scale, result.estimate, result.interval));
     cells.push_back(speed_up_text(result));
     cells.push_back(p_value(result.p));
     if (row.planned) {
@@ -86,24 +89,20 @@ PrintedTable printed_models(const Comparisons& comparisons) {
   table.id = "models";
   table.title = "Models by R.";
   table.note =
-      "Crossed and Tobit models of log times: ratios in per cent; cumulative link mixed models of "
-      "ratings: odds ratios of a higher rating. Standard deviations are of the difference between "
-      "the methods, in log units or logits.";
+      "Crossed and Tobit models of log times: ratios in per cent; crossed models of ratings with "
+      "many points: points; cumulative link mixed models of the other ratings: odds ratios of a "
+      "higher one. Standard deviations are of the difference between the methods, in log units, "
+      "points or logits.";
   table.columns = {"Methods, measure", "model", "trials", "right-censored",
                    "estimate [95 %]",  "df",    "P",      "SD, participants",
                    "SD, scenes"};
   for (const FittedModel& model : comparisons.models.models) {
-    const bool is_ratio = model.model != "ordinal";
     std::vector<std::string> cells = {fmt::format("{} / {}, {}", method_label(model.method),
                                                   method_label(model.reference), model.measure),
                                       model.model, std::to_string(model.trials),
                                       std::to_string(model.censored)};
     if (model.fit) {
-      PrimaryResult result{
-          .kind = is_ratio ? AnalysisKind::crossed_model : AnalysisKind::ordinal_model,
-          .estimate = model.fit->estimate,
-          .interval = model.fit->interval};
-      cells.push_back(estimate_text(result));
+      cells.push_back(estimate_text(model.scale, model.fit->estimate, model.fit->interval));
       cells.push_back(fmt::format("{:.1f}", model.fit->degrees_of_freedom));
       cells.push_back(p_value(model.fit->p));
     } else {

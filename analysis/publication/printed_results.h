@@ -46,6 +46,7 @@ std::string compared_in_words(const MethodComparison& row);
 PrintedTable printed_primary(const Comparisons& comparisons, bool planned);
 
 PrintedTable printed_models(const Comparisons& comparisons);
+PrintedTable printed_influence(const Comparisons& comparisons);
 PrintedTable printed_ratios(const Comparisons& comparisons);
 PrintedTable printed_ranks(const Comparisons& comparisons);
 PrintedTable printed_rating_differences(const Comparisons& comparisons);

@@ -1,5 +1,7 @@
 #include "analysis/publication/report.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
@@ -18,10 +20,10 @@ std::string for_other_scenes(const Comparisons& comparisons, const MethodTimes& 
     if (row.measure == times.mark && row.method == times.method && row.reference == reference &&
         row.primary && row.primary->kind == AnalysisKind::crossed_model) {
       const PrimaryResult& result = *row.primary;
-      Estimate percent{.value = 100.0 * result.in_scale(result.estimate)};
+      Estimate percent{.value = 100.0 * std::exp(result.estimate)};
       if (result.interval) {
-        percent.interval = {100.0 * result.in_scale(result.interval->low),
-                            100.0 * result.in_scale(result.interval->high)};
+        percent.interval = {100.0 * std::exp(result.interval->low),
+                            100.0 * std::exp(result.interval->high)};
       }
       return fmt::format("; in scenes like these, {} %", with_interval(percent, 1));
     }

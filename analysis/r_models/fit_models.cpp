@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 namespace foveola::analysis {
 namespace {
 
-constexpr const char* models_file = "models.csv";
-constexpr const char* versions_file = "models_versions.csv";
+constexpr const char* models_file = "r_models.csv";
+constexpr const char* versions_file = "r_versions.csv";
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) {
-  throw Error(where, what, "report it with the study's protocol: R's script writes this file");
+  throw Error(where, what, "report it: models.R writes this file, and foveola reads it");
 }
 
 /// A row of a table with a heading, by its columns' names.
@@ -64,7 +64,22 @@ class NamedRow {
 
   std::size_t count(const std::string& column) const {
     const std::optional<double> value = number(column);
-    return value && *value > 0.0 ? static_cast<std::size_t>(*value) : 0;
+    constexpr double most = 1e15;
+    if (!value || *value < 0.0 || *value > most) {
+      fail(where_, fmt::format("\"{}\" in the column {} is no count", text(column), column));
+    }
+    return static_cast<std::size_t>(*value);
+  }
+
+  EffectScale scale() const {
+    const std::string& name = text("scale");
+    for (const EffectScale scale :
+         {EffectScale::ratio, EffectScale::odds_ratio, EffectScale::points}) {
+      if (name == name_of(scale)) {
+        return scale;
+      }
+    }
+    fail(where_, fmt::format("\"{}\" is no scale", name));
   }
 
  private:
@@ -90,6 +105,7 @@ FittedModel model_of(const NamedRow& row) {
           .measure = row.text("measure"),
           .method = row.text("method"),
           .reference = row.text("reference"),
+          .scale = row.scale(),
           .fit = fit_of(row),
           .trials = row.count("trials"),
           .participants = row.count("participants"),

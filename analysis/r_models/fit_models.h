@@ -13,7 +13,7 @@ inline constexpr const char* r_packages =
     "r-base-core r-cran-lme4 r-cran-lmertest r-cran-survival r-cran-ordinal";
 
 /// Runs models.R in a folder that has it, trials_long.csv and models_plan.csv, and reads the
-/// models.csv and models_versions.csv that it writes there. If R is not there or ends in an error,
+/// r_models.csv and r_versions.csv that it writes there. If R is not there or ends in an error,
 /// the result says so in `missing`, and has no models. Throws Error if what the script wrote cannot
 /// be read.
 FittedModels fit_models(const std::filesystem::path& folder);

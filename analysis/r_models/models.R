@@ -6,8 +6,8 @@
 #         models_plan.csv        a row for each comparison: measure, method, reference, whether
 #                                scenes are random or fixed, and the measure's kind: time, points
 #                                (a rating with few) or scale (a rating with many)
-# writes  models.csv             a row for each model of each comparison
-#         models_versions.csv    the versions of R and of the packages that were used
+# writes  r_models.csv           a row for each model of each comparison
+#         r_versions.csv         the versions of R and of the packages that were used
 #
 # What cannot be fitted has a row whose column `note` says why; nothing ends in an error but files
 # that are not there. Needs lme4 and lmerTest for times and scales, survival for right-censored
@@ -17,19 +17,24 @@ arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
 confidence <- 0.95
 
-# One row of models.csv. Estimates are natural logarithms, of a ratio of times, method over
-# reference, or of the odds of a higher rating; or, of a scale of many points, points.
+# What an estimate is: natural logarithms of ratios of times, method over reference, and of odds
+# ratios of a higher rating; points of a scale with many.
+scale_of <- function(comparison) {
+  c(time = "ratio", points = "odds ratio", scale = "points")[[comparison$kind]]
+}
+
+# One row of r_models.csv.
 result <- function(comparison, model, estimate = NA, standard_error = NA, degrees_of_freedom = NA,
                    p = NA, trials = 0, participants = 0, scenes = 0, censored = 0,
                    participant_sd = NA, scene_sd = NA, residual_sd = NA, note = "") {
   half <- qt((1 + confidence) / 2, degrees_of_freedom) * standard_error
   data.frame(measure = comparison$measure, method = comparison$method,
-             reference = comparison$reference, model = model, estimate = estimate,
-             standard_error = standard_error, degrees_of_freedom = degrees_of_freedom,
-             low = estimate - half, high = estimate + half, p = p, trials = trials,
-             participants = participants, scenes = scenes, censored = censored,
-             participant_sd = participant_sd, scene_sd = scene_sd, residual_sd = residual_sd,
-             note = note, stringsAsFactors = FALSE)
+             reference = comparison$reference, model = model, scale = scale_of(comparison),
+             note = note, estimate = estimate, standard_error = standard_error,
+             degrees_of_freedom = degrees_of_freedom, low = estimate - half,
+             high = estimate + half, p = p, trials = trials, participants = participants,
+             scenes = scenes, censored = censored, participant_sd = participant_sd,
+             scene_sd = scene_sd, residual_sd = residual_sd, stringsAsFactors = FALSE)
 }
 
 # Calls fit(), and turns an error into a row; warnings go into the row's note.
@@ -54,13 +59,12 @@ guarded <- function(comparison, model, packages, fit) {
 # The trials of a comparison's two methods that have a value, with `value` and `censored`.
 trials_of <- function(trials, comparison) {
   is_time <- comparison$kind == "time"
-  value <- trials[[paste0(comparison$measure, if (is_time) "_s" else "_rating")]]
   rows <- trials[trials$method %in% c(comparison$method, comparison$reference), ]
-  rows$value <- value[as.integer(rows$row)]
-  rows$censored <- FALSE
-  if (is_time) {
-    rows$censored <-
-      toupper(trials[[paste0(comparison$measure, "_censored")]][rows$row]) %in% "TRUE"
+  rows$value <- as.numeric(rows[[paste0(comparison$measure, if (is_time) "_s" else "_rating")]])
+  rows$censored <- if (is_time) {
+    rows[[paste0(comparison$measure, "_censored")]] %in% "TRUE"
+  } else {
+    rep(FALSE, nrow(rows))
   }
   rows <- rows[!is.na(rows$value), ]
   rows$method <- factor(rows$method, levels = c(comparison$reference, comparison$method))
@@ -99,17 +103,14 @@ pairs_of <- function(rows, is_time) {
 crossed_model <- function(rows, comparison) {
   pairs <- pairs_of(rows, comparison$kind == "time")
   if (nlevels(pairs$participant) < 2) stop("it needs two participants")
-  if (comparison$scenes == "random" && nlevels(pairs$scene) < 2) stop("it needs two scenes")
-  model <- if (nlevels(pairs$scene) < 2) {
-    NULL
-  } else if (comparison$scenes == "random") {
+  if (nlevels(pairs$scene) < 2) stop("one scene: the paired t test is this model")
+  model <- if (comparison$scenes == "random") {
     difference ~ 1 + (1 | participant) + (1 | scene)
   } else {
     # The intercept is the mean over the scenes.
     contrasts(pairs$scene) <- contr.sum(nlevels(pairs$scene))
     difference ~ 1 + scene + (1 | participant)
   }
-  if (is.null(model)) stop("one scene: a paired t test is the model")
   fit <- lmerTest::lmer(model, data = pairs, control = lme4::lmerControl(
     check.conv.singular = "ignore", optimizer = "nloptwrap",
     optCtrl = list(xtol_abs = 1e-12, ftol_abs = 1e-14, maxeval = 10000)))
@@ -171,14 +172,18 @@ ordinal_model <- function(rows, comparison) {
   rows <- droplevels(rows)
   if (nzchar(why_not(rows))) stop(why_not(rows))
   if (nlevels(rows$rating) < 2) stop("all answers are the same")
+  fewest <- 3  # levels of a random effect, for ordinal
+  if (nlevels(rows$participant) < fewest) stop("it needs three participants")
   random <- "(1 | participant)"
   fixed <- "method"
+  note <- ""
   if (nlevels(rows$scene) > 1) {
     random <- paste(random, "+ (1 | participant:method)")
-    if (comparison$scenes == "random") {
+    if (comparison$scenes == "random" && nlevels(rows$scene) >= fewest) {
       random <- paste(random, "+ (1 | scene) + (1 | scene:method)")
     } else {
       fixed <- "method + scene"
+      if (comparison$scenes == "random") note <- "two scenes are fixed: too few to be random"
     }
   }
   fit <- ordinal::clmm(as.formula(paste("rating ~", fixed, "+", random)), data = rows)
@@ -196,7 +201,8 @@ ordinal_model <- function(rows, comparison) {
   df <- latent_degrees_of_freedom(standard_error^2, gain, counts(rows))
   do.call(result, c(list(comparison, "ordinal", estimate, standard_error, df,
                          2 * pt(-abs(estimate / standard_error), df),
-                         participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene)),
+                         participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene),
+                         note = note),
                     counts(rows)))
 }
 
@@ -243,18 +249,15 @@ versions <- function() {
 trials <- read.csv(file.path(folder, "trials_long.csv"), colClasses = "character",
                    na.strings = "", check.names = FALSE, encoding = "UTF-8")
 trials <- trials[trials$status == "analysed", ]
-for (column in grep("_(s|rating)$", names(trials), value = TRUE)) {
-  trials[[column]] <- suppressWarnings(as.numeric(trials[[column]]))
-}
-trials$row <- seq_len(nrow(trials))
 plan <- read.csv(file.path(folder, "models_plan.csv"), colClasses = "character",
                  encoding = "UTF-8")
 
-rows <- lapply(seq_len(nrow(plan)), function(i) {
+fitted <- lapply(seq_len(nrow(plan)), function(i) {
   cat(sprintf("%d of %d: %s, %s against %s\n", i, nrow(plan), plan$measure[i], plan$method[i],
               plan$reference[i]))
   models_of(trials, plan[i, ])
 })
-write.csv(do.call(rbind, rows), file.path(folder, "models.csv"), row.names = FALSE, na = "",
-          quote = c(1, 2, 3, 4, 18))
-write.csv(versions(), file.path(folder, "models_versions.csv"), row.names = FALSE)
+no_rows <- result(list(measure = "", method = "", reference = "", kind = "time"), "")[0, ]
+write.csv(do.call(rbind, c(list(no_rows), fitted)), file.path(folder, "r_models.csv"),
+          row.names = FALSE, na = "")
+write.csv(versions(), file.path(folder, "r_versions.csv"), row.names = FALSE)

@@ -35,12 +35,11 @@ std::optional<EquivalenceTest> equivalence(std::span<const double> values, doubl
 }
 
 std::optional<EquivalenceTest> equivalence(const CrossedModel& model, double margin, double alpha) {
-  assert(margin > 1.0);
   if (!model.test) {
     return std::nullopt;
   }
-  return test_within(model.mean, model.test->standard_error, model.test->degrees_of_freedom,
-                     std::log(margin), alpha);
+  return test_within(model.mean, model.test->standard_error, model.test->degrees_of_freedom, margin,
+                     alpha);
 }
 
 }  // namespace foveola::analysis

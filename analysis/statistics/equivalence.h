@@ -24,8 +24,8 @@ struct EquivalenceTest {
 std::optional<EquivalenceTest> equivalence(std::span<const double> values, double margin,
                                            double alpha = 0.05);
 
-/// Tests whether the crossed model's mean log ratio lies within -log(margin) ... log(margin);
-/// margin, a ratio of times, above 1. Empty where the model has no test.
+/// Tests whether the crossed model's mean lies within -margin ... margin. Empty where the model has
+/// no test.
 std::optional<EquivalenceTest> equivalence(const CrossedModel& model, double margin,
                                            double alpha = 0.05);
 

@@ -105,6 +105,23 @@ void add_same_scenes(const Protocol& protocol, const std::vector<SceneSource>& s
   }
 }
 
+void add_few_scenes(const Protocol& protocol, const ProtocolPlaces& places,
+                    std::vector<std::string>& warnings) {
+  const bool are_random = protocol.analysis.scenes == SceneEffects::random;
+  if (are_random && !protocol.analysis.primary.empty() &&
+      protocol.scenes.size() < fewest_random_scenes) {
+    warnings.emplace_back(
+        Error(places.of("analysis"),
+              fmt::format("{} too few to speak of others like them: a 95 % interval covers less",
+                          protocol.scenes.size() == 1
+                              ? std::string("one scene is")
+                              : fmt::format("{} scenes are", protocol.scenes.size())),
+              fmt::format("have {} scenes, or speak of these alone: scenes = \"fixed\"",
+                          fewest_random_scenes))
+            .what());
+  }
+}
+
 void add_untranslated(const Protocol& protocol, const ProtocolPlaces& places,
                       std::vector<std::string>& warnings) {
   constexpr std::size_t most_listed = 10;
@@ -133,6 +150,7 @@ std::vector<std::string> cautions(const Protocol& protocol,
   std::vector<std::string> warnings;
   add_same_methods(protocol, places, warnings);
   add_same_scenes(protocol, scenes, warnings);
+  add_few_scenes(protocol, places, warnings);
   add_untranslated(protocol, places, warnings);
   return warnings;
 }

@@ -43,7 +43,7 @@ void bind_as_it_is(SQLite::Statement& statement, int index, const SQLite::Column
   }
 }
 
-/// Appends what is as long as its type or as a length that was written before it says.
+/// Whoever reads them must know how many: by the value's type, or by a length before them.
 void append_bytes(std::string& bytes, const void* data, std::size_t size) {
   bytes.append(static_cast<const char*>(data), size);
 }

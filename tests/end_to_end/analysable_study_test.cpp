@@ -140,6 +140,7 @@ count = 2
 timeout_s = 1
 
 [analysis]
+scenes = "fixed"
 participants = 3
 equivalence_margins = { comfort = 10, third = 1.2 }
 [[analysis.primary]]

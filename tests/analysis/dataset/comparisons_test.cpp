@@ -192,6 +192,51 @@ TEST(Comparisons, WithoutATobitModelPairsWithARightCensoredTimeAreLeftOutAndCoun
   EXPECT_EQ(fv.ratio->ratio, find(compare(records), "outline", "fv", "od").ratio->ratio);
 }
 
+TEST(Comparisons, SayOnWhomTheyHang) {
+  StudyRecords records = study_with_more_measures(8);
+  EXPECT_FALSE(find(compare(complete_study(2)), "outline", "fv", "od").influence);
+  for (const std::string& scene : records.scenes) {
+    value_of(records, "P5", scene, "fv", "outline").number *= 3.0;
+  }
+  for (const study::SceneEffects scenes :
+       {study::SceneEffects::random, study::SceneEffects::fixed}) {
+    study::AnalysisPlan plan;
+    plan.scenes = scenes;
+    const MethodComparison fv = find(compare(records, plan), "outline", "fv", "od");
+    EXPECT_EQ(fv.influence->without_low, "P5");
+    EXPECT_LT(fv.influence->estimates.low, fv.primary->estimate);
+    EXPECT_GT(fv.influence->estimates.high, fv.primary->estimate);
+  }
+}
+
+// A scale of many points has no thresholds to estimate: it is compared as times are, in points.
+TEST(Comparisons, ARatingWithManyPointsHasTheCrossedModelInPoints) {
+  study::AnalysisPlan plan;
+  const StudyRecords records = study_with_more_measures(6);
+  const MethodComparison random = find(compare(records, plan), "comfort", "fv", "od");
+  EXPECT_EQ(random.primary->kind, AnalysisKind::crossed_model);
+  EXPECT_EQ(random.primary->scale, EffectScale::points);
+  EXPECT_NEAR(random.primary->estimate, random.points->mean, 1e-9);
+  plan.scenes = study::SceneEffects::fixed;
+  EXPECT_EQ(find(compare(records, plan), "comfort", "fv", "od").primary->p, random.points->p);
+  plan.ratings = study::RatingAnalysis::signed_ranks;
+  EXPECT_EQ(find(compare(records, plan), "comfort", "fv", "od").primary->p, random.ranks->p);
+}
+
+TEST(Comparisons, WhatRCouldNotFitIsSaid) {
+  const FittedModels models{.models = {{.model = "ordinal",
+                                        .measure = "artifacts",
+                                        .method = "fv",
+                                        .reference = "od",
+                                        .note = "all answers are the same"}}};
+  const Comparisons comparisons =
+      compare_methods(select_for_analysis(complete_study(6)), {}, models);
+  EXPECT_EQ(find(comparisons, "artifacts", "fv", "od").primary->instead,
+            "R could not fit the cumulative link mixed model: all answers are the same");
+  EXPECT_EQ(find(comparisons, "artifacts", "vp", "od").primary->instead,
+            "the cumulative link mixed model needs R (analyze --r)");
+}
+
 // Where OD never came to an end, FV and VP can still be compared.
 TEST(Comparisons, UseEveryPairThatExists) {
   StudyRecords records = complete_study(6);
@@ -234,15 +279,17 @@ TEST(Comparisons, ThePlanChoosesThePrimaryAnalysis) {
 TEST(Comparisons, ModelsOfROfTheSamePairArePrimaryWhereTheyArePlanned) {
   StudyRecords records = complete_study(6);
   value_of(records, "P3", "aula", "od", "outline") = right_censored(30.0);
-  const auto fitted = [](const char* model, const char* measure) {
+  const auto fitted = [](const char* model, const char* measure, EffectScale scale) {
     return FittedModel{.model = model,
                        .measure = measure,
                        .method = "fv",
                        .reference = "od",
+                       .scale = scale,
                        .fit = FittedModel::Fit{-0.5, 0.1, 5.0, {-0.8, -0.2}, 0.004}};
   };
-  const FittedModels models{.models = {fitted("tobit", "outline"), fitted("crossed", "material"),
-                                       fitted("ordinal", "artifacts")}};
+  const FittedModels models{.models = {fitted("tobit", "outline", EffectScale::ratio),
+                                       fitted("crossed", "material", EffectScale::ratio),
+                                       fitted("ordinal", "artifacts", EffectScale::odds_ratio)}};
   const Comparisons comparisons =
       compare_methods(select_for_analysis(records), fv_planned(), models);
   const MethodComparison& outline = find(comparisons, "outline", "fv", "od");

@@ -50,8 +50,8 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
           "data_quality.csv", "exclusions.csv", "exploratory-comparisons.tex",
           "geometric-means.tex", "latency.csv", "model_versions.csv", "models.R", "models.csv",
           "models_plan.csv", "omnibus.csv", "omnibus.tex", "order-effects.tex", "order_effects.csv",
-          "participants_wide.csv", "psych-ds", "questionnaire_scores.csv", "ranks.tex",
-          "rating-differences.tex", "rating_counts.csv", "ratings-artifacts.tex",
+          "outlying_times.csv", "participants_wide.csv", "psych-ds", "questionnaire_scores.csv",
+          "ranks.tex", "rating-differences.tex", "rating_counts.csv", "ratings-artifacts.tex",
           "ratings_artifacts.pdf", "ratings_artifacts.png", "ratings_artifacts.svg",
           "ratings_by_method.csv", "reaction_times.csv", "relative_times.pdf", "relative_times.png",
           "relative_times.svg", "report.html", "time-to-mark.tex", "time_to_mark.csv",
@@ -64,7 +64,7 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
       names_in(folder / "psych-ds" / "data"),
       ElementsAre("study-golden_type-participants_data.csv", "study-golden_type-trials_data.csv"));
   EXPECT_EQ(output.report, folder / "report.html");
-  EXPECT_EQ(output.files.size(), 57U);
+  EXPECT_EQ(output.files.size(), 58U);
   EXPECT_THAT(output.summary, HasSubstr("geometric"));
   EXPECT_THAT(output.warnings, Contains(HasSubstr("6 sessions or values are left out")));
 }

@@ -24,16 +24,17 @@ using testing::HasSubstr;
 using testing::Pair;
 
 constexpr const char* heading =
-    "measure,method,reference,model,estimate,standard_error,degrees_of_freedom,low,high,p,trials,"
-    "participants,scenes,censored,participant_sd,scene_sd,residual_sd,note\n";
+    "measure,method,reference,model,scale,estimate,standard_error,degrees_of_freedom,low,high,p,"
+    "trials,participants,scenes,censored,participant_sd,scene_sd,residual_sd,note\n";
 constexpr const char* no_versions = "name,version\n";
 
 TEST(ReadModels, HasWhatTheScriptWrote) {
-  const FittedModels models = read_models(
-      std::string(heading) +
-          "outline,fv,od,tobit,-0.7,0.1,15,-0.9,-0.5,1e-05,160,16,5,21,,,0.4,\n"
-          "artifacts,\"fv\",od,ordinal,,,,,,,160,16,5,0,,,,\"all, answers are the same\"\n",
-      "name,version\nR,4.2.2\nsurvival,3.5.3\n");
+  const FittedModels models =
+      read_models(std::string(heading) +
+                      "outline,fv,od,tobit,ratio,-0.7,0.1,15,-0.9,-0.5,1e-05,160,16,5,21,,,0.4,\n"
+                      "artifacts,\"fv\",od,ordinal,odds ratio,,,,,,,160,16,5,0,,,,\"all, answers "
+                      "are the same\"\n",
+                  "name,version\nR,4.2.2\nsurvival,3.5.3\n");
   ASSERT_EQ(models.models.size(), 2U);
   const FittedModel* tobit = models.find("tobit", "outline", "fv", "od");
   ASSERT_NE(tobit, nullptr);
@@ -42,7 +43,8 @@ TEST(ReadModels, HasWhatTheScriptWrote) {
   EXPECT_EQ(tobit->fit->p, 1e-5);
   EXPECT_EQ(tobit->censored, 21U);
   EXPECT_FALSE(tobit->scene_sd);
-  EXPECT_EQ(models.find("ordinal", "artifacts", "fv", "od"), nullptr);
+  EXPECT_FALSE(models.find("ordinal", "artifacts", "fv", "od")->fit);
+  EXPECT_EQ(models.find("ordinal", "artifacts", "vp", "od"), nullptr);
   EXPECT_EQ(models.models[1].note, "all, answers are the same");
   EXPECT_THAT(models.versions, ElementsAre(Pair("R", "4.2.2"), Pair("survival", "3.5.3")));
 }
@@ -57,11 +59,15 @@ std::string complaint(const std::string& models_csv) {
 }
 
 TEST(ReadModels, RefusesWhatTheScriptDoesNotWrite) {
-  EXPECT_THAT(complaint(""), HasSubstr("models.csv: is empty"));
+  EXPECT_THAT(complaint(""), HasSubstr("r_models.csv: is empty"));
   EXPECT_THAT(complaint("measure\noutline,fv\n"), HasSubstr("a row has 2 fields"));
   EXPECT_THAT(complaint("measure\noutline\n"), HasSubstr("has no column"));
-  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,x,,,,,,,,,,,,,\n"),
+  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,x,,,,,,,,,,,,,\n"),
               HasSubstr("\"x\" in the column estimate is no number"));
+  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,stars,,,,,,,1,1,1,0,,,,\n"),
+              HasSubstr("\"stars\" is no scale"));
+  EXPECT_THAT(complaint(std::string(heading) + "a,b,c,d,ratio,,,,,,,Inf,1,1,0,,,,\n"),
+              HasSubstr("\"Inf\" in the column trials is no count"));
 }
 
 TEST(ModelsPlan, HasEveryPairWithItsKind) {

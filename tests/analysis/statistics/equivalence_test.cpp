@@ -56,12 +56,12 @@ TEST(Equivalence, OfTheCrossedModelItIsAsCertainAsItsInterval) {
   const RepeatedMeasures data =
       complete_participants(golden_matrices("models_samples.csv").at("interior_16x5"));
   const CrossedModel model = crossed_model(data).value();
-  const EquivalenceTest test = equivalence(model, 2.0).value();
+  const EquivalenceTest test = equivalence(model, std::log(2.0)).value();
   const Interval ninety = crossed_model(data, 0.9)->test->interval;
   EXPECT_DOUBLE_EQ(test.interval.low, ninety.low);
   EXPECT_DOUBLE_EQ(test.interval.high, ninety.high);
-  EXPECT_LT(equivalence(model, std::exp(-ninety.low) + 1e-9)->p, 0.05);
-  EXPECT_GT(equivalence(model, std::exp(-ninety.low) - 1e-9)->p, 0.05);
+  EXPECT_LT(equivalence(model, -ninety.low + 1e-9)->p, 0.05);
+  EXPECT_GT(equivalence(model, -ninety.low - 1e-9)->p, 0.05);
   // Without differences between scenes it is that over participants.
   const RepeatedMeasures fixed =
       complete_participants(golden_matrices("models_samples.csv").at("no_scenes_12x5"));
@@ -69,7 +69,7 @@ TEST(Equivalence, OfTheCrossedModelItIsAsCertainAsItsInterval) {
   for (std::size_t participant = 0; participant < fixed.participants; ++participant) {
     means.push_back(*mean(fixed.of(participant)));
   }
-  EXPECT_GOLDEN(equivalence(crossed_model(fixed).value(), 2.0)->p,
+  EXPECT_GOLDEN(equivalence(crossed_model(fixed).value(), std::log(2.0))->p,
                 equivalence(means, std::log(2.0))->p);
   EXPECT_FALSE(equivalence(crossed_model({2, 2, {0.1, 0.1, 0.1, 0.1}}).value(), 2.0));
 }

@@ -9,6 +9,7 @@
 namespace foveola::study {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::IsEmpty;
 using testing::Not;
@@ -55,6 +56,16 @@ TEST_F(Cautions, OneMethodInTwoSpellings) {
                               "\"vp-rect\", \"hybrid:0.9*fv+0.1*od\", \"hybrid:0.8*fv+0.2*od\", "
                               "\"crop:width=10\", \"crop:azimuth=90\"")),
               IsEmpty());
+}
+
+TEST_F(Cautions, FewScenesThatAPlanTakesForRandom) {
+  const std::string text = with_methods("\"od\", \"fv\"");
+  const std::string plan = "[[analysis.primary]]\nmeasure = \"outline\"\nmethod = \"fv\"\n";
+  EXPECT_THAT(of(text + plan),
+              ElementsAre(AllOf(StartsWith(path_.string() + ":5:"),
+                                HasSubstr("2 scenes are too few to speak of others like them"))));
+  EXPECT_THAT(of(text + "[analysis]\nscenes = \"fixed\"\n" + plan), IsEmpty());
+  EXPECT_THAT(of(text), IsEmpty());
 }
 
 TEST_F(Cautions, OneMethodWithTwoSettingsIsTwo) {

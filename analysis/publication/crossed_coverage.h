@@ -1,0 +1,23 @@
+// How often the primary analyses of times are right where people and scenes differ in their ratios.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "analysis/publication/coverage.h"
+
+namespace foveola::analysis {
+
+/// The coverage of the crossed mixed model and of the paired t over participants, for the ratio in
+/// other scenes, too: 12, 16, 24 and 40 participants in 5 scenes, standard deviations of 0, 0.1 and
+/// 0.2 log units between people's and between scenes' ratios. The error of the first kind is 100 %
+/// less the coverage. Required of the crossed model alone, and above 95 % no more than is due to
+/// variances that cannot be below zero (data/golden/README.md); t does not speak of other scenes.
+/// Uses the settings' studies, seed and threads. Calls `on_progress` with the share that is done.
+/// Empty when `stop` was requested.
+std::vector<CoverageFigure> measure_crossed_coverage(const CoverageSettings& settings,
+                                                     const std::function<void(double)>& on_progress,
+                                                     const std::stop_token& stop);
+
+}  // namespace foveola::analysis
