@@ -64,8 +64,8 @@ struct MethodComparison {
   std::optional<EquivalenceTest> equivalent;
   std::optional<double> margin;
   CompleteCases complete;
-  /// Empty where the primary analysis is not defined, with fewer than three participants or with
-  /// so many that nobody matters.
+  /// Empty without a primary analysis, with fewer than three participants, or with more than 2000,
+  /// of whom none has much influence.
   std::optional<Influence> influence;
 
   /// A tested value, or an interval of such, as a ratio of times or a difference of ratings.
