@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/publication/coverage.h"
-#include "analysis/publication/crossed_coverage.h"
+#include "analysis/monte_carlo/coverage.h"
+#include "analysis/monte_carlo/crossed_coverage.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
 

@@ -1,7 +1,5 @@
 #include "analysis/commands/power_tables.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -25,44 +23,30 @@ ExpectedEffect effect_of(const PowerSettings& settings) {
 
 }  // namespace
 
-PowerSettings planned_power(PowerSettings settings, const study::AnalysisPlan& plan) {
-  settings.alpha = plan.alpha;
-  settings.family = std::max<std::size_t>(plan.primary.size(), 1);
-  if (plan.participants && !settings.participants) {
-    settings.participants = static_cast<std::size_t>(*plan.participants);
-  }
-  return settings;
-}
-
 PowerPlan plan_power(const PowerSettings& settings) {
   const ExpectedEffect effect = effect_of(settings);
   const std::optional<std::size_t> participants =
       settings.participants ? settings.participants
-                            : participants_for_power(settings.power, effect, settings.level());
+                            : participants_for_power(settings.power, effect, settings.alpha);
   if (!participants) {
     throw Error("--power", "a million participants are too few for this effect",
                 "expect a larger effect or a smaller spread");
   }
   const SimulatedPower simulated =
-      simulate_power(*participants, effect, settings.level(), settings.studies, settings.seed);
-  return {*participants, paired_t_power(*participants, effect, settings.level()), simulated.power,
+      simulate_power(*participants, effect, settings.alpha, settings.studies, settings.seed);
+  return {*participants, paired_t_power(*participants, effect, settings.alpha), simulated.power,
           simulated.interval.low, simulated.interval.high};
 }
 
 std::string power_text(const PowerSettings& settings, const PowerPlan& plan) {
   return fmt::format(
       "Times of {:g} % of the baseline's, participants' own ratios spread by a factor of {:g},\n"
-      "paired t test on logarithms at a level of {:g}, two-sided{}:\n"
+      "paired t test on logarithms at a level of {:g}, two-sided:\n"
       "  participants             {}\n"
       "  power, by formula        {:.4f}\n"
       "  power, by simulation     {:.4f} [{:.4f}, {:.4f}] of {} studies\n",
-      settings.ratio_percent, settings.spread, settings.level(),
-      settings.family == 1
-          ? ""
-          : fmt::format(" (Holm's first of {} planned comparisons at {:g} together)",
-                        settings.family, settings.alpha),
-      plan.participants, plan.power, plan.simulated_power, plan.simulated_low, plan.simulated_high,
-      settings.studies);
+      settings.ratio_percent, settings.spread, settings.alpha, plan.participants, plan.power,
+      plan.simulated_power, plan.simulated_low, plan.simulated_high, settings.studies);
 }
 
 std::string power_json(const PowerSettings& settings, const PowerPlan& plan) {
@@ -70,8 +54,6 @@ std::string power_json(const PowerSettings& settings, const PowerPlan& plan) {
       {"ratio_percent", settings.ratio_percent},
       {"spread", settings.spread},
       {"alpha", settings.alpha},
-      {"planned_comparisons", settings.family},
-      {"level", settings.level()},
       {"participants", plan.participants},
       {"power", plan.power},
       {"simulated_power", plan.simulated_power},

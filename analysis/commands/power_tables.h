@@ -1,4 +1,5 @@
-// `foveola analyze --power`: how many participants a comparison of times needs.
+// `foveola analyze --power` without a protocol: how many participants a comparison of times needs,
+// by the paired t test.
 #pragma once
 
 #include <cstddef>
@@ -6,27 +7,17 @@
 #include <optional>
 #include <string>
 
-#include "study/protocol/protocol.h"
-
 namespace foveola::analysis {
 
 struct PowerSettings {
   double ratio_percent = 50.0;  ///< Expected time, in per cent of the baseline's; not 100.
   double spread = 2.0;          ///< Factor by which participants' own ratios vary, above 1.
-  double alpha = 0.05;          ///< Significance level of all planned comparisons together.
-  std::size_t family = 1;  ///< How many they are: Holm's method tests the first at alpha / family.
-  double power = 0.9;      ///< The power to reach.
+  double alpha = 0.05;          ///< Significance level of the two-sided test.
+  double power = 0.9;           ///< The power to reach.
   std::optional<std::size_t> participants;  ///< If given, their power is computed instead.
   std::size_t studies = 10'000;             ///< The number of simulated studies.
   std::uint64_t seed = 1;
-
-  /// The level at which one comparison is sure to be significant.
-  double level() const { return alpha / static_cast<double>(family); }
 };
-
-/// The settings with what the plan of a study has: alpha, the number of planned comparisons and of
-/// participants.
-PowerSettings planned_power(PowerSettings settings, const study::AnalysisPlan& plan);
 
 /// The result: participants, power by formula and by simulation.
 struct PowerPlan {

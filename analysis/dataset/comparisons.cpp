@@ -77,14 +77,7 @@ CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair&
   return cases;
 }
 
-void compare_participants(const PairedTrials& trials, MethodComparison& comparison) {
-  const std::vector<double> differences = trials.participant_means();
-  if (comparison.is_time) {
-    comparison.ratio = ratio_t(differences);
-    comparison.ratio_bca = bca_of_ratio(differences);
-  } else {
-    comparison.points = one_sample_t(differences);
-  }
+void compare_ranks(const std::vector<double>& differences, MethodComparison& comparison) {
   comparison.ranks = signed_rank(without_rounding(differences));
   comparison.pseudo_median = pseudo_median(differences);
 }
@@ -149,27 +142,46 @@ std::optional<Influence> influence_of(const Dataset& set, const PairedTrials& tr
              : std::nullopt;
 }
 
+/// The comparison with its primary analysis, and with nothing that this does not need.
+MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan& plan,
+                                   const ComparedPair& pair, const PairedTrials& trials,
+                                   const FittedModels& models) {
+  MethodComparison comparison =
+      start_comparison(set, plan, pair.measure, pair.method, pair.reference);
+  comparison.n = trials.participants();
+  comparison.pairs = trials.pairs;
+  comparison.censored = trials.censored;
+  const std::vector<double> differences = trials.participant_means();
+  if (comparison.is_time) {
+    comparison.ratio = ratio_t(differences);
+  } else {
+    comparison.points = one_sample_t(differences);
+    compare_ranks(differences, comparison);
+  }
+  comparison.primary =
+      primary_of(comparison, trials, plan, !set.measures[pair.measure].points().empty(), models);
+  comparison.missing = why_no_p(comparison);
+  return comparison;
+}
+
 /// `means`: of this measure, as participant_means has them.
 MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
                          const ComparedPair& pair, const ParticipantValues& means,
                          const FittedModels& models) {
-  MethodComparison comparison =
-      start_comparison(set, plan, pair.measure, pair.method, pair.reference);
   const PairedTrials trials = paired_trials(set, pair.measure, pair.method, pair.reference);
-  comparison.n = trials.participants();
-  comparison.pairs = trials.pairs;
-  comparison.censored = trials.censored;
-  compare_participants(trials, comparison);
+  MethodComparison comparison = compare_primarily(set, plan, pair, trials, models);
+  if (comparison.is_time) {
+    const std::vector<double> differences = trials.participant_means();
+    comparison.ratio_bca = bca_of_ratio(differences);
+    compare_ranks(differences, comparison);
+  }
   comparison.complete = complete_cases(means, pair, comparison.is_time);
-  comparison.primary =
-      primary_of(comparison, trials, plan, !set.measures[pair.measure].points().empty(), models);
   if (comparison.margin) {
     comparison.equivalent = equivalence_of(trials, comparison, plan.alpha);
   }
   if (comparison.primary) {
     comparison.influence = influence_of(set, trials, *comparison.primary);
   }
-  comparison.missing = why_no_p(comparison);
   return comparison;
 }
 
@@ -252,14 +264,15 @@ std::vector<ComparedPair> unplanned_pairs(const Dataset& set, const study::Analy
   return pairs;
 }
 
+/// Calls compare_pair(pair) for each planned comparison, and adjusts the P-values of all together.
+template <typename Compare>
 std::vector<MethodComparison> planned_comparisons(const Dataset& set,
                                                   const study::AnalysisPlan& plan,
-                                                  const std::vector<ParticipantValues>& means,
-                                                  const FittedModels& models) {
+                                                  const Compare& compare_pair) {
   std::vector<MethodComparison> comparisons;
   for (const study::PlannedComparison& planned : plan.primary) {
     if (const std::optional<ComparedPair> pair = pair_of(set, planned)) {
-      comparisons.push_back(compare(set, plan, *pair, means[pair->measure], models));
+      comparisons.push_back(compare_pair(*pair));
     } else {
       comparisons.push_back({.measure = planned.measure,
                              .method = planned.method,
@@ -268,6 +281,7 @@ std::vector<MethodComparison> planned_comparisons(const Dataset& set,
     }
     comparisons.back().planned = true;
   }
+  adjust_family(comparisons);
   return comparisons;
 }
 
@@ -289,13 +303,23 @@ std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::Analys
   return pairs;
 }
 
+std::vector<MethodComparison> planned_primary_analyses(const Dataset& set,
+                                                       const study::AnalysisPlan& plan,
+                                                       const FittedModels& models) {
+  return planned_comparisons(set, plan, [&](const ComparedPair& pair) {
+    return compare_primarily(set, plan, pair,
+                             paired_trials(set, pair.measure, pair.method, pair.reference), models);
+  });
+}
+
 Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
                             FittedModels models) {
   const std::vector<ParticipantValues> means = means_of_measures(set);
   Comparisons result;
   result.plan = plan;
-  result.methods = planned_comparisons(set, plan, means, models);
-  adjust_family(result.methods);
+  result.methods = planned_comparisons(set, plan, [&](const ComparedPair& pair) {
+    return compare(set, plan, pair, means[pair.measure], models);
+  });
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     const Measure& of = set.measures[measure];
     if (!of.is_numeric()) {

@@ -118,4 +118,10 @@ std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::Analys
 Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
                             FittedModels models = {});
 
+/// The planned comparisons of compare_methods with their primary analyses alone, for when thousands
+/// of studies are analysed: without the sensitivity analyses that these do not need.
+std::vector<MethodComparison> planned_primary_analyses(const Dataset& set,
+                                                       const study::AnalysisPlan& plan,
+                                                       const FittedModels& models = {});
+
 }  // namespace foveola::analysis

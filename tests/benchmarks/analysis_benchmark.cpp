@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include "analysis/monte_carlo/expected_study.h"
 #include "analysis/publication/analyze_study.h"
-#include "analysis/publication/injected_studies.h"
 #include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
@@ -18,8 +18,8 @@ double peak_memory_mb() {
 
 void analyse(benchmark::State& state) {
   const test::TemporaryFolder folder;
-  const study::StudyRecords records = study_with_injected_effects(
-      {.participants = static_cast<int>(state.range(0)), .scenes = 5}, 1);
+  const study::StudyRecords records =
+      draw_study(example_study(), static_cast<std::size_t>(state.range(0)), 1);
   for ([[maybe_unused]] const auto& run : state) {
     benchmark::DoNotOptimize(analyze_records(records, {}, folder / "out").summary);
   }

@@ -36,22 +36,5 @@ TEST(PowerTables, WhatIsNoEffectOrNoSpreadIsRefused) {
               ThrowsMessage<Error>(HasSubstr("too few")));
 }
 
-TEST(PowerTables, APlansLevelFamilyAndParticipantsAreTaken) {
-  study::AnalysisPlan plan;
-  plan.alpha = 0.02;
-  plan.participants = 12;
-  plan.primary = {{"outline", "fv", "od"}, {"comfort", "fv", "vp"}};
-  const PowerSettings settings = planned_power({.studies = 500}, plan);
-  EXPECT_EQ(settings.family, 2U);
-  EXPECT_DOUBLE_EQ(settings.level(), 0.01);
-  EXPECT_EQ(settings.participants, 12U);
-  EXPECT_EQ(planned_power({.participants = 7}, plan).participants, 7U);
-  const PowerPlan of_family = plan_power(settings);
-  const PowerPlan of_one = plan_power({.alpha = 0.01, .participants = 12, .studies = 500});
-  EXPECT_EQ(of_family.power, of_one.power);
-  EXPECT_THAT(power_text(settings, of_family),
-              HasSubstr("at a level of 0.01, two-sided (Holm's first of 2 planned comparisons"));
-}
-
 }  // namespace
 }  // namespace foveola::analysis

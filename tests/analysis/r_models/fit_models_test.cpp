@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/publication/injected_studies.h"
+#include "analysis/monte_carlo/expected_study.h"
 #include "analysis/publication/row_file.h"
 #include "analysis/publication/trial_data.h"
 #include "analysis/r_models/models_plan.h"
@@ -91,9 +91,7 @@ TEST(ModelsScript, NoModelTakesTrialsForParticipants) {
   }
 }
 
-study::StudyRecords noisy_study() {
-  return study_with_injected_effects({.participants = 12, .scenes = 4}, 3);
-}
+study::StudyRecords noisy_study() { return draw_study(example_study(), 12, 3); }
 
 /// A folder with the trials of a study, and the script that fits their models.
 void write_study(const study::StudyRecords& records, const std::filesystem::path& folder) {

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "analysis/publication/coverage.h"
+#include "analysis/monte_carlo/coverage.h"
 
 namespace foveola::analysis {
 

@@ -1,4 +1,4 @@
-#include "analysis/publication/crossed_coverage.h"
+#include "analysis/monte_carlo/crossed_coverage.h"
 
 #include <gtest/gtest.h>
 

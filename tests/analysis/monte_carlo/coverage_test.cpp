@@ -1,9 +1,6 @@
-#include "analysis/publication/coverage.h"
+#include "analysis/monte_carlo/coverage.h"
 
 #include <gtest/gtest.h>
-
-#include "analysis/dataset/study_tables.h"
-#include "analysis/publication/injected_studies.h"
 
 namespace foveola::analysis {
 namespace {
@@ -40,22 +37,6 @@ TEST(Coverage, StopsWhenAsked) {
   EXPECT_TRUE(measure_coverage(
                   {}, [](double) {}, stop.get_token())
                   .empty());
-}
-
-TEST(InjectedStudies, AreSimulatedAndComplete) {
-  const study::StudyRecords records =
-      study_with_injected_effects({.participants = 5, .scenes = 3}, 4);
-  EXPECT_EQ(records.trials.size(), 5U * 3U * 3U);
-  EXPECT_TRUE(records.has_simulated());
-  EXPECT_TRUE(tabulate_study(records).set.exclusions.empty());
-}
-
-TEST(InjectedStudies, HoldTheEffectsThatWereInjected) {
-  InjectedEffects effects{.participants = 400};
-  const StudyTables tables = tabulate_study(study_with_injected_effects(effects, 11));
-  // The standard error is a percent and a half of the value.
-  EXPECT_NEAR(tables.method_times_of(0, 2).percent_of_baseline->value, 10.0, 0.6);
-  EXPECT_NEAR(tables.method_times_of(0, 1).percent_of_baseline->value, 32.0, 2.0);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "analysis/publication/coverage.h"
+#include "analysis/monte_carlo/coverage.h"
 
 #include <cmath>
 #include <string_view>
 
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/study_tables.h"
-#include "analysis/publication/injected_studies.h"
+#include "analysis/monte_carlo/expected_study.h"
 #include "analysis/statistics/bootstrap.h"
 #include "analysis/statistics/equivalence.h"
 #include "analysis/statistics/friedman.h"
@@ -57,20 +57,19 @@ struct Criterion {
   std::string_view name;
   std::string_view claim;
   std::optional<Interval> required;
-  InjectedEffects effects;
+  ExpectedStudy expected;
   std::function<Outcome(const Dataset&, const StudyTables&)> holds;
 };
 
 std::vector<Criterion> criteria_with_effects(const CoverageSettings& settings) {
-  const InjectedEffects effects{.participants = settings.participants};
-  InjectedEffects learning = effects;
+  const ExpectedStudy effects = example_study();
+  const std::vector<double>& ratios = effects.times[outline].ratios;
+  ExpectedStudy learning = effects;
   learning.change_per_trial = -0.02;
   std::vector<Criterion> criteria;
   for (const std::size_t mark : {outline, material}) {
     for (const std::size_t method : {std::size_t{1}, std::size_t{2}}) {
-      const double ratio = effects.ratios[method];
-      // Only the outline's ratio is injected; the material mark follows after a time that has the
-      // same ratio.
+      const double ratio = ratios[method];
       const std::string_view name =
           mark == outline
               ? (method == 1 ? "t interval, VP 32 %, outline" : "t interval, FV 10 %, outline")
@@ -86,13 +85,13 @@ std::vector<Criterion> criteria_with_effects(const CoverageSettings& settings) {
                         const MethodTimes& times = tables.method_times_of(outline, 2);
                         return covers(bca_geometric_mean(times.participant_percent,
                                                          {.resamples = settings.resamples}),
-                                      100.0 * effects.ratios[2]);
+                                      100.0 * ratios[2]);
                       }});
   criteria.push_back({"pseudo-median's interval, FV 10 %, outline", "covers the injected ratio",
                       std::nullopt, effects, [=](const Dataset& set, const StudyTables&) {
                         const auto found = pseudo_median(log_ratios(set));
                         return found && found->interval
-                                   ? covers(found->interval, std::log(effects.ratios[2]))
+                                   ? covers(found->interval, std::log(ratios[2]))
                                    : std::nullopt;
                       }});
   criteria.push_back(
@@ -111,11 +110,13 @@ std::optional<double> p_of(const std::optional<Test>& test) {
   return test ? std::optional(test->p) : std::nullopt;
 }
 
-std::vector<Criterion> criteria_without_effect(const CoverageSettings& settings) {
-  InjectedEffects null{.participants = settings.participants};
-  null.ratios = {1.0, 1.0, 1.0};
-  InjectedEffects at_margin = null;
-  at_margin.ratios.back() = 1.25;
+std::vector<Criterion> criteria_without_effect() {
+  ExpectedStudy null = example_study();
+  for (ExpectedTimes& times : null.times) {
+    times.ratios = {1.0, 1.0, 1.0};
+  }
+  ExpectedStudy at_margin = null;
+  at_margin.times[outline].ratios.back() = 1.25;
   const auto measures = [](const Dataset& set) {
     return complete_participants(participant_means(set, outline));
   };
@@ -148,20 +149,22 @@ std::vector<Criterion> criteria_without_effect(const CoverageSettings& settings)
 }
 
 /// Marks and ratings that the published study did not have.
-std::vector<Criterion> criteria_of_other_measures(const CoverageSettings& settings) {
-  const InjectedEffects effects{.participants = settings.participants};
-  InjectedEffects comfortable = effects;
-  comfortable.comfort_shift = 5.0;
+std::vector<Criterion> criteria_of_other_measures() {
+  constexpr double shift_points = 5.0;
+  const ExpectedStudy effects = example_study();
+  const double ratio = effects.times[recognition].ratios.back();
+  ExpectedStudy comfortable = effects;
+  comfortable.shifts.back().back() = shift_points;
   return {
       {"t interval, FV 10 %, a third mark", "covers the injected ratio", nominal_coverage, effects,
        [=](const Dataset&, const StudyTables& tables) {
-         return covers_percent(tables, recognition, 2, effects.ratios[2]);
+         return covers_percent(tables, recognition, 2, ratio);
        }},
       {"t interval, 5 points in a rating of 0 to 100", "covers the injected change",
        nominal_coverage, comfortable,
        [=](const Dataset& set, const StudyTables&) {
          const auto found = one_sample_t(comfort_differences(set));
-         return found ? covers(found->interval, comfortable.comfort_shift) : std::nullopt;
+         return found ? covers(found->interval, shift_points) : std::nullopt;
        }},
       {"paired t, a rating of 0 to 100, no effect", "rejects at 5 %", nominal_rejection, effects,
        [](const Dataset& set, const StudyTables&) {
@@ -176,8 +179,8 @@ CoverageFigure measure(const Criterion& criterion, const CoverageSettings& setti
   workers.for_each_block(outcomes.size(), 50, [&](std::size_t begin, std::size_t end) {
     for (std::size_t study = begin; study < end; ++study) {
       const std::uint64_t seed = (settings.seed << 40U) + (stream << 32U) + study;
-      const StudyTables tables =
-          tabulate_study(study_with_injected_effects(criterion.effects, seed));
+      const StudyTables tables = tabulate_study(
+          draw_study(criterion.expected, static_cast<std::size_t>(settings.participants), seed));
       outcomes[study] = criterion.holds(tables.set, tables);
     }
   });
@@ -201,9 +204,9 @@ std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,
                                              const std::stop_token& stop) {
   std::vector<Criterion> criteria = criteria_with_effects(settings);
-  const std::vector<Criterion> nulls = criteria_without_effect(settings);
+  const std::vector<Criterion> nulls = criteria_without_effect();
   criteria.insert(criteria.end(), nulls.begin(), nulls.end());
-  const std::vector<Criterion> others = criteria_of_other_measures(settings);
+  const std::vector<Criterion> others = criteria_of_other_measures();
   criteria.insert(criteria.end(), others.begin(), others.end());
   const Workers workers(settings.threads);
   std::vector<CoverageFigure> figures;

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/publication/injected_studies.h"
+#include "analysis/monte_carlo/expected_study.h"
 #include "tests/analysis/made_up_study.h"
 
 namespace foveola::analysis {
 namespace {
 
 TEST(OutlyingTimes, ATimeTenTimesTooLongIsNamed) {
-  study::StudyRecords records = study_with_injected_effects({.participants = 16}, 5);
+  study::StudyRecords records = draw_study(example_study(), 16, 5);
   const std::string participant = records.sessions[3].participant;
   const std::string scene = records.scenes[2];
   const std::string method = records.methods[1];

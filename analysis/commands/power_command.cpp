@@ -1,0 +1,161 @@
+#include "analysis/commands/power_command.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/commands/study_power_tables.h"
+#include "renderer/base/error.h"
+#include "renderer/base/progress.h"
+#include "study/record/study_records.h"
+
+namespace foveola::analysis {
+namespace {
+
+constexpr std::size_t default_studies = 2000;
+
+/// What is expected of a protocol says nothing of a single comparison.
+void refuse_expectations(const PowerArguments& arguments) {
+  const Expectations& expectations = arguments.expectations;
+  const std::pair<const char*, bool> given[] = {
+      {"--effect", !arguments.effects.empty()},
+      {"--seconds", expectations.baseline_s.has_value()},
+      {"--scene-spread", expectations.scenes_factor.has_value()},
+      {"--trial-spread", expectations.trials_factor.has_value()},
+      {"--withdrawals", expectations.withdrawals.has_value()},
+      {"--scenes", expectations.scenes.has_value()}};
+  for (const auto& [option, is_given] : given) {
+    if (is_given) {
+      throw UsageError(option, "is about the study of a protocol",
+                       "add --protocol NAME, or a pilot's file");
+    }
+  }
+}
+
+void plan_one_comparison(const PowerArguments& arguments) {
+  refuse_expectations(arguments);
+  PowerSettings settings = arguments.one_comparison;
+  settings.ratio_percent = arguments.expectations.ratio_percent;
+  settings.spread = arguments.spread.value_or(settings.spread);
+  settings.studies = arguments.studies.value_or(settings.studies);
+  const PowerPlan plan = plan_power(settings);
+  fmt::print("{}", arguments.json ? power_json(settings, plan) + "\n" : power_text(settings, plan));
+}
+
+std::optional<study::StudyRecords> pilot_of(const PowerArguments& arguments) {
+  return arguments.pilot.empty() ? std::nullopt : std::optional(study::read_study(arguments.pilot));
+}
+
+StudyPowerReport report_of(const PowerArguments& arguments) {
+  const std::optional<study::StudyRecords> pilot = pilot_of(arguments);
+  const study::Protocol protocol =
+      pilot ? pilot->protocol : study::load_protocol(study::find_protocol(arguments.protocol));
+  Expectations expectations = arguments.expectations;
+  expectations.participants_factor = arguments.spread;
+  std::transform(arguments.effects.begin(), arguments.effects.end(),
+                 std::back_inserter(expectations.measures), parse_expectation);
+  return {.expected = expect(protocol, expectations, pilot ? &*pilot : nullptr),
+          .target = arguments.one_comparison.power,
+          .studies = arguments.studies.value_or(default_studies),
+          .seed = arguments.one_comparison.seed,
+          .from_pilot = pilot.has_value()};
+}
+
+void plan_study(const PowerArguments& arguments, const std::stop_token& stop) {
+  StudyPowerReport report = report_of(arguments);
+  if (!arguments.json) {
+    fmt::print("{}", expectations_text(report));
+    std::fflush(stdout);
+  }
+  const PowerSimulation simulation{.studies = report.studies, .seed = report.seed};
+  const std::optional<std::size_t> participants = arguments.one_comparison.participants;
+  if (participants) {
+    if (const auto power = simulate_study_power(report.expected, *participants, simulation, stop)) {
+      report.curve = {*power};
+    }
+  } else {
+    const auto& planned = report.expected.protocol.analysis.participants;
+    report.curve = power_curve(
+        report.expected,
+        {.power = report.target,
+         .planned = planned ? std::optional<std::size_t>(*planned) : std::nullopt,
+         .most = arguments.most_participants},
+        simulation, [](std::size_t) {}, stop);
+  }
+  if (!report.curve.empty()) {
+    fmt::print("{}", arguments.json ? study_power_json(report) + "\n" : study_power_text(report));
+  }
+}
+
+}  // namespace
+
+void add_power_options(CLI::App& command, PowerArguments& arguments) {
+  PowerSettings& one = arguments.one_comparison;
+  Expectations& expectations = arguments.expectations;
+  command.add_flag(
+      "--power", arguments.asked,
+      "Plan a study instead of analysing one: the power by numbers of participants. "
+      "With --protocol, or a pilot as STUDY, by simulation of the protocol, its "
+      "design, time-outs and planned analysis; otherwise of one comparison of times by "
+      "the paired t test");
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    return command.add_option(name, value, help)->needs("--power");
+  };
+  CLI::Option* alpha =
+      add("--alpha", one.alpha, "Significance level of the two-sided test without a protocol")
+          ->check(CLI::Range(1e-6, 0.5))
+          ->capture_default_str();
+  add("--protocol", arguments.protocol, "The protocol that is planned")->excludes(alpha);
+  add("--ratio", expectations.ratio_percent,
+      "Expected time with every other method, in per cent of that with the baseline")
+      ->capture_default_str();
+  add("--effect", arguments.effects,
+      "What is expected of one measure, MEASURE:METHOD:VALUE, more than once if need be: of a mark "
+      "per cent of the baseline's time (material:fv:25), of a rating points above the baseline's "
+      "(comfort:fv:1)");
+  add("--seconds", expectations.baseline_s,
+      "Expected times with the baseline, mark by mark: 10,30; each that is not given takes twice "
+      "the one before (default 10)")
+      ->delimiter(',');
+  add("--spread", arguments.spread,
+      "Factor, from 1, by which participants' own ratios vary: two thirds lie within it (default "
+      "1.35; without a protocol 2, with what differs from trial to trial)");
+  add("--scene-spread", expectations.scenes_factor,
+      "Factor by which scenes' own ratios vary (default 1.1)");
+  add("--trial-spread", expectations.trials_factor,
+      "Factor by which single times vary (default 1.42)");
+  add("--withdrawals", expectations.withdrawals,
+      "Probability that a participant withdraws (default 0)")
+      ->check(CLI::Range(0.0, 0.95));
+  add("--scenes", expectations.scenes, "Number of scenes, if not the protocol's")
+      ->check(CLI::Range(1, 1000));
+  add("--target", one.power, "Power to reach")
+      ->check(CLI::Range(0.06, 0.9999))
+      ->capture_default_str();
+  add("--participants", one.participants,
+      "Report the power with this many participants, instead of how many are needed")
+      ->check(CLI::Range(2, 1'000'000));
+  add("--most-participants", arguments.most_participants,
+      "No more participants are tried with a protocol")
+      ->check(CLI::Range(4, 4096))
+      ->capture_default_str();
+  add("--studies", arguments.studies,
+      "Studies to simulate (default 10000; with a protocol 2000 for each number of participants)")
+      ->check(CLI::Range(1, 10'000'000));
+  add("--seed", one.seed, "Seed of the simulation")->capture_default_str();
+}
+
+void run_power(const PowerArguments& arguments, const std::stop_token& stop) {
+  if (!arguments.pilot.empty() && !arguments.protocol.empty()) {
+    throw UsageError("--protocol", "a pilot has its own protocol", "leave one of them out");
+  }
+  if (arguments.pilot.empty() && arguments.protocol.empty()) {
+    plan_one_comparison(arguments);
+  } else {
+    plan_study(arguments, stop);
+  }
+}
+
+}  // namespace foveola::analysis
