@@ -70,6 +70,21 @@ std::string share_text(std::size_t hits, const StudyPower& power) {
                      100.0 * share.interval.high);
 }
 
+/// Not every number that was tried on the way to the fewest participants.
+bool is_shown(const StudyPower& point, const StudyPowerReport& report) {
+  constexpr std::size_t step = 4;
+  const study::AnalysisPlan& plan = report.expected.protocol.analysis;
+  const auto is_fewest = [&](std::optional<std::size_t> comparison) {
+    return fewest_participants(report.curve, comparison, report.target) == point.participants;
+  };
+  bool is_any_fewest = is_fewest(std::nullopt);
+  for (std::size_t i = 0; i < plan.primary.size(); ++i) {
+    is_any_fewest = is_any_fewest || is_fewest(i);
+  }
+  return is_any_fewest || point.participants % step == 0 || report.curve.size() == 1 ||
+         (plan.participants && static_cast<std::size_t>(*plan.participants) == point.participants);
+}
+
 std::string curve_text(const StudyPowerReport& report) {
   const auto& planned = report.expected.protocol.analysis.primary;
   constexpr std::size_t narrowest = 19;
@@ -86,6 +101,9 @@ std::string curve_text(const StudyPowerReport& report) {
   }
   text += "\n";
   for (const StudyPower& point : report.curve) {
+    if (!is_shown(point, report)) {
+      continue;
+    }
     text += fmt::format("{:>12}  {:>8.1f}", point.participants, point.analysed);
     for (std::size_t i = 0; i < planned.size(); ++i) {
       text += fmt::format("  {:>{}}", share_text(hits_of(point, i), point), widths[i]);
@@ -103,7 +121,7 @@ std::string fewest_text(const StudyPowerReport& report, std::optional<std::size_
                          : fmt::format("{}: more than {}, or out of reach", name, most));
 }
 
-/// The largest number of participants; nullptr without any.
+/// Of the largest number of participants.
 const StudyPower& largest(const StudyPowerReport& report) { return report.curve.back(); }
 
 std::string censoring_text(const StudyPowerReport& report) {
@@ -135,7 +153,7 @@ std::string analyses_text(const StudyPowerReport& report) {
     const std::string stand_in =
         power.stand_ins == 0
             ? ""
-            : fmt::format(" (in {:.1f} % not what is planned, which needs R: --r)",
+            : fmt::format(" (in {:.1f} % in place of what is planned, which R fits: --r)",
                           100.0 * share_of(power.stand_ins, largest(report)).value);
     text += line(i == 0 ? "analyses" : "",
                  fmt::format("{}: {}{}", name_of(planned[i]), fmt::join(kinds, ", "), stand_in));
@@ -215,6 +233,7 @@ nlohmann::ordered_json expected_json(const ExpectedStudy& expected) {
           {"marks", marks},
           {"ratings", ratings},
           {"log_time_sd", spread_json(expected.times_spread)},
+          {"later_marks_variation", expected.later_marks_variation},
           {"rating_sd_part_of_scale", spread_json(expected.ratings_spread)},
           {"withdrawals", expected.withdrawals}};
 }

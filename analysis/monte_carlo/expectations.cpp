@@ -146,6 +146,32 @@ double geometric_mean_of_baseline(const Dataset& set, std::size_t mark) {
   return std::exp(*mean(logs));
 }
 
+/// The coefficient of variation of the logarithms of later marks' times over those of the marks
+/// before, within methods; empty without any.
+std::optional<double> later_marks_variation(const Dataset& set) {
+  const std::vector<std::size_t> marks = set.times();
+  std::vector<double> relative;
+  for (std::size_t mark = 1; mark < marks.size(); ++mark) {
+    for (std::size_t method = 0; method < set.methods.size(); ++method) {
+      std::vector<double> logs;
+      for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+        for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+          const Value& before = set.value(participant, scene, method, marks[mark - 1]);
+          const Value& after = set.value(participant, scene, method, marks[mark]);
+          if (before.is_measured() && after.is_measured()) {
+            logs.push_back(std::log(after.number / before.number));
+          }
+        }
+      }
+      const std::optional<double> center = mean(logs);
+      for (const double log : logs) {
+        relative.push_back(log / *center);
+      }
+    }
+  }
+  return relative.size() < 2 ? std::nullopt : describe(relative).standard_deviation;
+}
+
 /// Points between the ends of a rating's scale.
 double width_of(const Measure& rating) {
   const std::vector<double> points = rating.points();
@@ -156,14 +182,17 @@ double width_of(const Measure& rating) {
   return *high - *low;
 }
 
-void take_pilot(const study::StudyRecords& pilot, ExpectedStudy& expected) {
+/// `with_times`: whether the pilot's own times are taken, too.
+void take_pilot(const study::StudyRecords& pilot, bool with_times, ExpectedStudy& expected) {
   const Dataset set = select_for_analysis(pilot);
   const std::vector<std::size_t> marks = set.times();
-  for (std::size_t mark = 0; mark < marks.size(); ++mark) {
+  for (std::size_t mark = 0; with_times && mark < marks.size(); ++mark) {
     expected.times[mark].baseline_s = geometric_mean_of_baseline(set, marks[mark]);
   }
   take_spread(
-      set, marks, [](std::size_t) { return 1.0; }, expected.times_spread);
+      set, {marks.front()}, [](std::size_t) { return 1.0; }, expected.times_spread);
+  expected.later_marks_variation =
+      later_marks_variation(set).value_or(expected.later_marks_variation);
   take_spread(
       set, set.ratings(), [&](std::size_t rating) { return width_of(set.measures[rating]); },
       expected.ratings_spread);
@@ -315,7 +344,7 @@ ExpectedStudy expect(const study::Protocol& protocol, const Expectations& expect
   expected.times_spread.scenes_gain = 0.1;
   take_baseline({default_first_mark_s}, expected);
   if (pilot != nullptr) {
-    take_pilot(*pilot, expected);
+    take_pilot(*pilot, !expectations.baseline_s, expected);
   }
   if (expectations.baseline_s) {
     take_baseline(*expectations.baseline_s, expected);

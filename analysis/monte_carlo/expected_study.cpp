@@ -114,7 +114,10 @@ class DrawnParticipant {
   }
 
   /// A log-normal factor whose mean is 1.
-  double draw_factor(double sd) { return std::exp(sd * generator_.normal() - 0.5 * sd * sd); }
+  double draw_factor(double variation) {
+    const double variance = std::log1p(variation * variation);
+    return std::exp(std::sqrt(variance) * generator_.normal() - 0.5 * variance);
+  }
 
   void draw_times(const Place& place, int trial, double timeout_s, std::vector<Value>& values) {
     const ExpectedSpread& spread = expected_.times_spread;
@@ -126,7 +129,7 @@ class DrawnParticipant {
       if (mark > 0) {
         const double longer =
             expected_log_s(mark, place.method) - expected_log_s(mark - 1, place.method);
-        log_s += longer * draw_factor(spread.trials);
+        log_s += longer * draw_factor(expected_.later_marks_variation);
       }
       const double seconds = std::exp(log_s);
       values.push_back(seconds <= timeout_s

@@ -45,6 +45,9 @@ struct ExpectedStudy {
                                 .participants_gain = 0.1,
                                 .scenes_gain = 0.05,
                                 .trials = 0.2};
+  /// Coefficient of variation, between trials, of the logarithm of a mark's time over that of the
+  /// mark before.
+  double later_marks_variation = 0.25;
   double change_per_trial = 0.0;  ///< Of the logarithm of times; learning if below zero.
   double withdrawals = 0.0;       ///< The probability that a participant withdraws.
 };
