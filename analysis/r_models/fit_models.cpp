@@ -1,9 +1,12 @@
 #include "analysis/r_models/fit_models.h"
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -151,22 +154,49 @@ FittedModels read_models(const std::string& models_csv, const std::string& versi
   return fitted;
 }
 
-FittedModels fit_models(const fs::path& folder) {
-  FittedModels fitted;
+std::vector<FittedModels> fit_models(const fs::path& script, const std::vector<fs::path>& folders) {
+  const auto without_models = [&](const std::string& why) {
+    return std::vector<FittedModels>(folders.size(), FittedModels{.missing = why});
+  };
+  Command command{.words = {"Rscript", "--vanilla", script.string()}};
+  std::transform(folders.begin(), folders.end(), std::back_inserter(command.words),
+                 [](const fs::path& folder) { return folder.string(); });
   ProgramEnd end;
   try {
-    end = run_to_end(
-        {.words = {"Rscript", "--vanilla", (folder / "models.R").string(), folder.string()}});
+    end = run_to_end(command);
   } catch (const std::system_error&) {
-    fitted.missing = fmt::format("R is not installed (apt-get install {})", r_packages);
-    return fitted;
+    return without_models(fmt::format("R is not installed (apt-get install {})", r_packages));
   }
   if (end.status != 0) {
-    fitted.missing =
-        fmt::format("R ended with {}: {}", failure_named(end.status), last_line(end.errors));
-    return fitted;
+    return without_models(
+        fmt::format("R ended with {}: {}", failure_named(end.status), last_line(end.errors)));
   }
-  return read_models(read_file(folder / models_file), read_file(folder / versions_file));
+  std::vector<FittedModels> fitted;
+  for (const fs::path& folder : folders) {
+    fitted.push_back(
+        read_models(read_file(folder / models_file), read_file(folder / versions_file)));
+  }
+  return fitted;
+}
+
+FittedModels fit_models(const fs::path& folder) {
+  return std::move(fit_models(folder / "models.R", {folder}).front());
+}
+
+std::string missing_for(const FittedModels& models) {
+  if (!models.missing.empty()) {
+    return models.missing;
+  }
+  std::vector<std::string> packages;
+  for (const std::string package : {"lme4", "lmerTest", "survival", "ordinal"}) {
+    if (std::none_of(models.versions.begin(), models.versions.end(),
+                     [&](const auto& version) { return version.first == package; })) {
+      packages.push_back(package);
+    }
+  }
+  return packages.empty() ? ""
+                          : fmt::format("R has no package {} (apt-get install {})",
+                                        fmt::join(packages, " and no "), r_packages);
 }
 
 }  // namespace foveola::analysis

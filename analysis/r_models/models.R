@@ -1,7 +1,8 @@
-# Fits the models of a study's planned and other comparisons of two methods.
+# Fits the models of studies' planned and other comparisons of two methods.
 #
-#   Rscript models.R [FOLDER]      (the working folder by default)
+#   Rscript models.R [FOLDER...]   (the working folder by default)
 #
+# in each folder, which is of one study,
 # reads   trials_long.csv        a row for each trial
 #         models_plan.csv        a row for each comparison: measure, method, reference, whether
 #                                scenes are random or fixed, and the measure's kind: time, points
@@ -13,8 +14,6 @@
 # that are not there. Needs lme4 and lmerTest for times and scales, survival for right-censored
 # times, ordinal for points; without a package its rows say so.
 
-arguments <- commandArgs(trailingOnly = TRUE)
-folder <- if (length(arguments) > 0) arguments[1] else "."
 confidence <- 0.95
 
 # What an estimate is: natural logarithms of ratios of times, method over reference, and of odds
@@ -246,18 +245,24 @@ versions <- function() {
                          vapply(have, function(name) as.character(packageVersion(name)), "")))
 }
 
-trials <- read.csv(file.path(folder, "trials_long.csv"), colClasses = "character",
-                   na.strings = "", check.names = FALSE, encoding = "UTF-8")
-trials <- trials[trials$status == "analysed", ]
-plan <- read.csv(file.path(folder, "models_plan.csv"), colClasses = "character",
-                 encoding = "UTF-8")
+fit_study <- function(folder) {
+  read <- function(name) {
+    read.csv(file.path(folder, name), colClasses = "character", na.strings = "",
+             check.names = FALSE, encoding = "UTF-8")
+  }
+  trials <- read("trials_long.csv")
+  trials <- trials[trials$status == "analysed", ]
+  plan <- read("models_plan.csv")
+  fitted <- lapply(seq_len(nrow(plan)), function(i) {
+    cat(sprintf("%s, %d of %d: %s, %s against %s\n", folder, i, nrow(plan), plan$measure[i],
+                plan$method[i], plan$reference[i]))
+    models_of(trials, plan[i, ])
+  })
+  no_rows <- result(list(measure = "", method = "", reference = "", kind = "time"), "")[0, ]
+  write.csv(do.call(rbind, c(list(no_rows), fitted)), file.path(folder, "r_models.csv"),
+            row.names = FALSE, na = "")
+  write.csv(versions(), file.path(folder, "r_versions.csv"), row.names = FALSE)
+}
 
-fitted <- lapply(seq_len(nrow(plan)), function(i) {
-  cat(sprintf("%d of %d: %s, %s against %s\n", i, nrow(plan), plan$measure[i], plan$method[i],
-              plan$reference[i]))
-  models_of(trials, plan[i, ])
-})
-no_rows <- result(list(measure = "", method = "", reference = "", kind = "time"), "")[0, ]
-write.csv(do.call(rbind, c(list(no_rows), fitted)), file.path(folder, "r_models.csv"),
-          row.names = FALSE, na = "")
-write.csv(versions(), file.path(folder, "r_versions.csv"), row.names = FALSE)
+folders <- commandArgs(trailingOnly = TRUE)
+for (folder in if (length(folders) > 0) folders else ".") fit_study(folder)

@@ -70,6 +70,14 @@ TEST(ReadModels, RefusesWhatTheScriptDoesNotWrite) {
               HasSubstr("\"Inf\" in the column trials is no count"));
 }
 
+TEST(MissingFor, NamesThePackagesThatRDoesNotHave) {
+  EXPECT_EQ(missing_for({.missing = "R is not installed"}), "R is not installed");
+  FittedModels models{.versions = {{"R", "4.2.2"}, {"lme4", "1"}, {"lmerTest", "3"}}};
+  EXPECT_THAT(missing_for(models), HasSubstr("no package survival and no ordinal (apt-get"));
+  models.versions.insert(models.versions.end(), {{"survival", "3"}, {"ordinal", "1"}});
+  EXPECT_EQ(missing_for(models), "");
+}
+
 TEST(ModelsPlan, HasEveryPairWithItsKind) {
   const Dataset set = select_for_analysis(complete_study(3));
   study::AnalysisPlan plan;
@@ -113,18 +121,10 @@ FittedModels fit(const study::StudyRecords& records) {
   return fit_models(folder.path());
 }
 
-/// Why models cannot be tested on this machine; empty if they can.
-std::string why_not_here(const FittedModels& models) {
-  constexpr std::size_t r_and_four_packages = 5;
-  return !models.missing.empty()                         ? models.missing
-         : models.versions.size() != r_and_four_packages ? "a package of R is not installed"
-                                                         : "";
-}
-
 TEST(FitModels, AgreeWithTheClosedFormInABalancedStudy) {
   const study::StudyRecords records = noisy_study();
   const FittedModels models = fit(records);
-  if (const std::string why = why_not_here(models); !why.empty()) {
+  if (const std::string why = missing_for(models); !why.empty()) {
     GTEST_SKIP() << why;
   }
   const Comparisons comparisons = compare_methods(select_for_analysis(records), {});
@@ -155,7 +155,7 @@ TEST(FitModels, TakeRightCensoredTimesForWhatTheyAre) {
     value = value.number > 0.6 * longest ? right_censored(0.6 * longest) : value;
   });
   const FittedModels models = fit(records);
-  if (const std::string why = why_not_here(models); !why.empty()) {
+  if (const std::string why = missing_for(models); !why.empty()) {
     GTEST_SKIP() << why;
   }
   const FittedModel* tobit = models.find("tobit", "outline", "fv", "od");
@@ -166,7 +166,7 @@ TEST(FitModels, TakeRightCensoredTimesForWhatTheyAre) {
 
 TEST(FitModels, WhatCannotBeFittedSaysWhy) {
   const FittedModels models = fit(complete_study(1));
-  if (const std::string why = why_not_here(models); !why.empty()) {
+  if (const std::string why = missing_for(models); !why.empty()) {
     GTEST_SKIP() << why;
   }
   for (const FittedModel& model : models.models) {
