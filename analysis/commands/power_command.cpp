@@ -1,13 +1,20 @@
 #include "analysis/commands/power_command.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/commands/study_power_tables.h"
+#include "analysis/monte_carlo/fitted_studies.h"
+#include "analysis/r_models/fit_models.h"
 #include "renderer/base/error.h"
+#include "renderer/base/parallel.h"
 #include "renderer/base/progress.h"
 #include "study/record/study_records.h"
 
@@ -15,6 +22,7 @@ namespace foveola::analysis {
 namespace {
 
 constexpr std::size_t default_studies = 2000;
+constexpr std::size_t default_studies_by_r = 200;
 
 /// What is expected of a protocol says nothing of a single comparison.
 void refuse_expectations(const PowerArguments& arguments) {
@@ -56,11 +64,80 @@ StudyPowerReport report_of(const PowerArguments& arguments) {
   expectations.participants_factor = arguments.spread;
   std::transform(arguments.effects.begin(), arguments.effects.end(),
                  std::back_inserter(expectations.measures), parse_expectation);
-  return {.expected = expect(protocol, expectations, pilot ? &*pilot : nullptr),
-          .target = arguments.one_comparison.power,
-          .studies = arguments.studies.value_or(default_studies),
-          .seed = arguments.one_comparison.seed,
-          .from_pilot = pilot.has_value()};
+  return {
+      .expected = expect(protocol, expectations, pilot ? &*pilot : nullptr),
+      .target = arguments.one_comparison.power,
+      .studies = arguments.studies.value_or(arguments.r ? default_studies_by_r : default_studies),
+      .seed = arguments.one_comparison.seed,
+      .from_pilot = pilot.has_value()};
+}
+
+/// The one number of participants that R's models are fitted for.
+std::size_t participants_for_r(const PowerArguments& arguments, const StudyPowerReport& report) {
+  const std::optional<int>& planned = report.expected.protocol.analysis.participants;
+  if (!arguments.one_comparison.participants && !planned) {
+    throw UsageError("--r", "fits models for one number of participants, since R is slow",
+                     "add --participants");
+  }
+  return arguments.one_comparison.participants.value_or(
+      static_cast<std::size_t>(planned.value_or(0)));
+}
+
+/// Seconds that R takes for some studies.
+double seconds_by_r(const StudyPowerReport& report, std::size_t participants, std::size_t studies) {
+  std::vector<study::StudyRecords> drawn;
+  for (std::size_t i = 0; i < studies; ++i) {
+    drawn.push_back(draw_study(report.expected, participants, i));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<FittedModels> models = fit_studies(drawn);
+  for (const FittedModels& one : models) {
+    if (const std::string why = missing_for(one); !why.empty()) {
+      throw Error("--r", why, fmt::format("install the packages {}", r_packages));
+    }
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// How long R will take, from the times of one study and of nine.
+double expected_seconds(const StudyPowerReport& report, std::size_t participants) {
+  const double of_one = seconds_by_r(report, participants, 1);
+  const double each = std::max(0.0, (seconds_by_r(report, participants, 9) - of_one) / 8.0);
+  const double starting = std::max(0.0, of_one - each);
+  const auto studies = static_cast<double>(report.studies);
+  const auto starts = std::ceil(studies / static_cast<double>(studies_drawn_together));
+  return (studies * each + starts * starting) / Workers().threads();
+}
+
+std::vector<StudyPower> fit_by_r(const PowerArguments& arguments, const StudyPowerReport& report,
+                                 PowerSimulation simulation, const std::stop_token& stop) {
+  const std::size_t participants = participants_for_r(arguments, report);
+  fmt::print(stderr, "R fits the models of {} studies of {} participants: about {}\n",
+             report.studies, participants, human_duration(expected_seconds(report, participants)));
+  simulation.fit_models = fit_studies;
+  const auto power = simulate_study_power(report.expected, participants, simulation, stop);
+  return power ? std::vector{*power} : std::vector<StudyPower>();
+}
+
+std::vector<StudyPower> simulate(const PowerArguments& arguments, const StudyPowerReport& report,
+                                 const std::stop_token& stop) {
+  const PowerSimulation simulation{.studies = report.studies, .seed = report.seed};
+  if (arguments.r) {
+    return fit_by_r(arguments, report, simulation, stop);
+  }
+  if (const auto& participants = arguments.one_comparison.participants) {
+    const auto power = simulate_study_power(report.expected, *participants, simulation, stop);
+    return power ? std::vector{*power} : std::vector<StudyPower>();
+  }
+  const std::optional<int>& planned = report.expected.protocol.analysis.participants;
+  return power_curve(
+      report.expected,
+      {.power = report.target,
+       .planned = planned ? std::optional<std::size_t>(*planned) : std::nullopt,
+       .most = arguments.most_participants},
+      simulation,
+      [](std::size_t participants) { fmt::print(stderr, "{} participants\n", participants); },
+      stop);
 }
 
 void plan_study(const PowerArguments& arguments, const std::stop_token& stop) {
@@ -69,21 +146,7 @@ void plan_study(const PowerArguments& arguments, const std::stop_token& stop) {
     fmt::print("{}", expectations_text(report));
     std::fflush(stdout);
   }
-  const PowerSimulation simulation{.studies = report.studies, .seed = report.seed};
-  const std::optional<std::size_t> participants = arguments.one_comparison.participants;
-  if (participants) {
-    if (const auto power = simulate_study_power(report.expected, *participants, simulation, stop)) {
-      report.curve = {*power};
-    }
-  } else {
-    const auto& planned = report.expected.protocol.analysis.participants;
-    report.curve = power_curve(
-        report.expected,
-        {.power = report.target,
-         .planned = planned ? std::optional<std::size_t>(*planned) : std::nullopt,
-         .most = arguments.most_participants},
-        simulation, [](std::size_t) {}, stop);
-  }
+  report.curve = simulate(arguments, report, stop);
   if (!report.curve.empty()) {
     fmt::print("{}", arguments.json ? study_power_json(report) + "\n" : study_power_text(report));
   }

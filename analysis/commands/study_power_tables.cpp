@@ -121,6 +121,16 @@ std::string fewest_text(const StudyPowerReport& report, std::optional<std::size_
                          : fmt::format("{}: more than {}, or out of reach", name, most));
 }
 
+std::string all_fewest_text(const StudyPowerReport& report) {
+  const auto& planned = report.expected.protocol.analysis.primary;
+  std::string text =
+      fmt::format("Fewest participants for a power of {:g} %\n", 100.0 * report.target);
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    text += fewest_text(report, i, name_of(planned[i]));
+  }
+  return text + fewest_text(report, std::nullopt, "all together");
+}
+
 /// Of the largest number of participants.
 const StudyPower& largest(const StudyPowerReport& report) { return report.curve.back(); }
 
@@ -267,15 +277,9 @@ std::string expectations_text(const StudyPowerReport& report) {
 }
 
 std::string study_power_text(const StudyPowerReport& report) {
-  const auto& planned = report.expected.protocol.analysis.primary;
-  std::string text =
-      "\nPower in per cent, with the 95 % interval of the simulation\n" + curve_text(report) +
-      censoring_text(report) + analyses_text(report) +
-      fmt::format("Fewest participants for a power of {:g} %\n", 100.0 * report.target);
-  for (std::size_t i = 0; i < planned.size(); ++i) {
-    text += fewest_text(report, i, name_of(planned[i]));
-  }
-  return text + fewest_text(report, std::nullopt, "all together") + scenes_text(report);
+  const std::string text = "\nPower in per cent, with the 95 % interval of the simulation\n" +
+                           curve_text(report) + censoring_text(report) + analyses_text(report);
+  return report.curve.size() > 1 ? text + all_fewest_text(report) + scenes_text(report) : text;
 }
 
 std::string study_power_json(const StudyPowerReport& report) {

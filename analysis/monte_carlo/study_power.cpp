@@ -13,10 +13,6 @@
 namespace foveola::analysis {
 namespace {
 
-/// So many studies are drawn before any of them is analysed, since a program that fits models takes
-/// long to start.
-constexpr std::size_t block = 25;
-
 /// [mark][method]
 using Counts = std::vector<std::vector<std::size_t>>;
 
@@ -196,6 +192,7 @@ std::optional<StudyPower> simulate_study_power(const ExpectedStudy& expected,
                                                const PowerSimulation& simulation,
                                                const std::stop_token& stop) {
   assert(simulation.studies > 0);
+  constexpr std::size_t block = studies_drawn_together;
   std::vector<Tally> parts((simulation.studies + block - 1) / block);
   Workers(simulation.threads)
       .for_each_block(simulation.studies, block, [&](std::size_t first, std::size_t last) {

@@ -17,6 +17,10 @@
 
 namespace foveola::analysis {
 
+/// So many studies are drawn before any of them is analysed, since a program that fits models takes
+/// long to start.
+inline constexpr std::size_t studies_drawn_together = 25;
+
 /// Fits models by another program to studies, in their order.
 using ModelFitter =
     std::function<std::vector<FittedModels>(const std::vector<study::StudyRecords>&)>;
