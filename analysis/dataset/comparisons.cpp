@@ -152,6 +152,7 @@ MethodComparison compare_primarily(const Dataset& set, const study::AnalysisPlan
   comparison.pairs = trials.pairs;
   comparison.censored = trials.censored;
   const std::vector<double> differences = trials.participant_means();
+  comparison.mean = mean(differences);
   if (comparison.is_time) {
     comparison.ratio = ratio_t(differences);
   } else {
@@ -196,6 +197,24 @@ void adjust_family(std::vector<MethodComparison>& family) {
   for (std::size_t i = 0; i < family.size(); ++i) {
     if (family[i].primary) {
       family[i].p_holm = adjusted[i];
+    }
+  }
+}
+
+/// The same of the tests of equivalence, a family of those that have a margin.
+void adjust_equivalence(std::vector<MethodComparison>& planned) {
+  std::vector<double> p_values;
+  for (const MethodComparison& member : planned) {
+    if (member.margin) {
+      p_values.push_back(member.equivalent ? member.equivalent->p : 1.0);
+    }
+  }
+  const std::vector<double> adjusted = holm(p_values);
+  std::size_t i = 0;
+  for (MethodComparison& member : planned) {
+    if (member.margin) {
+      member.p_equivalent_holm = member.equivalent ? std::optional(adjusted[i]) : std::nullopt;
+      ++i;
     }
   }
 }
@@ -320,6 +339,7 @@ Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
   result.methods = planned_comparisons(set, plan, [&](const ComparedPair& pair) {
     return compare(set, plan, pair, means[pair.measure], models);
   });
+  adjust_equivalence(result.methods);
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     const Measure& of = set.measures[measure];
     if (!of.is_numeric()) {

@@ -54,6 +54,9 @@ struct MethodComparison {
   /// Why there is no primary P-value; empty if there is one.
   std::string missing;
 
+  /// The mean of the participants' mean differences, as in_unit() takes it; empty without any. One
+  /// participant, or differences that do not vary, have it and no test.
+  std::optional<double> mean;
   std::optional<RatioTest> ratio;     ///< Times only: method over reference.
   std::optional<Interval> ratio_bca;  ///< Times only: the bootstrap's interval of `ratio`.
   std::optional<TTest> points;        ///< Ratings only: method minus reference.
@@ -62,6 +65,9 @@ struct MethodComparison {
   std::optional<PseudoMedian> pseudo_median;
   /// Where the plan has a margin: by the crossed model if that is primary, else over participants.
   std::optional<EquivalenceTest> equivalent;
+  /// Holm's adjusted P of equivalence, over the planned comparisons that have a margin, a family of
+  /// their own; exploratory ones are not adjusted.
+  std::optional<double> p_equivalent_holm;
   std::optional<double> margin;
   CompleteCases complete;
   /// Empty without a primary analysis, with fewer than three participants, or with more than 2000,

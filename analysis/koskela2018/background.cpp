@@ -68,37 +68,52 @@ std::optional<double> background_of(const Answers& answers, const std::string& p
   return mean(values);
 }
 
-/// The mean over complete scenes of the baseline's time minus the method's.
-std::optional<double> seconds_saved(const Dataset& set, std::size_t participant, std::size_t mark,
+double speed_up(TimeSaved quantity, double baseline_s, double method_s) {
+  return quantity == TimeSaved::log_ratio ? std::log(baseline_s) - std::log(method_s)
+                                          : baseline_s - method_s;
+}
+
+/// The mean over complete scenes.
+std::optional<double> mean_speed_up(const Dataset& set, std::size_t participant,
+                                    const BackgroundCorrelation& row, std::size_t mark,
                                     std::size_t method) {
-  std::vector<double> saved;
+  std::vector<double> of_scenes;
   for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
     if (set.is_complete(participant, scene, mark)) {
-      saved.push_back(set.value(participant, scene, baseline, mark).number -
-                      set.value(participant, scene, method, mark).number);
+      of_scenes.push_back(speed_up(row.quantity,
+                                   set.value(participant, scene, baseline, mark).number,
+                                   set.value(participant, scene, method, mark).number));
     }
   }
-  return mean(saved);
+  return mean(of_scenes);
 }
 
 BackgroundCorrelation correlate_with_method(const Dataset& set, const Answers& answers,
-                                            const BackgroundScale& scale, std::size_t mark,
-                                            std::size_t method) {
+                                            const BackgroundScale& scale, TimeSaved quantity,
+                                            std::size_t mark, std::size_t method) {
+  BackgroundCorrelation row{
+      .quantity = quantity, .method = set.methods[method], .mark = set.measures[mark].id()};
   std::vector<double> background;
-  std::vector<double> saved;
+  std::vector<double> speed_ups;
   for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
     const auto experience = background_of(answers, set.participants[participant], scale);
-    const auto seconds = seconds_saved(set, participant, mark, method);
-    if (experience && seconds) {
+    const auto found = mean_speed_up(set, participant, row, mark, method);
+    if (experience && found) {
       background.push_back(*experience);
-      saved.push_back(*seconds);
+      speed_ups.push_back(*found);
     }
   }
-  return {set.methods[method], set.measures[mark].id(), background.size(),
-          pearson(background, saved), spearman(background, saved)};
+  row.participants = background.size();
+  row.pearson = pearson(background, speed_ups);
+  row.spearman = spearman(background, speed_ups);
+  return row;
 }
 
 }  // namespace
+
+const char* name_of(TimeSaved quantity) {
+  return quantity == TimeSaved::log_ratio ? "log_ratio" : "seconds_saved";
+}
 
 std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& records) {
   std::vector<BackgroundAnswer> answers;
@@ -170,9 +185,11 @@ std::vector<BackgroundCorrelation> correlate_background(const Dataset& set,
                                                         const BackgroundScale& scale) {
   const Answers answers = answers_by_participant(rows);
   std::vector<BackgroundCorrelation> correlations;
-  for (const std::size_t mark : set.times()) {
-    for (std::size_t method = baseline + 1; method < set.methods.size(); ++method) {
-      correlations.push_back(correlate_with_method(set, answers, scale, mark, method));
+  for (const TimeSaved quantity : {TimeSaved::log_ratio, TimeSaved::seconds_saved}) {
+    for (const std::size_t mark : set.times()) {
+      for (std::size_t method = baseline + 1; method < set.methods.size(); ++method) {
+        correlations.push_back(correlate_with_method(set, answers, scale, quantity, mark, method));
+      }
     }
   }
   return correlations;

@@ -1,4 +1,4 @@
-// Whether participants' background is correlated with the time that a method saves them.
+// Whether participants' background is correlated with how much sooner a method lets them mark.
 #pragma once
 
 #include <cstddef>
@@ -39,9 +39,23 @@ struct QuestionAnswers {
 std::vector<QuestionAnswers> describe_background(const Dataset& set,
                                                  const std::vector<BackgroundAnswer>& answers);
 
-/// The correlation of background with speed-up: the mean over scenes of baseline minus method, in
-/// seconds.
+/// What background is held against.
+enum class TimeSaved {
+  /// The mean over scenes of the logarithm of the baseline's time over the method's: a factor,
+  /// which
+  /// does not grow only because somebody takes long for everything.
+  log_ratio,
+  /// The mean over scenes of baseline minus method, as in the published study. Who takes long saves
+  /// more seconds at the same factor.
+  seconds_saved
+};
+
+/// "log_ratio" or "seconds_saved".
+const char* name_of(TimeSaved quantity);
+
+/// The correlation of background with a speed-up.
 struct BackgroundCorrelation {
+  TimeSaved quantity = TimeSaved::log_ratio;
   std::string method;
   std::string mark;              ///< Its id.
   std::size_t participants = 0;  ///< Those with an answer to every question and a complete scene.
@@ -61,8 +75,8 @@ std::vector<Exclusion> list_missing_answers(const Dataset& set,
                                             const std::vector<BackgroundAnswer>& answers,
                                             const BackgroundScale& scale);
 
-/// One correlation for each mark and each method but the baseline. Throws Error if an answer is not
-/// finite.
+/// For each mark and each method but the baseline, first of the log ratios, then of the seconds
+/// saved. Throws Error if an answer is not finite.
 std::vector<BackgroundCorrelation> correlate_background(
     const Dataset& set, const std::vector<BackgroundAnswer>& answers, const BackgroundScale& scale);
 

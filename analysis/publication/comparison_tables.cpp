@@ -26,8 +26,12 @@ void add_ratio(ColumnsOf<Comparison>& columns) {
     add_number<Comparison, RatioTest>(
         name, "%", description, [](const Comparison& row) { return row.ratio; }, value, columns);
   };
-  add("ratio_percent", "Of times: geometric mean of the participants' ratios, method to reference",
-      [](const RatioTest& test) { return 100.0 * test.ratio; });
+  columns.push_back({{"ratio_percent", number, "%",
+                      "Of times: geometric mean of the participants' ratios, method to reference"},
+                     [](const Comparison& row) {
+                       return row.is_time && row.mean ? field(100.0 * row.in_unit(*row.mean))
+                                                      : Field();
+                     }});
   add("ci95_low_percent", "Lower end of its 95 % t interval",
       [](const RatioTest& test) { return 100.0 * test.interval.low; });
   add("ci95_high_percent", "Upper end of its 95 % t interval",
@@ -49,8 +53,10 @@ void add_points(ColumnsOf<Comparison>& columns) {
         name, "points", description, [](const Comparison& row) { return row.points; }, value,
         columns);
   };
-  add("difference_points", "Of ratings: mean difference, method less reference",
-      [](const TTest& test) { return test.mean; });
+  columns.push_back(
+      {{"difference_points", number, "points",
+        "Of ratings: mean difference, method less reference"},
+       [](const Comparison& row) { return row.is_time ? Field() : field(row.mean); }});
   add("ci95_low_points", "Lower end of its 95 % t interval",
       [](const TTest& test) { return test.interval.low; });
   add("ci95_high_points", "Upper end of its 95 % t interval",
@@ -120,7 +126,7 @@ void add_pseudo_median(bool of_times, const std::string& name_unit, const std::s
   });
 }
 
-void add_equivalence(ColumnsOf<Comparison>& columns) {
+void add_equivalence(double alpha, ColumnsOf<Comparison>& columns) {
   const auto add = [&](const char* name, const char* description, auto value) {
     columns.push_back({{name, number, "", description}, [=](const Comparison& row) {
                          return field_in(row.equivalent, [&](const EquivalenceTest& test) {
@@ -131,7 +137,11 @@ void add_equivalence(ColumnsOf<Comparison>& columns) {
   columns.push_back(
       {{"equivalence_margin", number, "", "Planned margin: a factor of times, or points"},
        [](const Comparison& row) { return field(row.margin); }});
-  add("equivalence_interval_low", "Lower end of the interval of 1 − 2 alpha, in the margin's unit",
+  add("equivalence_confidence_percent",
+      "Confidence of the interval that follows, 1 − 2 alpha: it lies within the margins where the "
+      "unadjusted P is below alpha",
+      [=](const auto& /*row*/, const auto& /*test*/) { return 100.0 * (1.0 - 2.0 * alpha); });
+  add("equivalence_interval_low", "Lower end of that interval, in the margin's unit",
       [](const auto& row, const auto& test) { return row.in_unit(test.interval.low); });
   add("equivalence_interval_high", "Its upper end",
       [](const auto& row, const auto& test) { return row.in_unit(test.interval.high); });
@@ -141,6 +151,11 @@ void add_equivalence(ColumnsOf<Comparison>& columns) {
       [](const auto& /*row*/, const auto& test) { return test.p_below_high; });
   add("p_equivalence", "The larger of the two",
       [](const auto& /*row*/, const auto& test) { return test.p; });
+  columns.push_back(
+      {{"p_equivalence_holm", number, "",
+        "That P adjusted by Holm's method over the planned comparisons with a margin, a family of "
+        "their own; empty for exploratory ones, which are not adjusted"},
+       [](const Comparison& row) { return field(row.p_equivalent_holm); }});
 }
 
 void add_primary(ColumnsOf<Comparison>& columns) {
@@ -277,7 +292,7 @@ Table comparisons_table(const StudyTables& tables, const Comparisons& comparison
   add_ranks(columns);
   add_pseudo_median(true, "ratio_percent", "%", 100.0, columns);
   add_pseudo_median(false, "points", "points", 1.0, columns);
-  add_equivalence(columns);
+  add_equivalence(comparisons.plan.alpha, columns);
   add_complete_cases(columns);
   add_influence(columns);
   columns.push_back(kind_of_all<Comparison>(tables));

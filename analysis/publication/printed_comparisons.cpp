@@ -27,10 +27,6 @@ std::string pseudo_median_text(const MethodComparison& row, double scale, int de
   return with_interval(estimate, decimals);
 }
 
-std::string rank_sums(const MethodComparison& row) {
-  return row.ranks ? fmt::format("{:g} / {:g}", row.ranks->w_plus, row.ranks->w_minus) : "–";
-}
-
 std::string rank_biserial(const MethodComparison& row) {
   return fixed(row.ranks ? std::optional(row.ranks->rank_biserial) : std::nullopt, 2);
 }
@@ -46,7 +42,8 @@ std::vector<std::string> ratio_row(const MethodComparison& row) {
     cells.push_back(p_value(logs.p));
     cells.push_back(fmt::format("{:.2f}", logs.d_z));
   } else {
-    cells.insert(cells.end(), 5, "–");
+    cells.push_back(row.mean ? fixed(100.0 * row.in_unit(*row.mean), 1) : "–");
+    cells.insert(cells.end(), 4, "–");
   }
   cells.push_back(std::to_string(row.complete.n));
   cells.push_back(row.complete.ratio
@@ -61,37 +58,28 @@ std::vector<std::string> rating_row(const MethodComparison& row) {
           std::to_string(row.n),
           row.points
               ? fmt::format("{:.2f} {}", row.points->mean, bracketed(row.points->interval, 1.0, 2))
-              : "–",
+              : fixed(row.mean, 2),
           pseudo_median_text(row, 1.0, 2),
-          rank_sums(row),
           row.ranks ? p_value(row.ranks->p) : "–",
           rank_biserial(row)};
 }
 
-std::vector<std::string> omnibus_row(const OmnibusTest& row) {
-  std::vector<std::string> cells = {row.measure};
-  if (row.variance) {
-    const VarianceAnalysis& found = *row.variance;
-    cells.push_back(fmt::format("{:.2f} ({:.2f}, {:.2f})", found.f,
-                                found.greenhouse_geisser * found.degrees_of_freedom,
-                                found.greenhouse_geisser * found.residual_degrees_of_freedom));
-    cells.push_back(fmt::format("{:.3f} / {:.3f}", found.greenhouse_geisser, found.huynh_feldt));
-    cells.push_back(p_value(found.p_greenhouse_geisser));
-    cells.push_back(p_value(found.p_huynh_feldt));
-    cells.push_back(fmt::format("{:.2f}", found.partial_eta_squared));
-  } else {
-    cells.insert(cells.end(), 5, "–");
-  }
-  if (row.ranks) {
-    cells.push_back(
-        fmt::format("{:.2f} ({:g})", row.ranks->chi_squared, row.ranks->degrees_of_freedom));
-    cells.push_back(p_value(row.ranks->p));
-    cells.push_back(fmt::format("{:.2f}", row.ranks->kendalls_w));
-  } else {
-    cells.insert(cells.end(), 3, "–");
-  }
-  cells.push_back(std::to_string(row.left_out));
-  return cells;
+std::vector<std::string> variance_row(const OmnibusTest& row) {
+  const VarianceAnalysis& found = *row.variance;
+  return {row.measure,
+          fmt::format("{:.2f} ({:.2f}, {:.2f})", found.f,
+                      found.greenhouse_geisser * found.degrees_of_freedom,
+                      found.greenhouse_geisser * found.residual_degrees_of_freedom),
+          fixed(found.greenhouse_geisser, 3),
+          p_value(found.p_greenhouse_geisser),
+          fixed(found.partial_eta_squared, 2),
+          std::to_string(row.left_out)};
+}
+
+std::vector<std::string> friedman_row(const OmnibusTest& row) {
+  return {row.measure,
+          fmt::format("{:.2f} ({:g})", row.ranks->chi_squared, row.ranks->degrees_of_freedom),
+          p_value(row.ranks->p), fixed(row.ranks->kendalls_w, 2), std::to_string(row.left_out)};
 }
 
 /// The change with each step: of times in per cent, of ratings in points.
@@ -137,17 +125,15 @@ PrintedTable printed_ranks(const Comparisons& comparisons) {
   table.note =
       "Wilcoxon signed-rank test of the log ratios, its effect size, and Hodges and Lehmann’s "
       "estimate of the ratio.";
-  table.columns = {"Methods, mark",          "n", "zeros", "W+ / W−", "P, Wilcoxon", "r, rank",
-                   "pseudo-median, % [95 %]"};
+  table.columns = {"Methods, mark", "n", "pseudo-median, % [95 %]", "P, Wilcoxon", "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
     if (!row.is_time) {
       continue;
     }
     table.rows.push_back(
-        {compared_in_words(row), std::to_string(row.n),
-         row.ranks ? std::to_string(row.ranks->zeros) : "–", rank_sums(row),
+        {compared_in_words(row), std::to_string(row.n), pseudo_median_text(row, 100.0, 1),
          row.ranks ? p_value(row.ranks->p) + (row.ranks->exact ? "" : " (approximate)") : "–",
-         rank_biserial(row), pseudo_median_text(row, 100.0, 1)});
+         rank_biserial(row)});
   }
   return table;
 }
@@ -159,9 +145,8 @@ PrintedTable printed_rating_differences(const Comparisons& comparisons) {
   table.note =
       "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
       "participants; the difference of means is given too, as in the published study.";
-  table.columns = {
-      "Methods, rating", "n",      "difference [95 %]", "pseudo-median [95 %]", "W+ / W−",
-      "P, Wilcoxon",     "r, rank"};
+  table.columns = {"Methods, rating",      "n",           "difference [95 %]",
+                   "pseudo-median [95 %]", "P, Wilcoxon", "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {
     if (!row.is_time) {
       table.rows.push_back(rating_row(row));
@@ -171,36 +156,64 @@ PrintedTable printed_rating_differences(const Comparisons& comparisons) {
 }
 
 PrintedTable printed_equivalence(const Comparisons& comparisons) {
+  const double confidence_percent = 100.0 * (1.0 - 2.0 * comparisons.plan.alpha);
   PrintedTable table;
   table.id = "equivalence";
   table.title = "Equivalence.";
-  table.note =
-      "Two one-sided t tests against the protocol’s margins. Below the level, the difference is "
-      "too small to matter.";
-  table.columns = {"Methods, measure", "margin", "interval", "P"};
+  table.note = fmt::format(
+      "Two one-sided t tests against the protocol’s margins, by the crossed mixed model where that "
+      "is the primary analysis, else over participants. The difference is too small to matter "
+      "where P is below {0:g}; where P is not adjusted, the {1:g} % interval then lies within the "
+      "margins. P of the planned comparisons is adjusted by Holm’s method over those with a "
+      "margin, a family of their own; exploratory ones are not adjusted.",
+      comparisons.plan.alpha, confidence_percent);
+  table.columns = {"Methods, measure",
+                   "status",
+                   "margin",
+                   fmt::format("{:g} % interval", confidence_percent),
+                   "P",
+                   "P, Holm"};
   for (const MethodComparison& row : comparisons.methods) {
     if (row.equivalent) {
-      table.rows.push_back({compared_in_words(row),
+      table.rows.push_back({compared_in_words(row), row.planned ? "planned" : "exploratory",
                             fmt::format("{} {:g}", row.is_time ? "factor" : "±", *row.margin),
                             bracketed(row.in_unit(row.equivalent->interval), 1.0, 2),
-                            p_value(row.equivalent->p)});
+                            p_value(row.equivalent->p),
+                            row.p_equivalent_holm ? p_value(*row.p_equivalent_holm) : "–"});
     }
   }
   return table;
 }
 
-PrintedTable printed_omnibus(const Comparisons& comparisons) {
+PrintedTable printed_variance(const Comparisons& comparisons) {
   PrintedTable table;
-  table.id = "omnibus";
-  table.title = "Omnibus tests, of all methods together.";
+  table.id = "omnibus-times";
+  table.title = "Times, all methods together.";
   table.note =
-      "Repeated-measures analysis of variance of log times with Greenhouse and Geisser’s "
-      "correction, the degrees of freedom so corrected, and Huynh and Feldt’s beside it; "
-      "Friedman’s test, with ties; participants with a missing value are left out of both.";
-  table.columns = {"Measure",    "F (df)",  "ε, GG / HF",  "P, GG", "P, HF",
-                   "partial η²", "χ² (df)", "P, Friedman", "W",     "left out"};
+      "Repeated-measures analysis of variance of log times, with Greenhouse and Geisser’s "
+      "correction in the degrees of freedom and in P; participants with a missing value are left "
+      "out.";
+  table.columns = {"Mark", "F (df)", "ε", "P", "partial η²", "left out"};
   for (const OmnibusTest& row : comparisons.omnibus) {
-    table.rows.push_back(omnibus_row(row));
+    if (row.variance) {
+      table.rows.push_back(variance_row(row));
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_friedman(const Comparisons& comparisons) {
+  PrintedTable table;
+  table.id = "omnibus-ranks";
+  table.title = "All methods together, by ranks.";
+  table.note =
+      "Friedman’s test, with ties, and Kendall’s W; participants with a missing value are left "
+      "out.";
+  table.columns = {"Measure", "χ² (df)", "P", "W", "left out"};
+  for (const OmnibusTest& row : comparisons.omnibus) {
+    if (row.ranks) {
+      table.rows.push_back(friedman_row(row));
+    }
   }
   return table;
 }
@@ -257,7 +270,8 @@ std::vector<PrintedTable> sensitivity_tables(const Comparisons& comparisons) {
           printed_ranks(comparisons),
           printed_rating_differences(comparisons),
           printed_equivalence(comparisons),
-          printed_omnibus(comparisons),
+          printed_variance(comparisons),
+          printed_friedman(comparisons),
           printed_order_effects(comparisons)};
 }
 

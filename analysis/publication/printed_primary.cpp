@@ -53,7 +53,11 @@ std::vector<std::string> primary_row(const MethodComparison& row) {
     }
     cells.push_back(analysis_text(result));
   } else {
-    cells.insert(cells.end(), row.planned ? 4 : 3, "–");
+    // One participant, or differences that do not vary, have an estimate and nothing else.
+    const EffectScale scale = row.is_time ? EffectScale::ratio : EffectScale::points;
+    cells.push_back(row.mean ? estimate_text(scale, *row.mean, std::nullopt) : "–");
+    cells.push_back(row.mean ? speed_up_text({.scale = scale, .estimate = *row.mean}) : "–");
+    cells.insert(cells.end(), row.planned ? 2 : 1, "–");
     cells.push_back(row.missing);
   }
   return cells;

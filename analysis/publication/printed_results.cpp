@@ -258,18 +258,24 @@ PrintedTable printed_scores(const Table& scores) {
 PrintedTable printed_background(const StudyTables& tables, const Background& background) {
   PrintedTable table;
   table.id = "background";
-  table.title = "Correlation of background with the seconds saved.";
-  table.note =
-      "Pearson’s r of the values and Spearman’s ρ of their ranks, with 95 % intervals. Seconds "
-      "saved are each participant’s mean over scenes; P is two-sided. A dash: not defined, because "
-      "of fewer than three participants or constant values.";
-  table.columns = {"Seconds saved", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
+  table.title = "Correlation of background with speed-up.";
+  table.note = fmt::format(
+      "Pearson’s r of the values and Spearman’s ρ of their ranks, with 95 % intervals; P is "
+      "two-sided and not adjusted. Speed-up is a participant’s mean over scenes: the logarithm of "
+      "{0}’s time over the method’s or, as in the published study, {0}’s time minus the method’s, "
+      "which is larger for those who take long with every method. A dash: not defined, because of "
+      "fewer than three participants or constant values.",
+      baseline_name(tables));
+  table.columns = {"Speed-up", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
   for (const BackgroundCorrelation& row : background.correlations) {
-    table.rows.push_back(
-        {fmt::format("{} − {}, {}", baseline_name(tables), method_label(row.method), row.mark),
-         std::to_string(row.participants), coefficient(row.pearson),
-         row.pearson ? fixed(row.pearson->t, 2) : "–", p_text(row.pearson),
-         coefficient(row.spearman), p_text(row.spearman)});
+    const std::string method = method_label(row.method);
+    const std::string speed_up = row.quantity == TimeSaved::log_ratio
+                                     ? fmt::format("log({}/{})", baseline_name(tables), method)
+                                     : fmt::format("{} − {} in s", baseline_name(tables), method);
+    table.rows.push_back({fmt::format("{}, {}", speed_up, row.mark),
+                          std::to_string(row.participants), coefficient(row.pearson),
+                          row.pearson ? fixed(row.pearson->t, 2) : "–", p_text(row.pearson),
+                          coefficient(row.spearman), p_text(row.spearman)});
   }
   return table;
 }

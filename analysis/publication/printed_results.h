@@ -51,7 +51,8 @@ PrintedTable printed_ratios(const Comparisons& comparisons);
 PrintedTable printed_ranks(const Comparisons& comparisons);
 PrintedTable printed_rating_differences(const Comparisons& comparisons);
 PrintedTable printed_equivalence(const Comparisons& comparisons);
-PrintedTable printed_omnibus(const Comparisons& comparisons);
+PrintedTable printed_variance(const Comparisons& comparisons);
+PrintedTable printed_friedman(const Comparisons& comparisons);
 PrintedTable printed_order_effects(const Comparisons& comparisons);
 
 /// All of these, in the report's order; some may have no rows.

@@ -39,9 +39,10 @@ std::string definitions_section(const StudyTables& tables) {
   define("95 % interval",
          "exp(m ± t·s/√n), with m and s the mean and standard deviation of the participants’ "
          "logarithms and t Student’s with n − 1 degrees of freedom: the participant is the unit.");
-  define(
-      "Seconds saved",
-      fmt::format("A participant’s mean over scenes of {}’s time minus the method’s.", reference));
+  define("Speed-up",
+         fmt::format("{}’s time over the method’s, as a factor ×: the inverse of the method’s time "
+                     "in per cent of {}’s.",
+                     reference, reference));
   define(
       "Primary analysis",
       "The one that the protocol chooses for a comparison, from which its estimate, interval and P "

@@ -177,15 +177,20 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
   const std::string questions = fmt::format("{}", fmt::join(background.scale.questions, "+"));
   ColumnsOf<B> columns = {
       {{"mark", text, "", "Id of the mark"}, [](const B& row) { return field(row.mark); }},
-      {{"method", text, "", "The method whose times are subtracted from the baseline's"},
+      {{"method", text, "", "The method whose times are compared with the baseline's"},
        [](const B& row) { return field(row.method); }},
+      {{"quantity", text, "",
+        "What background is held against, a mean over scenes: log_ratio (natural logarithm of the "
+        "baseline's time over the method's) or, as published, seconds_saved (baseline less "
+        "method)"},
+       [](const B& row) { return field(std::string(name_of(row.quantity))); }},
       {{"background_questions", text, "", "The questions whose answers are averaged"},
        [=](const B& /*row*/) { return field(questions); }},
       {{"n", whole, "", "Participants with all answers and a complete scene"},
        [](const B& row) { return field(row.participants); }}};
   add_correlation(
       "pearson_r", "r", "t", "p_two_sided",
-      "Pearson's correlation of the mean answer with the seconds that the method saved",
+      "Pearson's correlation of the mean answer with the quantity",
       [](const B& row) -> const auto& { return row.pearson; }, columns);
   add_correlation(
       "spearman_rho", "rho", "t_rho", "p_rho", "Spearman's rank correlation of the same",
@@ -195,7 +200,8 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
          return field_in(row.spearman, [](auto& found) { return found.exact; });
        }});
   columns.push_back(kind_of_all<B>(tables));
-  return tabulate("background_correlation", "mark and method", columns, background.correlations);
+  return tabulate("background_correlation", "quantity, mark and method", columns,
+                  background.correlations);
 }
 
 Table exclusions(const StudyTables& tables) {

@@ -87,6 +87,11 @@ for (mark in c("outline", "material")) {
       note(c(mark, m, "p"), correlation$p.value)
       note(c(mark, m, "r_low"), correlation$conf.int[1])
       note(c(mark, m, "r_high"), correlation$conf.int[2])
+      of_logs <- cor.test(experience, od - by_participant)
+      note(c(mark, m, "log_r"), of_logs$estimate)
+      note(c(mark, m, "log_p"), of_logs$p.value)
+      note(c(mark, m, "log_r_low"), of_logs$conf.int[1])
+      note(c(mark, m, "log_r_high"), of_logs$conf.int[2])
     }
   }
 }

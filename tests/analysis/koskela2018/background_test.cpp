@@ -62,20 +62,25 @@ study::StudyRecords saving_study() {
   return records;
 }
 
-TEST(Background, CorrelatesTheMeanAnswerWithTheSecondsSaved) {
+TEST(Background, CorrelatesTheMeanAnswerWithTheSpeedUp) {
   const Dataset set = select_for_analysis(saving_study());
   // The means of the two answers are 4, 3, 2, 1 for savings of 1, 2, 3, 4 seconds.
   const std::vector<BackgroundAnswer> answers = {{"P1", "a", 5}, {"P1", "b", 3}, {"P2", "a", 1},
                                                  {"P2", "b", 5}, {"P3", "a", 2}, {"P3", "b", 2},
                                                  {"P4", "a", 1}, {"P4", "b", 1}};
   const auto rows = correlate_background(set, answers, {{"a", "b"}, false});
-  ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].method, "fv");
-  EXPECT_EQ(rows[0].participants, 4U);
-  EXPECT_DOUBLE_EQ(rows[0].pearson->r, -1.0);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].quantity, TimeSaved::log_ratio);
+  EXPECT_NEAR(rows[0].pearson->r, -0.999355114, 1e-9);  // R: cor(4:1, log(1.1 + 0:3 / 10))
   EXPECT_DOUBLE_EQ(rows[0].spearman->r, -1.0);
-  EXPECT_DOUBLE_EQ(rows[0].spearman->p, 2.0 / 24.0);
-  EXPECT_EQ(rows[0].mark, "outline");
+  EXPECT_EQ(rows[2].quantity, TimeSaved::seconds_saved);
+  EXPECT_DOUBLE_EQ(rows[2].pearson->r, -1.0);
+  for (const std::size_t i : {0U, 2U}) {
+    EXPECT_EQ(rows[i].method, "fv");
+    EXPECT_EQ(rows[i].participants, 4U);
+    EXPECT_DOUBLE_EQ(rows[i].spearman->p, 2.0 / 24.0);
+    EXPECT_EQ(rows[i].mark, "outline");
+  }
   EXPECT_EQ(rows[1].mark, "material");
   EXPECT_EQ(rows[1].participants, 0U);
   EXPECT_FALSE(rows[1].pearson);
@@ -117,9 +122,10 @@ TEST(Background, CorrelationsOfTheGoldenStudyAreThoseOfR) {
   Dataset set = select_for_analysis(records);
   const Background background = analyse_background(background_answers(records), set);
   EXPECT_TRUE(background.scale.as_published);
-  ASSERT_EQ(background.correlations.size(), 4U);
+  ASSERT_EQ(background.correlations.size(), 8U);
   for (const BackgroundCorrelation& row : background.correlations) {
-    const std::string key = row.mark + "." + row.method + ".";
+    const std::string key =
+        row.mark + "." + row.method + "." + (row.quantity == TimeSaved::log_ratio ? "log_" : "");
     ASSERT_TRUE(row.pearson);
     EXPECT_EQ(row.participants, 8U);
     EXPECT_GOLDEN(row.pearson->r, golden.at(key + "r"));

@@ -57,9 +57,9 @@ TEST(ResultTables, ColumnsAreFixedAndNameTheirUnits) {
               ElementsAre("rating", "method", "value", "label", "count", "participant_kind"));
   EXPECT_THAT(
       results.rows_of("background_correlation").at(0),
-      ElementsAre("mark", "method", "background_questions", "n", "pearson_r", "t", "p_two_sided",
-                  "ci95_low_r", "ci95_high_r", "spearman_rho", "t_rho", "p_rho", "ci95_low_rho",
-                  "ci95_high_rho", "p_rho_exact", "participant_kind"));
+      ElementsAre("mark", "method", "quantity", "background_questions", "n", "pearson_r", "t",
+                  "p_two_sided", "ci95_low_r", "ci95_high_r", "spearman_rho", "t_rho", "p_rho",
+                  "ci95_low_rho", "ci95_high_rho", "p_rho_exact", "participant_kind"));
   EXPECT_THAT(
       results.rows_of("exclusions").at(0),
       ElementsAre("participant", "scene", "method", "measure", "reason", "participant_kind"));
@@ -100,8 +100,8 @@ TEST(ResultTables, WhatDoesNotExistIsEmpty) {
   EXPECT_EQ(baseline_row.at(5), "");
   EXPECT_EQ(baseline_row.at(8), "");
   EXPECT_THAT(results.rows_of("background_correlation").at(1),
-              ElementsAre("outline", "vp", "graphics_3d+offline_rendering", "1", "", "", "", "", "",
-                          "", "", "", "", "", "", "human"));
+              ElementsAre("outline", "vp", "log_ratio", "graphics_3d+offline_rendering", "1", "",
+                          "", "", "", "", "", "", "", "", "", "", "human"));
 }
 
 TEST(ResultTables, SimulatedParticipantsAreSaidToBe) {

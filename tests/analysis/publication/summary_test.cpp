@@ -21,7 +21,7 @@ TEST(Summary, HasTheMainNumbers) {
   const std::string text = summary_of(golden_study_records());
   // From R, in data/golden/study_values.csv.
   EXPECT_THAT(text, HasSubstr("10.1 [9.2, 11.0]"));
-  EXPECT_THAT(text, HasSubstr("OD − FV, material"));
+  EXPECT_THAT(text, HasSubstr("OD − FV in s, material"));
   EXPECT_THAT(text, HasSubstr("1.74 ± 0.62"));
   EXPECT_THAT(text, HasSubstr("8 participants, 3 scenes, 3 methods"));
   EXPECT_THAT(text, Not(HasSubstr("imulated")));
