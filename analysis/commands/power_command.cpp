@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t default_studies = 2000;
 constexpr std::size_t default_studies_by_r = 200;
 
-/// What is expected of a protocol says nothing of a single comparison.
+/// These options are of a protocol, not of a single comparison.
 void refuse_expectations(const PowerArguments& arguments) {
   const Expectations& expectations = arguments.expectations;
   const std::pair<const char*, bool> given[] = {

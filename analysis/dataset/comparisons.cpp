@@ -77,7 +77,11 @@ CompleteCases complete_cases(const ParticipantValues& means, const ComparedPair&
   return cases;
 }
 
+/// One difference has neither ranks nor pairs.
 void compare_ranks(const std::vector<double>& differences, MethodComparison& comparison) {
+  if (differences.size() < 2) {
+    return;
+  }
   comparison.ranks = signed_rank(without_rounding(differences));
   comparison.pseudo_median = pseudo_median(differences);
 }

@@ -1,6 +1,7 @@
 #include "analysis/publication/methods_paragraph.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -124,8 +125,7 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
           comparisons.plan.scenes == study::SceneEffects::random ? ", of scenes" : ""));
   add(AnalysisKind::signed_ranks,
       "Wilcoxon’s signed-rank test of the participants’ means, with Hodges and Lehmann’s estimate "
-      "of "
-      "the difference");
+      "of the difference");
   if (!comparisons.models.versions.empty()) {
     std::vector<std::string> versions;
     for (const auto& [name, version] : comparisons.models.versions) {
@@ -159,6 +159,88 @@ std::string analysis_in_words(const StudyTables& tables, const Comparisons& comp
   return text;
 }
 
+/// Sessions that are not analysed, by the reason.
+std::string exclusions_in_words(const StudyTables& tables) {
+  std::map<std::string, std::size_t> sessions;
+  std::size_t all = 0;
+  for (const Exclusion& row : tables.set.exclusions) {
+    if (row.scene.empty() && row.method.empty() && row.measure.empty()) {
+      ++sessions[row.reason];
+      ++all;
+    }
+  }
+  if (all == 0) {
+    return "";
+  }
+  std::vector<std::string> reasons;
+  for (const auto& [reason, count] : sessions) {
+    reasons.push_back(fmt::format("{}: {}", reason, count));
+  }
+  return fmt::format(
+      " {} not analysed ({}).",
+      all == 1 ? std::string("One session was") : fmt::format("{} sessions were", all),
+      fmt::join(reasons, "; "));
+}
+
+/// How many times were right-censored or not measured, of those that were planned.
+std::string gaps_in_words(const Dataset& set) {
+  std::size_t times = 0;
+  std::size_t censored = 0;
+  std::size_t missing = 0;
+  for (std::size_t trial = 0; trial < set.trials.size(); ++trial) {
+    for (const std::size_t mark : set.times()) {
+      const Value::State state = set.values[trial * set.measures.size() + mark].state;
+      ++times;
+      censored += state == Value::State::right_censored ? 1 : 0;
+      missing += state == Value::State::missing ? 1 : 0;
+    }
+  }
+  return censored + missing == 0
+             ? ""
+             : fmt::format(" Of {} times {} {} right-censored and {} missing.", times, censored,
+                           censored == 1 ? "was" : "were", missing);
+}
+
+/// What else was computed of the comparisons, beside the primary analyses.
+std::string other_analyses_in_words(const Comparisons& comparisons) {
+  const auto any = [&](auto has) {
+    return std::any_of(comparisons.methods.begin(), comparisons.methods.end(), has);
+  };
+  const auto any_omnibus = [&](auto has) {
+    return std::any_of(comparisons.omnibus.begin(), comparisons.omnibus.end(), has);
+  };
+  std::string text;
+  if (any([](const MethodComparison& row) { return row.equivalent.has_value(); })) {
+    text += fmt::format(
+        " Equivalence within the protocol’s margins was tested by two one-sided t tests with {:g} "
+        "% intervals, those of planned comparisons with Holm’s adjustment of their own.",
+        100.0 * (1.0 - 2.0 * comparisons.plan.alpha));
+  }
+  std::vector<std::string> done;
+  const auto add = [&](bool was_done, const char* what) {
+    if (was_done) {
+      done.emplace_back(what);
+    }
+  };
+  add(any([](const MethodComparison& row) { return row.ratio.has_value(); }),
+      "paired t tests over participants of log times, of all pairs and of complete cases");
+  add(any([](const MethodComparison& row) { return row.ratio_bca.has_value(); }),
+      "bootstrap intervals (BCa)");
+  add(any([](const MethodComparison& row) { return row.ranks.has_value(); }),
+      "Wilcoxon’s signed-rank tests with Hodges and Lehmann’s estimates");
+  add(any_omnibus([](const OmnibusTest& row) { return row.variance.has_value(); }),
+      "repeated-measures analyses of variance of log times (Greenhouse and Geisser’s correction)");
+  add(any_omnibus([](const OmnibusTest& row) { return row.ranks.has_value(); }),
+      "Friedman’s tests");
+  add(std::any_of(comparisons.order.begin(), comparisons.order.end(),
+                  [](const OrderTest& row) { return row.change_per_step.has_value(); }),
+      "trends over trials and over the order of methods");
+  add(any([](const MethodComparison& row) { return row.planned && row.influence.has_value(); }),
+      "the planned estimates without each participant in turn");
+  return done.empty() ? text
+                      : text + fmt::format(" As sensitivity analyses there are {}.", listed(done));
+}
+
 std::string amendments_in_words(const StudyTables& tables) {
   std::size_t analysed = 0;
   std::set<std::string> keys;
@@ -190,8 +272,9 @@ std::string methods_paragraph(const StudyTables& tables, const Comparisons& comp
                       listed(tables.set.methods));
   return text + measures_in_words(tables.set) + orders_in_words(records.protocol) +
          other_trials_in_words(records.protocol) + questionnaires_in_words(records.protocol) +
-         apparatus_in_words(records) + amendments_in_words(tables) +
-         analysis_in_words(tables, comparisons);
+         apparatus_in_words(records) + amendments_in_words(tables) + exclusions_in_words(tables) +
+         gaps_in_words(tables.set) + analysis_in_words(tables, comparisons) +
+         other_analyses_in_words(comparisons);
 }
 
 }  // namespace foveola::analysis

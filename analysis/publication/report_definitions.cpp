@@ -73,11 +73,12 @@ std::string definitions_section(const StudyTables& tables) {
          "values, each with itself too, of log ratios or of rating differences. Its interval "
          "inverts the signed-rank test, exact without ties up to 200 participants; with fewer than "
          "six participants there is no 95 % interval.");
-  define("ε",
-         "How far the data are from sphericity, the analysis of variance’s assumption that "
-         "differences between all pairs of methods have equal variances: 1 if they do. Greenhouse "
-         "and Geisser’s (GG) is the one to rely on; Huynh and Feldt’s (HF) is less strict. P is "
-         "computed with both degrees of freedom times ε.");
+  define(
+      "ε",
+      "How far the data are from sphericity, the analysis of variance’s assumption that "
+      "differences between all pairs of methods have equal variances: 1 if they do. The table has "
+      "Greenhouse and Geisser’s, with both degrees of freedom times it; omnibus.csv has Huynh "
+      "and Feldt’s, too, which is less strict.");
   define(
       "BCa",
       "Bias-corrected and accelerated bootstrap over participants, 9999 resamples (fewer above "

@@ -135,7 +135,7 @@ void for_each_row(const std::string& text, const std::string& where, const Take&
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of('\n');
   if (end == std::string::npos) {
-    return "it says nothing";
+    return "it printed no message";
   }
   const std::size_t before = text.find_last_of('\n', end);
   const std::size_t begin = before == std::string::npos ? 0 : before + 1;

@@ -339,12 +339,32 @@ TEST(Comparisons, LearningIsFoundInTheOrderOfTrials) {
   EXPECT_NEAR(test.change_per_step->mean, std::log(0.9), 0.01);
 }
 
+TEST(Comparisons, EquivalenceOfPlannedOnesIsAFamilyOfItsOwn) {
+  StudyRecords records = golden_study_records();
+  records.protocol.analysis.primary = {
+      {"outline", "fv", "od"}, {"outline", "fv", "vp"}, {"material", "fv", "vp"}};
+  // The material has no margin, so that the family is of two.
+  records.protocol.analysis.equivalence_margins = {{"outline", 20.0}};
+  const Comparisons found = compare(records);
+  const MethodComparison& a = find(found, "outline", "fv", "od");
+  const MethodComparison& b = find(found, "outline", "fv", "vp");
+  const double smaller = std::min(a.equivalent->p, b.equivalent->p);
+  EXPECT_DOUBLE_EQ(std::min(*a.p_equivalent_holm, *b.p_equivalent_holm), 2.0 * smaller);
+  EXPECT_DOUBLE_EQ(std::max(*a.p_equivalent_holm, *b.p_equivalent_holm),
+                   std::max(2.0 * smaller, std::max(a.equivalent->p, b.equivalent->p)));
+  EXPECT_FALSE(find(found, "material", "fv", "vp").p_equivalent_holm);
+  const MethodComparison& exploratory = find(found, "outline", "vp", "od");
+  EXPECT_TRUE(exploratory.equivalent);
+  EXPECT_FALSE(exploratory.p_equivalent_holm);
+}
+
 TEST(Comparisons, FewParticipantsHaveWhatCanBeComputed) {
   const Comparisons one = compare(complete_study(1));
   const MethodComparison& fv = find(one, "outline", "fv", "od");
   EXPECT_EQ(fv.n, 1U);
   EXPECT_FALSE(fv.ratio || fv.ratio_bca);
-  EXPECT_EQ(fv.ranks->p, 1.0);
+  EXPECT_FALSE(fv.ranks || fv.pseudo_median);
+  EXPECT_TRUE(fv.mean);
   EXPECT_FALSE(fv.p_holm);
   EXPECT_THAT(fv.missing, HasSubstr("one participant"));
   StudyRecords alone = complete_study(3);

@@ -46,6 +46,26 @@ TEST(MethodsParagraph, LeavesOutWhatItDoesNotSay) {
   EXPECT_THAT(text, HasSubstr("No comparison was planned"));
 }
 
+TEST(MethodsParagraph, TellsAllAnalysesThatWereDoneAndNoOthers) {
+  study::StudyRecords records = golden_study_records();
+  records.protocol.analysis.primary = {{"outline", "fv", "od"}};
+  EXPECT_THAT(paragraph(records),
+              AllOf(HasSubstr("As sensitivity analyses there are paired t tests"),
+                    HasSubstr("(BCa)"), HasSubstr("Friedman"), Not(HasSubstr("trends over trials")),
+                    HasSubstr("without each participant in turn"), HasSubstr("right-censored and"),
+                    Not(HasSubstr("Equivalence"))));
+  records.protocol.analysis.equivalence_margins = {{"outline", 1.25}};
+  EXPECT_THAT(paragraph(records), HasSubstr("two one-sided t tests with 90 % intervals"));
+  EXPECT_THAT(paragraph(complete_study(1)),
+              AllOf(Not(HasSubstr("sensitivity")), Not(HasSubstr("right-censored and"))));
+}
+
+TEST(MethodsParagraph, CountsSessionsThatAreNotAnalysed) {
+  study::StudyRecords records = complete_study(4);
+  records.sessions[1].state = "withdrawn";
+  EXPECT_THAT(paragraph(records), HasSubstr("One session was not analysed (session withdrawn: 1)"));
+}
+
 TEST(MethodsParagraph, SaysWhatElseWasDone) {
   study::StudyRecords records = complete_study(2);
   records.protocol.practice = {{"aula", "od"}};
