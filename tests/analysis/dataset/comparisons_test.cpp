@@ -340,14 +340,13 @@ TEST(Comparisons, LearningIsFoundInTheOrderOfTrials) {
 }
 
 TEST(Comparisons, EquivalenceOfPlannedOnesIsAFamilyOfItsOwn) {
-  StudyRecords records = golden_study_records();
-  records.protocol.analysis.primary = {
-      {"outline", "fv", "od"}, {"outline", "fv", "vp"}, {"material", "fv", "vp"}};
-  // The material has no margin, so that the family is of two.
-  records.protocol.analysis.equivalence_margins = {{"outline", 20.0}};
-  const Comparisons found = compare(records);
+  study::AnalysisPlan plan;
+  plan.primary = {{"outline", "fv", "od"}, {"outline", "fv", "vp"}, {"material", "fv", "vp"}};
+  plan.equivalence_margins = {{"outline", 12.0}};  // The material has none: a family of two.
+  const Comparisons found = compare(golden_study_records(), plan);
   const MethodComparison& a = find(found, "outline", "fv", "od");
   const MethodComparison& b = find(found, "outline", "fv", "vp");
+  ASSERT_TRUE(a.equivalent && b.equivalent);
   const double smaller = std::min(a.equivalent->p, b.equivalent->p);
   EXPECT_DOUBLE_EQ(std::min(*a.p_equivalent_holm, *b.p_equivalent_holm), 2.0 * smaller);
   EXPECT_DOUBLE_EQ(std::max(*a.p_equivalent_holm, *b.p_equivalent_holm),
