@@ -14,6 +14,7 @@ SceneTimes tabulate_scene(const Dataset& set, std::size_t mark, std::size_t scen
                     .method = set.methods[method],
                     .seconds = {},
                     .percent_of_baseline = {},
+                    .geometric_percent = {},
                     .of_baseline_mean = {}};
   std::vector<double> seconds;
   std::vector<double> percent;
@@ -32,6 +33,7 @@ SceneTimes tabulate_scene(const Dataset& set, std::size_t mark, std::size_t scen
   }
   result.seconds = describe(seconds);
   result.percent_of_baseline = describe(percent);
+  result.geometric_percent = geometric_mean(percent);
   return result;
 }
 

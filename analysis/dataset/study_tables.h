@@ -29,6 +29,8 @@ struct SceneTimes {
   /// Describes each participant's own ratio to the baseline in this scene, in per cent; n counts
   /// the participants with both times. Empty for the baseline.
   Description percent_of_baseline;
+  /// The geometric mean of the same ratios, and its t interval over participants.
+  std::optional<Estimate> geometric_percent;
   OfBaselineMean of_baseline_mean;  ///< Empty for the baseline.
   int censored = 0;                 ///< Number of right-censored times, which are in no mean.
   int missing = 0;

@@ -85,6 +85,11 @@ void expect_same_tables(const StudyTables& a, const StudyTables& b, double secon
     expect_same(x.of_baseline_mean.mean_percent, y.of_baseline_mean.mean_percent, 1.0, what);
     expect_same(x.of_baseline_mean.sd_percent_points, y.of_baseline_mean.sd_percent_points, 1.0,
                 what);
+    ASSERT_EQ(x.geometric_percent.has_value(), y.geometric_percent.has_value()) << what;
+    if (x.geometric_percent) {
+      expect_same(x.geometric_percent->value, y.geometric_percent->value, 1.0, what);
+      expect_same_interval(x.geometric_percent->interval, y.geometric_percent->interval, 1.0, what);
+    }
     EXPECT_EQ(x.censored, y.censored) << what;
     EXPECT_EQ(x.missing, y.missing) << what;
   }

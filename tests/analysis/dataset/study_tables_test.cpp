@@ -46,6 +46,8 @@ TEST(StudyTables, Table2IsThatOfR) {
     EXPECT_GOLDEN(times.percent_of_baseline.mean.value(), golden.at(cell + "mean_percent"));
     EXPECT_GOLDEN(times.percent_of_baseline.standard_deviation.value(),
                   golden.at(cell + "sd_percent"));
+    expect_golden(times.geometric_percent, golden, cell + "geometric_percent",
+                  cell + "geometric_percent_low", cell + "geometric_percent_high");
     EXPECT_GOLDEN(times.of_baseline_mean.mean_percent.value(),
                   golden.at(cell + "ratio_of_means_percent"));
     EXPECT_GOLDEN(times.of_baseline_mean.sd_percent_points.value(),

@@ -44,7 +44,9 @@ TEST(ResultTables, ColumnsAreFixedAndNameTheirUnits) {
   EXPECT_THAT(
       results.rows_of("times_by_scene").at(0),
       ElementsAre("mark", "scene", "method", "n", "mean_s", "sd_s", "median_s", "n_pairs",
-                  "mean_percent_of_baseline", "sd_percent_of_baseline", "ratio_of_means_percent",
+                  "mean_percent_of_baseline", "sd_percent_of_baseline",
+                  "geometric_mean_percent_of_baseline", "ci95_low_percent_of_baseline",
+                  "ci95_high_percent_of_baseline", "ratio_of_means_percent",
                   "sd_over_baseline_mean_percent", "censored", "missing", "participant_kind"));
   EXPECT_THAT(results.rows_of("times_by_method").at(0),
               ElementsAre("mark", "method", "n", "geometric_mean_s", "ci95_low_s", "ci95_high_s",
