@@ -1,13 +1,18 @@
 #include "analysis/publication/figure_drawing.h"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
-#include "analysis/publication/figure_palette.h"
 #include "analysis/publication/gnuplot.h"
 
 namespace foveola::analysis {
 namespace {
+
+constexpr double interval_width = 2.5;
+
+int filled_point(std::size_t method) { return hollow_point(method) + 1; }
 
 /// Writes whose data a figure shows into its corner, so that the file says so wherever it goes.
 std::string data_mark(const StudyTables& tables) {
@@ -41,6 +46,53 @@ std::string row_names(const std::vector<std::string>& methods) {
   }
   return fmt::format("set ytics ({})\nset yrange [{}:-0.6]\n", tics,
                      static_cast<double>(methods.size()) - 0.4);
+}
+
+std::vector<std::string> ids_of(const StudyTables& tables, const std::vector<std::size_t>& marks) {
+  std::vector<std::string> ids;
+  for (const std::size_t mark : marks) {
+    ids.push_back(tables.set.measures[mark].id());
+  }
+  return ids;
+}
+
+// Discs, squares, triangles and so on.
+int hollow_point(std::size_t method) {
+  constexpr std::array types = {6, 4, 8, 10, 12, 14};
+  return types[method % types.size()];
+}
+
+const FigureColor& method_color(std::size_t method) {
+  return palette::methods[method % palette::methods.size()];
+}
+
+std::string estimate_line(const Estimate& estimate, double y) {
+  const Interval interval = estimate.interval.value_or(Interval{estimate.value, estimate.value});
+  return fmt::format("{} {} {} {}\n", estimate.value, interval.low, interval.high, y);
+}
+
+std::string estimates_layer(const std::string& block, std::size_t method) {
+  return fmt::format(
+      "{} using 1:4:2:3 with xerrorbars pointtype {} pointsize 1 linewidth {} linecolor rgb '{}' "
+      "notitle",
+      block, filled_point(method), interval_width, method_color(method).rgb);
+}
+
+std::string hollow_estimates_layer(const std::string& block, std::size_t method) {
+  const std::string inside =
+      fmt::format("{} using 1:4 with points pointtype {} pointsize 0.8 linecolor rgb '{}' notitle",
+                  block, filled_point(method), palette::paper.rgb);
+  const std::string edge = fmt::format(
+      "{} using 1:4 with points pointtype {} pointsize 1 linewidth 1.5 linecolor rgb '{}' notitle",
+      block, hollow_point(method), method_color(method).rgb);
+  return fmt::format("{}, \\\n{}, \\\n{}", estimates_layer(block, method), inside, edge);
+}
+
+std::string method_key(const StudyTables& tables, std::size_t method) {
+  return fmt::format(
+      "keyentry with linespoints pointtype {} pointsize 1 linewidth {} linecolor rgb '{}' title {}",
+      filled_point(method), interval_width, method_color(method).rgb,
+      gnuplot_quoted(method_label(tables.set.methods[method])));
 }
 
 Figure drawn_figure(const std::string& name, int width, int height, const std::string& script) {

@@ -10,6 +10,7 @@
 
 #include "analysis/publication/gnuplot.h"
 #include "analysis/publication/rating_figures.h"
+#include "analysis/publication/scene_figure.h"
 #include "analysis/publication/survival_output.h"
 #include "analysis/publication/time_figures.h"
 #include "renderer/base/ordered_jobs.h"
@@ -35,9 +36,14 @@ int threads() { return static_cast<int>(std::max(1U, std::thread::hardware_concu
 
 std::string rating_figure_name(const Measure& rating) { return "ratings_" + rating.id(); }
 
+bool draws_participants(const StudyTables& tables) {
+  return tables.set.participants.size() <= most_dots;
+}
+
 std::vector<Figure> draw_figures(const StudyTables& tables) {
   using Drawing = std::function<std::optional<Figure>()>;
   std::vector<Drawing> drawings = {[&] { return relative_figure(tables); },
+                                   [&] { return relative_scene_figure(tables); },
                                    [&] { return seconds_figure(tables); }};
   for (const std::size_t mark : tables.set.times()) {
     drawings.emplace_back([&tables, mark] { return survival_figure(tables, mark); });

@@ -24,9 +24,12 @@ struct Figure {
 /// The name of the figure of a rating.
 std::string rating_figure_name(const Measure& rating);
 
-/// Draws the times of all marks, relative_times and times_in_seconds, the curve time_to_MARK of
-/// each mark, and each rating in numbers, as far as there are values. Throws Error if gnuplot is
-/// missing.
+/// Whether every participant's point is drawn.
+bool draws_participants(const StudyTables& tables);
+
+/// Draws the times of all marks, relative_times, relative_times_by_scene and times_in_seconds, the
+/// curve time_to_MARK of each mark, and each rating in numbers, as far as there are values. Throws
+/// Error if gnuplot is missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
 /// Each figure as NAME.svg, NAME.pdf and NAME.png; several are drawn at a time. Throws Error as

@@ -35,7 +35,7 @@ no result and not in `psych-ds/` or `bids/`. `study forget` erases a participant
 | `report.html` | the whole report, one file that needs no network |
 | `OUTPUTS.md`, `codebook.csv` | the files' columns |
 | `times-MARK.tex`, `geometric-means.tex`, `ratings-RATING.tex`, `planned-comparisons.tex` and others | the report's tables for LaTeX, with booktabs |
-| `relative_times`, `times_in_seconds`, `time_to_MARK`, `ratings_RATING`: `.svg`, `.pdf`, `.png` | figures |
+| `relative_times`, `relative_times_by_scene`, `times_in_seconds`, `time_to_MARK`, `ratings_RATING`: `.svg`, `.pdf`, `.png` | figures |
 | `psych-ds/` | trials and participants as Psych-DS 1 lays them out |
 | `models.R`, `models_plan.csv` | a script for R, and the comparisons that it fits: crossed mixed models of log times (lme4, lmerTest), Tobit models where times are right-censored (survival), cumulative link mixed models of ratings (ordinal). It reads `trials_long.csv`; `--r` runs it, and `models.csv` has what it found. Run by hand, it writes `r_models.csv` and `r_versions.csv` |
 | `bids/` (`--bids`) | BIDS 1.11.1: behaviour, and gaze as eye-tracking, below |

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +14,8 @@
 #include "analysis/publication/figure_drawing.h"
 #include "analysis/publication/figure_palette.h"
 #include "analysis/publication/gnuplot.h"
+#include "analysis/publication/participant_points.h"
+#include "renderer/base/utf8.h"
 
 namespace foveola::analysis {
 namespace {
@@ -41,20 +44,35 @@ std::size_t shade_of(std::size_t answer, std::size_t answers) {
   return answer * palette::ratings.size() / answers;
 }
 
-/// The counts inside the bars, where they fit.
+/// The counts inside the bars, where their digits fit.
 std::string count_labels(const std::vector<BarSegment>& segments, std::size_t row) {
-  constexpr double narrowest_percent = 4.0;
+  constexpr double margin_percent = 1.0;
+  constexpr double digit_percent = 2.0;
   std::string labels;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const BarSegment& segment = segments[i];
-    if (segment.high - segment.low >= narrowest_percent) {
+    const std::string count = std::to_string(segment.count);
+    if (segment.count > 0 &&
+        segment.high - segment.low >=
+            margin_percent + digit_percent * static_cast<double>(count.size())) {
       const FigureColor& color =
           shade_of(i, segments.size()) < 3 ? palette::on_low_rating : palette::on_high_rating;
-      labels += fmt::format("set label '{}' at {},{} center front textcolor rgb '{}'\n",
-                            segment.count, (segment.low + segment.high) / 2.0, row, color.rgb);
+      labels += fmt::format("set label '{}' at {},{} center front textcolor rgb '{}'\n", count,
+                            (segment.low + segment.high) / 2.0, row, color.rgb);
     }
   }
   return labels;
+}
+
+/// Right of a row: the number of values, below `above` if that is not empty.
+std::string row_summary(const std::string& above, std::size_t n, double row) {
+  const auto line = [&](const std::string& text, double lines_down) {
+    return fmt::format(
+        "set label {} at graph 1.02, first {} offset 0,{} left front textcolor rgb '{}'\n",
+        gnuplot_quoted(text), row, -lines_down, palette::ink.rgb);
+  };
+  const std::string count = fmt::format("n = {}", n);
+  return above.empty() ? line(count, 0.0) : line(above, -0.5) + line(count, 0.5);
 }
 
 std::string rating_data(const std::vector<MethodRatings>& rows, std::size_t answer) {
@@ -82,6 +100,52 @@ std::string rating_plot(const std::vector<double>& points) {
   return fmt::format("plot {}\n", fmt::join(layers, ", \\\n"));
 }
 
+/// The labels of a scale's ends, each on a line of its own where both are too long for one.
+struct EndLabels {
+  std::string low;
+  std::string high;
+
+  bool exist() const { return !low.empty() || !high.empty(); }
+  bool are_long() const {
+    constexpr std::size_t most_characters = 64;
+    return count_characters(low) + count_characters(high) > most_characters;
+  }
+};
+
+/// Left and right, so many lines above the plot's edge, which is `edge` 0 below and 1 above.
+std::string end_label_script(const EndLabels& ends, int edge, double low_lines, double high_lines) {
+  const auto label = [&](const std::string& text, int x, std::string_view side, double lines) {
+    return fmt::format("set label {} at graph {}, graph {} offset 0,{} {} textcolor rgb '{}'\n",
+                       gnuplot_quoted(text), x, edge, lines, side, palette::ink.rgb);
+  };
+  return label(ends.low, 0, "left", low_lines) + label(ends.high, 1, "right", high_lines);
+}
+
+/// Above the bars, which begin at the low end of the scale, and below the key.
+std::string labels_above_bars(const Measure& measure, const std::vector<double>& points) {
+  const auto end = [&](double point) {
+    const std::string label = measure.label_of(point);
+    return label.empty() ? label : fmt::format("{:g} {}", point, label);
+  };
+  const EndLabels ends{end(points.front()), end(points.back())};
+  if (!ends.exist()) {
+    return "";
+  }
+  return end_label_script(ends, 1, ends.are_long() ? 1.5 : 0.5, 0.5) +
+         fmt::format("set tmargin {}\n", ends.are_long() ? 4.5 : 3.5);
+}
+
+/// Below the axis of a figure of means, which is the whole scale.
+std::string labels_below_axis(const Measure& measure, const Interval& axis) {
+  const EndLabels ends{measure.label_of(axis.low), measure.label_of(axis.high)};
+  if (!ends.exist()) {
+    return "";
+  }
+  return end_label_script(ends, 0, -2.6, ends.are_long() ? -3.6 : -2.6) +
+         fmt::format("set bmargin {}\nset xlabel offset 0,{}\n", ends.are_long() ? 7 : 6,
+                     ends.are_long() ? -2 : -1);
+}
+
 /// The shares of the answers on a scale of few points.
 std::optional<Figure> bar_figure(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
@@ -97,9 +161,8 @@ std::optional<Figure> bar_figure(const StudyTables& tables, std::size_t rating) 
     answers += ratings.description.n;
     if (ratings.description.n > 0) {
       labels += count_labels(bar_segments(ratings), row);
-      labels += fmt::format("set label {} at 102,{} left front textcolor rgb '{}'\n",
-                            gnuplot_quoted(mean_and_deviation(ratings.description, 2)), row,
-                            palette::ink.rgb);
+      labels += row_summary(mean_and_deviation(ratings.description, 2), ratings.description.n,
+                            static_cast<double>(row));
     }
   }
   if (answers == 0) {
@@ -108,117 +171,121 @@ std::optional<Figure> bar_figure(const StudyTables& tables, std::size_t rating) 
   for (std::size_t answer = 0; answer < points.size(); ++answer) {
     data += rating_data(rows, answer);
   }
-  const int height = 104 + 44 * static_cast<int>(methods.size());
-  return drawn_figure(rating_figure_name(measure), 640, height,
+  const int height = 140 + 44 * static_cast<int>(methods.size());
+  return drawn_figure(rating_figure_name(measure), figure_width, height,
                       figure_preamble(tables) + row_names(methods) +
                           "set key outside top right horizontal Left reverse samplen 1 width 2\n"
                           "set rmargin 14\nset xrange [0:100]\n" +
                           fmt::format("set xlabel {}\n",
                                       gnuplot_quoted("Ratings, " + measure.id() + ", per cent")) +
-                          labels + data + rating_plot(points));
+                          labels_above_bars(measure, points) + labels + data + rating_plot(points));
+}
+
+/// One method's row in a figure of means.
+struct MeanRow {
+  std::vector<double> participants;
+  Estimate estimate;
+};
+
+/// Of every method; empty if no participant has every method's value in any scene.
+std::vector<MeanRow> mean_rows(const StudyTables& tables, std::size_t rating) {
+  const ParticipantValues values = participant_means(tables.set, rating);
+  std::vector<MeanRow> rows;
+  for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
+    std::vector<double> participants;
+    for (const std::vector<std::optional<double>>& row : values) {
+      if (row[method]) {
+        participants.push_back(*row[method]);
+      }
+    }
+    if (const std::optional<Estimate> estimate = mean_estimate(participants)) {
+      rows.push_back({std::move(participants), *estimate});
+    }
+  }
+  return rows;
 }
 
 /// The axis of a figure of means. It is the whole scale, or, of numbers, which may have a range
 /// that nobody uses, as far as participants' means and the intervals reach.
-Interval axis_of(const Measure& measure, const std::vector<double>& drawn) {
+Interval axis_of(const Measure& measure, const std::vector<MeanRow>& rows) {
   const study::Question& question = measure.question;
   if (question.kind == study::QuestionKind::likert) {
     return {question.minimum, question.maximum};
+  }
+  std::vector<double> drawn;
+  for (const MeanRow& row : rows) {
+    drawn.insert(drawn.end(), row.participants.begin(), row.participants.end());
+    if (const auto& interval = row.estimate.interval) {
+      drawn.insert(drawn.end(), {interval->low, interval->high});
+    }
   }
   const auto [low, high] = std::minmax_element(drawn.begin(), drawn.end());
   const double margin = *high > *low ? 0.05 * (*high - *low) : 1.0;
   return {*low - margin, *high + margin};
 }
 
-/// The labels of the scale's ends, below the axis; the higher one a line further down where they
-/// are too long for one line.
-std::string end_labels(const Measure& measure, const Interval& axis) {
-  constexpr std::size_t most_characters = 64;
-  const std::string low = measure.label_of(axis.low);
-  const std::string high = measure.label_of(axis.high);
-  if (low.empty() && high.empty()) {
-    return "";
-  }
-  const bool is_long = low.size() + high.size() > most_characters;
-  const auto label = [](const std::string& text, double x, std::string_view side, double line) {
-    return fmt::format("set label {} at first {}, graph 0 offset 0,{} {} textcolor rgb '{}'\n",
-                       gnuplot_quoted(text), x, -line, side, palette::ink.rgb);
-  };
-  return label(low, axis.low, "left", 2.6) + label(high, axis.high, "right", is_long ? 3.6 : 2.6) +
-         fmt::format("set bmargin {}\nset xlabel offset 0,{}\n", is_long ? 7 : 6,
-                     is_long ? -2 : -1);
-}
+constexpr double mean_row_height = 62.0;  // In SVG units.
 
-/// The data blocks $participants (x, y), a participant's line after the other, and $means (x, low,
-/// high, y), above their rows.
-std::string mean_data(const ParticipantValues& values, const std::vector<Estimate>& estimates) {
-  std::string lines = "$participants << END\n";
-  for (std::size_t i = 0; values.size() <= most_dots && i < values.size(); ++i) {
-    for (std::size_t row = 0; row < values[i].size(); ++row) {
-      lines += values[i][row] ? fmt::format("{} {}\n", *values[i][row], row) : "";
+JoinedPoints participant_points(const std::vector<MeanRow>& rows, const Interval& axis) {
+  JoinedPoints points;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    std::vector<double> places;
+    for (const double value : rows[row].participants) {
+      places.push_back((value - axis.low) / (axis.high - axis.low));
     }
-    lines += "\n";
+    points.push_back(points_in_row(row, rows[row].participants, places, static_cast<double>(row),
+                                   mean_row_height));
   }
-  std::string means = "$means << END\n";
-  for (std::size_t row = 0; row < estimates.size(); ++row) {
-    constexpr double above = 0.24;
-    const Estimate& estimate = estimates[row];
-    const Interval interval = estimate.interval.value_or(Interval{estimate.value, estimate.value});
-    means += fmt::format("{} {} {} {}\n", estimate.value, interval.low, interval.high,
-                         static_cast<double>(row) - above);
-  }
-  return lines + "END\n" + means + "END\n";
+  return points;
 }
 
-std::string mean_plot(bool has_participants) {
-  const std::string_view color = palette::marks[0].rgb;
-  const std::string participants = fmt::format(
-      "$participants using 1:2 with lines linewidth 1 linecolor rgb '{}' notitle, \\\n"
-      "$participants using 1:2 with points pointtype 6 pointsize 0.55 linecolor rgb '{}' notitle, "
-      "\\\n",
-      palette::ratings[1].rgb, color);
-  return fmt::format(
-      "plot {}$means using 1:4:2:3 with xerrorbars pointtype 7 pointsize 0.9 linewidth 2 "
-      "linecolor rgb '{}' notitle\n",
-      has_participants ? participants : "", color);
+/// The estimates above their rows, and the numbers of participants beside these.
+std::string mean_data(const std::vector<MeanRow>& rows) {
+  constexpr double above = 0.34;
+  std::string data;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const auto y = static_cast<double>(row);
+    data += fmt::format("$estimates_{} << END\n{}END\n", row,
+                        estimate_line(rows[row].estimate, y - above)) +
+            row_summary("", rows[row].estimate.n, y);
+  }
+  return data;
+}
+
+std::string mean_plot(const StudyTables& tables) {
+  std::vector<std::string> layers;
+  if (draws_participants(tables)) {
+    layers = participant_layers(tables, 0);
+  }
+  for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
+    layers.push_back(estimates_layer(fmt::format("$estimates_{}", method), method));
+  }
+  return fmt::format("plot {}\n", fmt::join(layers, ", \\\n"));
 }
 
 /// Participants' means on a scale whose points are not counted.
 std::optional<Figure> mean_figure(const StudyTables& tables, std::size_t rating) {
   const Measure& measure = tables.set.measures[rating];
-  const ParticipantValues values = participant_means(tables.set, rating);
-  std::vector<Estimate> estimates;
-  std::vector<double> drawn;
-  for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
-    std::vector<double> of_method;
-    for (const std::vector<std::optional<double>>& row : values) {
-      if (row[method]) {
-        of_method.push_back(*row[method]);
-      }
-    }
-    const std::optional<Estimate> estimate = mean_estimate(of_method);
-    if (!estimate) {
-      return std::nullopt;  // No participant has every method's value in any scene.
-    }
-    estimates.push_back(*estimate);
-    drawn.insert(drawn.end(), of_method.begin(), of_method.end());
-    if (estimate->interval) {
-      drawn.insert(drawn.end(), {estimate->interval->low, estimate->interval->high});
-    }
+  const std::vector<MeanRow> rows = mean_rows(tables, rating);
+  if (rows.empty()) {
+    return std::nullopt;
   }
-  const Interval axis = axis_of(measure, drawn);
+  const Interval axis = axis_of(measure, rows);
   const std::string unit = measure.unit();
-  const int height = 124 + 62 * static_cast<int>(estimates.size());
-  return drawn_figure(rating_figure_name(measure), 640, height,
-                      figure_preamble(tables) + row_names(tables.set.methods) +
-                          fmt::format("set xrange [{}:{}]\nset xlabel {}\n"
-                                      "set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
-                                      axis.low, axis.high,
-                                      gnuplot_quoted("Ratings, " + measure.id() +
-                                                     (unit.empty() ? "" : ", " + unit)),
-                                      palette::grid.rgb) +
-                          end_labels(measure, axis) + mean_data(values, estimates) +
-                          mean_plot(values.size() <= most_dots));
+  const int height = 148 + static_cast<int>(mean_row_height) * static_cast<int>(rows.size());
+  return drawn_figure(
+      rating_figure_name(measure), figure_width, height,
+      figure_preamble(tables) + row_names(tables.set.methods) +
+          fmt::format(
+              "set key off\nset tmargin 2\nset rmargin 9\nset xrange [{}:{}]\n"
+              "set xlabel {}\n"
+              "set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
+              axis.low, axis.high,
+              gnuplot_quoted("Ratings, " + measure.id() + (unit.empty() ? "" : ", " + unit)),
+              palette::grid.rgb) +
+          labels_below_axis(measure, axis) +
+          (draws_participants(tables) ? participant_data({participant_points(rows, axis)}) : "") +
+          mean_data(rows) + mean_plot(tables));
 }
 
 }  // namespace

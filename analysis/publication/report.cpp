@@ -38,13 +38,11 @@ std::string findings_html(const StudyTables& tables, const Comparisons& comparis
       const MethodTimes& times = tables.method_times_of(mark, method);
       if (times.percent_of_baseline) {
         items += fmt::format(
-            "<li>{} took <strong>{} %</strong> of {}’s time until {} in {}{}.</li>\n",
+            "<li>{} took <strong>{} %</strong> of {}’s time until {} {}{}.</li>\n",
             escape_html(method_label(times.method)),
             escape_html(with_interval(times.percent_of_baseline, 1)),
             escape_html(baseline_label(tables)), escape_html(moment_of(tables.set.measures[mark])),
-            tables.set.scenes.size() == 1
-                ? std::string("this scene")
-                : fmt::format("these {} scenes", tables.set.scenes.size()),
+            in_these_scenes(tables),
             escape_html(for_other_scenes(comparisons, times, tables.set.methods[baseline])));
       }
     }
@@ -78,19 +76,19 @@ std::string citation_section() {
 
 std::string report_html(const ReportContent& content) {
   const StudyTables& tables = content.tables;
-  return report_page(tables, "Foveola study report",
-                     record_flags(content.record) + data_quality_flags(tables, content.checks) +
-                         findings_html(tables, content.comparisons) + scenes_section(tables) +
-                         methods_section(tables, content.figures, content.published) +
-                         ratings_section(tables, content.figures) +
-                         comparisons_section(tables, content.comparisons) +
-                         answers_section(tables, content.answers, content.scores) +
-                         background_section(tables, content.background) +
-                         data_quality_section(tables, content.checks, content.quality) +
-                         record_section(content.record) + exclusions_section(tables) +
-                         amended_section(tables) + methods_text_section(content.methods) +
-                         sensitivity_section(tables, content.comparisons) +
-                         definitions_section(tables) + citation_section());
+  return report_page(
+      tables, "Foveola study report",
+      record_flags(content.record) + data_quality_flags(tables, content.checks) +
+          findings_html(tables, content.comparisons) + scenes_section(tables, content.figures) +
+          methods_section(tables, content.figures, content.published) +
+          ratings_section(tables, content.figures) +
+          comparisons_section(tables, content.comparisons) +
+          answers_section(tables, content.answers, content.scores) +
+          background_section(tables, content.background) +
+          data_quality_section(tables, content.checks, content.quality) +
+          record_section(content.record) + exclusions_section(tables) + amended_section(tables) +
+          methods_text_section(content.methods) + sensitivity_section(tables, content.comparisons) +
+          definitions_section(tables) + citation_section());
 }
 
 }  // namespace foveola::analysis

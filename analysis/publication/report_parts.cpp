@@ -64,6 +64,16 @@ std::string paragraph_html(const std::string& text) {
   return text.empty() ? "" : fmt::format("<p>{}</p>\n", escape_html(text));
 }
 
+std::string in_these_scenes(const StudyTables& tables) {
+  const std::size_t scenes = tables.set.scenes.size();
+  return scenes == 1 ? "in this scene" : fmt::format("in these {} scenes", scenes);
+}
+
+std::string points_left_out() {
+  return fmt::format(
+      "With more than {} participants, the points of single participants are left out.", most_dots);
+}
+
 std::string joined(const std::string& sentence, const std::string& more) {
   return more.empty() ? sentence : sentence + " " + more;
 }

@@ -16,6 +16,12 @@ std::string baseline_label(const StudyTables& tables);
 /// The plain text as a paragraph; nothing if it is empty.
 std::string paragraph_html(const std::string& text);
 
+/// "in this scene", "in these 5 scenes": those to which an interval over participants applies.
+std::string in_these_scenes(const StudyTables& tables);
+
+/// The sentence for figures that leave out the points of single participants.
+std::string points_left_out();
+
 /// Two sentences with a space between them; the second may be empty.
 std::string joined(const std::string& sentence, const std::string& more);
 

@@ -10,18 +10,29 @@
 namespace foveola::analysis {
 namespace {
 
-std::string figure_explained(const Measure& measure) {
-  const std::string scale = study::scale_in_words(measure);
-  return measure.points().empty()
-             ? fmt::format(
-                   "Open dots: each participant’s mean, {}, joined by thin lines, over the "
-                   "scenes rated with every method. Filled dots: their mean and its 95 % "
-                   "interval, which may run off the axis.",
-                   scale)
-             : fmt::format(
-                   "Bars: the share of each answer, {}, with its count. At the right: mean "
-                   "± standard deviation.",
-                   scale);
+std::string bars_explained(const Measure& measure) {
+  return fmt::format(
+      "Bars are the shares of the answers, {}, with their counts where these fit. At the right: "
+      "mean ± standard deviation, and n, the number of answers.",
+      study::scale_in_words(measure));
+}
+
+std::string means_explained(const StudyTables& tables, const Measure& measure) {
+  const std::string participants =
+      draws_participants(tables)
+          ? fmt::format(
+                "Hollow points are participants: each one’s mean, {}, over the scenes rated with "
+                "every method, joined by thin lines from method to method.",
+                study::scale_in_words(measure))
+          : points_left_out();
+  return fmt::format(
+      "{} Filled points are the means over n participants, with 95 % intervals over participants, "
+      "{}, which may run off the axis.",
+      participants, in_these_scenes(tables));
+}
+
+std::string figure_explained(const StudyTables& tables, const Measure& measure) {
+  return measure.points().empty() ? means_explained(tables, measure) : bars_explained(measure);
 }
 
 }  // namespace
@@ -37,7 +48,7 @@ std::string ratings_section(const StudyTables& tables, const std::vector<Figure>
     const Measure& measure = tables.set.measures[rating];
     html += figure_html(tables, figures, rating_figure_name(measure),
                         fmt::format("Ratings, {}, of all scenes and participants.", measure.id()),
-                        figure_explained(measure));
+                        figure_explained(tables, measure));
     html += html_of(printed_ratings(tables, rating), data_notice(tables));
   }
   return tables.set.ratings().empty() ? "" : html_section("Ratings", html);

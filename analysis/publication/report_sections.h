@@ -18,8 +18,8 @@ namespace foveola::analysis {
 
 // Each function returns the HTML of a section, with every text from the study escaped.
 
-/// The times in each scene, in both readings of their percentages.
-std::string scenes_section(const StudyTables& tables);
+/// The times in each scene, in both readings of their percentages, with their figure.
+std::string scenes_section(const StudyTables& tables, const std::vector<Figure>& figures);
 
 /// The times over all scenes, with their figures.
 std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,

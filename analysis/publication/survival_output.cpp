@@ -9,6 +9,7 @@
 #include "analysis/publication/figure_drawing.h"
 #include "analysis/publication/figure_palette.h"
 #include "analysis/publication/gnuplot.h"
+#include "analysis/publication/logarithmic_axis.h"
 #include "analysis/publication/result_tables.h"
 
 namespace foveola::analysis {
@@ -35,6 +36,15 @@ std::string curve_data(const SurvivalCurve& curve, std::size_t method, double st
     data += fmt::format("{} {}\n", curve.steps[i].time, curve.steps[i].survival);
   }
   data += fmt::format("{} {}\n", curve.steps.back().time, curve.steps.back().survival);
+  return data + "END\n";
+}
+
+/// The points of the curve at which trials were right-censored.
+std::string censored_data(const SurvivalCurve& curve, std::size_t method) {
+  std::string data = fmt::format("$censored{} << END\n", method);
+  for (const SurvivalStep& step : curve.steps) {
+    data += step.censored > 0 ? fmt::format("{} {}\n", step.time, step.survival) : "";
+  }
   return data + "END\n";
 }
 
@@ -102,42 +112,49 @@ PrintedTable printed_time_to_mark(const StudyTables& tables) {
 std::string survival_figure_name(const Measure& mark) { return "time_to_" + mark.id(); }
 
 std::optional<Figure> survival_figure(const StudyTables& tables, std::size_t mark) {
-  const std::string& id = tables.set.measures[mark].id();
-  std::vector<const MarkSurvival*> rows;
-  double first = 0.0;
-  double last = 0.0;
-  for (const MarkSurvival& row : tables.survival) {
-    if (row.mark == id && !row.curve.steps.empty()) {
-      const double begin = row.curve.steps.front().time;
-      first = rows.empty() ? begin : std::min(first, begin);
-      last = std::max(last, row.curve.steps.back().time);
-      rows.push_back(&row);
+  const std::size_t methods = tables.set.methods.size();
+  const auto curve_of = [&](std::size_t method) -> const SurvivalCurve& {
+    return tables.survival.at(mark * methods + method).curve;
+  };
+  std::vector<double> ends;
+  for (std::size_t method = 0; method < methods; ++method) {
+    const std::vector<SurvivalStep>& steps = curve_of(method).steps;
+    if (!steps.empty()) {
+      ends.insert(ends.end(), {steps.front().time, steps.back().time});
     }
   }
-  if (rows.empty() || first <= 0.0) {
+  const std::optional<Interval> range = reach_of(ends, {});
+  if (!range || range->low <= 0.0) {
     return std::nullopt;
   }
-  const double start = first / 1.25;
   std::string data;
   std::vector<std::string> layers;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    data += curve_data(rows[i]->curve, i, start);
+  for (std::size_t method = 0; method < methods; ++method) {
+    const SurvivalCurve& curve = curve_of(method);
+    if (curve.steps.empty()) {
+      continue;
+    }
+    const std::string_view color = method_color(method).rgb;
+    data += curve_data(curve, method, range->low);
     layers.push_back(fmt::format(
-        "$method{} using 1:2 with steps linewidth 2 dashtype {} linecolor rgb '{}' title {}", i,
-        1 + i % 5, palette::marks[i % palette::marks.size()].rgb,
-        gnuplot_quoted(method_label(rows[i]->method))));
+        "$method{} using 1:2 with steps linewidth 2 dashtype {} linecolor rgb '{}' title {}",
+        method, 1 + method % 5, color, gnuplot_quoted(method_label(tables.set.methods[method]))));
+    if (curve.censored > 0) {
+      data += censored_data(curve, method);
+      layers.push_back(fmt::format(
+          "$censored{} using 1:2 with points pointtype 1 linewidth 1.5 linecolor rgb '{}' notitle",
+          method, color));
+    }
   }
   return drawn_figure(
-      survival_figure_name(tables.set.measures[mark]), 640, 320,
-      figure_preamble(tables) +
-          fmt::format("set logscale x\nset xrange [{}:{}]\nset yrange [0:1.02]\n"
-                      "set xlabel 'Time, seconds (logarithmic)'\n"
-                      "set ylabel 'Trials without the mark'\nset format y '%.1f'\n"
-                      "set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, "
-                      "500, 1000, 2000, 5000)\n"
+      survival_figure_name(tables.set.measures[mark]), figure_width, 320,
+      figure_preamble(tables) + logarithmic_axis(*range) +
+          fmt::format("set yrange [0:1.02]\nset xlabel 'Time, seconds (logarithmic)'\n"
+                      "set ylabel 'Trials without the mark' textcolor rgb '{}'\n"
+                      "set format y '%.1f'\n"
                       "set key outside top right horizontal Left reverse samplen 2.5 width 1\n"
-                      "set grid linetype 1 linewidth 1 linecolor rgb '{}'\n",
-                      start, last * 1.25, palette::grid.rgb) +
+                      "set grid ytics linetype 1 linewidth 1 linecolor rgb '{}'\n",
+                      palette::ink.rgb, palette::grid.rgb) +
           data + fmt::format("plot {}\n", fmt::join(layers, ", \\\n")));
 }
 

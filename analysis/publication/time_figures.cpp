@@ -1,9 +1,9 @@
 #include "analysis/publication/time_figures.h"
 
 #include <algorithm>
-#include <array>
-#include <iterator>
-#include <numeric>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +12,9 @@
 #include "analysis/publication/figure_drawing.h"
 #include "analysis/publication/figure_palette.h"
 #include "analysis/publication/gnuplot.h"
+#include "analysis/publication/grouped_rows.h"
+#include "analysis/publication/logarithmic_axis.h"
+#include "analysis/publication/participant_points.h"
 
 namespace foveola::analysis {
 namespace {
@@ -20,141 +23,149 @@ namespace {
 struct TimeScale {
   std::vector<double> MethodTimes::*participants;
   std::optional<Estimate> MethodTimes::*estimate;
+  std::size_t first_method = 0;  ///< The methods from this one on are drawn.
 };
 
-/// How far a mark's points lie beside their row, so that those of several marks do not cover each
-/// other; `index` counts the `marks` marks.
-double beside_row(std::size_t index, std::size_t marks) {
-  const double step = std::min(0.34, 0.8 / static_cast<double>(marks));
-  return (static_cast<double>(index) - 0.5 * static_cast<double>(marks - 1)) * step;
-}
+/// The rows of a figure in which each method has one, and where its participants' points are.
+struct MethodRows {
+  const StudyTables& tables;
+  TimeScale scale;
+  Interval range;  ///< Of the axis.
+  bool has_points = false;
+  std::vector<std::size_t> marks;  ///< Of each group of rows: those that have values.
+  GroupedRows rows;
 
-/// The two data blocks of one mark: $markN_participants (x, y) and $markN (x, low, high, y).
-std::string time_data(const StudyTables& tables, std::size_t mark,
-                      const std::vector<std::size_t>& methods, const TimeScale& scale) {
-  std::string dots = fmt::format("$mark{}_participants << END\n", mark);
-  std::string estimates = fmt::format("$mark{} << END\n", mark);
-  const double offset = beside_row(mark, tables.set.times().size());
-  for (std::size_t row = 0; row < methods.size(); ++row) {
-    const MethodTimes& times = tables.method_times_of(mark, methods[row]);
-    const double y = static_cast<double>(row) + offset;
-    const std::vector<double>& values = times.*scale.participants;
-    for (std::size_t i = 0; values.size() <= most_dots && i < values.size(); ++i) {
-      dots += fmt::format("{} {}\n", values[i], y);
-    }
-    if (const auto& estimate = times.*scale.estimate) {
-      const Interval interval =
-          estimate->interval.value_or(Interval{estimate->value, estimate->value});
-      estimates += fmt::format("{} {} {} {}\n", estimate->value, interval.low, interval.high, y);
+  double row_height() const { return has_points ? 64.0 : 32.0; }  ///< In SVG units.
+  const MethodTimes& times(std::size_t group, std::size_t row) const {
+    return tables.method_times_of(marks[group], scale.first_method + row);
+  }
+  /// Above the participants' points, which would hide it.
+  double estimate_y(std::size_t group, std::size_t row) const {
+    return rows.y(group, row) - (has_points ? 0.32 : 0.0);
+  }
+};
+
+/// Of every mark the points of all methods, which are of the same participants.
+std::vector<JoinedPoints> participant_points(const MethodRows& drawn) {
+  constexpr double below_estimate = 0.08;
+  std::vector<JoinedPoints> groups(drawn.marks.size());
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    for (std::size_t row = 0; row < drawn.rows.rows.size(); ++row) {
+      const std::vector<double>& values = drawn.times(group, row).*drawn.scale.participants;
+      std::vector<double> places;
+      for (const double value : values) {
+        places.push_back(std::log(value / drawn.range.low) /
+                         std::log(drawn.range.high / drawn.range.low));
+      }
+      groups[group].push_back(points_in_row(drawn.scale.first_method + row, values, places,
+                                            drawn.rows.y(group, row) + below_estimate,
+                                            drawn.row_height()));
     }
   }
-  return dots + "END\n" + estimates + "END\n";
+  return groups;
 }
 
-/// Discs, squares, triangles and so on, so that marks differ by more than their colours: first all
-/// participants, then the estimates upon them.
-std::string time_plot(const StudyTables& tables) {
-  constexpr std::array hollow = {6, 4, 8, 10, 12, 14};
-  constexpr std::array filled = {7, 5, 9, 11, 13, 15};
+std::string estimate_data(const MethodRows& drawn) {
+  std::string data;
+  for (std::size_t row = 0; row < drawn.rows.rows.size(); ++row) {
+    data += fmt::format("$estimates_{} << END\n", drawn.scale.first_method + row);
+    for (std::size_t group = 0; group < drawn.marks.size(); ++group) {
+      if (const auto& estimate = drawn.times(group, row).*drawn.scale.estimate) {
+        data += estimate_line(*estimate, drawn.estimate_y(group, row));
+      }
+    }
+    data += "END\n";
+  }
+  return data;
+}
+
+/// The lines below the points below the estimates.
+std::string method_rows_plot(const MethodRows& drawn) {
   std::vector<std::string> layers;
-  for (const std::size_t mark : tables.set.times()) {
-    layers.push_back(fmt::format(
-        "$mark{}_participants using 1:2 with points pointtype {} pointsize 0.55 linecolor rgb '{}' "
-        "notitle",
-        mark, hollow[mark % hollow.size()], palette::marks[mark % palette::marks.size()].rgb));
+  if (drawn.has_points) {
+    layers = participant_layers(drawn.tables, drawn.scale.first_method);
   }
-  for (const std::size_t mark : tables.set.times()) {
-    layers.push_back(fmt::format(
-        "$mark{} using 1:4:2:3 with xerrorbars pointtype {} pointsize 0.9 linewidth 2 "
-        "linecolor rgb '{}' title {}",
-        mark, filled[mark % filled.size()], palette::marks[mark % palette::marks.size()].rgb,
-        gnuplot_quoted(tables.set.measures[mark].id())));
+  const std::size_t methods = drawn.tables.set.methods.size();
+  for (std::size_t method = drawn.scale.first_method; method < methods; ++method) {
+    layers.push_back(estimates_layer(fmt::format("$estimates_{}", method), method));
   }
-  return fmt::format("plot {}\n", fmt::join(layers, ", \\\n"));
+  return fmt::format("unset key\nplot {}\n", fmt::join(layers, ", \\\n"));
 }
 
-/// How far a time figure's axis reaches: over every participant's value, and over an interval only
-/// up to a multiple of these, so that the interval of a few participants does not hide the rest.
-std::optional<Interval> axis_range(const StudyTables& tables, const TimeScale& scale) {
-  constexpr double farthest = 2.5;
+Figure method_rows_figure(const std::string& name, const MethodRows& drawn, const std::string& axes,
+                          int axes_height) {
+  const int height = axes_height + static_cast<int>(drawn.row_height() * drawn.rows.height());
+  return drawn_figure(name, figure_width, height,
+                      figure_preamble(drawn.tables) + row_axis(drawn.rows) + axes +
+                          (drawn.has_points ? participant_data(participant_points(drawn)) : "") +
+                          estimate_data(drawn) + method_rows_plot(drawn));
+}
+
+std::optional<Interval> range_of(const StudyTables& tables, const TimeScale& scale) {
   std::vector<double> values;
-  std::vector<double> ends;
+  std::vector<Interval> intervals;
   for (const MethodTimes& times : tables.method_times) {
     const std::vector<double>& participants = times.*scale.participants;
-    values.insert(values.end(), participants.begin(), participants.end());
-    if (const auto& estimate = times.*scale.estimate; estimate && estimate->interval) {
-      ends.insert(ends.end(), {estimate->interval->low, estimate->interval->high});
+    if (draws_participants(tables)) {
+      values.insert(values.end(), participants.begin(), participants.end());
+    }
+    if (const auto& estimate = times.*scale.estimate) {
+      values.push_back(estimate->value);
+      intervals.push_back(estimate->interval.value_or(Interval{estimate->value, estimate->value}));
     }
   }
-  if (values.empty()) {
-    return std::nullopt;
-  }
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  Interval range{*low, *high};
-  for (const double end : ends) {
-    range.low = std::min(range.low, std::max(end, *low / farthest));
-    range.high = std::max(range.high, std::min(end, *high * farthest));
-  }
-  return range;
+  return reach_of(values, intervals);
 }
 
-Figure time_figure(const std::string& name, const StudyTables& tables,
-                   const std::vector<std::size_t>& methods, const TimeScale& scale,
-                   const std::string& axis) {
-  std::vector<std::string> names;
-  std::transform(methods.begin(), methods.end(), std::back_inserter(names),
-                 [&](std::size_t method) { return tables.set.methods[method]; });
-  const int per_method = std::max(62, 31 * static_cast<int>(tables.set.times().size()));
-  const int height = 110 + per_method * static_cast<int>(methods.size());
-  std::string data;
-  for (const std::size_t mark : tables.set.times()) {
-    data += time_data(tables, mark, methods, scale);
+std::optional<MethodRows> method_rows(const StudyTables& tables, const TimeScale& scale) {
+  const std::optional<Interval> range = range_of(tables, scale);
+  if (!range) {
+    return std::nullopt;
   }
-  return drawn_figure(
-      name, 640, height,
-      figure_preamble(tables) + row_names(names) +
-          "set key outside top right horizontal Left reverse samplen 1.5 width 1\n" + axis +
-          fmt::format("set grid xtics linetype 1 linewidth 1 linecolor rgb '{}'\n",
-                      palette::grid.rgb) +
-          data + time_plot(tables));
+  MethodRows drawn{tables, scale, *range, draws_participants(tables), {}, {}};
+  drawn.marks = marks_over_all_scenes(tables);
+  drawn.rows.headings = ids_of(tables, drawn.marks);
+  for (std::size_t method = scale.first_method; method < tables.set.methods.size(); ++method) {
+    drawn.rows.rows.push_back(method_label(tables.set.methods[method]));
+  }
+  drawn.rows.heading_height = 26.0 / drawn.row_height();
+  return drawn;
 }
 
 }  // namespace
 
+std::vector<std::size_t> marks_over_all_scenes(const StudyTables& tables) {
+  std::vector<std::size_t> marks = tables.set.times();
+  marks.erase(std::remove_if(marks.begin(), marks.end(),
+                             [&](std::size_t mark) {
+                               return !tables.method_times_of(mark, baseline).seconds;
+                             }),
+              marks.end());
+  return marks;
+}
+
 std::optional<Figure> relative_figure(const StudyTables& tables) {
-  const TimeScale scale{&MethodTimes::participant_percent, &MethodTimes::percent_of_baseline};
-  const std::optional<Interval> range = axis_range(tables, scale);
-  if (!range) {
+  std::optional<MethodRows> drawn = method_rows(
+      tables, {&MethodTimes::participant_percent, &MethodTimes::percent_of_baseline, baseline + 1});
+  if (!drawn) {
     return std::nullopt;
   }
-  std::vector<std::size_t> methods;
-  for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
-    methods.push_back(method);
-  }
-  const double end = std::max(105.0, 1.05 * range->high);
-  const std::string axis = fmt::format(
-      "set xrange [0:{}]\nset xlabel {}\n"
-      "set arrow from 100, graph 0 to 100, graph 1 nohead linewidth 1 linecolor rgb "
-      "'{}'\n",
-      end, gnuplot_quoted("Time, per cent of " + method_label(tables.set.methods[baseline]) + "’s"),
-      palette::ink.rgb);
-  return time_figure("relative_times", tables, methods, scale, axis);
+  drawn->range = with_no_change(drawn->range);
+  return method_rows_figure("relative_times", *drawn,
+                            relative_axes(drawn->range, method_label(tables.set.methods[baseline])),
+                            lower_axis_height + upper_axis_height);
 }
 
 std::optional<Figure> seconds_figure(const StudyTables& tables) {
-  const TimeScale scale{&MethodTimes::participant_seconds, &MethodTimes::seconds};
-  const std::optional<Interval> range = axis_range(tables, scale);
-  if (!range) {
+  const std::optional<MethodRows> drawn =
+      method_rows(tables, {&MethodTimes::participant_seconds, &MethodTimes::seconds});
+  if (!drawn) {
     return std::nullopt;
   }
-  std::vector<std::size_t> methods(tables.set.methods.size());
-  std::iota(methods.begin(), methods.end(), std::size_t{0});
-  const std::string axis = fmt::format(
-      "set logscale x\nset xrange [{}:{}]\nset xlabel 'Time, seconds (logarithmic)'\n"
-      "set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, "
-      "2000, 5000)\n",
-      range->low / 1.25, range->high * 1.25);
-  return time_figure("times_in_seconds", tables, methods, scale, axis);
+  return method_rows_figure(
+      "times_in_seconds", *drawn,
+      logarithmic_axis(drawn->range) + "set xlabel 'Time, seconds (logarithmic)'\nset tmargin 2\n",
+      lower_axis_height + 24);
 }
 
 }  // namespace foveola::analysis

@@ -1,16 +1,23 @@
-// The figures of the times of all marks.
+// The figures of the times of all marks, each mark a group of rows.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "analysis/publication/figures.h"
 
 namespace foveola::analysis {
 
-/// relative_times: in per cent of the baseline. Empty without values.
+/// The marks with values over all scenes, which these figures draw: somebody has a scene in which
+/// every method was measured.
+std::vector<std::size_t> marks_over_all_scenes(const StudyTables& tables);
+
+/// relative_times: every participant in per cent of the baseline, on a logarithmic axis, and the
+/// geometric means over participants with their 95 % intervals. Empty without values.
 std::optional<Figure> relative_figure(const StudyTables& tables);
 
-/// times_in_seconds. Empty without values.
+/// times_in_seconds: as relative_times, in seconds, with the baseline. Empty without values.
 std::optional<Figure> seconds_figure(const StudyTables& tables);
 
 }  // namespace foveola::analysis

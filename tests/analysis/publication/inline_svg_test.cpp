@@ -25,7 +25,7 @@ TEST(InlineSvg, HasARoleAndAnEscapedName) {
 
 TEST(InlineSvg, TakesThePagesColors) {
   const std::string svg = inline_svg(drawing, "fig", "");
-  EXPECT_THAT(svg, HasSubstr("color='var(--figure-mark-1)'"));
+  EXPECT_THAT(svg, HasSubstr("color='var(--figure-method-1)'"));
   EXPECT_THAT(svg, HasSubstr("<rect fill=\"none\"/>"));
   EXPECT_THAT(svg, HasSubstr("<text fill=\"var(--figure-ink)\">"));
   EXPECT_THAT(svg, HasSubstr("stroke='rgb(1,2,3)'"));

@@ -70,7 +70,7 @@ TEST(ReportLook, EveryTableHasACaptionAndHeadingsForRowsAndColumns) {
 
 TEST(ReportLook, EveryFigureHasANameACaptionAndAMark) {
   const std::vector<std::string> figures = parts(simulated_report(), "<figure>", "</figure>");
-  EXPECT_EQ(figures.size(), 5U);
+  EXPECT_EQ(figures.size(), 6U);
   EXPECT_THAT(figures, Each(testing::ContainsRegex("<svg role=\"img\" aria-label=\"[A-Z]")));
   EXPECT_THAT(figures, Each(HasSubstr("<figcaption><span class=\"tag\">Simulated data</span>")));
   EXPECT_THAT(figures, Each(HasSubstr("<text>Simulated data</text>")));
@@ -94,11 +94,11 @@ TEST(ReportLook, FlagsAreWordsAndASignAndNotOnlyAColor) {
   EXPECT_THAT(html, HasSubstr("<td>⚑ flagged</td>"));
 }
 
-TEST(ReportLook, MarksDifferByShapeAsWellAsColor) {
+TEST(ReportLook, MethodsDifferByShapeAsWellAsColor) {
   const std::vector<Figure> figures = draw_figures(tabulate_study(complete_study(4)));
   ASSERT_FALSE(figures.empty());
-  // gnuplot's names: point type 7, a disc, is gpPt6, and 5, a square, gpPt4.
-  for (const char* point : {"#gpPt6'", "#gpPt4'"}) {
+  // gnuplot's names: point type 5, a square, is gpPt4, and 9, a triangle, gpPt8.
+  for (const char* point : {"#gpPt4'", "#gpPt8'"}) {
     EXPECT_THAT(figures[0].svg, HasSubstr(point));
   }
 }

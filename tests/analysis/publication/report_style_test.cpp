@@ -70,10 +70,14 @@ constexpr Pair texts[] = {{"--text", "--paper"},
                           {"--figure-on-high-rating", "--figure-rating-5"}};
 // Bars of ratings are edged with the ink.
 constexpr double of_shapes = 3.0;
-constexpr Pair shapes[] = {{"--flag", "--paper"},          {"--notice-rule", "--paper"},
-                           {"--figure-mark-1", "--paper"}, {"--figure-mark-2", "--paper"},
-                           {"--figure-mark-3", "--paper"}, {"--figure-mark-4", "--paper"},
-                           {"--figure-mark-5", "--paper"}, {"--figure-mark-6", "--paper"}};
+constexpr Pair shapes[] = {{"--flag", "--paper"},
+                           {"--notice-rule", "--paper"},
+                           {"--figure-method-1", "--paper"},
+                           {"--figure-method-2", "--paper"},
+                           {"--figure-method-3", "--paper"},
+                           {"--figure-method-4", "--paper"},
+                           {"--figure-method-5", "--paper"},
+                           {"--figure-method-6", "--paper"}};
 
 class ReportStyleContrast : public testing::TestWithParam<Colors (*)()> {};
 

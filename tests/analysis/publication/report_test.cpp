@@ -57,12 +57,40 @@ study::StudyRecords simulated_study() {
 
 TEST(Report, IsOnePageWithItsFiguresInside) {
   const std::string html = report_of(golden_study_records());
-  EXPECT_EQ(count_of(html, "<svg role=\"img\""), 5U);
-  EXPECT_EQ(count_of(html, "</svg>"), 5U);
+  EXPECT_EQ(count_of(html, "<svg role=\"img\""), 6U);
+  EXPECT_EQ(count_of(html, "</svg>"), 6U);
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
   EXPECT_THAT(html, Not(HasSubstr("src=")));
   EXPECT_THAT(html, Not(HasSubstr("<script")));
   EXPECT_THAT(html, HasSubstr("prefers-color-scheme: dark"));
+}
+
+TEST(Report, CaptionsSayWhatIsDrawn) {
+  const std::string html = report_of(complete_study(3));
+  EXPECT_THAT(html, HasSubstr("Hollow points are participants: each one’s geometric mean over the "
+                              "scenes in which every method’s time was measured, joined by thin "
+                              "lines from method to method. Filled points are the geometric means "
+                              "over participants, with 95 % intervals over participants, in these "
+                              "2 scenes. The axis is logarithmic: per cent of OD’s time below, and "
+                              "above how many times as fast that is, 2× at 50 %."));
+  EXPECT_THAT(html, HasSubstr("Time relative to OD in each scene."));
+  EXPECT_THAT(html, Not(HasSubstr("Hollow points leave out")));
+  EXPECT_THAT(html, Not(HasSubstr("Crosses are")));
+  EXPECT_THAT(html, Not(HasSubstr("Not drawn")));
+  EXPECT_THAT(html, HasSubstr("and n, the number of answers."));
+}
+
+TEST(Report, CaptionsSayWhatWasLeftOutOfTheFigures) {
+  study::StudyRecords records = golden_study_records();
+  EXPECT_THAT(report_of(records),
+              HasSubstr("Hollow points leave out pairs in which a time was right-censored"));
+  EXPECT_THAT(report_of(records), HasSubstr("Crosses are right-censored trials."));
+  change_values(records, "material", [](study::Value& value) { value = {}; });
+  EXPECT_THAT(report_of(records), HasSubstr("Not drawn, as nobody has both times in a scene: "
+                                            "material."));
+  EXPECT_THAT(report_of(complete_study(static_cast<int>(most_dots) + 1)),
+              HasSubstr("With more than 500 participants, the points of single participants are "
+                        "left out. Filled points are"));
 }
 
 TEST(Report, HasTheNumbersOfR) {
