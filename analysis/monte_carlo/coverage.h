@@ -22,9 +22,13 @@ struct CoverageFigure {
   double percent = 0.0;
   Interval interval;                 ///< Clopper and Pearson's interval of `percent`.
   std::optional<Interval> required;  ///< Empty where the share is only reported.
+  /// Of so few studies that it is enough if `interval` reaches into the required range.
+  bool few_studies = false;
+  std::optional<double> mean_ratio;  ///< Geometric mean of the estimated ratios, where it is known.
 
   bool is_met() const {
-    return !required || (percent >= required->low && percent <= required->high);
+    const Interval share = few_studies ? interval : Interval{percent, percent};
+    return !required || (share.high >= required->low && share.low <= required->high);
   }
 };
 

@@ -24,9 +24,10 @@ scale_of <- function(comparison) {
 
 # One row of r_models.csv.
 result <- function(comparison, model, estimate = NA, standard_error = NA, degrees_of_freedom = NA,
-                   p = NA, trials = 0, participants = 0, scenes = 0, censored = 0,
+                   trials = 0, participants = 0, scenes = 0, censored = 0,
                    participant_sd = NA, scene_sd = NA, residual_sd = NA, note = "") {
   half <- qt((1 + confidence) / 2, degrees_of_freedom) * standard_error
+  p <- 2 * pt(-abs(estimate / standard_error), degrees_of_freedom)
   data.frame(measure = comparison$measure, method = comparison$method,
              reference = comparison$reference, model = model, scale = scale_of(comparison),
              note = note, estimate = estimate, standard_error = standard_error,
@@ -96,14 +97,13 @@ pairs_of <- function(rows, is_time) {
   droplevels(pairs)
 }
 
-# The crossed mixed model: log time ~ method with participants, scenes, both of their interactions
-# with the method, and participant:scene, as a model of the pairs' differences. People differ in
-# their ratios, and so do scenes: without these, every trial would count as one more participant.
-crossed_model <- function(rows, comparison) {
-  pairs <- pairs_of(rows, comparison$kind == "time")
+# The mixed model of pairs' differences in which people differ, and so do scenes: that of log times
+# or points ~ method with participants, scenes, both of their interactions with the method, and
+# participant:scene. Without these, every trial would count as one more participant.
+mixed_model <- function(pairs, scenes) {
   if (nlevels(pairs$participant) < 2) stop("it needs two participants")
   if (nlevels(pairs$scene) < 2) stop("one scene: the paired t test is this model")
-  model <- if (comparison$scenes == "random") {
+  model <- if (scenes == "random") {
     difference ~ 1 + (1 | participant) + (1 | scene)
   } else {
     # The intercept is the mean over the scenes.
@@ -119,17 +119,20 @@ crossed_model <- function(rows, comparison) {
     found <- deviations$sdcor[deviations$grp == group]
     if (length(found) == 1) found else NA
   }
-  of_pairs <- list(trials = 2 * nrow(pairs), participants = nlevels(pairs$participant),
-                   scenes = nlevels(pairs$scene), censored = sum(rows$censored))
-  do.call(result, c(list(comparison, "crossed", row[["Estimate"]], row[["Std. Error"]],
-                         row[["df"]], row[["Pr(>|t|)"]],
-                         participant_sd = deviation("participant"), scene_sd = deviation("scene"),
-                         residual_sd = deviation("Residual")), of_pairs))
+  list(estimate = row[["Estimate"]], standard_error = row[["Std. Error"]],
+       degrees_of_freedom = row[["df"]], participant_sd = deviation("participant"),
+       scene_sd = deviation("scene"), residual_sd = deviation("Residual"))
 }
 
-# A Tobit model of single trials: a right-censored time says that the log time is longer. Terms for
-# participants and scenes; errors clustered by participant; t with one degree of freedom fewer than
-# there are participants.
+crossed_model <- function(rows, comparison) {
+  pairs <- pairs_of(rows, comparison$kind == "time")
+  of_pairs <- list(trials = 2 * nrow(pairs), participants = nlevels(pairs$participant),
+                   scenes = nlevels(pairs$scene), censored = sum(rows$censored))
+  do.call(result, c(list(comparison, "crossed"), mixed_model(pairs, comparison$scenes), of_pairs))
+}
+
+# A Tobit model of single trials, with terms for participants and scenes: a right-censored time says
+# that the log time is longer.
 tobit_model <- function(rows, comparison) {
   rows <- with_a_measured_time(rows)
   if (nzchar(why_not(rows))) stop(why_not(rows))
@@ -138,19 +141,37 @@ tobit_model <- function(rows, comparison) {
       stop("every time of ", method, " is right-censored")
     }
   }
-  terms <- if (nlevels(rows$scene) > 1) "method + participant + scene" else "method + participant"
+  has_scenes <- nlevels(rows$scene) > 1
+  terms <- if (has_scenes) "method + participant + scene" else "method + participant"
   fit <- survival::survreg(
     as.formula(paste("survival::Surv(log(value), !censored) ~", terms)), data = rows,
-    dist = "gaussian", cluster = participant, control = survival::survreg.control(maxiter = 100))
-  estimate <- coef(fit)[[2]]
-  # The sandwich estimator is too small for few clusters; this is the usual correction (CR1).
+    dist = "gaussian", control = survival::survreg.control(maxiter = 100))
+  rows$influence <- residuals(fit, type = "dfbeta")[, 2]
+  error <- if (has_scenes && comparison$scenes == "random") {
+    crossed_error(rows)
+  } else {
+    clustered_error(rows, length(coef(fit)))
+  }
+  error$residual_sd <- sqrt(2) * fit$scale
+  do.call(result, c(list(comparison, "tobit", coef(fit)[[2]]), error, counts(rows)))
+}
+
+# The standard error of an estimate on which single trials have `influence`, for participants and
+# scenes like these: that of the mixed model of the pairs' influence, as large as the differences
+# that the estimate would be the mean of. Without censoring and gaps it is the crossed model's.
+crossed_error <- function(rows) {
+  pairs <- aggregate(list(difference = rows$influence), rows[c("participant", "scene")], sum)
+  pairs$difference <- pairs$difference * nrow(pairs)
+  mixed_model(pairs, "random")[-1]
+}
+
+# The same for participants like these in these scenes: clustered by participant, with the usual
+# correction for few clusters (CR1), and t of one degree of freedom fewer than there are.
+clustered_error <- function(rows, coefficients) {
   clusters <- nlevels(rows$participant)
-  correction <- clusters / (clusters - 1) * (nrow(rows) - 1) / (nrow(rows) - length(coef(fit)))
-  standard_error <- sqrt(vcov(fit)[2, 2] * correction)
-  df <- clusters - 1
-  do.call(result, c(list(comparison, "tobit", estimate, standard_error, df,
-                         2 * pt(-abs(estimate / standard_error), df),
-                         residual_sd = sqrt(2) * fit$scale), counts(rows)))
+  correction <- clusters / (clusters - 1) * (nrow(rows) - 1) / (nrow(rows) - coefficients)
+  list(standard_error = sqrt(correction * sum(rowsum(rows$influence, rows$participant)^2)),
+       degrees_of_freedom = clusters - 1)
 }
 
 # Without participants and scenes all of whose times are right-censored: their terms would be
@@ -199,7 +220,6 @@ ordinal_model <- function(rows, comparison) {
                scene = of_difference("scene:method"))
   df <- latent_degrees_of_freedom(standard_error^2, gain, counts(rows))
   do.call(result, c(list(comparison, "ordinal", estimate, standard_error, df,
-                         2 * pt(-abs(estimate / standard_error), df),
                          participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene),
                          note = note),
                     counts(rows)))
@@ -227,7 +247,7 @@ models_of <- function(trials, comparison) {
                               function() crossed_model(rows, comparison))
   }
   if (any(rows$censored)) {
-    models$tobit <- guarded(comparison, "tobit", "survival",
+    models$tobit <- guarded(comparison, "tobit", c("survival", "lme4", "lmerTest"),
                             function() tobit_model(rows, comparison))
   }
   if (comparison$kind == "points") {

@@ -94,7 +94,7 @@ TEST(ModelsPlan, HasEveryPairWithItsKind) {
 TEST(ModelsScript, NoModelTakesTrialsForParticipants) {
   for (const char* effect :
        {"difference ~ 1 + (1 | participant) + (1 | scene)", "(1 | participant:method)",
-        "(1 | scene:method)", "cluster = participant"}) {
+        "(1 | scene:method)", "rowsum(rows$influence, rows$participant)"}) {
     EXPECT_THAT(models_script(), HasSubstr(effect));
   }
 }

@@ -1,0 +1,259 @@
+#include "analysis/monte_carlo/model_coverage.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/comparisons.h"
+#include "analysis/monte_carlo/gain_study.h"
+#include "analysis/r_models/fit_models.h"
+#include "analysis/statistics/proportion.h"
+#include "renderer/base/error.h"
+#include "renderer/base/parallel.h"
+#include "renderer/base/random.h"
+
+namespace foveola::analysis {
+namespace {
+
+constexpr Interval nominal_range = {93.5, 96.5};
+
+/// So many studies are fitted by one process.
+constexpr std::size_t one_process = 25;
+
+ModelCell tobit_cell(std::size_t participants, const GainDesign& design) {
+  const bool is_fixed = design.scenes == study::SceneEffects::fixed;
+  return {
+      .name = fmt::format("Tobit, {} people, {:.0f} % censored, SD {:g} people, {:g} scenes, {}",
+                          participants, 100.0 * design.censored, design.participants_gain,
+                          design.scenes_gain, is_fixed ? "fixed" : "random"),
+      .expected = gain_study(design),
+      .participants = participants};
+}
+
+ModelCell crossed_cell(std::size_t participants) {
+  return {.name = fmt::format("crossed by lmer, {} people, 10 % of trials missing, SD 0.1 people, "
+                              "0.1 scenes, random",
+                              participants),
+          .expected = gain_study({.participants_gain = 0.1, .scenes_gain = 0.1}),
+          .participants = participants,
+          .gaps = 0.1};
+}
+
+ModelCell ordinal_cell(std::size_t participants) {
+  return {.name = fmt::format("ordinal by clmm, {} people, no effect", participants),
+          .expected = rating_study(),
+          .participants = participants,
+          .is_rating = true};
+}
+
+std::size_t studies_of(const ModelCell& cell, const ModelCoverageSettings& settings) {
+  return cell.is_rating ? (2 * settings.studies + 4) / 5 : settings.studies;
+}
+
+void remove_values(double share, std::uint64_t seed, study::StudyRecords& records) {
+  constexpr std::uint64_t stream = 1U << 20U;  // of no participant
+  Pcg32 generator(seed, stream);
+  for (std::size_t row = 0; row < records.trials.size(); ++row) {
+    if (generator.uniform() < share) {
+      const auto first =
+          records.values.begin() + static_cast<std::ptrdiff_t>(row * records.measures.size());
+      std::fill_n(first, records.measures.size(), study::Value{});
+    }
+  }
+}
+
+std::uint64_t seed_of(const ModelCell& cell, const ModelCoverageSettings& settings,
+                      std::size_t study) {
+  return (settings.seed << 40U) + (cell.stream << 32U) + study;
+}
+
+study::StudyRecords draw(const ModelCell& cell, std::uint64_t seed) {
+  study::StudyRecords records = draw_study(cell.expected, cell.participants, seed);
+  remove_values(cell.gaps, seed, records);
+  return records;
+}
+
+/// What the planned comparison should find.
+struct Truth {
+  double in_these_scenes = 0.0;
+  double in_all_scenes = 0.0;
+};
+
+Truth truth_of(const ModelCell& cell, std::uint64_t seed) {
+  if (cell.is_rating) {
+    return {};
+  }
+  return {.in_these_scenes = log_ratio_in_drawn_scenes(cell.expected, seed),
+          .in_all_scenes = std::log(cell.expected.times.front().ratios.back())};
+}
+
+/// In how many studies an interval covers.
+struct CoverageCount {
+  std::size_t studies = 0;
+  std::size_t covered = 0;
+  double estimates = 0.0;  ///< Their sum.
+
+  void add(const PrimaryResult& result, double truth) {
+    ++studies;
+    covered += result.interval->low <= truth && truth <= result.interval->high ? 1 : 0;
+    estimates += result.estimate;
+  }
+  void add(const CoverageCount& other) {
+    studies += other.studies;
+    covered += other.covered;
+    estimates += other.estimates;
+  }
+};
+
+struct CellCounts {
+  CoverageCount planned;        ///< By the model, of the ratio that its interval is of.
+  CoverageCount in_all_scenes;  ///< By the model, of the ratio in all scenes like these.
+  CoverageCount without_r;  ///< By what stands in for the model, of the ratio that it is to be of.
+
+  void add(const CellCounts& other) {
+    planned.add(other.planned);
+    in_all_scenes.add(other.in_all_scenes);
+    without_r.add(other.without_r);
+  }
+};
+
+CellCounts count_study(const study::StudyRecords& records, const FittedModels& models,
+                       const Truth& truth) {
+  const Dataset set = select_for_analysis(records);
+  const study::AnalysisPlan& plan = records.protocol.analysis;
+  const auto primary = [&](const FittedModels& by_r) {
+    return planned_primary_analyses(set, plan, by_r).front().primary;
+  };
+  const bool is_fixed = plan.scenes == study::SceneEffects::fixed;
+  const double planned = is_fixed ? truth.in_these_scenes : truth.in_all_scenes;
+  CellCounts counts;
+  if (const auto found = primary(models); found && found->instead.empty() && found->interval) {
+    counts.planned.add(*found, planned);
+    counts.in_all_scenes.add(*found, truth.in_all_scenes);
+  }
+  if (const auto found = primary({}); found && found->interval) {
+    counts.without_r.add(*found, planned);
+  }
+  return counts;
+}
+
+CellCounts count_block(const ModelCell& cell, const ModelCoverageSettings& settings,
+                       const ModelFitter& fit, std::size_t first, std::size_t last) {
+  std::vector<study::StudyRecords> studies;
+  for (std::size_t study = first; study < last; ++study) {
+    studies.push_back(draw(cell, seed_of(cell, settings, study)));
+  }
+  const std::vector<FittedModels> models = fit(studies);
+  CellCounts counts;
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    if (const std::string why = missing_for(models[i]); !why.empty()) {
+      throw Error("bench statistics --r", why, "install it, or leave --r out");
+    }
+    counts.add(
+        count_study(studies[i], models[i], truth_of(cell, seed_of(cell, settings, first + i))));
+  }
+  return counts;
+}
+
+CoverageFigure figure_of(const ModelCell& cell, const std::string& claim,
+                         const CoverageCount& count) {
+  CoverageFigure figure{
+      .name = cell.name, .claim = claim, .studies = count.studies, .hits = count.covered};
+  if (count.studies > 0) {
+    const auto studies = static_cast<double>(count.studies);
+    const Interval share = clopper_pearson(count.covered, count.studies);
+    figure.percent = 100.0 * static_cast<double>(count.covered) / studies;
+    figure.interval = {100.0 * share.low, 100.0 * share.high};
+    if (!cell.is_rating) {
+      figure.mean_ratio = std::exp(count.estimates / studies);
+    }
+  }
+  return figure;
+}
+
+std::vector<CoverageFigure> figures_of(const ModelCell& cell, const CellCounts& counts) {
+  const bool is_fixed = cell.expected.protocol.analysis.scenes == study::SceneEffects::fixed;
+  std::vector<CoverageFigure> figures = {figure_of(cell,
+                                                   cell.is_rating ? "covers no difference"
+                                                   : is_fixed     ? "covers in these scenes"
+                                                                  : "covers",
+                                                   counts.planned)};
+  figures.front().required = nominal_range;
+  figures.front().few_studies = true;
+  if (is_fixed) {
+    figures.push_back(figure_of(cell, "covers in other scenes, too", counts.in_all_scenes));
+  }
+  figures.push_back(figure_of(cell, "covers without R", counts.without_r));
+  return figures;
+}
+
+}  // namespace
+
+std::vector<ModelCell> model_cells() {
+  std::vector<ModelCell> cells = {ordinal_cell(16), ordinal_cell(24)};
+  for (const auto& [participants, scenes_gain] : {std::pair(16U, 0.1), std::pair(37U, 0.2)}) {
+    for (const double censored : {0.13, 0.32, 0.5}) {
+      cells.push_back(tobit_cell(participants, {.participants_gain = 0.1,
+                                                .scenes_gain = scenes_gain,
+                                                .censored = censored,
+                                                .scenes = study::SceneEffects::fixed}));
+    }
+  }
+  for (const auto& [participants, scenes_gain] : {std::pair(12U, 0.1), std::pair(40U, 0.2)}) {
+    cells.push_back(tobit_cell(
+        participants, {.participants_gain = 0.2, .scenes_gain = scenes_gain, .censored = 0.32}));
+  }
+  cells.push_back(crossed_cell(16));
+  cells.push_back(crossed_cell(40));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i].stream = i;
+  }
+  return cells;
+}
+
+double expected_seconds(const std::vector<ModelCell>& cells, const ModelCoverageSettings& settings,
+                        const ModelFitter& fit) {
+  constexpr std::size_t unit = 100;  // of so many studies, one is timed
+  std::vector<study::StudyRecords> studies;
+  std::size_t all = 0;
+  for (const ModelCell& cell : cells) {
+    all += studies_of(cell, settings);
+    const std::size_t timed = std::max<std::size_t>(studies_of(cell, settings) / unit, 1);
+    for (std::size_t study = 0; study < timed; ++study) {
+      studies.push_back(draw(cell, seed_of(cell, settings, study)));
+    }
+  }
+  const auto start = std::chrono::steady_clock::now();
+  (void)fit(studies);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return taken.count() * static_cast<double>(all) / static_cast<double>(studies.size()) /
+         Workers(settings.threads).threads();
+}
+
+std::vector<CoverageFigure> measure_model_coverage(const ModelCell& cell,
+                                                   const ModelCoverageSettings& settings,
+                                                   const ModelFitter& fit,
+                                                   const std::stop_token& stop) {
+  const std::size_t studies = studies_of(cell, settings);
+  std::vector<CellCounts> parts((studies + one_process - 1) / one_process);
+  Workers(settings.threads)
+      .for_each_block(studies, one_process, [&](std::size_t first, std::size_t last) {
+        if (!stop.stop_requested()) {
+          parts[first / one_process] = count_block(cell, settings, fit, first, last);
+        }
+      });
+  if (stop.stop_requested()) {
+    return {};
+  }
+  CellCounts counts;
+  for (const CellCounts& part : parts) {
+    counts.add(part);
+  }
+  return figures_of(cell, counts);
+}
+
+}  // namespace foveola::analysis
