@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "analysis/dataset/participant_values.h"
 #include "analysis/dataset/study_tables.h"
@@ -184,21 +185,31 @@ CoverageFigure measure(const Criterion& criterion, const CoverageSettings& setti
       outcomes[study] = criterion.holds(tables.set, tables);
     }
   });
-  CoverageFigure figure{std::string(criterion.name), std::string(criterion.claim)};
-  figure.required = criterion.required;
+  std::size_t studies = 0;
+  std::size_t hits = 0;
   for (const Outcome& outcome : outcomes) {
-    figure.studies += outcome ? 1 : 0;
-    figure.hits += outcome.value_or(false) ? 1 : 0;
+    studies += outcome ? 1 : 0;
+    hits += outcome.value_or(false) ? 1 : 0;
   }
-  if (figure.studies > 0) {
-    figure.percent = 100.0 * static_cast<double>(figure.hits) / static_cast<double>(figure.studies);
-    const Interval share = clopper_pearson(figure.hits, figure.studies);
-    figure.interval = {100.0 * share.low, 100.0 * share.high};
-  }
+  CoverageFigure figure =
+      coverage_figure(std::string(criterion.name), std::string(criterion.claim), studies, hits);
+  figure.required = criterion.required;
   return figure;
 }
 
 }  // namespace
+
+CoverageFigure coverage_figure(std::string name, std::string claim, std::size_t studies,
+                               std::size_t hits) {
+  CoverageFigure figure{
+      .name = std::move(name), .claim = std::move(claim), .studies = studies, .hits = hits};
+  if (studies > 0) {
+    figure.percent = 100.0 * static_cast<double>(hits) / static_cast<double>(studies);
+    const Interval share = clopper_pearson(hits, studies);
+    figure.interval = {100.0 * share.low, 100.0 * share.high};
+  }
+  return figure;
+}
 
 std::vector<CoverageFigure> measure_coverage(const CoverageSettings& settings,
                                              const std::function<void(double)>& on_progress,

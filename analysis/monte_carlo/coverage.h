@@ -32,6 +32,10 @@ struct CoverageFigure {
   }
 };
 
+/// A share that is only reported, with its interval.
+CoverageFigure coverage_figure(std::string name, std::string claim, std::size_t studies,
+                               std::size_t hits);
+
 struct CoverageSettings {
   int studies = 4000;
   int participants = 16;

@@ -4,29 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "analysis/statistics/crossed_study.h"
-#include "analysis/statistics/proportion.h"
 #include "renderer/base/parallel.h"
 
 namespace foveola::analysis {
 namespace {
 
 constexpr Interval crossed_required = {93.5, 98.5};
-
-std::vector<CrossedDesign> designs() {
-  std::vector<CrossedDesign> all;
-  for (const std::size_t participants : {12U, 16U, 24U, 40U}) {
-    for (const double participant_sd : {0.0, 0.1, 0.2}) {
-      for (const double scene_sd : {0.0, 0.1, 0.2}) {
-        all.push_back({.participants = participants,
-                       .mean = std::log(0.5),
-                       .participant_sd = participant_sd,
-                       .scene_sd = scene_sd});
-      }
-    }
-  }
-  return all;
-}
+constexpr const char* other_scenes = "covers in other scenes, too";
 
 CrossedCoverage count(const CrossedDesign& design, const CoverageSettings& settings,
                       const Workers& workers) {
@@ -45,26 +29,36 @@ CrossedCoverage count(const CrossedDesign& design, const CoverageSettings& setti
   return all;
 }
 
-CoverageFigure figure_of(const std::string& analysis, const CrossedDesign& design,
-                         std::size_t studies, std::size_t hits, std::optional<Interval> required) {
-  const Interval share = clopper_pearson(hits, studies);
-  return {
-      .name = fmt::format("{}, {} × {}, SD {:g} people, {:g} scenes", analysis, design.participants,
-                          design.scenes, design.participant_sd, design.scene_sd),
-      .claim = "covers in other scenes, too",
-      .studies = studies,
-      .hits = hits,
-      .percent = 100.0 * static_cast<double>(hits) / static_cast<double>(studies),
-      .interval = {100.0 * share.low, 100.0 * share.high},
-      .required = required};
+std::string named(const std::string& analysis, const CrossedDesign& design) {
+  return fmt::format("{}, {}", analysis, design_in_words(design));
 }
 
 }  // namespace
 
+std::vector<CrossedDesign> crossed_designs() {
+  std::vector<CrossedDesign> all;
+  for (const std::size_t participants : {12U, 16U, 24U, 40U}) {
+    for (const double participant_sd : {0.0, 0.1, 0.2}) {
+      for (const double scene_sd : {0.0, 0.1, 0.2}) {
+        all.push_back({.participants = participants,
+                       .mean = std::log(0.5),
+                       .participant_sd = participant_sd,
+                       .scene_sd = scene_sd});
+      }
+    }
+  }
+  return all;
+}
+
+std::string design_in_words(const CrossedDesign& design) {
+  return fmt::format("{} × {}, SD {:g} people, {:g} scenes", design.participants, design.scenes,
+                     design.participant_sd, design.scene_sd);
+}
+
 std::vector<CoverageFigure> measure_crossed_coverage(const CoverageSettings& settings,
                                                      const std::function<void(double)>& on_progress,
                                                      const std::stop_token& stop) {
-  const std::vector<CrossedDesign> all = designs();
+  const std::vector<CrossedDesign> all = crossed_designs();
   const Workers workers(settings.threads);
   std::vector<CoverageFigure> figures;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -72,10 +66,11 @@ std::vector<CoverageFigure> measure_crossed_coverage(const CoverageSettings& set
       return {};
     }
     const CrossedCoverage found = count(all[i], settings, workers);
-    figures.push_back(
-        figure_of("crossed model", all[i], found.studies, found.crossed_model, crossed_required));
-    figures.push_back(figure_of("t over participants", all[i], found.studies,
-                                found.over_participants, std::nullopt));
+    figures.push_back(coverage_figure(named("crossed model", all[i]), other_scenes, found.studies,
+                                      found.crossed_model));
+    figures.back().required = crossed_required;
+    figures.push_back(coverage_figure(named("t over participants", all[i]), other_scenes,
+                                      found.studies, found.over_participants));
     on_progress(static_cast<double>(i + 1) / static_cast<double>(all.size()));
   }
   return figures;

@@ -10,8 +10,8 @@
 
 #include "analysis/dataset/comparisons.h"
 #include "analysis/monte_carlo/gain_study.h"
+#include "analysis/monte_carlo/interval_count.h"
 #include "analysis/r_models/fit_models.h"
-#include "analysis/statistics/proportion.h"
 #include "renderer/base/error.h"
 #include "renderer/base/parallel.h"
 #include "renderer/base/random.h"
@@ -91,28 +91,10 @@ Truth truth_of(const ModelCell& cell, std::uint64_t seed) {
           .in_all_scenes = std::log(cell.expected.times.front().ratios.back())};
 }
 
-/// In how many studies an interval covers.
-struct CoverageCount {
-  std::size_t studies = 0;
-  std::size_t covered = 0;
-  double estimates = 0.0;  ///< Their sum.
-
-  void add(const PrimaryResult& result, double truth) {
-    ++studies;
-    covered += result.interval->low <= truth && truth <= result.interval->high ? 1 : 0;
-    estimates += result.estimate;
-  }
-  void add(const CoverageCount& other) {
-    studies += other.studies;
-    covered += other.covered;
-    estimates += other.estimates;
-  }
-};
-
 struct CellCounts {
-  CoverageCount planned;        ///< By the model, of the ratio that its interval is of.
-  CoverageCount in_all_scenes;  ///< By the model, of the ratio in all scenes like these.
-  CoverageCount without_r;  ///< By what stands in for the model, of the ratio that it is to be of.
+  IntervalCount planned;        ///< By the model, of the ratio that its interval is of.
+  IntervalCount in_all_scenes;  ///< By the model, of the ratio in all scenes like these.
+  IntervalCount without_r;  ///< By what stands in for the model, of the ratio that it is to be of.
 
   void add(const CellCounts& other) {
     planned.add(other.planned);
@@ -160,17 +142,10 @@ CellCounts count_block(const ModelCell& cell, const ModelCoverageSettings& setti
 }
 
 CoverageFigure figure_of(const ModelCell& cell, const std::string& claim,
-                         const CoverageCount& count) {
-  CoverageFigure figure{
-      .name = cell.name, .claim = claim, .studies = count.studies, .hits = count.covered};
-  if (count.studies > 0) {
-    const auto studies = static_cast<double>(count.studies);
-    const Interval share = clopper_pearson(count.covered, count.studies);
-    figure.percent = 100.0 * static_cast<double>(count.covered) / studies;
-    figure.interval = {100.0 * share.low, 100.0 * share.high};
-    if (!cell.is_rating) {
-      figure.mean_ratio = std::exp(count.estimates / studies);
-    }
+                         const IntervalCount& count) {
+  CoverageFigure figure = coverage_figure(cell.name, claim, count.studies, count.covered);
+  if (count.studies > 0 && !cell.is_rating) {
+    figure.mean_ratio = count.mean_ratio();
   }
   return figure;
 }

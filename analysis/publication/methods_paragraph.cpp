@@ -116,8 +116,13 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
                   "interval is of participants in these scenes alone",
                   counted(tables.set.scenes.size(), "scene")));
   add(AnalysisKind::tobit_model,
-      "a Tobit model where some were right-censored, with terms for participants and scenes and "
-      "standard errors clustered by participant");
+      fmt::format("a Tobit model where some were right-censored, with terms for participants and "
+                  "scenes and a standard error {}",
+                  comparisons.plan.scenes == study::SceneEffects::random
+                      ? "by the mixed model of each pair’s influence on the ratio, with "
+                        "participants and scenes as crossed random effects"
+                      : "clustered by participant, whose interval is of participants in these "
+                        "scenes alone"));
   add(AnalysisKind::ordinal_model,
       fmt::format(
           "a cumulative link mixed model with random effects of participants{} and of their "

@@ -69,12 +69,15 @@ PrintedTable printed_primary(const Comparisons& comparisons, bool planned) {
   PrintedTable table;
   table.id = planned ? "planned-comparisons" : "exploratory-comparisons";
   table.title = planned ? "Planned comparisons." : "Exploratory comparisons, P-values unadjusted.";
-  table.note =
-      "The primary analysis of each, with its 95 % interval. A crossed mixed model is of scenes "
-      "and "
-      "participants like these; a paired t, signed ranks and a Tobit model are of participants "
-      "like "
-      "these in these scenes. Speed-up: how many times sooner the mark came.";
+  table.note = fmt::format(
+      "The primary analysis of each, with its 95 % interval. {} Speed-up: how many times sooner "
+      "the "
+      "mark came.",
+      comparisons.plan.scenes == study::SceneEffects::random
+          ? "Mixed and Tobit models are of scenes and participants like these; a paired t and "
+            "signed "
+            "ranks are of participants like these in these scenes."
+          : "All are of participants like these in these scenes.");
   table.columns = {"Methods, measure", "n", "pairs", "estimate [95 %]", "speed-up [95 %]", "P"};
   if (planned) {
     table.columns.emplace_back("P, Holm");

@@ -51,8 +51,10 @@ std::string definitions_section(const StudyTables& tables) {
       "maximum likelihood with Satterthwaite’s degrees of freedom, for participants and scenes "
       "like "
       "these; with fixed scenes, a paired t test over participants, in these scenes. With "
-      "right-censored times, a Tobit model of log times with terms for participants and scenes, "
-      "errors clustered by participant, t with one degree of freedom fewer than participants. "
+      "right-censored times, a Tobit model of log times with terms for participants and scenes; "
+      "with random scenes, its standard error and degrees of freedom are the mixed model’s of each "
+      "pair’s influence on the ratio, and with fixed scenes errors are clustered by participant, t "
+      "with one degree of freedom fewer than participants. "
       "Ratings: a cumulative link mixed model with the same random effects, or signed ranks. "
       "Without censoring and gaps the mixed model is of closed form; all else is fitted by R.");
   define("Pairs",

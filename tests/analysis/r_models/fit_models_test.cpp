@@ -1,20 +1,19 @@
 #include "analysis/r_models/fit_models.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/dataset/comparisons.h"
 #include "analysis/monte_carlo/expected_study.h"
-#include "analysis/publication/row_file.h"
-#include "analysis/publication/trial_data.h"
+#include "analysis/monte_carlo/fitted_studies.h"
 #include "analysis/r_models/models_plan.h"
 #include "analysis/r_models/models_script.h"
 #include "analysis/tables/table_formats.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
 #include "tests/analysis/made_up_study.h"
-#include "tests/temporary_folder.h"
 
 namespace foveola::analysis {
 namespace {
@@ -99,37 +98,64 @@ TEST(ModelsScript, NoModelTakesTrialsForParticipants) {
   }
 }
 
-study::StudyRecords noisy_study() { return draw_study(example_study(), 12, 3); }
-
-/// A folder with the trials of a study, and the script that fits their models.
-void write_study(const study::StudyRecords& records, const std::filesystem::path& folder) {
-  const Dataset set = select_for_analysis(records);
-  const TrialColumns trials(records, set);
-  RowFile file(folder / "trials_long.csv", trials.columns());
-  for (std::size_t i = 0; i < records.trials.size(); ++i) {
-    file.add(trials.row(i));
+study::StudyRecords noisy_study() {
+  ExpectedStudy expected = example_study();
+  study::AnalysisPlan& plan = expected.protocol.analysis;
+  for (const char* mark : {"outline", "material", "recognition"}) {
+    for (const auto& [method, reference] : {std::pair("vp", "od"), std::pair("fv", "vp")}) {
+      plan.primary.push_back({mark, method, reference});
+    }
   }
-  file.close();
-  write_file(folder / "models.R", models_script());
-  write_file(folder / "models_plan.csv",
-             csv_of(models_plan(set, compared_pairs(set, {}), study::SceneEffects::random)));
+  plan.primary.push_back({"artifacts", "fv", "od"});
+  return draw_study(expected, 12, 3);
 }
 
-FittedModels fit(const study::StudyRecords& records) {
-  const test::TemporaryFolder folder;
-  write_study(records, folder.path());
-  return fit_models(folder.path());
+/// With the share of the longest time of the mark above which its times are right-censored.
+study::StudyRecords censored_study(double share, study::SceneEffects scenes) {
+  study::StudyRecords records = noisy_study();
+  records.protocol.analysis.primary = {{"outline", "vp", "od"}, {"outline", "fv", "vp"}};
+  records.protocol.analysis.scenes = scenes;
+  double longest = 0.0;
+  change_values(records, "outline",
+                [&](Value& value) { longest = std::max(longest, value.number); });
+  change_values(records, "outline", [&](Value& value) {
+    value = value.number > share * longest ? right_censored(share * longest) : value;
+  });
+  return records;
 }
 
-TEST(FitModels, AgreeWithTheClosedFormInABalancedStudy) {
+study::StudyRecords study_of_one() {
+  study::StudyRecords records = complete_study(1);
+  records.protocol.analysis.primary = {{"material", "fv", "od"}, {"artifacts", "vp", "od"}};
+  return records;
+}
+
+struct FitModels : testing::Test {
+  enum Study { noisy, hardly_censored, censored_random, censored_fixed, one_participant };
+
+  /// All are fitted at once, because R takes long to start.
+  static const FittedModels& fitted(Study study) {
+    static const std::vector<FittedModels> all =
+        fit_studies({noisy_study(), censored_study(0.999, study::SceneEffects::random),
+                     censored_study(0.1, study::SceneEffects::random),
+                     censored_study(0.1, study::SceneEffects::fixed), study_of_one()});
+    return all[study];
+  }
+
+  void SetUp() override {
+    if (const std::string why = missing_for(fitted(noisy)); !why.empty()) {
+      GTEST_SKIP() << why;
+    }
+  }
+};
+
+TEST_F(FitModels, AgreeWithTheClosedFormInABalancedStudy) {
   const study::StudyRecords records = noisy_study();
-  const FittedModels models = fit(records);
-  if (const std::string why = missing_for(models); !why.empty()) {
-    GTEST_SKIP() << why;
-  }
-  const Comparisons comparisons = compare_methods(select_for_analysis(records), {});
+  const FittedModels& models = fitted(noisy);
+  const std::vector<MethodComparison> rows =
+      planned_primary_analyses(select_for_analysis(records), records.protocol.analysis);
   int compared = 0;
-  for (const MethodComparison& row : comparisons.methods) {
+  for (const MethodComparison& row : rows) {
     if (row.is_time) {
       const FittedModel* model = models.find("crossed", row.measure, row.method, row.reference);
       ASSERT_NE(model, nullptr) << row.measure;
@@ -142,33 +168,37 @@ TEST(FitModels, AgreeWithTheClosedFormInABalancedStudy) {
       ++compared;
     }
   }
-  EXPECT_EQ(compared, 9);
-  EXPECT_NE(models.find("ordinal", "artifacts", "fv", "od"), nullptr);
+  EXPECT_EQ(compared, 6);
+  EXPECT_TRUE(models.find("ordinal", "artifacts", "fv", "od")->fit);
+  EXPECT_EQ(models.find("tobit", "outline", "vp", "od"), nullptr);
 }
 
-TEST(FitModels, TakeRightCensoredTimesForWhatTheyAre) {
-  study::StudyRecords records = noisy_study();
-  double longest = 0.0;
-  change_values(records, "outline",
-                [&](Value& value) { longest = std::max(longest, value.number); });
-  change_values(records, "outline", [&](Value& value) {
-    value = value.number > 0.6 * longest ? right_censored(0.6 * longest) : value;
-  });
-  const FittedModels models = fit(records);
-  if (const std::string why = missing_for(models); !why.empty()) {
-    GTEST_SKIP() << why;
-  }
-  const FittedModel* tobit = models.find("tobit", "outline", "fv", "od");
+TEST_F(FitModels, WithRandomScenesATobitModelIsOfOtherScenesToo) {
+  const FittedModel* tobit = fitted(hardly_censored).find("tobit", "outline", "vp", "od");
+  const FittedModel* crossed = fitted(noisy).find("crossed", "outline", "vp", "od");
   ASSERT_NE(tobit, nullptr);
-  EXPECT_GT(tobit->censored, 0U);
-  EXPECT_EQ(models.find("tobit", "material", "fv", "od"), nullptr);
+  EXPECT_EQ(tobit->censored, 1U);
+  EXPECT_NEAR(tobit->fit->estimate, crossed->fit->estimate, 0.01);
+  EXPECT_NEAR(tobit->fit->standard_error, crossed->fit->standard_error, 0.003);
+  EXPECT_NEAR(tobit->fit->degrees_of_freedom, crossed->fit->degrees_of_freedom, 2.0);
 }
 
-TEST(FitModels, WhatCannotBeFittedSaysWhy) {
-  const FittedModels models = fit(complete_study(1));
-  if (const std::string why = missing_for(models); !why.empty()) {
-    GTEST_SKIP() << why;
-  }
+TEST_F(FitModels, TakeRightCensoredTimesForWhatTheyAre) {
+  const FittedModel* random = fitted(censored_random).find("tobit", "outline", "fv", "vp");
+  const FittedModel* fixed = fitted(censored_fixed).find("tobit", "outline", "fv", "vp");
+  EXPECT_GT(random->censored, 10U);
+  EXPECT_EQ(random->fit->estimate, fixed->fit->estimate);
+  EXPECT_TRUE(random->scene_sd);
+  EXPECT_FALSE(fixed->scene_sd);
+  EXPECT_EQ(fixed->fit->degrees_of_freedom, static_cast<double>(fixed->participants) - 1.0);
+  // What is left without the pairs that have a censored time is a smaller difference.
+  const FittedModel* crossed = fitted(censored_fixed).find("crossed", "outline", "fv", "vp");
+  EXPECT_LT(random->fit->estimate, crossed->fit->estimate);
+}
+
+TEST_F(FitModels, WhatCannotBeFittedSaysWhy) {
+  const FittedModels& models = fitted(one_participant);
+  EXPECT_EQ(models.models.size(), 2U);
   for (const FittedModel& model : models.models) {
     EXPECT_FALSE(model.fit);
     EXPECT_EQ(model.note, "it needs two participants");
