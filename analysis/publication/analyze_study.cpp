@@ -302,6 +302,9 @@ void write_bids(const study::StudyRecords& records, const TrialColumns& trials,
       write_output(folder, file.name, file.content, output);
     }
   });
+  if (const std::optional<TextFile> ignored = eyes.ignored()) {
+    write_output(folder, ignored->name, ignored->content, output);
+  }
   if (eyes.too_short() > 0) {
     output.warnings.push_back(
         fmt::format("{} of gaze too short for a sampling frequency, and not in the BIDS files.",

@@ -125,7 +125,10 @@ std::string readme(const StudyTables& tables) {
       "*_run-<index>_recording-eye1_physio.tsv.gz, where gaze was recorded, has the gaze of one "
       "timing of a\ntrial; runs count these in the order of the session, trials that were timed "
       "again and practice included.\nIts .json says which trial it is, and "
-      "*_physioevents.tsv.gz has the first frame, the marks and the eye's\nmovements.\n",
+      "*_physioevents.tsv.gz has the first frame, the marks and the eye's\nmovements. Where there "
+      "are any, .bidsignore names them, since older validators do not know them.\n\n"
+      "Before you publish these files, add their Authors and License to "
+      "dataset_description.json.\n",
       tables.protocol_title.empty() ? tables.protocol_name : tables.protocol_title,
       warning.empty() ? "" : warning + "\n\n");
 }

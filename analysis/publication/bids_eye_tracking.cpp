@@ -190,10 +190,24 @@ std::vector<TextFile> EyeTrackingExport::files_of(const study::AttemptGaze& atte
       {stem + ".tsv.gz", gzip(samples_tsv(attempt.samples))},
       {stem + ".json", samples_json(attempt, *frequency_hz, subject.accuracy_deg)}};
   if (const std::vector<EyeEvent> events = events_of(attempt); !events.empty()) {
+    has_events_ = true;
     files.push_back({stem + "events.tsv.gz", gzip(events_tsv(events))});
     files.push_back({stem + "events.json", events_json()});
   }
   return files;
+}
+
+std::optional<TextFile> EyeTrackingExport::ignored() const {
+  if (!has_events_) {
+    return std::nullopt;
+  }
+  return TextFile{"bids/.bidsignore",
+                  "# These files are part of BIDS since 1.11, which validators that came before it "
+                  "do not know, as\n"
+                  "# the npm package bids-validator (1.x): they would refuse the names. Delete "
+                  "this file before you\n"
+                  "# run a validator that knows BIDS 1.11, so that it reads them, too.\n"
+                  "*_physioevents.tsv.gz\n*_physioevents.json\n"};
 }
 
 }  // namespace foveola::analysis

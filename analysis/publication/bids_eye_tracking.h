@@ -32,6 +32,10 @@ class EyeTrackingExport {
   /// frequency.
   std::vector<TextFile> files_of(const study::AttemptGaze& attempt);
 
+  /// bids/.bidsignore if any file so far needs it, so that validators that know no BIDS 1.11 pass
+  /// over what they would refuse; it says so itself.
+  std::optional<TextFile> ignored() const;
+
   /// The number of the analysed participants' recordings that had too few samples.
   std::size_t too_short() const { return too_short_; }
 
@@ -43,6 +47,7 @@ class EyeTrackingExport {
   };
   std::map<std::string, Subject> subjects_;  ///< By the participant's code.
   std::size_t too_short_ = 0;
+  bool has_events_ = false;
 };
 
 }  // namespace foveola::analysis

@@ -34,7 +34,7 @@ no result and not in `psych-ds/` or `bids/`. `study forget` erases a participant
 |---|---|
 | `report.html` | the whole report, one file that needs no network |
 | `OUTPUTS.md`, `codebook.csv` | the files' columns |
-| `times-MARK.tex`, `geometric-means.tex`, `ratings-RATING.tex`, `planned-comparisons.tex` and others | the report's tables for LaTeX, with booktabs |
+| `times-MARK.tex`, `geometric-means.tex`, `ratings-RATING.tex`, `planned-comparisons.tex` and others | the report's tables for LaTeX, each in a file to `\input`, with the packages array, booktabs and graphicx; what would be wider than the text is set smaller |
 | `relative_times`, `relative_times_by_scene`, `times_in_seconds`, `time_to_MARK`, `ratings_RATING`: `.svg`, `.pdf`, `.png` | figures |
 | `psych-ds/` | trials and participants as Psych-DS 1 lays them out |
 | `models.R`, `models_plan.csv` | a script for R, and the comparisons that it fits: crossed mixed models of log times (lme4, lmerTest), Tobit models where times are right-censored (survival), cumulative link mixed models of ratings (ordinal). It reads `trials_long.csv`; `--r` runs it, and `models.csv` has what it found. Run by hand, it writes `r_models.csv` and `r_versions.csv` |
@@ -62,6 +62,8 @@ trial, which its `.json` names; `StartTime` counts from the trial's first frame,
 (`first_frame`, `mark`, `timed_out`, `fixation`, `saccade`, `blink`) and `message` (the mark's name).
 Trackers here give one direction for both eyes (`RecordedEye`: `cyclopean`) and no pupil size.
 A recording of fewer than two samples has no frequency and is left out with a warning.
+Where there are `_physioevents`, `.bidsignore` hides them from validators that are older than BIDS 1.11,
+such as npm's bids-validator; delete it for newer ones.
 )md";
 
 }  // namespace

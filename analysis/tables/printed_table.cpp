@@ -1,12 +1,12 @@
 #include "analysis/tables/printed_table.h"
 
-#include <charconv>
-#include <optional>
+#include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "analysis/tables/html.h"
+#include "analysis/tables/latex.h"
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/utf8.h"
 
@@ -39,58 +39,46 @@ std::string body_cells(const std::vector<std::string>& row) {
   return cells;
 }
 
-/// The whole text as a number; empty if it is none, or too large.
-template <typename Number>
-std::optional<Number> number_in_full(std::string_view text) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, number);
-  return failure == std::errc() && stop == end ? std::optional(number) : std::nullopt;
-}
-
-/// A number with an exponent, as 3.3e-05, or "< 1e-300", as a power of ten; empty for another text.
-std::optional<std::string> power_of_ten(std::string_view text) {
-  const std::size_t e = text.find('e');
-  if (e == std::string_view::npos) {
-    return std::nullopt;
-  }
-  const std::string_view factor = text.substr(0, e);
-  std::string_view exponent = text.substr(e + 1);
-  exponent.remove_prefix(exponent.starts_with('+') ? 1 : 0);
-  const std::optional<int> power = number_in_full<int>(exponent);
-  if (!power || (factor != "< 1" && !number_in_full<double>(factor))) {
-    return std::nullopt;
-  }
-  return factor == "< 1" ? fmt::format("$< 10^{{{}}}$", *power)
-                         : fmt::format("${} \\times 10^{{{}}}$", factor, *power);
-}
-
-/// The symbols of statistics that a typesetter has in its own way; empty for any other.
-std::string_view latex_symbol(std::string_view rest, std::size_t& bytes) {
-  struct Symbol {
-    std::string_view text;
-    std::string_view latex;
-  };
-  constexpr Symbol symbols[] = {{"±", "$\\pm$"},      {"–", "--"},      {"−", "$-$"},
-                                {"×", "$\\times$"},   {"²", "$^2$"},    {"η", "$\\eta$"},
-                                {"ε", "$\\epsilon$"}, {"χ", "$\\chi$"}, {"ρ", "$\\rho$"},
-                                {"°", "$^\\circ$"},   {"’", "'"},       {"“", "``"},
-                                {"”", "''"},          {"…", "\\dots{}"}};
-  for (const Symbol& symbol : symbols) {
-    if (rest.starts_with(symbol.text)) {
-      bytes = symbol.text.size();
-      return symbol.latex;
-    }
-  }
-  return {};
-}
-
 std::string latex_row(const std::vector<std::string>& cells) {
   std::vector<std::string> texts;
   for (const std::string& cell : cells) {
     texts.push_back(latex_text(cell));
   }
-  return fmt::format("{} \\\\\n", fmt::join(texts, " & "));
+  // Behind the end of a row, LaTeX would take these for arguments of it.
+  const bool is_argument = texts.at(0).starts_with('[') || texts.at(0).starts_with('*');
+  return fmt::format("{}{} \\\\\n", is_argument ? "{}" : "", fmt::join(texts, " & "));
+}
+
+/// Whether a column has texts that are better broken into lines, and can be.
+bool has_long_texts(const PrintedTable& table, std::size_t column) {
+  constexpr std::size_t longest_in_one_line = 30;
+  return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+    return count_characters(row.at(column)) > longest_in_one_line &&
+           row.at(column).find_first_of(" -_/") != std::string::npos;
+  });
+}
+
+std::string latex_columns(const PrintedTable& table) {
+  std::string columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    columns += has_long_texts(table, i)    ? ">{\\raggedright\\arraybackslash}p{14em}"
+               : table.is_numeric && i > 0 ? "r"
+                                           : "l";
+  }
+  return columns;
+}
+
+std::string latex_caption(const PrintedTable& table, std::string_view notice) {
+  std::string caption;
+  if (!notice.empty()) {
+    caption = fmt::format("\\textbf{{{}.}} ", latex_text(notice));
+  }
+  caption += latex_text(table.title);
+  if (!table.note.empty()) {
+    caption += ' ';
+    caption += latex_text(table.note);
+  }
+  return caption;
 }
 
 std::string latex_groups(const PrintedTable& table) {
@@ -125,16 +113,16 @@ std::string html_of(const PrintedTable& table, std::string_view notice) {
 
 std::string latex_of(const PrintedTable& table, std::string_view notice) {
   std::string text = fmt::format(
-      "% Needs \\usepackage{{booktabs}}.\n\\begin{{table}}\n\\centering\n\\caption{{{}{}{}}}\n"
-      "\\label{{tab:{}}}\n\\begin{{tabular}}{{l{}}}\n\\toprule\n{}{}\\midrule\n",
-      notice.empty() ? "" : "\\textbf{" + latex_text(notice) + ".} ", latex_text(table.title),
-      table.note.empty() ? "" : " " + latex_text(table.note), table.id,
-      std::string(table.columns.size() - 1, table.is_numeric ? 'r' : 'l'), latex_groups(table),
+      "\\begin{{table}}\n\\centering\n\\caption{{{}}}\n\\label{{tab:{}}}\n"
+      "\\resizebox{{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}}{{!}}{{%\n"
+      "\\begin{{tabular}}{{{}}}\n\\toprule\n{}{}\\midrule\n",
+      latex_caption(table, notice), table.id, latex_columns(table), latex_groups(table),
       latex_row(table.columns));
   for (const std::vector<std::string>& row : table.rows) {
     text += latex_row(row);
   }
-  return text + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
+  text += "\\bottomrule\n\\end{tabular}}\n\\end{table}\n";
+  return latex_needs(text) + text;
 }
 
 std::string plain_text_of(const PrintedTable& table, std::string_view notice) {
@@ -148,35 +136,6 @@ std::string plain_text_of(const PrintedTable& table, std::string_view notice) {
       "{}{}\n{}{}", title, notice.empty() ? "" : fmt::format(" ({})", notice),
       aligned(rows, {.indent = 2, .gap = 3, .numbers_to_the_right = table.is_numeric}),
       table.note.empty() ? "" : fmt::format("  {}\n", printable(table.note)));
-}
-
-std::string latex_text(std::string_view text) {
-  if (const std::optional<std::string> power = power_of_ten(text)) {
-    return *power;
-  }
-  std::string escaped;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    std::size_t bytes = 0;
-    if (const std::string_view symbol = latex_symbol(text.substr(i), bytes); bytes > 0) {
-      escaped += symbol;
-      i += bytes - 1;
-    } else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) {
-      escaped += '\\';
-      escaped += c;
-    } else if (c == '\\') {
-      escaped += "\\textbackslash{}";
-    } else if (c == '<' || c == '>' || c == '|') {
-      escaped += c == '<' ? "\\textless{}" : c == '>' ? "\\textgreater{}" : "\\textbar{}";
-    } else if (c == '"') {
-      escaped += "''";  // a command of its own in several languages' packages
-    } else if (c == '~' || c == '^') {
-      escaped += fmt::format("\\{}{{}}", c);
-    } else {
-      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return escaped;
 }
 
 }  // namespace foveola::analysis

@@ -30,13 +30,11 @@ struct PrintedTable {
 /// An element with the table in it; empty if there are no rows.
 std::string html_of(const PrintedTable& table, std::string_view notice);
 
-/// A table environment of the package booktabs, with the label tab:ID.
+/// A table environment with the label tab:ID, as wide as its columns but no wider than the text:
+/// what would be wider is set smaller. Begins with comments that say which packages it needs.
 std::string latex_of(const PrintedTable& table, std::string_view notice);
 
 /// The title, then the rows in aligned columns, then the note.
 std::string plain_text_of(const PrintedTable& table, std::string_view notice);
-
-/// A text as LaTeX; numbers as 3.3e-05 become powers of ten.
-std::string latex_text(std::string_view text);
 
 }  // namespace foveola::analysis

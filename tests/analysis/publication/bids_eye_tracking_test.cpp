@@ -146,6 +146,25 @@ TEST(BidsEyeTracking, WhoIsNotAnalysedHasNoFiles) {
   EXPECT_THAT(files_of(made_up_gaze("P9")), IsEmpty());
 }
 
+TEST(BidsEyeTracking, OlderValidatorsAreToldToPassOverEventsWhereThereAreAny) {
+  EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {});
+  study::AttemptGaze without_events = made_up_gaze("P1");
+  without_events.first_frame.reset();
+  without_events.marks.clear();
+  for (GazeSample& sample : without_events.samples) {
+    sample.mark = GazeMark::none;
+  }
+  EXPECT_THAT(eyes.files_of(without_events), SizeIs(2));
+  EXPECT_FALSE(eyes.ignored().has_value());
+  (void)eyes.files_of(made_up_gaze("P1"));
+  const std::optional<TextFile> ignored = eyes.ignored();
+  ASSERT_TRUE(ignored.has_value());
+  EXPECT_EQ(ignored->name, "bids/.bidsignore");
+  EXPECT_THAT(ignored->content,
+              testing::EndsWith("\n*_physioevents.tsv.gz\n*_physioevents.json\n"));
+  EXPECT_THAT(ignored->content, testing::HasSubstr("# "));
+}
+
 TEST(BidsEyeTracking, RecordingsWithoutAFrequencyAreCounted) {
   EyeTrackingExport eyes(select_for_analysis(complete_study(2)), {});
   study::AttemptGaze attempt = made_up_gaze("P1");
