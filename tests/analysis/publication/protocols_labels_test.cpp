@@ -145,8 +145,8 @@ TEST_F(ProtocolsLabels, AScaleOfManyPointsHasAFigureWithItsCaption) {
   analyse(records);
   EXPECT_THAT(texts_.at("report.html"),
               AllOf(HasSubstr("aria-label=\"Ratings, artifacts, of all scenes and participants."),
-                    HasSubstr("each participant’s mean, 1 not at all to 100 very, joined"),
-                    Not(HasSubstr("the share of each answer"))));
+                    HasSubstr("each one’s mean, 1 not at all to 100 very, over the scenes"),
+                    Not(HasSubstr("Bars are the shares"))));
   EXPECT_TRUE(fs::exists(scratch_ / "out/ratings_artifacts.pdf"));
 }
 
