@@ -121,18 +121,27 @@ std::string end_label_script(const EndLabels& ends, int edge, double low_lines, 
   return label(ends.low, 0, "left", low_lines) + label(ends.high, 1, "right", high_lines);
 }
 
-/// Above the bars, which begin at the low end of the scale, and below the key.
-std::string labels_above_bars(const Measure& measure, const std::vector<double>& points) {
+/// What stands above the bars, from above downwards: a line for whose data it is, the key in as
+/// many lines as it needs, and the labels of the ends, with which the bars begin and end.
+struct AboveBars {
+  std::string script;
+  int height = 0;  ///< In SVG units.
+};
+
+AboveBars above_bars(const Measure& measure, const std::vector<double>& points) {
+  constexpr int line_height = 17;  // In SVG units.
+  constexpr std::size_t most_in_line = 8;
   const auto end = [&](double point) {
     const std::string label = measure.label_of(point);
     return label.empty() ? label : fmt::format("{:g} {}", point, label);
   };
   const EndLabels ends{end(points.front()), end(points.back())};
-  if (!ends.exist()) {
-    return "";
-  }
-  return end_label_script(ends, 1, ends.are_long() ? 1.5 : 0.5, 0.5) +
-         fmt::format("set tmargin {}\n", ends.are_long() ? 4.5 : 3.5);
+  const int end_lines = !ends.exist() ? 0 : ends.are_long() ? 2 : 1;
+  const int key_lines = static_cast<int>((points.size() - 1) / most_in_line) + 1;
+  return {(ends.exist() ? end_label_script(ends, 1, end_lines - 0.5, 0.5) : "") +
+              fmt::format("set key horizontal maxcols {} Left reverse samplen 1 width 0\n",
+                          most_in_line),
+          line_height * (2 + key_lines + end_lines)};
 }
 
 /// Below the axis of a figure of means, which is the whole scale.
@@ -171,14 +180,17 @@ std::optional<Figure> bar_figure(const StudyTables& tables, std::size_t rating) 
   for (std::size_t answer = 0; answer < points.size(); ++answer) {
     data += rating_data(rows, answer);
   }
-  const int height = 140 + 44 * static_cast<int>(methods.size());
-  return drawn_figure(rating_figure_name(measure), figure_width, height,
-                      figure_preamble(tables) + row_names(methods) +
-                          "set key outside top right horizontal Left reverse samplen 1 width 2\n"
-                          "set rmargin 14\nset xrange [0:100]\n" +
-                          fmt::format("set xlabel {}\n",
-                                      gnuplot_quoted("Ratings, " + measure.id() + ", per cent")) +
-                          labels_above_bars(measure, points) + labels + data + rating_plot(points));
+  const AboveBars above = above_bars(measure, points);
+  const int height = above.height + lower_axis_height + 44 * static_cast<int>(methods.size());
+  constexpr double below_notice = 22.0;  // In SVG units.
+  return drawn_figure(
+      rating_figure_name(measure), figure_width, height,
+      figure_preamble(tables) + row_names(methods) + above.script +
+          fmt::format("set key right top at graph 1, screen {}\nset tmargin at screen {}\n"
+                      "set rmargin 14\nset xrange [0:100]\nset xlabel {}\n",
+                      1.0 - below_notice / height, 1.0 - static_cast<double>(above.height) / height,
+                      gnuplot_quoted("Ratings, " + measure.id() + ", per cent")) +
+          labels + data + rating_plot(points));
 }
 
 /// One method's row in a figure of means.

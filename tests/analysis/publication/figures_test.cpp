@@ -283,17 +283,21 @@ TEST(Figures, CountsStandInBarsWhereTheirDigitsFit) {
 }
 
 TEST(Figures, LongLabelsOfEndsHaveALineEach) {
-  const auto script_of = [](const std::string& label) {
+  const auto figure_with = [](const std::string& label) {
     study::StudyRecords records = complete_study(2);
     records.measures[artifacts_index].question.labels = {label, label};
-    return rating_figure(tabulate_study(records), artifacts_index).value().script;
+    return rating_figure(tabulate_study(records), artifacts_index).value();
   };
   std::string greek;
   for (int i = 0; i < 29; ++i) {
     greek += "ω";  // 58 bytes, but 29 characters.
   }
-  EXPECT_THAT(script_of(greek), HasSubstr("set tmargin 3.5"));
-  EXPECT_THAT(script_of(greek + "ωωωω"), HasSubstr("set tmargin 4.5"));
+  const int short_height = figure_with("very").height;
+  EXPECT_EQ(figure_with(greek).height, short_height);
+  const Figure figure = figure_with(greek + "ωωωω");
+  EXPECT_EQ(figure.height, short_height + 17);
+  EXPECT_THAT(figure.script, AllOf(HasSubstr("graph 1 offset 0,1.5 left"),
+                                   HasSubstr("graph 1 offset 0,0.5 right")));
 }
 
 TEST(Figures, ManyParticipantsOnAWideScaleAreDrawnWithoutDots) {
