@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/statistics/descriptive.h"
 #include "renderer/base/random.h"
 #include "study/design/plan.h"
 #include "study/protocol/measure.h"
