@@ -4,8 +4,8 @@
 //
 // node issues.js FOUND ACCEPTED...
 //
-// FOUND is what bids-validator --json printed, ACCEPTED the codes of warnings. An accepted warning that
-// was not given is listed, too.
+// FOUND is what bids-validator --json printed, ACCEPTED the codes of warnings. An accepted warning
+// that was not given is listed, too.
 'use strict';
 
 const [found, ...accepted] = process.argv.slice(2);
