@@ -1,5 +1,6 @@
 #include "analysis/monte_carlo/expected_study.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
