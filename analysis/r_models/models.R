@@ -132,7 +132,8 @@ crossed_model <- function(rows, comparison) {
 }
 
 # A Tobit model of single trials, with terms for participants and scenes: a right-censored time says
-# that the log time is longer.
+# that the log time is longer. With fixed scenes each has its own ratio, of which the mean is
+# estimated; where one cannot have, and with random scenes, they have one ratio in common.
 tobit_model <- function(rows, comparison) {
   rows <- with_a_measured_time(rows)
   if (nzchar(why_not(rows))) stop(why_not(rows))
@@ -141,19 +142,26 @@ tobit_model <- function(rows, comparison) {
       stop("every time of ", method, " is right-censored")
     }
   }
-  has_scenes <- nlevels(rows$scene) > 1
-  terms <- if (has_scenes) "method + participant + scene" else "method + participant"
+  is_random <- nlevels(rows$scene) > 1 && comparison$scenes == "random"
+  terms <- scene_terms(rows, is_random)
   fit <- survival::survreg(
-    as.formula(paste("survival::Surv(log(value), !censored) ~", terms)), data = rows,
-    dist = "gaussian", control = survival::survreg.control(maxiter = 100))
+    as.formula(paste("survival::Surv(log(value), !censored) ~ method + participant", terms)),
+    data = rows, dist = "gaussian", model = TRUE, x = TRUE, y = TRUE,
+    control = survival::survreg.control(maxiter = 100))
   rows$influence <- residuals(fit, type = "dfbeta")[, 2]
-  error <- if (has_scenes && comparison$scenes == "random") {
-    crossed_error(rows)
-  } else {
-    clustered_error(rows, length(coef(fit)))
-  }
-  error$residual_sd <- sqrt(2) * fit$scale
-  do.call(result, c(list(comparison, "tobit", coef(fit)[[2]]), error, counts(rows)))
+  error <- if (is_random) crossed_error(rows) else clustered_error(rows, length(coef(fit)))
+  note <- if (is_random || nlevels(rows$scene) == 1 || grepl("method:", terms)) "" else
+    "in a scene every time of a method is right-censored: all scenes have one ratio"
+  do.call(result, c(list(comparison, "tobit", coef(fit)[[2]], residual_sd = sqrt(2) * fit$scale,
+                         note = note), error, counts(rows)))
+}
+
+# Sum contrasts: the method's own term is the mean over the scenes.
+scene_terms <- function(rows, is_random) {
+  if (nlevels(rows$scene) == 1) return("")
+  measured <- with(rows[!rows$censored, ], table(scene, method))
+  paste("+ C(scene, contr.sum)",
+        if (!is_random && all(measured > 0)) "+ method:C(scene, contr.sum)")
 }
 
 # The standard error of an estimate on which single trials have `influence`, for participants and
@@ -162,7 +170,8 @@ tobit_model <- function(rows, comparison) {
 crossed_error <- function(rows) {
   pairs <- aggregate(list(difference = rows$influence), rows[c("participant", "scene")], sum)
   pairs$difference <- pairs$difference * nrow(pairs)
-  mixed_model(pairs, "random")[-1]
+  of_pairs <- mixed_model(pairs, "random")
+  of_pairs[c("standard_error", "degrees_of_freedom", "participant_sd", "scene_sd")]
 }
 
 # The same for participants like these in these scenes: clustered by participant, with the usual
@@ -218,25 +227,37 @@ ordinal_model <- function(rows, comparison) {
   }
   gain <- list(participant = of_difference("participant:method"),
                scene = of_difference("scene:method"))
-  df <- latent_degrees_of_freedom(standard_error^2, gain, counts(rows))
-  do.call(result, c(list(comparison, "ordinal", estimate, standard_error, df,
-                         participant_sd = sqrt(gain$participant), scene_sd = sqrt(gain$scene),
-                         note = note),
-                    counts(rows)))
+  error <- error_of_latent(standard_error^2, gain, counts(rows))
+  do.call(result, c(list(comparison, "ordinal", estimate, participant_sd = sqrt(gain$participant),
+                         scene_sd = sqrt(gain$scene), note = note), error, counts(rows)))
 }
 
-# Satterthwaite's degrees of freedom of the method's effect, as in a linear model of the latent
-# variable: ordinal has none, and its normal approximation takes few participants and scenes for
-# many. `variance`: of the estimate; `gain`: of the difference between methods.
-latent_degrees_of_freedom <- function(variance, gain, count) {
-  n <- count$participants
-  k <- count$scenes
-  if (k < 2) return(n - 1)
-  of_participants <- if (is.na(gain$participant)) 0 else gain$participant / n
-  of_scenes <- if (is.na(gain$scene)) 0 else gain$scene / k
-  of_trials <- max(variance - of_participants - of_scenes, 0)
-  variance^2 / (of_participants^2 / (n - 1) + of_scenes^2 / (k - 1) +
-                  of_trials^2 / ((n - 1) * (k - 1)))
+# The standard error and Satterthwaite's degrees of freedom of the method's effect by the strata of a
+# balanced linear model of the latent variable. ordinal has neither these degrees of freedom nor a
+# restricted likelihood, which divides each stratum's sum of squares by them: five scenes would count
+# as if their mean were known, and as normally distributed. A stratum without variance of its own is
+# pooled with the residual. `variance`: of the estimate; `gain`: of the difference between methods.
+error_of_latent <- function(variance, gain, count) {
+  levels <- c(count$participants, count$scenes)
+  freedom <- levels - 1
+  if (count$scenes < 2) {
+    return(list(standard_error = sqrt(variance), degrees_of_freedom = freedom[1]))
+  }
+  parts <- c(gain$participant, gain$scene) / levels
+  parts[is.na(parts)] <- 0
+  residual <- max(variance - sum(parts), 0)
+  varies <- parts > 1e-4 * variance
+  if (!any(varies)) {
+    of_pairs <- prod(levels) - 1
+    return(list(standard_error = sqrt(variance * prod(levels) / of_pairs),
+                degrees_of_freedom = of_pairs))
+  }
+  strata <- ((parts + residual) * levels / freedom)[varies]
+  shared <- (length(strata) - 1) * residual
+  total <- sum(strata) - shared
+  list(standard_error = sqrt(total),
+       degrees_of_freedom =
+         total^2 / (sum(strata^2 / freedom[varies]) + shared^2 / prod(freedom)))
 }
 
 models_of <- function(trials, comparison) {
