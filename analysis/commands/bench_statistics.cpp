@@ -183,7 +183,7 @@ void add_bench_statistics(CLI::App& bench, const std::stop_token& stop) {
   CLI::Option* by_r = command->add_flag(
       "--r", *r,
       "Instead, how often the models that R fits are right, in twelve cells: Tobit, crossed with "
-      "gaps, ordinal; needs R, and most of an hour of one core");
+      "gaps, ordinal; needs R, and half an hour of one core");
   command->add_option("--only", *only, "With --r, only the cells with this in their names: Tobit")
       ->needs(by_r);
   command->add_flag("--json", *json, "Print the figures as JSON");

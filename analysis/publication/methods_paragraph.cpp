@@ -117,16 +117,17 @@ std::string primary_in_words(const StudyTables& tables, const Comparisons& compa
                   counted(tables.set.scenes.size(), "scene")));
   add(AnalysisKind::tobit_model,
       fmt::format("a Tobit model where some were right-censored, with terms for participants and "
-                  "scenes and a standard error {}",
+                  "scenes{}",
                   comparisons.plan.scenes == study::SceneEffects::random
-                      ? "by the mixed model of each pair’s influence on the ratio, with "
-                        "participants and scenes as crossed random effects"
-                      : "clustered by participant, whose interval is of participants in these "
-                        "scenes alone"));
+                      ? " and a standard error by the mixed model of each pair’s influence on the "
+                        "ratio, with participants and scenes as crossed random effects"
+                      : ", a ratio for each scene and a standard error clustered by participant, "
+                        "whose interval is of participants in these scenes alone"));
   add(AnalysisKind::ordinal_model,
       fmt::format(
           "a cumulative link mixed model with random effects of participants{} and of their "
-          "differences between the methods",
+          "differences between the methods, with the standard error and degrees of freedom of a "
+          "balanced linear model of the latent variable",
           comparisons.plan.scenes == study::SceneEffects::random ? ", of scenes" : ""));
   add(AnalysisKind::signed_ranks,
       "Wilcoxon’s signed-rank test of the participants’ means, with Hodges and Lehmann’s estimate "

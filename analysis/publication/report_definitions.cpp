@@ -53,9 +53,11 @@ std::string definitions_section(const StudyTables& tables) {
       "these; with fixed scenes, a paired t test over participants, in these scenes. With "
       "right-censored times, a Tobit model of log times with terms for participants and scenes; "
       "with random scenes, its standard error and degrees of freedom are the mixed model’s of each "
-      "pair’s influence on the ratio, and with fixed scenes errors are clustered by participant, t "
-      "with one degree of freedom fewer than participants. "
-      "Ratings: a cumulative link mixed model with the same random effects, or signed ranks. "
+      "pair’s influence on the ratio; with fixed scenes, each has a ratio of its own, of which the "
+      "mean is given, and errors are clustered by participant, t with one degree of freedom fewer "
+      "than participants. Ratings: a cumulative link mixed model with the same random effects, "
+      "whose standard error and degrees of freedom are those of a balanced linear model of the "
+      "latent variable, or signed ranks. "
       "Without censoring and gaps the mixed model is of closed form; all else is fitted by R.");
   define("Pairs",
          "The trials of both methods in one scene by one participant. Each comparison uses "
