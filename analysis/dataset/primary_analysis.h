@@ -17,7 +17,8 @@ namespace foveola::analysis {
 enum class AnalysisKind {
   crossed_model,  ///< Mixed model of log times or points, participants and scenes random.
   participant_t,  ///< Paired t over participants, in these scenes.
-  tobit_model,    ///< Of single trials, some right-censored, in these scenes.
+  tobit_model,    ///< Of single trials, some right-censored; of other scenes, too, where they are
+                  ///< random.
   ordinal_model,  ///< Cumulative link mixed model of ratings.
   signed_ranks,   ///< Wilcoxon's test of participants' mean ratings.
 };
