@@ -163,7 +163,8 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
       "With --protocol, or a pilot as STUDY, by simulation of the protocol, its "
       "design, time-outs and planned analysis; otherwise of one comparison of times by "
       "the paired t test");
-  const auto add = [&](const char* name, auto& value, const char* help) {
+  const ExpectedSpread usual = ExpectedStudy().times_spread;
+  const auto add = [&](const char* name, auto& value, const std::string& help) {
     return command.add_option(name, value, help)->needs("--power");
   };
   CLI::Option* alpha =
@@ -183,12 +184,15 @@ void add_power_options(CLI::App& command, PowerArguments& arguments) {
       "the one before (default 10)")
       ->delimiter(',');
   add("--spread", arguments.spread,
-      "Factor, from 1, by which participants' own ratios vary: two thirds lie within it (default "
-      "1.35; without a protocol 2, with what differs from trial to trial)");
+      fmt::format(
+          "Factor, from 1, by which participants' own ratios vary: two thirds lie within it "
+          "(default {:.3g}; without a protocol {:g}, with what differs from trial to trial)",
+          std::exp(usual.participants_gain), one.spread));
   add("--scene-spread", expectations.scenes_factor,
-      "Factor by which scenes' own ratios vary (default 1.1)");
+      fmt::format("Factor by which scenes' own ratios vary (default {:.3g})",
+                  std::exp(usual.scenes_gain)));
   add("--trial-spread", expectations.trials_factor,
-      "Factor by which single times vary (default 1.42)");
+      fmt::format("Factor by which single times vary (default {:.3g})", std::exp(usual.trials)));
   add("--withdrawals", expectations.withdrawals,
       "Probability that a participant withdraws (default 0)")
       ->check(CLI::Range(0.0, 0.95));

@@ -149,7 +149,7 @@ std::string censoring_text(const StudyPowerReport& report) {
   return parts.empty() ? "" : line("timed out", fmt::format("{}", fmt::join(parts, "; ")));
 }
 
-/// Which analyses the P-values are of, over all numbers of participants.
+/// Which analyses the P-values are of.
 std::string analyses_text(const StudyPowerReport& report) {
   std::string text;
   const auto& planned = report.expected.protocol.analysis.primary;
@@ -178,9 +178,8 @@ std::string scenes_text(const StudyPowerReport& report) {
       fewest_participants(report.curve, std::nullopt, report.target)) {
     return "";
   }
-  return fmt::format(
-      "With random scenes their number limits the power, however many take part: try more with "
-      "--scenes.\n");
+  return "With random scenes their number limits the power, however many take part: try more with "
+         "--scenes.\n";
 }
 
 nlohmann::ordered_json share_json(std::size_t hits, const StudyPower& power) {

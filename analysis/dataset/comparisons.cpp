@@ -310,13 +310,18 @@ std::vector<MethodComparison> planned_comparisons(const Dataset& set,
 
 }  // namespace
 
-std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
+std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
   std::vector<ComparedPair> pairs;
   for (const study::PlannedComparison& planned : plan.primary) {
     if (const std::optional<ComparedPair> pair = pair_of(set, planned)) {
       pairs.push_back(*pair);
     }
   }
+  return pairs;
+}
+
+std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
+  std::vector<ComparedPair> pairs = planned_pairs(set, plan);
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     if (set.measures[measure].is_numeric()) {
       const std::vector<ComparedPair> others = unplanned_pairs(set, plan, measure);

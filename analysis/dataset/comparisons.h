@@ -114,8 +114,11 @@ struct ComparedPair {
   std::size_t reference = 0;
 };
 
-/// All pairs of methods in all measures that are numbers: first the planned ones as the plan has
-/// them, without those that the study does not have, then the others, measure by measure.
+/// The planned pairs as the plan has them, without those that the study does not have.
+std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan);
+
+/// All pairs of methods in all measures that are numbers: first the planned ones, then the others,
+/// measure by measure.
 std::vector<ComparedPair> compared_pairs(const Dataset& set, const study::AnalysisPlan& plan);
 
 /// Compares the pairs. Of planned comparisons every one has its row, with P-values or the reason

@@ -146,40 +146,36 @@ double geometric_mean_of_baseline(const Dataset& set, std::size_t mark) {
   return std::exp(*mean(logs));
 }
 
-/// The coefficient of variation of the logarithms of later marks' times over those of the marks
-/// before, within methods; empty without any.
+/// The logarithms of a mark's times with one method over those of the mark before.
+std::vector<double> log_steps(const Dataset& set, std::size_t before, std::size_t mark,
+                              std::size_t method) {
+  std::vector<double> logs;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
+      const Value& first = set.value(participant, scene, method, before);
+      const Value& second = set.value(participant, scene, method, mark);
+      if (first.is_measured() && second.is_measured()) {
+        logs.push_back(std::log(second.number / first.number));
+      }
+    }
+  }
+  return logs;
+}
+
+/// Their coefficient of variation, within marks and methods; empty without any.
 std::optional<double> later_marks_variation(const Dataset& set) {
   const std::vector<std::size_t> marks = set.times();
   std::vector<double> relative;
   for (std::size_t mark = 1; mark < marks.size(); ++mark) {
     for (std::size_t method = 0; method < set.methods.size(); ++method) {
-      std::vector<double> logs;
-      for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-        for (std::size_t scene = 0; scene < set.scenes.size(); ++scene) {
-          const Value& before = set.value(participant, scene, method, marks[mark - 1]);
-          const Value& after = set.value(participant, scene, method, marks[mark]);
-          if (before.is_measured() && after.is_measured()) {
-            logs.push_back(std::log(after.number / before.number));
-          }
-        }
-      }
-      const std::optional<double> center = mean(logs);
-      for (const double log : logs) {
-        relative.push_back(log / *center);
+      const std::vector<double> logs = log_steps(set, marks[mark - 1], marks[mark], method);
+      const double center = mean(logs).value_or(0.0);
+      for (std::size_t i = 0; center > 0.0 && i < logs.size(); ++i) {
+        relative.push_back(logs[i] / center);
       }
     }
   }
-  return relative.size() < 2 ? std::nullopt : describe(relative).standard_deviation;
-}
-
-/// Points between the ends of a rating's scale.
-double width_of(const Measure& rating) {
-  const std::vector<double> points = rating.points();
-  if (points.empty()) {
-    return rating.question.maximum - rating.question.minimum;
-  }
-  const auto [low, high] = std::minmax_element(points.begin(), points.end());
-  return *high - *low;
+  return standard_deviation(relative);
 }
 
 /// `with_times`: whether the pilot's own times are taken, too.
@@ -194,7 +190,8 @@ void take_pilot(const study::StudyRecords& pilot, bool with_times, ExpectedStudy
   expected.later_marks_variation =
       later_marks_variation(set).value_or(expected.later_marks_variation);
   take_spread(
-      set, set.ratings(), [&](std::size_t rating) { return width_of(set.measures[rating]); },
+      set, set.ratings(),
+      [&](std::size_t rating) { return study::span_of(set.measures[rating].question).width(); },
       expected.ratings_spread);
   const auto withdrawn = std::count_if(
       pilot.sessions.begin(), pilot.sessions.end(), [&](const study::SessionRow& session) {
@@ -223,7 +220,6 @@ void take_baseline(const std::vector<double>& baseline_s, ExpectedStudy& expecte
 }
 
 void take_scenes(int count, study::Protocol& protocol) {
-  protocol.cells.clear();
   while (static_cast<int>(protocol.scenes.size()) > count) {
     protocol.scenes.pop_back();
   }
@@ -341,7 +337,6 @@ ExpectedStudy expect(const study::Protocol& protocol, const Expectations& expect
   times.ratios[baseline] = 1.0;
   expected.times.assign(protocol.marks.size(), times);
   expected.shifts.assign(protocol.ratings.size(), std::vector<double>(methods, 0.0));
-  expected.times_spread.scenes_gain = 0.1;
   take_baseline({default_first_mark_s}, expected);
   if (pilot != nullptr) {
     take_pilot(*pilot, !expectations.baseline_s, expected);

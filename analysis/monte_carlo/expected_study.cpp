@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/statistics/descriptive.h"
 #include "renderer/base/random.h"
 #include "study/design/plan.h"
 #include "study/protocol/measure.h"
@@ -64,16 +63,6 @@ double nearest_answer(const study::Measure& rating, double value) {
   return *std::min_element(points.begin(), points.end(), [&](double a, double b) {
     return std::abs(a - value) < std::abs(b - value);
   });
-}
-
-/// The ends of a rating's scale.
-Interval ends_of(const study::Measure& rating) {
-  const std::vector<double> points = rating.points();
-  if (points.empty()) {
-    return {rating.question.minimum, rating.question.maximum};
-  }
-  const auto [low, high] = std::minmax_element(points.begin(), points.end());
-  return {*low, *high};
 }
 
 /// What all participants of a study have in common.
@@ -149,11 +138,11 @@ class DrawnParticipant {
     const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
     const DrawnEffects& person = ratings_[rating];
     const DrawnEffects& scene = scenes_.ratings[rating][place.scene];
-    const Interval ends = ends_of(measure);
+    const study::Span answers = study::span_of(measure.question);
     const double effects = person.own + person.gains[place.method] + scene.own +
                            scene.gains[place.method] + spread.trials * generator_.normal();
-    const double value = 0.5 * (ends.low + ends.high) - 0.5 * (*least + *most) +
-                         shifts[place.method] + (ends.high - ends.low) * effects;
+    const double value = 0.5 * (answers.low + answers.high) - 0.5 * (*least + *most) +
+                         shifts[place.method] + answers.width() * effects;
     return measured(nearest_answer(measure, value));
   }
 
@@ -238,6 +227,7 @@ study::StudyRecords draw_study(const ExpectedStudy& expected, std::size_t partic
 
 ExpectedStudy example_study() {
   ExpectedStudy expected;
+  expected.times_spread.scenes_gain = 0.0;
   study::Protocol& protocol = expected.protocol;
   protocol.name = "example";
   protocol.title = "A study drawn from a model";

@@ -23,7 +23,7 @@ struct ExpectedSpread {
   double participants = 0.5;
   double scenes = 0.5;
   double participants_gain = 0.3;
-  double scenes_gain = 0.0;
+  double scenes_gain = 0.1;
   double trials = 0.35;  ///< Between trials of one participant in one scene with one method.
 };
 
@@ -59,7 +59,8 @@ study::StudyRecords draw_study(const ExpectedStudy& expected, std::size_t partic
 
 /// What intervals and tests are checked with: three methods, of which the others take 32 and 10 %
 /// of the first one's time, in five scenes; the published marks and rating, a third mark,
-/// `recognition`, and a rating of 0 to 100, `comfort`. No time is right-censored.
+/// `recognition`, and a rating of 0 to 100, `comfort`. Scenes do not differ in their gain, and no
+/// time is right-censored.
 ExpectedStudy example_study();
 
 }  // namespace foveola::analysis

@@ -24,19 +24,6 @@ bool has_data(const study::StudyRecords& records) {
                      [](const study::SessionRow& row) { return row.state == "completed"; });
 }
 
-std::vector<ComparedPair> planned_pairs(const Dataset& set, const study::AnalysisPlan& plan) {
-  std::vector<ComparedPair> pairs = compared_pairs(set, plan);
-  std::erase_if(pairs, [&](const ComparedPair& pair) {
-    return std::none_of(plan.primary.begin(), plan.primary.end(),
-                        [&](const study::PlannedComparison& planned) {
-                          return planned.measure == set.measures[pair.measure].id() &&
-                                 planned.method == set.methods[pair.method] &&
-                                 planned.baseline == set.methods[pair.reference];
-                        });
-  });
-  return pairs;
-}
-
 void write_study(const study::StudyRecords& records, const fs::path& folder) {
   const Dataset set = select_for_analysis(records);
   const TrialColumns trials(records, set);

@@ -55,11 +55,7 @@ ExpectedStudy rating_study() {
   ExpectedStudy expected = two_methods();
   expected.protocol.ratings = {example_study().protocol.ratings.front()};
   expected.shifts = {{0.0, 0.0}};
-  expected.ratings_spread = {.participants = 0.15,
-                             .scenes = 0.05,
-                             .participants_gain = 0.1,
-                             .scenes_gain = 0.05,
-                             .trials = 0.2};
+  expected.ratings_spread = ExpectedStudy().ratings_spread;
   expected.protocol.analysis.primary = {{"artifacts", "fv", "od"}};
   return expected;
 }

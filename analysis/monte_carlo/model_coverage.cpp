@@ -21,9 +21,6 @@ namespace {
 
 constexpr Interval nominal_range = {93.5, 96.5};
 
-/// So many studies are fitted by one process.
-constexpr std::size_t one_process = 25;
-
 ModelCell tobit_cell(std::size_t participants, const GainDesign& design) {
   const bool is_fixed = design.scenes == study::SceneEffects::fixed;
   return {
@@ -214,11 +211,11 @@ std::vector<CoverageFigure> measure_model_coverage(const ModelCell& cell,
                                                    const ModelFitter& fit,
                                                    const std::stop_token& stop) {
   const std::size_t studies = studies_of(cell, settings);
-  std::vector<CellCounts> parts((studies + one_process - 1) / one_process);
+  std::vector<CellCounts> parts((studies + studies_drawn_together - 1) / studies_drawn_together);
   Workers(settings.threads)
-      .for_each_block(studies, one_process, [&](std::size_t first, std::size_t last) {
+      .for_each_block(studies, studies_drawn_together, [&](std::size_t first, std::size_t last) {
         if (!stop.stop_requested()) {
-          parts[first / one_process] = count_block(cell, settings, fit, first, last);
+          parts[first / studies_drawn_together] = count_block(cell, settings, fit, first, last);
         }
       });
   if (stop.stop_requested()) {

@@ -22,8 +22,7 @@ Table models_table(const StudyTables& tables, const Comparisons& comparisons) {
        [](const M& row) { return field(row.reference); }},
       {{"model", text, "",
         "crossed: mixed model of log times, or of points on a scale with many; tobit: of log times "
-        "with "
-        "right-censored ones; ordinal: cumulative link mixed model of ratings"},
+        "with right-censored ones; ordinal: cumulative link mixed model of ratings"},
        [](const M& row) { return field(row.model); }},
       {{"scale", text, "", "ratio of times, odds ratio of a higher rating, or points"},
        [](const M& row) { return field(std::string(name_of(row.scale))); }},

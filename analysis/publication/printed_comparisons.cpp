@@ -101,7 +101,7 @@ std::string compared_in_words(const MethodComparison& row) {
 
 PrintedTable printed_ratios(const Comparisons& comparisons) {
   PrintedTable table;
-  table.id = "times-over-participants";
+  table.id = "ratios-over-participants";
   table.title = "Times over participants, in these scenes.";
   table.note =
       "Geometric mean ratio of the participants’ pairs with t interval, then BCa bootstrap "

@@ -71,12 +71,10 @@ PrintedTable printed_primary(const Comparisons& comparisons, bool planned) {
   table.title = planned ? "Planned comparisons." : "Exploratory comparisons, P-values unadjusted.";
   table.note = fmt::format(
       "The primary analysis of each, with its 95 % interval. {} Speed-up: how many times sooner "
-      "the "
-      "mark came.",
+      "the mark came.",
       comparisons.plan.scenes == study::SceneEffects::random
           ? "Mixed and Tobit models are of scenes and participants like these; a paired t and "
-            "signed "
-            "ranks are of participants like these in these scenes."
+            "signed ranks are of participants like these in these scenes."
           : "All are of participants like these in these scenes.");
   table.columns = {"Methods, measure", "n", "pairs", "estimate [95 %]", "speed-up [95 %]", "P"};
   if (planned) {

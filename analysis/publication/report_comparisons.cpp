@@ -14,8 +14,7 @@ std::string plan_in_words(const Comparisons& comparisons, std::size_t participan
   std::string text =
       plan.primary.empty()
           ? "The protocol plans no comparison: all of these are exploratory, and their P-values "
-            "are "
-            "not adjusted for their number."
+            "are not adjusted for their number."
           : fmt::format(
                 "The protocol planned {} before there were data, at a level of {:g} for all "
                 "of them together (Holm); everything else is exploratory, and not adjusted.",

@@ -49,8 +49,7 @@ std::string definitions_section(const StudyTables& tables) {
       "are taken. Times: with random scenes, a mixed model of log times in which participants and "
       "scenes are crossed and each has its own difference between the methods, by restricted "
       "maximum likelihood with Satterthwaite’s degrees of freedom, for participants and scenes "
-      "like "
-      "these; with fixed scenes, a paired t test over participants, in these scenes. With "
+      "like these; with fixed scenes, a paired t test over participants, in these scenes. With "
       "right-censored times, a Tobit model of log times with terms for participants and scenes; "
       "with random scenes, its standard error and degrees of freedom are the mixed model’s of each "
       "pair’s influence on the ratio; with fixed scenes, each has a ratio of its own, of which the "
@@ -68,8 +67,7 @@ std::string definitions_section(const StudyTables& tables) {
       "A participant’s value is the mean log ratio, or the mean difference of ratings, over the "
       "scenes with a pair; ratios, t tests, d_z (mean over standard deviation of the values) and "
       "Wilcoxon tests are of these, the omnibus tests of complete cases. Wilcoxon’s test leaves "
-      "out "
-      "differences of zero and is exact, with ties, up to 200 participants, above which it is "
+      "out differences of zero and is exact, with ties, up to 200 participants, above which it is "
       "the normal approximation with corrections for ties and continuity. r, rank: the "
       "matched-pairs rank-biserial correlation, (W+ − W−)/(W+ + W−).");
   define("Pseudo-median",

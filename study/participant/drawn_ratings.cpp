@@ -39,16 +39,6 @@ double rounded_by_chance(const Question& rating, double value, Pcg32& random) {
 
 }  // namespace
 
-Span span_of(const Question& rating) {
-  if (rating.kind != QuestionKind::choice) {
-    return {.low = rating.minimum, .high = rating.maximum};
-  }
-  const auto [low, high] = std::minmax_element(
-      rating.options.begin(), rating.options.end(),
-      [](const Option& one, const Option& other) { return *one.value < *other.value; });
-  return {.low = *low->value, .high = *high->value};
-}
-
 Span span_of(const InjectedEffect::ByMethod& shifts) {
   Span span;
   for (const auto& [method, points] : shifts) {

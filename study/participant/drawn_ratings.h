@@ -7,17 +7,6 @@
 
 namespace foveola::study {
 
-/// From the lowest to the highest number.
-struct Span {
-  double low = 0.0;
-  double high = 0.0;
-
-  double width() const { return high - low; }
-};
-
-/// The answers of a scale, a number or a choice whose options all have values.
-Span span_of(const Question& rating);
-
 /// The shifts of a rating's answers, of which a method without one has 0.
 Span span_of(const InjectedEffect::ByMethod& shifts);
 

@@ -45,6 +45,16 @@ std::string_view fault_id(const Question& question,
 
 }  // namespace
 
+Span span_of(const Question& rating) {
+  if (rating.kind != QuestionKind::choice) {
+    return {.low = rating.minimum, .high = rating.maximum};
+  }
+  const auto [low, high] = std::minmax_element(
+      rating.options.begin(), rating.options.end(),
+      [](const Option& one, const Option& other) { return *one.value < *other.value; });
+  return {.low = *low->value, .high = *high->value};
+}
+
 std::string fault_of(const Question& question, const std::variant<double, std::string>& answer,
                      const Texts& texts) {
   const std::string_view id = fault_id(question, answer);

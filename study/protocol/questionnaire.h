@@ -39,6 +39,17 @@ struct Question {
   std::string simulated;
 };
 
+/// From the lowest to the highest number.
+struct Span {
+  double low = 0.0;
+  double high = 0.0;
+
+  double width() const { return high - low; }
+};
+
+/// The answers of a scale, a number or a choice whose options all have values.
+Span span_of(const Question& rating);
+
 struct Questionnaire {
   std::string id;
   std::string title;

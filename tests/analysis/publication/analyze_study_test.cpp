@@ -54,12 +54,12 @@ TEST_F(AnalyzeStudy, WritesEverythingIntoANewFolder) {
           "psych-ds", "questionnaire_scores.csv", "ranks.tex", "rating-differences.tex",
           "rating_counts.csv", "ratings-artifacts.tex", "ratings_artifacts.pdf",
           "ratings_artifacts.png", "ratings_artifacts.svg", "ratings_by_method.csv",
-          "reaction_times.csv", "relative_times.pdf", "relative_times.png", "relative_times.svg",
-          "relative_times_by_scene.pdf", "relative_times_by_scene.png",
-          "relative_times_by_scene.svg", "report.html", "time-to-mark.tex", "time_to_mark.csv",
-          "time_to_material.pdf", "time_to_material.png", "time_to_material.svg",
-          "time_to_outline.pdf", "time_to_outline.png", "time_to_outline.svg", "times-material.tex",
-          "times-outline.tex", "times-over-participants.tex", "times_by_method.csv",
+          "ratios-over-participants.tex", "reaction_times.csv", "relative_times.pdf",
+          "relative_times.png", "relative_times.svg", "relative_times_by_scene.pdf",
+          "relative_times_by_scene.png", "relative_times_by_scene.svg", "report.html",
+          "time-to-mark.tex", "time_to_mark.csv", "time_to_material.pdf", "time_to_material.png",
+          "time_to_material.svg", "time_to_outline.pdf", "time_to_outline.png",
+          "time_to_outline.svg", "times-material.tex", "times-outline.tex", "times_by_method.csv",
           "times_by_scene.csv", "times_in_seconds.pdf", "times_in_seconds.png",
           "times_in_seconds.svg", "trials_long.csv", "trials_timed_again.csv"));
   EXPECT_THAT(
