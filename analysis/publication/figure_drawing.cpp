@@ -41,8 +41,8 @@ std::string figure_preamble(const StudyTables& tables) {
 std::string row_names(const std::vector<std::string>& methods) {
   std::string tics;
   for (std::size_t row = 0; row < methods.size(); ++row) {
-    tics += fmt::format("{}{} {}", row > 0 ? ", " : "", gnuplot_quoted(method_label(methods[row])),
-                        row);
+    tics += fmt::format("{}{} {}", row > 0 ? ", " : "",
+                        gnuplot_tick_label(method_label(methods[row])), row);
   }
   return fmt::format("set ytics ({})\nset yrange [{}:-0.6]\n", tics,
                      static_cast<double>(methods.size()) - 0.4);

@@ -41,4 +41,12 @@ std::string gnuplot_quoted(std::string_view text) {
   return quoted + "'";
 }
 
+std::string gnuplot_tick_label(std::string_view text) {
+  std::string format;
+  for (const char c : text) {
+    format += c == '%' ? "%%" : std::string(1, c);
+  }
+  return gnuplot_quoted(format);
+}
+
 }  // namespace foveola::analysis

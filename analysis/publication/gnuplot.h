@@ -14,4 +14,8 @@ std::string run_gnuplot(const std::string& script);
 /// become spaces.
 std::string gnuplot_quoted(std::string_view text);
 
+/// `text` as the label of a tick, likewise. Gnuplot reads these, unlike other texts, as formats of
+/// the tick's number, in which it would take a per cent sign for a conversion.
+std::string gnuplot_tick_label(std::string_view text);
+
 }  // namespace foveola::analysis

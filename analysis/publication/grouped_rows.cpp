@@ -26,7 +26,7 @@ std::string row_axis(const GroupedRows& rows) {
       headings += horizontal_rule(top, palette::ink);
     }
     for (std::size_t row = 0; row < rows.rows.size(); ++row) {
-      names.push_back(fmt::format("{} {}", gnuplot_quoted(rows.rows[row]), rows.y(group, row)));
+      names.push_back(fmt::format("{} {}", gnuplot_tick_label(rows.rows[row]), rows.y(group, row)));
     }
   }
   return fmt::format("set ytics ({})\nset yrange [{}:0]\n", fmt::join(names, ", "), rows.height()) +

@@ -321,10 +321,10 @@ TEST(Figures, NumbersOfAWideRangeAreDrawnAsFarAsTheyReach) {
 
 TEST(Figures, HostileNamesStayText) {
   study::StudyRecords records = complete_study(2);
-  const std::string hostile = "</text><script>'`id`\n\"@x";
+  const std::string hostile = "</text><script>'`id`\n\"@x 5 % ;";
   records.methods[2] = hostile;
   for (const Figure& figure : draw_figures(tabulate_study(records))) {
-    EXPECT_THAT(figure.svg, HasSubstr("&lt;/text>&lt;script>'`id` \"@x"));
+    EXPECT_THAT(figure.svg, HasSubstr("&lt;/text>&lt;script>'`id` \"@x 5 % ;"));
     EXPECT_THAT(figure.svg, Not(HasSubstr("<script")));
   }
 }

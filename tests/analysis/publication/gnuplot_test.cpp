@@ -32,6 +32,13 @@ TEST(Gnuplot, QuotedTextIsNeitherRunNorExpanded) {
   EXPECT_THAT(svg, HasSubstr("it's `echo run` @macro \"x\" \\n %d end"));
 }
 
+TEST(Gnuplot, ALabelOfATickIsNoFormat) {
+  const std::string label = "50 % ; 100 %d %% it's";
+  const std::string svg = run_gnuplot("set terminal svg noenhanced\nset ytics (" +
+                                      gnuplot_tick_label(label) + " 0.5)\nplot [0:1] x\n");
+  EXPECT_THAT(svg, HasSubstr(label));
+}
+
 /// Sets PATH for the length of a test.
 class PathWithoutPrograms : public testing::Test {
  protected:
