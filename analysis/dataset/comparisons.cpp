@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "analysis/statistics/crossed_model.h"
 #include "analysis/statistics/influence.h"
 #include "analysis/statistics/multiplicity.h"
+#include "renderer/base/ordered_jobs.h"
 
 namespace foveola::analysis {
 namespace {
@@ -190,6 +192,22 @@ MethodComparison compare(const Dataset& set, const study::AnalysisPlan& plan,
   return comparison;
 }
 
+/// The compared pairs, several at a time.
+std::vector<MethodComparison> compare_all(const Dataset& set, const study::AnalysisPlan& plan,
+                                          const std::vector<ParticipantValues>& means,
+                                          const FittedModels& models) {
+  const std::vector<ComparedPair> pairs = compared_pairs(set, plan);
+  std::vector<MethodComparison> compared;
+  OrderedJobs<MethodComparison> jobs(pairs.size(), pairs.size(), [&](std::size_t index) {
+    return compare(set, plan, pairs[index], means[pairs[index].measure], models);
+  });
+  jobs.run(all_cores(), [&](std::size_t /*index*/, MethodComparison comparison) {
+    compared.push_back(std::move(comparison));
+    return true;
+  });
+  return compared;
+}
+
 /// Adjusts the P-values of a family. What has no P-value counts as one that is not significant: a
 /// family is never smaller than it was planned.
 void adjust_family(std::vector<MethodComparison>& family) {
@@ -343,19 +361,18 @@ std::vector<MethodComparison> planned_primary_analyses(const Dataset& set,
 Comparisons compare_methods(const Dataset& set, const study::AnalysisPlan& plan,
                             FittedModels models) {
   const std::vector<ParticipantValues> means = means_of_measures(set);
+  std::vector<MethodComparison> compared = compare_all(set, plan, means, models);
+  auto next = std::make_move_iterator(compared.begin());
   Comparisons result;
   result.plan = plan;
-  result.methods = planned_comparisons(set, plan, [&](const ComparedPair& pair) {
-    return compare(set, plan, pair, means[pair.measure], models);
-  });
+  result.methods =
+      planned_comparisons(set, plan, [&](const ComparedPair& /*pair*/) { return *next++; });
   adjust_equivalence(result.methods);
+  result.methods.insert(result.methods.end(), next, std::make_move_iterator(compared.end()));
   for (std::size_t measure = 0; measure < set.measures.size(); ++measure) {
     const Measure& of = set.measures[measure];
     if (!of.is_numeric()) {
       continue;
-    }
-    for (const ComparedPair& pair : unplanned_pairs(set, plan, measure)) {
-      result.methods.push_back(compare(set, plan, pair, means[measure], models));
     }
     result.omnibus.push_back(test_all(of, means[measure]));
     for (const auto& [order, name] : {std::pair(OrderOf::trials, "trial in the session"),

@@ -1,6 +1,7 @@
 #include "analysis/publication/figure_drawing.h"
 
 #include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,50 @@ std::string data_mark(const StudyTables& tables) {
                               "set label {} at screen 0.012, screen 1 offset 0,-0.7 left "
                               "front textcolor rgb '{}'\n",
                               gnuplot_quoted(notice), palette::ink.rgb);
+}
+
+std::string svg_terminal(int width, int height) {
+  return fmt::format(
+      "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background 'white'\n",
+      width, height);
+}
+
+std::string png_terminal(int width, int height) {
+  return fmt::format(
+      "set terminal pngcairo size {},{} noenhanced font 'sans-serif,10.5' fontscale 2 "
+      "linewidth 2 pointscale 2 background rgb 'white'\n",
+      2 * width, 2 * height);
+}
+
+std::string pdf_terminal(int width, int height) {
+  constexpr double units_per_inch = 96.0;
+  return fmt::format(
+      "set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font 'sans-serif,10.5' "
+      "fontscale 1 linewidth 1 pointscale 1.2 background rgb 'white'\n",
+      width / units_per_inch, height / units_per_inch);
+}
+
+/// Blanks out when the PDF was made, so that the same study gives the same bytes; nothing moves,
+/// since a PDF's table of contents counts bytes.
+std::string without_date(std::string pdf) {
+  const std::size_t begin = pdf.find("/CreationDate");
+  const std::size_t end = begin == std::string::npos ? begin : pdf.find(')', begin);
+  if (end != std::string::npos) {
+    pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+  }
+  return pdf;
+}
+
+/// `drawn` is an SVG, a PNG and a PDF, one after the other: most of what gnuplot takes is its
+/// start, so that it starts once for all three. In an SVG's texts, "<" is escaped.
+Figure split(const std::string& name, const std::string& script, const std::string& drawn) {
+  constexpr std::string_view svg_end = "</svg>";
+  constexpr std::string_view png_begin = "\x89PNG";
+  constexpr std::string_view png_end = "IEND\xae\x42\x60\x82";  // The last chunk and its checksum.
+  const std::size_t png = drawn.find(png_begin, drawn.find(svg_end));
+  const std::size_t pdf = drawn.find(png_end, png) + png_end.size();
+  return {name, drawn.substr(0, png), drawn.substr(png, pdf - png), without_date(drawn.substr(pdf)),
+          script};
 }
 
 }  // namespace
@@ -96,10 +141,10 @@ std::string method_key(const StudyTables& tables, std::size_t method) {
 }
 
 Figure drawn_figure(const std::string& name, int width, int height, const std::string& script) {
-  const std::string terminal = fmt::format(
-      "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' background 'white'\n",
-      width, height);
-  return {name, run_gnuplot(terminal + script), width, height, script};
+  return split(
+      name, script,
+      run_gnuplot(fmt::format("{0}{3}reset\n{1}{3}reset\n{2}{3}", svg_terminal(width, height),
+                              png_terminal(width, height), pdf_terminal(width, height), script)));
 }
 
 }  // namespace foveola::analysis

@@ -13,12 +13,12 @@ namespace foveola::analysis {
 inline constexpr std::size_t most_dots = 500;
 
 struct Figure {
-  std::string name;  ///< A file name without its extension.
-  std::string svg;   ///< The content of an SVG file, on a white background.
-  // From these, pdf_of and png_of draw the figure again.
-  int width = 0;       ///< In SVG units, 1/96 inch.
-  int height = 0;      ///< In SVG units.
-  std::string script;  ///< The gnuplot script, without its terminal.
+  std::string name;      ///< A file name without its extension.
+  std::string svg;       ///< The content of an SVG file, on a white background.
+  std::string png{};     ///< Of a PNG file of twice the size, for slides; empty if it has none.
+  std::string pdf{};     ///< Of a PDF file without a date, so that the same figure gives the same
+                         ///< bytes; empty if it has none.
+  std::string script{};  ///< What gnuplot draws all of them by, without its terminal.
 };
 
 /// The name of the figure of a rating.
@@ -28,19 +28,11 @@ std::string rating_figure_name(const Measure& rating);
 bool draws_participants(const StudyTables& tables);
 
 /// Draws the times of all marks, relative_times, relative_times_by_scene and times_in_seconds, the
-/// curve time_to_MARK of each mark, and each rating in numbers, as far as there are values. Throws
-/// Error if gnuplot is missing.
+/// curve time_to_MARK of each mark, and each rating in numbers, as far as there are values; several
+/// at a time. Throws Error if gnuplot is missing.
 std::vector<Figure> draw_figures(const StudyTables& tables);
 
-/// Each figure as NAME.svg, NAME.pdf and NAME.png; several are drawn at a time. Throws Error as
-/// below.
+/// Each figure as NAME.svg, NAME.pdf and NAME.png.
 std::vector<TextFile> files_of_figures(const std::vector<Figure>& figures);
-
-/// The figure as a PDF without a date, so that the same figure gives the same bytes. Throws Error
-/// if gnuplot is missing.
-std::string pdf_of(const Figure& figure);
-
-/// The figure as a PNG of twice the size, for slides. Throws Error if gnuplot is missing.
-std::string png_of(const Figure& figure);
 
 }  // namespace foveola::analysis

@@ -11,7 +11,8 @@ namespace {
 ProgramEnd end_of_gnuplot(const std::string& script) {
   const std::string without_user_settings = "-d";
   try {
-    return run_to_end({.words = {"gnuplot", without_user_settings}, .input = script});
+    // By its name, gnuplot reads it in large pieces; what it takes as its input, byte by byte.
+    return run_to_end({.words = {"gnuplot", without_user_settings, "/dev/stdin"}, .input = script});
   } catch (const std::system_error&) {
     throw Error("gnuplot", "cannot be started, and it draws the figures",
                 "install it: apt-get install gnuplot-nox");

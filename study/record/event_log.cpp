@@ -58,10 +58,12 @@ void for_each_step(const Procedure& procedure, const std::vector<LoggedEvent>& e
 
 void replay_events(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
                    const std::vector<LoggedEvent>& events) {
+  std::int64_t sequence = 0;
   for_each_step(
       procedure, events, name_of_session(session),
       [&](const LoggedEvent& logged, const SessionState& before, const SessionState& after) {
-        insert_event_rows(statements, session, procedure, logged, before, after);
+        insert_what_follows(statements, session, procedure, ++sequence, logged.event, before,
+                            after);
       });
 }
 

@@ -24,8 +24,9 @@ using StepVisitor = std::function<void(const LoggedEvent& logged, const SessionS
 void for_each_step(const Procedure& procedure, const std::vector<LoggedEvent>& events,
                    const std::string& whose, const StepVisitor& visit);
 
-/// Makes everything that follows from `events` in a database that holds the session and its plan,
-/// but nothing that happened yet. Throws Error for an event that cannot follow those before it.
+/// Makes everything that follows from `events`, which is all but their log, in a database that
+/// holds the session and its plan, but nothing that happened yet. Throws Error for an event that
+/// cannot follow those before it.
 void replay_events(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
                    const std::vector<LoggedEvent>& events);
 

@@ -54,24 +54,23 @@ LastLine last_line(PreparedStatements& statements, std::int64_t session) {
              : LastLine{0, hash_before_events(statements, session)};
 }
 
+template <typename... Values>
+void insert(PreparedStatements& statements, const char* sql, const Values&... values) {
+  PreparedStatement statement(statements, sql);
+  SQLite::bind(*statement, values...);
+  statement->exec();
+}
+
 /// What follows from one event of a session.
 class EventRows {
  public:
   EventRows(PreparedStatements& statements, std::int64_t session, const Procedure& procedure,
-            const SessionState& before)
-      : statements_(statements), session_(session), procedure_(procedure), before_(before) {}
-
-  void append_to_log(const LoggedEvent& logged) const {
-    const LastLine last = last_line(statements_, session_);
-    const LogLine line = {.sequence = last.sequence + 1,
-                          .time_ns = logged.time.count(),
-                          .utc = logged.utc,
-                          .type = name_of(logged.event),
-                          .payload = payload_of(logged.event)};
-    const std::string hash = hash_of(last.hash, line);
-    insert("INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?)", session_, line.sequence, line.time_ns,
-           line.utc, line.type, line.payload, hash);
-  }
+            std::int64_t sequence, const SessionState& before)
+      : statements_(statements),
+        session_(session),
+        procedure_(procedure),
+        sequence_(sequence),
+        before_(before) {}
 
   void begin_attempt(const SessionState& after) const {
     insert("INSERT INTO attempt (session, trial, attempt, object) VALUES (?, ?, ?, ?)", session_,
@@ -102,7 +101,7 @@ class EventRows {
   }
 
   void operator()(const GazeValidated& event) const {
-    insert_gaze_runs(statements_.database(), session_, event.runs);
+    insert_gaze_runs(statements_.database(), session_, sequence_, event.runs);
   }
 
   void operator()(const ReactionPressed& event) const {
@@ -155,9 +154,7 @@ class EventRows {
 
   template <typename... Values>
   void insert(const char* sql, const Values&... values) const {
-    PreparedStatement statement(statements_, sql);
-    SQLite::bind(*statement, values...);
-    statement->exec();
+    foveola::study::insert(statements_, sql, values...);
   }
 
   template <typename... Values>
@@ -171,19 +168,32 @@ class EventRows {
   PreparedStatements& statements_;
   std::int64_t session_;
   const Procedure& procedure_;
+  std::int64_t sequence_;
   const SessionState& before_;
 };
 
 }  // namespace
 
-void insert_event_rows(PreparedStatements& statements, std::int64_t session,
-                       const Procedure& procedure, const LoggedEvent& logged,
-                       const SessionState& before, const SessionState& after) {
-  const EventRows rows(statements, session, procedure, before);
-  rows.append_to_log(logged);
-  std::visit(rows, logged.event);
+std::int64_t append_to_log(PreparedStatements& statements, std::int64_t session,
+                           const LoggedEvent& logged) {
+  const LastLine last = last_line(statements, session);
+  const LogLine line = {.sequence = last.sequence + 1,
+                        .time_ns = logged.time.count(),
+                        .utc = logged.utc,
+                        .type = name_of(logged.event),
+                        .payload = payload_of(logged.event)};
+  insert(statements, "INSERT INTO event VALUES (?, ?, ?, ?, ?, ?, ?)", session, line.sequence,
+         line.time_ns, line.utc, line.type, line.payload, hash_of(last.hash, line));
+  return line.sequence;
+}
+
+void insert_what_follows(PreparedStatements& statements, std::int64_t session,
+                         const Procedure& procedure, std::int64_t sequence, const Event& event,
+                         const SessionState& before, const SessionState& after) {
+  const EventRows rows(statements, session, procedure, sequence, before);
+  std::visit(rows, event);
   if (is_in_attempt(before) && !is_same_attempt(before, after)) {
-    rows.end_attempt(std::visit(Outcome{}, logged.event));
+    rows.end_attempt(std::visit(Outcome{}, event));
   }
   if (is_in_attempt(after) && !is_same_attempt(before, after)) {
     rows.begin_attempt(after);

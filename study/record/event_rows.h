@@ -8,10 +8,15 @@
 
 namespace foveola::study {
 
-/// Appends `logged`, whose event took the session from `before` to `after`, to the log and its hash
-/// chain, and writes what follows from it. Call it inside a transaction. Throws what SQLite throws.
-void insert_event_rows(PreparedStatements& statements, std::int64_t session,
-                       const Procedure& procedure, const LoggedEvent& logged,
-                       const SessionState& before, const SessionState& after);
+/// Appends `logged` to the session's log and its hash chain; returns its number there. Call both
+/// inside one transaction; they throw what SQLite throws.
+std::int64_t append_to_log(PreparedStatements& statements, std::int64_t session,
+                           const LoggedEvent& logged);
+
+/// Writes what follows from `event`, whose number in the log is `sequence`, and which took the
+/// session from `before` to `after`.
+void insert_what_follows(PreparedStatements& statements, std::int64_t session,
+                         const Procedure& procedure, std::int64_t sequence, const Event& event,
+                         const SessionState& before, const SessionState& after);
 
 }  // namespace foveola::study

@@ -22,18 +22,18 @@ void bind_figures(SQLite::Statement& row, int index, const std::optional<GazeFig
   }
 }
 
-void insert_run(SQLite::Database& database, std::int64_t session, const GazeRun& run) {
+void insert_run(SQLite::Database& database, std::int64_t session, std::int64_t sequence,
+                const GazeRun& run) {
   SQLite::Statement row(
       database,
-      "INSERT INTO gaze_run (session, data_loss, passed, accuracy_deg, precision_rms_deg,"
-      "  precision_sd_deg, correction, run, sequence)"
-      " VALUES (?1, ?, ?, ?, ?, ?, ?,"
-      "  (SELECT coalesce(max(run), 0) + 1 FROM gaze_run WHERE session = ?1),"
-      "  (SELECT max(sequence) FROM event WHERE session = ?1))");
-  SQLite::bind(row, session, run.quality.data_loss, run.passed ? 1 : 0);
-  bind_figures(row, 4, run.quality.figures);
+      "INSERT INTO gaze_run (session, sequence, data_loss, passed, accuracy_deg, precision_rms_deg,"
+      "  precision_sd_deg, correction, run)"
+      " VALUES (?1, ?, ?, ?, ?, ?, ?, ?,"
+      "  (SELECT coalesce(max(run), 0) + 1 FROM gaze_run WHERE session = ?1))");
+  SQLite::bind(row, session, sequence, run.quality.data_loss, run.passed ? 1 : 0);
+  bind_figures(row, 5, run.quality.figures);
   if (run.correction) {
-    row.bind(7, study::json_of(*run.correction).dump());
+    row.bind(8, study::json_of(*run.correction).dump());
   }
   row.exec();
 }
@@ -62,10 +62,10 @@ void insert_target(SQLite::Database& database, std::int64_t session, std::size_t
 
 }  // namespace
 
-void insert_gaze_runs(SQLite::Database& database, std::int64_t session,
+void insert_gaze_runs(SQLite::Database& database, std::int64_t session, std::int64_t sequence,
                       const std::vector<GazeRun>& runs) {
   for (const GazeRun& run : runs) {
-    insert_run(database, session, run);
+    insert_run(database, session, sequence, run);
     for (std::size_t i = 0; i < run.quality.targets.size(); ++i) {
       insert_target(database, session, i, run.quality.targets[i]);
     }

@@ -12,9 +12,9 @@ class Database;
 
 namespace foveola::study {
 
-/// Appends the runs that the session's last event reports. Call it inside a transaction. Throws
-/// what SQLite throws.
-void insert_gaze_runs(SQLite::Database& database, std::int64_t session,
+/// Appends the runs that the session's event number `sequence` reports. Call it inside a
+/// transaction. Throws what SQLite throws.
+void insert_gaze_runs(SQLite::Database& database, std::int64_t session, std::int64_t sequence,
                       const std::vector<GazeRun>& runs);
 
 }  // namespace foveola::study

@@ -51,7 +51,8 @@ std::string digest_of_session(SQLite::Database& study, std::int64_t session) {
     }
   };
   add(plan_tables);
-  add(event_tables);
+  add(log_tables);
+  add(following_tables);
   add(measured_tables);
   return sha256(digests);
 }
@@ -65,7 +66,8 @@ void copy_session(SQLite::Database& source, std::int64_t session, SQLite::Databa
     }
   };
   copy(plan_tables);
-  copy(event_tables);
+  copy(log_tables);
+  copy(following_tables);
   copy(measured_tables);
 }
 

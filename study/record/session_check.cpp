@@ -1,5 +1,6 @@
 #include "study/record/session_check.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "study/record/chunk.h"
 #include "study/record/clock_steps.h"
+#include "study/record/event_json.h"
 #include "study/record/event_log.h"
 #include "study/record/frame_encoding.h"
 #include "study/record/gaze_encoding.h"
@@ -80,6 +82,7 @@ class SessionCheck {
                          .payload = log->getColumn(4).getString()};
       ++found_.events;
       previous = hash_of(previous, line);
+      payloads_.push_back(line.payload);
       if (line.sequence != expected || previous != log->getColumn(5).getString()) {
         fault(expected == 1 ? "event 1, the study, the session or its plan is not what was written"
                             : fmt::format("event {} is not what was written", expected));
@@ -93,9 +96,15 @@ class SessionCheck {
   /// Goes through the events again, and compares.
   void check_what_follows() {
     try {
-      replay_events(again_, session_, recorded_procedure_of(again_.database(), session_),
-                    events_of(study_.database(), session_));
-      for (const char* table : event_tables) {
+      const std::vector<LoggedEvent> events = events_of(study_.database(), session_);
+      if (!std::equal(events.begin(), events.end(), payloads_.begin(), payloads_.end(),
+                      [](const LoggedEvent& logged, const std::string& payload) {
+                        return payload_of(logged.event) == payload;
+                      })) {
+        fault("its events say more than this program writes of them");
+      }
+      replay_events(again_, session_, recorded_procedure_of(again_.database(), session_), events);
+      for (const char* table : following_tables) {
         const std::string sql = fmt::format("SELECT * FROM {} WHERE session = ?", table);
         if (sorted_rows(*rows(study_, sql)) != sorted_rows(*rows(again_, sql))) {
           fault(fmt::format("its rows in {} do not follow from its events", table));
@@ -209,6 +218,7 @@ class SessionCheck {
   PreparedStatements& again_;
   std::int64_t session_;
   std::string participant_;
+  std::vector<std::string> payloads_;  ///< of the log, as far as it was read
   Verification& found_;
 };
 

@@ -119,9 +119,10 @@ struct StudyStore::Implementation {
   }
 
   void insert(std::int64_t session, const EventEntry& entry) {
-    insert_event_rows(statements, session, procedure_of_session(session),
-                      {.time = entry.time, .event = entry.event, .utc = utc_now()}, entry.before,
-                      entry.after);
+    const std::int64_t sequence = append_to_log(
+        statements, session, {.time = entry.time, .event = entry.event, .utc = utc_now()});
+    insert_what_follows(statements, session, procedure_of_session(session), sequence, entry.event,
+                        entry.before, entry.after);
   }
 
   void insert(std::int64_t session, const FrameChunk& chunk) {

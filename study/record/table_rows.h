@@ -26,10 +26,12 @@ inline constexpr std::array study_tables = {
 /// The tables of what a session set out to do; as in those below, the column session says whose.
 inline constexpr std::array plan_tables = {"session_scene", "planned_trial", "planned_step"};
 
-/// The tables that follow from a session's events and its plan, and the log itself.
-inline constexpr std::array event_tables = {
-    "event",    "gaze_run", "gaze_target", "questionnaire_answer",
-    "reaction", "attempt",  "mark",        "rating"};
+/// The log of a session's events.
+inline constexpr std::array log_tables = {"event"};
+
+/// The tables that follow from its log and its plan.
+inline constexpr std::array following_tables = {
+    "gaze_run", "gaze_target", "questionnaire_answer", "reaction", "attempt", "mark", "rating"};
 
 /// The tables of what was measured meanwhile.
 inline constexpr std::array measured_tables = {"frame_chunk", "gaze_chunk", "film_hash"};

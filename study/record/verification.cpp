@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <optional>
-#include <thread>
 
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -19,8 +18,20 @@ namespace fs = std::filesystem;
 namespace foveola::study {
 namespace {
 
-/// Whether what SQLite itself can check is whole: the rest can then be read.
-bool is_intact(SQLite::Database& study, Verification& found) {
+/// A copy, since SQLite checks no CHECK constraints of files that it may not write. It has no name,
+/// and goes to the disk only as far as it is larger than the cache.
+SQLite::Database copy_to_verify(const fs::path& path) {
+  SQLite::Database file = open_as_it_is(path);
+  SQLite::Database copy("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  copy.exec("PRAGMA cache_size = -65536");
+  SQLite::Backup(copy, file).executeStep();
+  return copy;
+}
+
+/// All that SQLite itself finds.
+Verification check_integrity(const fs::path& path) {
+  Verification found;
+  SQLite::Database study = copy_to_verify(path);
   SQLite::Statement integrity(study, "PRAGMA integrity_check");
   while (integrity.executeStep()) {
     if (const std::string finding = integrity.getColumn(0).getString(); finding != "ok") {
@@ -33,7 +44,12 @@ bool is_intact(SQLite::Database& study, Verification& found) {
                                             foreign_keys.getColumn(0).getString(),
                                             foreign_keys.getColumn(2).getString())});
   }
-  return found.faults.empty();
+  return found;
+}
+
+/// Whether its pages form the trees that they should, so that reading it comes to an end.
+bool is_readable(SQLite::Database& study) {
+  return study.execAndGet("PRAGMA quick_check(1)").getString() == "ok";
 }
 
 void check_schema(SQLite::Database& study, const fs::path& path, Verification& found) {
@@ -54,17 +70,6 @@ void check_texts(SQLite::Database& study, Verification& found) {
           {"", texts.getColumn(0).getString() + " is not the one that its SHA-256 names"});
     }
   }
-}
-
-/// A copy, since SQLite checks no CHECK constraints of files that it may not write. It has no name,
-/// and goes to the disk only as far as it is larger than the cache.
-SQLite::Database copy_to_verify(const fs::path& path) {
-  require_study(path);
-  SQLite::Database file = open_as_it_is(path);
-  SQLite::Database copy("", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  copy.exec("PRAGMA cache_size = -65536");
-  SQLite::Backup(copy, file).executeStep();
-  return copy;
 }
 
 std::vector<SessionKey> session_keys(SQLite::Database& study) {
@@ -99,41 +104,48 @@ Verification check_sessions_in(const fs::path& path, std::span<const SessionKey>
   return check_sessions(of_study, of_blank, sessions);
 }
 
-/// Appends what is found in the sessions, in their order; each thread has some at a time.
-void check_all_sessions(const fs::path& path, const std::vector<SessionKey>& sessions,
-                        Verification& found) {
+/// Appends what SQLite finds in the file or, if that is nothing, what is found in the sessions, in
+/// their order. The file as a whole is checked beside the sessions, and each thread has some of
+/// them at a time.
+void check_file_and_sessions(const fs::path& path, const std::vector<SessionKey>& sessions,
+                             Verification& found) {
   constexpr std::size_t most_at_once = 128;  // what they are before events is in memory
-  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const auto threads = static_cast<std::size_t>(all_cores());
   const std::size_t at_once =
       std::clamp<std::size_t>((sessions.size() + threads - 1) / threads, 1, most_at_once);
-  OrderedJobs<Verification> checks(
-      (sessions.size() + at_once - 1) / at_once, 2 * threads, [&](std::size_t piece) {
-        const std::size_t first = piece * at_once;
-        return check_sessions_in(
-            path, std::span(sessions).subspan(first, std::min(at_once, sessions.size() - first)));
-      });
-  checks.run(static_cast<int>(threads), [&](std::size_t /*piece*/, const Verification& part) {
+  const std::size_t pieces = (sessions.size() + at_once - 1) / at_once;
+  OrderedJobs<Verification> checks(1 + pieces, pieces + 1, [&](std::size_t index) {
+    if (index == 0) {
+      return check_integrity(path);
+    }
+    const std::size_t first = (index - 1) * at_once;
+    return check_sessions_in(
+        path, std::span(sessions).subspan(first, std::min(at_once, sessions.size() - first)));
+  });
+  checks.run(all_cores(), [&](std::size_t index, const Verification& part) {
     append(found, part);
-    return true;
+    return index > 0 || part.faults.empty();
   });
 }
 
 Verification verify(const fs::path& path) {
+  require_study(path);
   Verification found;
+  if (const std::optional<std::string> fault = size_fault(path)) {
+    found.faults.push_back({"", *fault});
+  }
   std::vector<SessionKey> sessions;
   {
-    SQLite::Database study = copy_to_verify(path);
-    if (const std::optional<std::string> fault = size_fault(path)) {
-      found.faults.push_back({"", *fault});
-    }
-    if (!is_intact(study, found)) {
+    SQLite::Database study = open_as_it_is(path);
+    if (!found.faults.empty() || !is_readable(study)) {
+      append(found, check_integrity(path));
       return found;
     }
     check_schema(study, path, found);
     check_texts(study, found);
     sessions = session_keys(study);
   }
-  check_all_sessions(path, sessions, found);
+  check_file_and_sessions(path, sessions, found);
   return found;
 }
 

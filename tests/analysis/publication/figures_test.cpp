@@ -1,6 +1,7 @@
 #include "analysis/publication/figures.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -40,9 +41,9 @@ TEST(Figures, ThePublishedOnesAreDrawn) {
   for (const Figure& figure : figures) {
     EXPECT_THAT(figure.svg, HasSubstr("</svg>"));
     EXPECT_THAT(figure.svg, HasSubstr("<text>FV</text>"));
-    EXPECT_TRUE(pdf_of(figure).starts_with("%PDF-"));
-    EXPECT_THAT(pdf_of(figure), Not(HasSubstr("CreationDate")));
-    EXPECT_TRUE(png_of(figure).starts_with("\x89PNG"));
+    EXPECT_TRUE(figure.pdf.starts_with("%PDF-"));
+    EXPECT_THAT(figure.pdf, Not(HasSubstr("CreationDate")));
+    EXPECT_TRUE(figure.png.starts_with("\x89PNG"));
   }
   // From R: the means and deviations of the ratings.
   EXPECT_THAT(figures.back().svg, HasSubstr("2.42 ± 0.78"));
@@ -255,8 +256,8 @@ TEST(Figures, OnAScaleOfManyPointsEveryParticipantIsDrawnBetweenTheNamedEnds) {
   EXPECT_THAT(figure.svg,
               AllOf(HasSubstr("<text>not at &lt;all></text>"), HasSubstr("<text>very</text>"),
                     HasSubstr("<text>Ratings, artifacts, points</text>")));
-  EXPECT_TRUE(pdf_of(figure).starts_with("%PDF-"));
-  EXPECT_TRUE(png_of(figure).starts_with("\x89PNG"));
+  EXPECT_TRUE(figure.pdf.starts_with("%PDF-"));
+  EXPECT_TRUE(figure.png.starts_with("\x89PNG"));
 }
 
 TEST(Figures, BarsHaveTheLabelsOfTheScalesEndsAndCounts) {
@@ -282,6 +283,14 @@ TEST(Figures, CountsStandInBarsWhereTheirDigitsFit) {
   EXPECT_THAT(figure.script, AllOf(HasSubstr("set label '1880' at 47,0"), Not(HasSubstr("'120'"))));
 }
 
+int height_of(const Figure& figure) {
+  int width = 0;
+  int height = 0;
+  const std::size_t view = figure.svg.find("viewBox=");
+  EXPECT_EQ(std::sscanf(figure.svg.c_str() + view, "viewBox=\"0 0 %d %d\"", &width, &height), 2);
+  return height;
+}
+
 TEST(Figures, LongLabelsOfEndsHaveALineEach) {
   const auto figure_with = [](const std::string& label) {
     study::StudyRecords records = complete_study(2);
@@ -292,10 +301,10 @@ TEST(Figures, LongLabelsOfEndsHaveALineEach) {
   for (int i = 0; i < 29; ++i) {
     greek += "ω";  // 58 bytes, but 29 characters.
   }
-  const int short_height = figure_with("very").height;
-  EXPECT_EQ(figure_with(greek).height, short_height);
+  const int short_height = height_of(figure_with("very"));
+  EXPECT_EQ(height_of(figure_with(greek)), short_height);
   const Figure figure = figure_with(greek + "ωωωω");
-  EXPECT_EQ(figure.height, short_height + 17);
+  EXPECT_EQ(height_of(figure), short_height + 17);
   EXPECT_THAT(figure.script, AllOf(HasSubstr("graph 1 offset 0,1.5 left"),
                                    HasSubstr("graph 1 offset 0,0.5 right")));
 }

@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include "renderer/base/error.h"
+#include "study/record/hash_chain.h"
 #include "study/record/table_rows.h"
 #include "study_file.h"
 
@@ -131,6 +132,27 @@ TEST_F(VerifiedStudy, FindsWhateverElseWasChanged) {
     EXPECT_THAT(faults_after(sql), Contains(testing::Field(&RecordFault::what, HasSubstr(words))))
         << sql;
   }
+}
+
+/// By somebody who knows how the chain is made.
+TEST_F(VerifiedStudy, FindsAnEventThatSaysMoreThanFoveolaWrites) {
+  const auto of_last = [&](const std::string& column, int before_last = 0) {
+    return query(path_, fmt::format("SELECT {} FROM event WHERE session = 1 ORDER BY sequence DESC"
+                                    " LIMIT 1 OFFSET {}",
+                                    column, before_last));
+  };
+  std::string payload = of_last("payload");
+  payload.replace(payload.size() - 1, 1, ",\"note\":1}");
+  const std::string hash = hash_of(of_last("hash", 1), {.sequence = std::stoll(of_last("sequence")),
+                                                        .time_ns = std::stoll(of_last("time_ns")),
+                                                        .utc = of_last("utc"),
+                                                        .type = of_last("type"),
+                                                        .payload = payload});
+  EXPECT_THAT(
+      faults_after(fmt::format("UPDATE event SET payload = '{}', hash = '{}'"
+                               " WHERE session = 1 AND sequence = {}",
+                               payload, hash, of_last("sequence"))),
+      ElementsAre(FieldsAre("P01", "its events say more than this program writes of them")));
 }
 
 TEST_F(VerifiedStudy, FindsReferencesToWhatIsNotThere) {
