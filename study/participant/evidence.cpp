@@ -27,26 +27,41 @@ int block_of(const Vision& vision) {
   return std::max(1, static_cast<int>(std::lround(vision.coarseness)));
 }
 
+/// The sum of presented - expected over each block's pixels, in each channel.
+std::vector<ChannelValues> block_differences(const Cells& cells, const CellPixels& pixels,
+                                             const std::vector<ChannelValues>& presented,
+                                             const std::vector<ChannelValues>& expected) {
+  std::vector<ChannelValues> differences(cells.blocks().size());
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    const double count = pixels.pixels_in_cell[cell];
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      differences[cells.block_of(cell)][channel] +=
+          count * (presented[cell][channel] - expected[cell][channel]);
+    }
+  }
+  return differences;
+}
+
 /// (presented - expected)^2 of each block's mean in each channel, times its pixels. A block at an
 /// edge, with fewer cells, is noisier than a complete one, and weighs as much less.
 std::vector<ChannelValues> block_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,
-                                          const std::vector<ChannelValues>& expected) {
-  std::vector<ChannelValues> energies(cells.blocks().size());
+                                          const ExpectedMeans& expected) {
   std::vector<double> pixels_in_block(cells.blocks().size());
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
-    const std::uint32_t block = cells.block_of(cell);
-    const double count = pixels.pixels_in_cell[cell];
-    pixels_in_block[block] += count;
-    for (std::size_t channel = 0; channel < channel_count; ++channel) {
-      energies[block][channel] += count * (presented[cell][channel] - expected[cell][channel]);
-    }
+    pixels_in_block[cells.block_of(cell)] += pixels.pixels_in_cell[cell];
   }
+  std::vector<ChannelValues> energies = block_differences(cells, pixels, presented, expected.first);
+  const std::vector<ChannelValues> again =
+      block_differences(cells, pixels, presented, expected.second);
   for (std::size_t block = 0; block < energies.size(); ++block) {
     const double part = static_cast<double>(cells.blocks()[block].cells) /
                         static_cast<double>(cells.cells_of_whole_block());
-    for (double& energy : energies[block]) {
-      energy = pixels_in_block[block] > 0.0 ? part * square(energy) / pixels_in_block[block] : 0.0;
+    for (std::size_t channel = 0; channel < channel_count; ++channel) {
+      double& energy = energies[block][channel];
+      energy = pixels_in_block[block] > 0.0
+                   ? part * energy * again[block][channel] / pixels_in_block[block]
+                   : 0.0;
     }
   }
   return energies;
@@ -87,18 +102,19 @@ std::vector<Cells> view_cells(const Vision& vision) {
 
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,
-                                          const std::vector<ChannelValues>& expected,
-                                          bool with_contrast) {
+                                          const ExpectedMeans& expected, bool with_contrast) {
   std::vector<PatchEnergies> patches(cells.patches().size());
   std::vector<double> pixels_in_patch(patches.size());
-  const double mean = with_contrast ? mean_lightness(pixels, expected) : 0.0;
+  const double mean = with_contrast ? mean_lightness(pixels, expected.first) : 0.0;
+  const double mean_again = with_contrast ? mean_lightness(pixels, expected.second) : 0.0;
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
     const double count = pixels.pixels_in_cell[cell];
     PatchEnergies& patch = patches[cells.patch_of(cell)];
     pixels_in_patch[cells.patch_of(cell)] += count;
     patch.cells += count > 0.0 ? 1.0 : 0.0;
     if (with_contrast) {
-      patch.contrast += count * square(2.0 * (expected[cell][achromatic] - mean));
+      patch.contrast += count * 2.0 * (expected.first[cell][achromatic] - mean) * 2.0 *
+                        (expected.second[cell][achromatic] - mean_again);
     }
   }
   const std::vector<ChannelValues> energies = block_energies(cells, pixels, presented, expected);

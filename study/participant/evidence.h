@@ -49,14 +49,21 @@ std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, doub
 /// view_cell_deg on, in patches of view_patch_deg.
 std::vector<Cells> view_cells(const Vision& vision);
 
+/// The expected means of cells: by the same image twice if it is known, else by two images of it
+/// whose noise is independent. Squares of what is compared with them are products of the two, whose
+/// mean has no noise of theirs, and which may be negative where there is hardly any difference.
+struct ExpectedMeans {
+  const std::vector<ChannelValues>& first;
+  const std::vector<ChannelValues>& second;
+};
+
 /// The patches' signal and noise from the means of the same cells in two images. A patch's means
 /// weight cells by their pixels: the noise of a cell falls with its pixels, so that this is the
 /// noise of a solid angle, whether pixels are small or nearly as large as cells. Patches of which
 /// no cell has pixels are left out. `with_contrast` says whether to compute the contrast.
 std::vector<PatchEnergies> patch_energies(const Cells& cells, const CellPixels& pixels,
                                           const std::vector<ChannelValues>& presented,
-                                          const std::vector<ChannelValues>& expected,
-                                          bool with_contrast);
+                                          const ExpectedMeans& expected, bool with_contrast);
 
 /// The signal is the visible contrast, the noise the visible difference from the expected image and
 /// the eye's own noise. With T the threshold at a patch's eccentricity, C its contrast, N its

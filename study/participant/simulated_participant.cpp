@@ -155,7 +155,7 @@ std::vector<PatchEnergies> SimulatedParticipant::energies(const Stimulus& stimul
                                                           bool with_contrast) const {
   return patch_energies(scale.cells, scale.pixels,
                         cell_means(stimulus.image, scale.pixels, population_.vision.jnd_lab),
-                        scale.expected, with_contrast);
+                        {scale.expected, scale.expected}, with_contrast);
 }
 
 const SimulatedParticipant::Area& SimulatedParticipant::expect(const Stimulus& stimulus) {

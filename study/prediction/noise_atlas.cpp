@@ -20,20 +20,20 @@
 namespace foveola::study {
 namespace {
 
-/// For an object at full size: samples per pixel of its converged picture, and how many noisy
-/// pictures are made of it. A scaled film has so few pixels that more of both are needed.
-constexpr double object_convergence = 128.0;
-constexpr int object_pictures = 4;
+/// For an object at full size: samples per pixel of each of its two converged pictures, and how many
+/// noisy ones there may be. A scaled film has so few pixels that more of both are needed.
+constexpr double object_convergence = 16.0;
+constexpr double object_pictures = 4.0;
 constexpr SampleCountLevels object_levels{};
 
 /// A look around yields one number from a hundred patches: fewer samples will do for each.
-constexpr double surround_convergence = 16.0;
+constexpr double surround_convergence = 8.0;
 constexpr SampleCountLevels surround_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
 /// Counted up whenever the tables of the same settings come out differently.
-constexpr int tables_version = 4;
+constexpr int tables_version = 5;
 
 /// A cone of directions.
 struct Cone {
@@ -69,7 +69,7 @@ struct JudgedObject {
   const OfferedObject* object = nullptr;
   JudgedView view;
   Cone cone;  ///< cone around all that is judged
-  std::optional<CellMeans> expected;
+  std::optional<ConvergedMeans> expected;
 };
 
 /// The tables of one scene.
@@ -91,31 +91,31 @@ class SceneAtlas {
     }
   }
 
-  /// The noise of each object, in the stage's order. One pilot will do for all of them if the
+  /// Adds the wanted pictures with `method` to the atlas. One pilot will do for all objects if the
   /// method's samples go to the same places whatever is looked at.
-  std::vector<std::vector<ObjectNoise>> noise_of_objects(const std::string& method) {
+  void add_objects(const std::string& method, NoiseAtlas& atlas) {
     const auto sampler = make_sampler(setting_.protocol, method);
-    std::vector<std::vector<ObjectNoise>> noise(objects_.size());
-    std::vector<std::size_t> unknown;
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
-      if (const auto known = cache_.find(key_of(objects_[i], method))) {
-        noise[i] = pictures_in(*known);
-      } else {
-        unknown.push_back(i);
-      }
-    }
     const Vec3 ahead = objects_.front().object->direction;
     const bool together = !follows_aim(*sampler, aim_to(ahead), aim_to(-ahead));
-    const std::size_t step = together ? std::max<std::size_t>(1, unknown.size()) : 1;
-    for (std::size_t first = 0; first < unknown.size(); first += step) {
-      const std::span<const std::size_t> group(&unknown[first], step);
-      const std::vector<std::vector<NoiseTable>> tables = measure(group, method, *sampler);
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        cache_.keep(key_of(objects_[group[i]], method), tables[i]);
-        noise[group[i]] = pictures_in(tables[i]);
+    for (const auto& [picture, objects] : wanted_objects(method)) {
+      std::vector<std::size_t> unknown;
+      for (const std::size_t i : objects) {
+        if (const auto known = cache_.find(key_of(objects_[i], method, picture))) {
+          add_picture(i, method, picture, *known, atlas);
+        } else {
+          unknown.push_back(i);
+        }
+      }
+      const std::size_t step = together ? std::max<std::size_t>(1, unknown.size()) : 1;
+      for (std::size_t first = 0; first < unknown.size(); first += step) {
+        const std::span<const std::size_t> group(&unknown[first], step);
+        const std::vector<ScaleTables> tables = measure(group, method, picture, *sampler);
+        for (std::size_t i = 0; i < group.size(); ++i) {
+          cache_.keep(key_of(objects_[group[i]], method, picture), tables[i]);
+          add_picture(group[i], method, picture, tables[i], atlas);
+        }
       }
     }
-    return noise;
   }
 
   std::vector<NoiseTable> surround_noise() {
@@ -130,14 +130,26 @@ class SceneAtlas {
   }
 
  private:
-  /// An object's tables, picture after picture: each picture's outline and then its material.
-  std::vector<ObjectNoise> pictures_in(const std::vector<NoiseTable>& tables) const {
-    const auto of_picture = static_cast<std::ptrdiff_t>(objects_.front().view.judged.size());
-    std::vector<ObjectNoise> pictures;
-    for (auto first = tables.begin(); first != tables.end(); first += of_picture) {
-      pictures.push_back({.outline = *first, .material = {first + 1, first + of_picture}});
+  /// The objects of which each picture is wanted, by the picture's number.
+  std::map<std::uint32_t, std::vector<std::size_t>> wanted_objects(
+      const std::string& method) const {
+    std::map<std::uint32_t, std::vector<std::size_t>> wanted;
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      const auto found = setting_.wanted.find({scene_, method, objects_[i].object->name});
+      if (found != setting_.wanted.end()) {
+        for (const std::uint32_t picture : found->second) {
+          wanted[picture].push_back(i);
+        }
+      }
     }
-    return pictures;
+    return wanted;
+  }
+
+  /// tables: the outline's, and the material's on each scale.
+  void add_picture(std::size_t object, const std::string& method, std::uint32_t picture,
+                   const ScaleTables& tables, NoiseAtlas& atlas) const {
+    atlas.objects[{scene_, method, objects_[object].object->name}][picture] = {
+        .outline = tables.front(), .material = {tables.begin() + 1, tables.end()}};
   }
 
   double coarseness() const { return setting_.vision.coarseness; }
@@ -148,32 +160,24 @@ class SceneAtlas {
 
   Aim aim_to(const Vec3& direction) const { return aim_at(direction, setting_.protocol.display); }
 
-  /// The tables of some objects, of all pictures, by samples that are aimed at the first of them.
-  std::vector<std::vector<NoiseTable>> measure(std::span<const std::size_t> group,
-                                               const std::string& method, ViewSampler& sampler) {
+  /// The tables of some objects in one picture, by samples that are aimed at the first of them.
+  std::vector<ScaleTables> measure(std::span<const std::size_t> group, const std::string& method,
+                                   std::uint32_t picture, ViewSampler& sampler) {
     const TrialSettings shown = shown_with(method);
     const PilotSetting pilot = pilot_of(shown);
     SampleMask mask(shown.film.width, shown.film.height);
     std::vector<JudgedView> views;
-    CellMeans expected;
+    ConvergedMeans expected;
     for (const std::size_t i : group) {
       JudgedObject& judged = objects_[i];
       mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
       expect(judged, pilot);
       views.push_back(judged.view);
-      expected.push_back(judged.expected->front());
+      expected.first.push_back(judged.expected->first.front());
+      expected.second.push_back(judged.expected->second.front());
     }
     sampler.aim(aim_to(objects_[group.front()].object->direction));
-    std::vector<std::vector<NoiseTable>> tables(group.size());
-    const auto pictures = static_cast<std::uint32_t>(object_pictures * coarseness());
-    for (std::uint32_t picture = 0; picture < pictures; ++picture) {
-      const std::vector<ScaleTables> of_picture =
-          measure_noise(pilot, sampler, object_levels, picture, mask, views, expected);
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        tables[i].insert(tables[i].end(), of_picture[i].begin(), of_picture[i].end());
-      }
-    }
-    return tables;
+    return measure_noise(pilot, sampler, object_levels, picture, mask, views, expected);
   }
 
   /// How far cells reach beyond the radius that their middles are in.
@@ -205,7 +209,7 @@ class SceneAtlas {
     const auto sampler = make_view_sampler(crop_around(judged.cone));
     sampler->aim(aim_to(judged.object->direction));
     judged.expected = converged_means(pilot, *sampler, judged.object->direction,
-                                      object_convergence * coarseness(), mask, {&judged.view, 1});
+                                      object_convergence * std::sqrt(coarseness()), mask, {&judged.view, 1});
   }
 
   std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {
@@ -222,7 +226,7 @@ class SceneAtlas {
     const auto sampler = make_view_sampler("od");
     const Vec3 ahead(0.0F, 0.0F, -1.0F);
     sampler->aim(aim_at(ahead, setting_.protocol.display));
-    const CellMeans expected =
+    const ConvergedMeans expected =
         converged_means(pilot, *sampler, ahead, surround_convergence, mask, views);
     return gathered(measure_noise(pilot, *sampler, surround_levels, 0, mask, views, expected),
                     patches);
@@ -246,10 +250,12 @@ class SceneAtlas {
     return tables;
   }
 
-  std::string key_of(const JudgedObject& judged, const std::string& method) const {
-    std::string key = fmt::format("object {} {} {} radius {}\nmethod {}\n",
-                                  judged.object->direction.x, judged.object->direction.y,
-                                  judged.object->direction.z, judged.object->radius_deg, method);
+  std::string key_of(const JudgedObject& judged, const std::string& method,
+                     std::uint32_t picture) const {
+    std::string key =
+        fmt::format("object {} {} {} radius {}\nmethod {}\npicture {}\n",
+                    judged.object->direction.x, judged.object->direction.y,
+                    judged.object->direction.z, judged.object->radius_deg, method, picture);
     for (const MethodFile& file : setting_.protocol.method_files) {
       if (file.method == method) {
         key += fmt::format("file {} {}\n", file.file, file.sha256);
@@ -266,14 +272,14 @@ class SceneAtlas {
         "tables {}\nscene {}\nviewpoint {} {} {}\nexposure {}\nfilm {}x{} depth {} filled {}\n"
         "display {}x{} {} {} lens {} {} {} {}\n"
         "vision {} {} {} {} {} scales {} {} {} coarse {}\n"
-        "margin {} objects {} {} {} {} around {} {} {}\n",
+        "margin {} objects {} {} {} around {} {} {}\n",
         tables_version, stage_.key(), viewpoint.x, viewpoint.y, viewpoint.z,
         stage_.source().exposure_stops, shown.film.width, shown.film.height, shown.film.max_depth,
         shown.fill_unsampled, display.view_width, display.view_height, display.horizontal_fov_deg,
         display.vertical_fov_deg, display.lens.axis.x, display.lens.axis.y, display.lens.k1,
         display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
         vision.material_cell_deg, vision.view_cell_deg, vision.scale_count, vision.object_patch_deg,
-        vision.view_patch_deg, vision.coarseness, margin_px, object_convergence, object_pictures,
+        vision.view_patch_deg, vision.coarseness, margin_px, object_convergence,
         object_levels.first_per_pixel, object_levels.count, surround_convergence,
         surround_levels.first_per_pixel, surround_levels.count);
   }
@@ -288,6 +294,10 @@ class SceneAtlas {
 
 }  // namespace
 
+std::uint32_t picture_count(const Vision& vision) {
+  return static_cast<std::uint32_t>(std::lround(object_pictures * vision.coarseness));
+}
+
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop) {
   require_predictable(setting.protocol);
   NoiseAtlas atlas;
@@ -300,10 +310,7 @@ NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& 
     atlas.surround[name] = scene.surround_noise();
     progress.update(++done / steps, name);
     for (const std::string& method : setting.protocol.methods) {
-      std::vector<std::vector<ObjectNoise>> noise = scene.noise_of_objects(method);
-      for (std::size_t i = 0; i < noise.size(); ++i) {
-        atlas.objects[{name, method, stage->objects()[i].name}] = std::move(noise[i]);
-      }
+      scene.add_objects(method, atlas);
       progress.update(++done / steps, name);
     }
   }

@@ -2,8 +2,10 @@
 // not rendered, know of pictures.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <tuple>
@@ -20,11 +22,20 @@ struct ObjectNoise {
   std::vector<NoiseTable> material;  ///< the material's noise on each scale
 };
 
+/// Where a trial looks: its scene, method and object.
+using PicturedPlace = std::tuple<std::string, std::string, std::string>;
+
+/// The numbers of the pictures that trials see of each place.
+using PicturesWanted = std::map<PicturedPlace, std::set<std::uint32_t>>;
+
+/// How many pictures of a place there may be. What differs between them is left to chance in a
+/// trial, which sees one: noise that comes from few bright paths is less than its mean in most
+/// pictures. A scaled film has so few pixels that its pictures differ more.
+std::uint32_t picture_count(const Vision& vision);
+
 struct NoiseAtlas {
-  using Place = std::tuple<std::string, std::string, std::string>;  ///< scene, method, object
-  /// For each place, several pictures: what differs between them is left to chance in a trial.
-  /// Noise that comes from few bright paths is less than its mean in most pictures.
-  std::map<Place, std::vector<ObjectNoise>> objects;
+  /// Of each place the wanted pictures, by their numbers.
+  std::map<PicturedPlace, std::map<std::uint32_t, ObjectNoise>> objects;
   /// By scene: the noise of surround patches on each scale, with samples that are spread evenly.
   /// The patches are the same on all scales.
   std::map<std::string, std::vector<NoiseTable>> surround;
@@ -35,11 +46,12 @@ struct AtlasSetting {
   const Protocol& protocol;
   const SceneStages& stages;
   const Vision& vision;
+  const PicturesWanted& wanted;  ///< of the protocol's scenes and methods, and the scenes' objects
   const Workers& workers;
   std::filesystem::path cache;  ///< folder of the tables that were made before
 };
 
-/// Renders the pilots, or takes their tables from the cache; shows progress. Throws Error if
+/// Renders the wanted pilots, or takes their tables from the cache; shows progress. Throws Error if
 /// stopped, or for a protocol with adaptive sampling: where its samples go is not known
 /// beforehand.
 NoiseAtlas make_noise_atlas(const AtlasSetting& setting, const std::stop_token& stop);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numbers>
 #include <optional>
 
@@ -76,71 +77,72 @@ class Display {
   int height_ = 0;
 };
 
+/// Of one view on one scale.
+ExpectedMeans expected_of(const ConvergedMeans& expected, std::size_t view, std::size_t scale) {
+  return {expected.first[view][scale], expected.second[view][scale]};
+}
+
+/// Products of differences are negative only by chance, where there is hardly any.
+ChannelValues not_negative(ChannelValues noise) {
+  for (double& value : noise) {
+    value = std::max(0.0, value);
+  }
+  return noise;
+}
+
 /// Before anything was sampled: black, with all that does not depend on samples.
-NoiseTable unsampled_table(const JudgedCells& judged, const std::vector<ChannelValues>& expected,
+NoiseTable unsampled_table(const JudgedCells& judged, const ExpectedMeans& expected,
                            double jnd_lab) {
   const ChannelValues black = opponent_channels(Rgb(0.0F), jnd_lab);
-  const std::vector<ChannelValues> nothing(expected.size(), black);
+  const std::vector<ChannelValues> nothing(expected.first.size(), black);
   NoiseTable table;
   for (const PatchEnergies& patch :
        patch_energies(judged.cells, judged.pixels, nothing, expected, judged.with_contrast)) {
     table.push_back({.direction = patch.direction,
                      .cells = patch.cells,
-                     .contrast = patch.contrast,
-                     .unsampled = patch.noise,
+                     .contrast = std::max(0.0, patch.contrast),
+                     .unsampled = not_negative(patch.noise),
                      .first_per_sr = 0.0,
                      .noise_times_density = {}});
   }
   return table;
 }
 
-std::vector<ScaleTables> unsampled_tables(std::span<const JudgedView> views,
-                                          const CellMeans& expected, double jnd_lab) {
-  std::vector<ScaleTables> tables(views.size());
-  for (std::size_t view = 0; view < views.size(); ++view) {
-    for (std::size_t scale = 0; scale < views[view].judged.size(); ++scale) {
-      tables[view].push_back(
-          unsampled_table(views[view].judged[scale], expected[view][scale], jnd_lab));
-    }
+ScaleTables unsampled_tables(const JudgedView& view, const ConvergedMeans& expected,
+                             std::size_t index, double jnd_lab) {
+  ScaleTables tables;
+  for (std::size_t scale = 0; scale < view.judged.size(); ++scale) {
+    tables.push_back(
+        unsampled_table(view.judged[scale], expected_of(expected, index, scale), jnd_lab));
   }
   return tables;
 }
 
-/// Calls visit(patch) with every patch of the tables.
-template <typename Tables, typename Visit>
-void for_each_patch(Tables& tables, const Visit& visit) {
-  for (auto& of_view : tables) {
-    for (auto& table : of_view) {
-      for (auto& patch : table) {
-        visit(patch);
+double geometric_mean_density(const ViewSampler& sampler, const ScaleTables& tables) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const NoiseTable& table : tables) {
+    for (const PatchNoise& patch : table) {
+      if (const double density = sampler.density_per_sr(patch.direction); density > 0.0) {
+        sum += std::log(density);
+        count += 1.0;
       }
     }
   }
-}
-
-double geometric_mean_density(const ViewSampler& sampler, const std::vector<ScaleTables>& tables) {
-  double sum = 0.0;
-  double count = 0.0;
-  for_each_patch(tables, [&](const PatchNoise& patch) {
-    if (const double density = sampler.density_per_sr(patch.direction); density > 0.0) {
-      sum += std::log(density);
-      count += 1.0;
-    }
-  });
   return count > 0.0 ? std::exp(sum / count) : 0.0;
 }
 
 using ScaleEnergies = std::vector<PatchEnergies>;
 
-/// What is to be seen in a view on each scale.
+/// What is to be seen in the view of this number on each scale.
 std::vector<ScaleEnergies> look(Display& display, const JudgedView& view,
-                                const std::vector<std::vector<ChannelValues>>& expected) {
+                                const ConvergedMeans& expected, std::size_t index) {
   const auto presented = display.means(view);
   std::vector<ScaleEnergies> seen;
   for (std::size_t scale = 0; scale < presented.size(); ++scale) {
     const JudgedCells& judged = view.judged[scale];
-    seen.push_back(patch_energies(judged.cells, judged.pixels, presented[scale], expected[scale],
-                                  judged.with_contrast));
+    seen.push_back(patch_energies(judged.cells, judged.pixels, presented[scale],
+                                  expected_of(expected, index, scale), judged.with_contrast));
   }
   return seen;
 }
@@ -153,8 +155,9 @@ void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t le
       continue;  // the method does not go there
     }
     const double per_sr = static_cast<double>(samples) * sampler.density_per_sr(table[i].direction);
+    const ChannelValues noise = not_negative(seen[i].noise);
     for (std::size_t c = 0; c < channel_count; ++c) {
-      table[i].noise_times_density[level][c] = seen[i].noise[c] * per_sr;
+      table[i].noise_times_density[level][c] = noise[c] * per_sr;
     }
   }
 }
@@ -172,16 +175,28 @@ std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
   return sample_counts;
 }
 
-}  // namespace
+/// Makes room for the levels in the patches that the method goes to.
+void begin_levels(const ViewSampler& sampler, const std::vector<std::uint64_t>& sample_counts,
+                  ScaleTables& tables) {
+  for (NoiseTable& table : tables) {
+    for (PatchNoise& patch : table) {
+      const double per_sr = sampler.density_per_sr(patch.direction);
+      patch.first_per_sr = static_cast<double>(sample_counts.front()) * per_sr;
+      patch.noise_times_density.resize(per_sr > 0.0 ? sample_counts.size() : 0);
+    }
+  }
+}
 
-CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
-                          const Vec3& middle, double per_pixel, const SampleMask& mask,
-                          std::span<const JudgedView> views) {
-  ProgressiveRender render = masked_render(setting, mask, mix(0U, converged_stream));
-  const double points =
-      std::ceil(per_pixel / (pixel_sr(setting.film) * sampler.density_per_sr(middle)));
-  continue_to(static_cast<std::uint64_t>(points), setting, sampler, render);
-  Display display(render.film(), setting);
+/// A level of a view, and when it is there.
+struct DueLook {
+  std::uint64_t samples = 0;
+  std::size_t view = 0;
+  std::size_t level = 0;
+
+  auto operator<=>(const DueLook&) const = default;
+};
+
+CellMeans means_of(Display& display, std::span<const JudgedView> views) {
   CellMeans means;
   for (const JudgedView& view : views) {
     means.push_back(display.means(view));
@@ -189,30 +204,72 @@ CellMeans converged_means(const PilotSetting& setting, const ViewSampler& sample
   return means;
 }
 
+/// Twice the means after all samples less those after half of them.
+CellMeans extrapolated(const CellMeans& half, CellMeans all) {
+  for (std::size_t view = 0; view < all.size(); ++view) {
+    for (std::size_t scale = 0; scale < all[view].size(); ++scale) {
+      for (std::size_t cell = 0; cell < all[view][scale].size(); ++cell) {
+        for (std::size_t c = 0; c < channel_count; ++c) {
+          double& mean = all[view][scale][cell][c];
+          mean = 2.0 * mean - half[view][scale][cell][c];
+        }
+      }
+    }
+  }
+  return all;
+}
+
+CellMeans converged_once(const PilotSetting& setting, const ViewSampler& sampler,
+                         std::uint64_t points, std::uint32_t seed, const SampleMask& mask,
+                         std::span<const JudgedView> views) {
+  ProgressiveRender render = masked_render(setting, mask, seed);
+  Display display(render.film(), setting);
+  continue_to((points + 1) / 2, setting, sampler, render);
+  const CellMeans half = means_of(display, views);
+  continue_to(points, setting, sampler, render);
+  return extrapolated(half, means_of(display, views));
+}
+
+}  // namespace
+
+ConvergedMeans converged_means(const PilotSetting& setting, const ViewSampler& sampler,
+                               const Vec3& middle, double per_pixel, const SampleMask& mask,
+                               std::span<const JudgedView> views) {
+  const auto points = static_cast<std::uint64_t>(
+      std::ceil(per_pixel / (pixel_sr(setting.film) * sampler.density_per_sr(middle))));
+  const auto converged = [&](std::uint32_t number) {
+    return converged_once(setting, sampler, points, mix(number, converged_stream), mask, views);
+  };
+  return {.first = converged(0), .second = converged(1)};
+}
+
 std::vector<ScaleTables> measure_noise(const PilotSetting& setting, const ViewSampler& sampler,
                                        const SampleCountLevels& levels, std::uint32_t picture,
                                        const SampleMask& mask, std::span<const JudgedView> views,
-                                       const CellMeans& expected) {
-  std::vector<ScaleTables> tables = unsampled_tables(views, expected, setting.jnd_lab);
-  const double density = geometric_mean_density(sampler, tables);
-  if (density == 0.0) {
-    return tables;  // a method that never goes there
+                                       const ConvergedMeans& expected) {
+  std::vector<ScaleTables> tables;
+  std::vector<DueLook> due;
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    tables.push_back(unsampled_tables(views[view], expected, view, setting.jnd_lab));
+    const double density = geometric_mean_density(sampler, tables.back());
+    if (density == 0.0) {
+      continue;  // the method never goes there
+    }
+    const std::vector<std::uint64_t> sample_counts =
+        sample_counts_of(setting.film, levels, density);
+    begin_levels(sampler, sample_counts, tables.back());
+    for (std::size_t level = 0; level < sample_counts.size(); ++level) {
+      due.push_back({sample_counts[level], view, level});
+    }
   }
-  const std::vector<std::uint64_t> sample_counts = sample_counts_of(setting.film, levels, density);
-  for_each_patch(tables, [&](PatchNoise& patch) {
-    const double per_sr = sampler.density_per_sr(patch.direction);
-    patch.first_per_sr = static_cast<double>(sample_counts.front()) * per_sr;
-    patch.noise_times_density.resize(per_sr > 0.0 ? sample_counts.size() : 0);
-  });
+  std::sort(due.begin(), due.end());
   ProgressiveRender render = masked_render(setting, mask, mix(picture, pilot_stream));
   Display display(render.film(), setting);
-  for (std::size_t level = 0; level < sample_counts.size(); ++level) {
-    continue_to(sample_counts[level], setting, sampler, render);
-    for (std::size_t view = 0; view < views.size(); ++view) {
-      const std::vector<ScaleEnergies> seen = look(display, views[view], expected[view]);
-      for (std::size_t scale = 0; scale < seen.size(); ++scale) {
-        set_level(sampler, sample_counts[level], level, seen[scale], tables[view][scale]);
-      }
+  for (const auto& [samples, view, level] : due) {
+    continue_to(samples, setting, sampler, render);
+    const std::vector<ScaleEnergies> seen = look(display, views[view], expected, view);
+    for (std::size_t scale = 0; scale < seen.size(); ++scale) {
+      set_level(sampler, samples, level, seen[scale], tables[view][scale]);
     }
   }
   return tables;

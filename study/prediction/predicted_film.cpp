@@ -1,7 +1,5 @@
 #include "study/prediction/predicted_film.h"
 
-#include "renderer/base/random.h"
-
 namespace foveola::study {
 namespace {
 
@@ -53,17 +51,15 @@ std::span<const PatchEnergies> PredictedFilm::Judged::seen() {
   return patches;
 }
 
-PredictedFilm::PredictedFilm(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
-                             std::uint32_t picture)
+PredictedFilm::PredictedFilm(const PredictedTrial& trial, const ObjectNoise& picture,
+                             ViewSampler& sampler, const Aim& facing)
     : trial_(trial),
       sampler_(sampler),
       aim_(facing),
       facing_(facing),
-      object_(trial.pictures[mix(picture) % trial.pictures.size()]),
-      outline_(object_.outline, sampler),
-
+      outline_(picture.outline, sampler),
       around_(trial.surround.front(), sampler) {
-  for (const NoiseTable& table : object_.material) {
+  for (const NoiseTable& table : picture.material) {
     material_.emplace_back(table, sampler);
   }
   sampler_.aim(aim_);

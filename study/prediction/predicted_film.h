@@ -36,10 +36,10 @@ class PatchSamples {
   double pending_ = 0.0;
 };
 
-/// What one trial is predicted with, the sampler excepted; it refers to all of it.
+/// What one trial is predicted with, but for the sampler and its picture of the object; it refers
+/// to all of it.
 struct PredictedTrial {
   const Vision& vision;
-  const std::vector<ObjectNoise>& pictures;  ///< not empty
   const std::vector<NoiseTable>& surround;
   const Visibility& outline_visibility;
   const std::vector<Visibility>&
@@ -52,10 +52,10 @@ struct PredictedTrial {
 /// One attempt's film, as far as it is known without rendering it.
 class PredictedFilm {
  public:
-  /// facing: while marks are made, the head faces the object and the gaze is near it. picture: any
-  /// number, for which of the trial's is taken. trial and sampler must outlive this.
-  PredictedFilm(const PredictedTrial& trial, ViewSampler& sampler, const Aim& facing,
-                std::uint32_t picture);
+  /// facing: while marks are made, the head faces the object and the gaze is near it. picture: of
+  /// the trial's object. trial, picture and sampler must outlive this.
+  PredictedFilm(const PredictedTrial& trial, const ObjectNoise& picture, ViewSampler& sampler,
+                const Aim& facing);
 
   /// So many samples go where `aim` says.
   void add(double samples, const Aim& aim);
@@ -94,7 +94,6 @@ class PredictedFilm {
   ViewSampler& sampler_;
   Aim aim_;
   const Aim facing_;
-  const ObjectNoise& object_;
   Judged outline_;
   std::vector<Judged> material_;
   PatchSamples around_;  ///< samples of the surround patches of all scales

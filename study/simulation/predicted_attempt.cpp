@@ -20,7 +20,7 @@ Nanoseconds mean_delay(const SimulatedTrackerSettings& tracker) {
 }  // namespace
 
 PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
-                                   const PredictedTrial* trial,
+                                   const PredictedTrial* trial, const ObjectNoise* picture,
                                    std::unique_ptr<ViewSampler> sampler)
     : setting_(setting),
       observer_(observer),
@@ -28,8 +28,8 @@ PredictedAttempt::PredictedAttempt(const TrialAttemptSetting& setting, Simulated
       start_(setting.clock.now()),
       tracker_delay_(mean_delay(setting.protocol.tracker.simulated)) {
   if (trial != nullptr) {
-    sight_.emplace(*trial, *sampler_, aim_at(setting.object.direction, setting.protocol.display),
-                   setting.seeds.rendering);
+    sight_.emplace(*trial, *picture, *sampler_,
+                   aim_at(setting.object.direction, setting.protocol.display));
   }
 }
 

@@ -16,10 +16,11 @@ namespace foveola::study {
 /// the mean; its latency and bias are not.
 class PredictedAttempt final : public TrialAttempt {
  public:
-  /// observer: who takes part in `setting`. trial, sampler: see PredictedFilm; without a trial the
-  /// observer is one that does not look.
+  /// observer: who takes part in `setting`. trial, picture, sampler: see PredictedFilm; without a
+  /// trial and a picture the observer is one that does not look.
   PredictedAttempt(const TrialAttemptSetting& setting, SimulatedObserver& observer,
-                   const PredictedTrial* trial, std::unique_ptr<ViewSampler> sampler);
+                   const PredictedTrial* trial, const ObjectNoise* picture,
+                   std::unique_ptr<ViewSampler> sampler);
 
   std::optional<Nanoseconds> show(Nanoseconds until) override;
   void begin(Task task) override { task_ = task; }

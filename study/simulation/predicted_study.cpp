@@ -17,6 +17,30 @@ std::vector<Visibility> visibilities(const Vision& vision, double finest_cell_de
 
 }  // namespace
 
+PicturesWanted pictures_wanted(const SimulatedStudy& study, const Vision& vision,
+                               const SessionsAhead& ahead) {
+  PicturesWanted wanted;
+  const auto add = [&](int design_row) {
+    const SessionSeed seed{.seed = study.settings.seed, .design_row = design_row};
+    const Plan plan = make_plan(study.protocol, seed.seed, design_row);
+    const std::unique_ptr<SimulatedObserver> observer =
+        study.make_observer(derive_seed(seed, SeedPurpose::participant, {}), design_row, plan);
+    for (const PlannedTrial& trial : plan) {
+      const std::vector<OfferedObject>& objects = study.stages.at(trial.scene)->objects();
+      const std::string& object = objects[observer->choose_object(trial.scene, objects)].name;
+      wanted[{trial.scene, trial.method, object}].insert(picture_seed(seed, study.protocol, trial) %
+                                                         picture_count(vision));
+    }
+  };
+  for (const KnownSession& session : ahead.begun) {
+    add(session.design_row);
+  }
+  for (const int design_row : ahead.new_rows) {
+    add(design_row);
+  }
+  return wanted;
+}
+
 PredictedStudy::PredictedStudy(const Protocol& protocol, const SceneStages& stages,
                                const Population& population, NoiseAtlas atlas)
     : protocol_(protocol),
@@ -42,12 +66,10 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
       outline_visibilities_.try_emplace(cell_deg, population.vision, cell_deg).first->second;
   for (const std::string& method : protocol_.methods) {
     const auto sampler = make_sampler(protocol_, method);
-    const NoiseAtlas::Place place{scene, method, object.name};
     trials_.emplace(
-        place,
+        PicturedPlace{scene, method, object.name},
         PredictedTrial{
             .vision = vision_,
-            .pictures = atlas_.objects.at(place),
             .surround = atlas_.surround.at(scene),
             .outline_visibility = outline_visibility,
             .material_visibilities = material_visibilities_,
@@ -59,10 +81,16 @@ void PredictedStudy::add_object(const std::string& scene, const OfferedObject& o
 
 std::unique_ptr<TrialAttempt> PredictedStudy::attempt(const TrialAttemptSetting& setting,
                                                       SimulatedObserver& observer) const {
-  const auto known = trials_.find({setting.trial.scene, setting.trial.method, setting.object.name});
-  return std::make_unique<PredictedAttempt>(setting, observer,
-                                            known != trials_.end() ? &known->second : nullptr,
-                                            make_sampler(protocol_, setting.trial.method));
+  auto sampler = make_sampler(protocol_, setting.trial.method);
+  if (trials_.empty()) {
+    return std::make_unique<PredictedAttempt>(setting, observer, nullptr, nullptr,
+                                              std::move(sampler));
+  }
+  const PicturedPlace place{setting.trial.scene, setting.trial.method, setting.object.name};
+  const std::uint32_t number = setting.seeds.picture % picture_count(vision_);
+  return std::make_unique<PredictedAttempt>(setting, observer, &trials_.at(place),
+                                            &atlas_.objects.at(place).at(number),
+                                            std::move(sampler));
 }
 
 }  // namespace foveola::study

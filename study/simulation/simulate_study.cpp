@@ -178,12 +178,15 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
   NoiseAtlas atlas;
   try {
     if (looks) {
-      atlas = make_noise_atlas({.protocol = study.protocol,
-                                .stages = study.stages,
-                                .vision = population.vision,
-                                .workers = study.workers,
-                                .cache = cache_folder() / "pilots"},
-                               stop);
+      atlas = make_noise_atlas(
+          {.protocol = study.protocol,
+           .stages = study.stages,
+           .vision = population.vision,
+           .wanted = pictures_wanted(study, population.vision,
+                                     sessions_ahead(study.settings, study.protocol)),
+           .workers = study.workers,
+           .cache = cache_folder() / "pilots"},
+          stop);
     }
   } catch (const Error&) {
     if (stop.stop_requested()) {

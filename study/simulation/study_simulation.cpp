@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,42 @@
 #include "study/record/store_recorder.h"
 
 namespace foveola::study {
+
+namespace {
+
+SessionsAhead ahead_of(const SimulateSettings& settings, const StudyStore& store) {
+  SessionsAhead ahead;
+  for (const KnownSession& session : store.sessions()) {
+    if (!settings.resume || session.kind != SessionKind::simulated ||
+        session.seed != settings.seed) {
+      continue;  // a person's, or of another run, and over
+    }
+    if (has_ended(session)) {
+      ++ahead.over;
+    } else {
+      ahead.begun.push_back(session);
+    }
+  }
+  const auto rows = settings.participants - ahead.over - std::ssize(ahead.begun);
+  for (int row = 0; std::ssize(ahead.new_rows) < rows; ++row) {
+    if (!store.has_participant(participant_code(row))) {
+      ahead.new_rows.push_back(row);
+    }
+  }
+  return ahead;
+}
+
+}  // namespace
+
+SessionsAhead sessions_ahead(const SimulateSettings& settings, const Protocol& protocol) {
+  if (std::filesystem::exists(settings.database)) {
+    return ahead_of(settings, StudyStore(settings.database, protocol));
+  }
+  SessionsAhead ahead;
+  ahead.new_rows.resize(static_cast<std::size_t>(settings.participants));
+  std::iota(ahead.new_rows.begin(), ahead.new_rows.end(), 0);
+  return ahead;
+}
 
 bool has_ended(const KnownSession& session) {
   return SessionState{.phase = session.phase}.is_over();
@@ -24,42 +61,20 @@ StudySimulation::StudySimulation(const SimulatedStudy& study)
 SimulateReport StudySimulation::run(const std::stop_token& stop) {
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
-  const int before = study_.settings.resume ? finish_begun_sessions(stop) : 0;
-  const std::vector<int> design_rows =
-      new_design_rows(std::max(0, study_.settings.participants - before));
+  const SessionsAhead ahead = ahead_of(study_.settings, store_);
+  report_.sessions_before = ahead.over;
+  for (const KnownSession& session : ahead.begun) {
+    if (!stop.stop_requested()) {
+      run_session(session.id, session.design_row, store_.plan_of(session.id), stop);
+    }
+  }
   if (is_buffered()) {
-    run_side_by_side(design_rows, stop);
+    run_side_by_side(ahead.new_rows, stop);
   } else {
-    run_durably(design_rows, stop);
+    run_durably(ahead.new_rows, stop);
   }
   report_.sessions_wall_s = seconds(clock.now() - start);
   return report_;
-}
-
-int StudySimulation::finish_begun_sessions(const std::stop_token& stop) {
-  int done = 0;
-  for (const KnownSession& session : store_.sessions()) {
-    if (session.kind != SessionKind::simulated || session.seed != study_.settings.seed) {
-      continue;  // a person's, or of another run, and over
-    }
-    if (has_ended(session)) {
-      ++report_.sessions_before;
-    } else if (!stop.stop_requested()) {
-      run_session(session.id, session.design_row, store_.plan_of(session.id), stop);
-    }
-    ++done;
-  }
-  return done;
-}
-
-std::vector<int> StudySimulation::new_design_rows(int count) const {
-  std::vector<int> rows;
-  for (int row = 0; std::ssize(rows) < count; ++row) {
-    if (!store_.has_participant(participant_code(row))) {
-      rows.push_back(row);
-    }
-  }
-  return rows;
 }
 
 void StudySimulation::run_durably(const std::vector<int>& design_rows,

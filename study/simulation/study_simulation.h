@@ -20,6 +20,18 @@ namespace foveola::study {
 /// Whether the session is over: nothing more can happen in it.
 bool has_ended(const KnownSession& session);
 
+/// What a simulation has before it.
+struct SessionsAhead {
+  int over = 0;                     ///< sessions of its seed that are over, if it is resumed
+  std::vector<KnownSession> begun;  ///< to be finished, if it is resumed
+  /// The design rows of participants who are not in the file yet: a study can be added to.
+  std::vector<int> new_rows;
+};
+
+/// By what is in the settings' database, which need not exist. Throws Error for a file that is no
+/// study of the protocol.
+SessionsAhead sessions_ahead(const SimulateSettings& settings, const Protocol& protocol);
+
 /// A session that is to be taken part in, from its start or from where it broke off.
 struct BegunSession {
   StudyStore& store;
@@ -66,10 +78,6 @@ class StudySimulation {
     SessionOutcome outcome;
   };
 
-  /// Returns how many sessions there are of this seed.
-  int finish_begun_sessions(const std::stop_token& stop);
-  /// The design rows of `count` participants who are not in the file yet: a study can be added to.
-  std::vector<int> new_design_rows(int count) const;
   void run_durably(const std::vector<int>& design_rows, const std::stop_token& stop);
   void run_side_by_side(const std::vector<int>& design_rows, const std::stop_token& stop);
 

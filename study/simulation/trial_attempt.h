@@ -20,6 +20,7 @@ namespace foveola::study {
 struct TrialSeeds {
   std::uint32_t tracker = 0;
   std::uint32_t rendering = 0;
+  std::uint32_t picture = 0;  ///< the same for all timings of a trial
 };
 
 /// What an attempt is made of; it refers to most of it.

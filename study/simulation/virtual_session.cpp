@@ -46,18 +46,21 @@ VirtualSession::VirtualSession(const SessionSetting& setting, const Plan& plan,
 
 std::unique_ptr<AttemptPort> VirtualSession::begin_attempt() {
   return std::make_unique<RunningAttempt>(
-      *this, setting_.make_attempt({.stage = stage(),
-                                    .protocol = setting_.protocol,
-                                    .trial = driver_.trial(),
-                                    .object = object_named(stage().objects(), state().object),
-                                    .seeds = {.tracker = seed_of_trial(SeedPurpose::tracker),
-                                              .rendering = seed_of_trial(SeedPurpose::rendering)},
-                                    .participant = participant_,
-                                    .correction = driver_.correction(),
-                                    .clock = clock_,
-                                    .attempt_start = attempt_start_,
-                                    .recorder = setting_.recorder,
-                                    .key = driver_.attempt_key()}));
+      *this,
+      setting_.make_attempt(
+          {.stage = stage(),
+           .protocol = setting_.protocol,
+           .trial = driver_.trial(),
+           .object = object_named(stage().objects(), state().object),
+           .seeds = {.tracker = seed_of_trial(SeedPurpose::tracker),
+                     .rendering = seed_of_trial(SeedPurpose::rendering),
+                     .picture = picture_seed(setting_.seed, setting_.protocol, driver_.trial())},
+           .participant = participant_,
+           .correction = driver_.correction(),
+           .clock = clock_,
+           .attempt_start = attempt_start_,
+           .recorder = setting_.recorder,
+           .key = driver_.attempt_key()}));
 }
 
 void VirtualSession::act(SessionDriver& /*driver*/) {

@@ -18,6 +18,7 @@ enum class SeedPurpose : std::uint32_t {
   rendering = 3,    ///< a trial's sample points and light paths
   conduct = 4,      ///< what a simulated participant does, timing after timing
   waiting = 5,      ///< how long nothing appears to react to
+  picture = 6,      ///< which picture of its object a predicted trial sees
 };
 
 /// What the record keeps of a session's randomness.
@@ -44,6 +45,12 @@ inline std::uint32_t derive_seed(const SessionSeed& session, SeedPurpose purpose
 /// off.
 std::uint32_t trial_seed(const SessionSeed& session, SeedPurpose purpose, const Protocol& protocol,
                          const PlannedTrial& trial, int timing);
+
+/// The seed of the picture that a predicted trial sees, whenever it is timed.
+inline std::uint32_t picture_seed(const SessionSeed& session, const Protocol& protocol,
+                                  const PlannedTrial& trial) {
+  return trial_seed(session, SeedPurpose::picture, protocol, trial, 0);
+}
 
 /// The seed for `purpose` the next time that the step of the agenda is tried in which `state` is.
 inline std::uint32_t step_seed(const SessionSeed& session, SeedPurpose purpose,

@@ -140,7 +140,7 @@ TEST(PatchEnergies, AreMeanSquaresOfDifferences) {
   }
   double cells = 0.0;
   for (const PatchEnergies& energies :
-       patch_energies(view.cells, view.pixels, presented, view.expected, true)) {
+       patch_energies(view.cells, view.pixels, presented, {view.expected, view.expected}, true)) {
     EXPECT_NEAR(energies.noise[0], 4.0, 1e-12);
     EXPECT_NEAR(energies.noise[1], 9.0, 1e-12);
     EXPECT_NEAR(energies.noise[2], 0.0, 1e-12);
@@ -156,8 +156,8 @@ TEST(PatchEnergies, ContrastIsTheDifferenceOfTwoTones) {
   for (std::size_t cell = 0; cell < view.expected.size(); ++cell) {
     view.expected[cell][0] = cell % 2 == 0 ? 10.0 : 17.0;
   }
-  for (const PatchEnergies& energies :
-       patch_energies(view.cells, view.pixels, view.expected, view.expected, true)) {
+  for (const PatchEnergies& energies : patch_energies(view.cells, view.pixels, view.expected,
+                                                      {view.expected, view.expected}, true)) {
     EXPECT_NEAR(energies.contrast, 49.0, 1e-9);
   }
 }
@@ -177,7 +177,7 @@ double noise_energy(const Cells& cells, int width, double deviation) {
       image.pixels[member.pixel] = Rgb(0.5F + static_cast<float>(deviation * random.normal()));
     }
     for (const PatchEnergies& patch :
-         patch_energies(cells, pixels, cell_means(image, pixels, 2.3), grey, false)) {
+         patch_energies(cells, pixels, cell_means(image, pixels, 2.3), {grey, grey}, false)) {
       sum += patch.cells * patch.noise[0];
       total_cells += patch.cells;
     }
@@ -227,7 +227,8 @@ TEST(PatchEnergies, ContrastOfAScaledStudyIsThatOfTheFullOne) {
     }
     double sum = 0.0;
     double total_cells = 0.0;
-    for (const PatchEnergies& patch : patch_energies(cells, pixels, expected, expected, true)) {
+    for (const PatchEnergies& patch :
+         patch_energies(cells, pixels, expected, {expected, expected}, true)) {
       sum += patch.cells * patch.contrast;
       total_cells += patch.cells;
     }
@@ -247,7 +248,7 @@ TEST(PatchEnergies, CellsWithoutPixelsDoNotCount) {
     }
   }
   const std::vector<PatchEnergies> energies =
-      patch_energies(view.cells, view.pixels, presented, view.expected, true);
+      patch_energies(view.cells, view.pixels, presented, {view.expected, view.expected}, true);
   EXPECT_EQ(energies.size() + 1, view.cells.patches().size());
   for (const PatchEnergies& of_patch : energies) {
     EXPECT_EQ(of_patch.noise[0], 0.0);

@@ -52,7 +52,7 @@ class PilotTest : public testing::Test {
     sampler->aim(aim_at(object().direction, DisplaySettings{}));
     return sampler;
   }
-  CellMeans expected(const SceneStage& stage) const {
+  ConvergedMeans expected(const SceneStage& stage) const {
     return converged_means(setting(stage), *aimed("od"), object().direction, 400.0, mask(0.5),
                            views());
   }
@@ -130,7 +130,7 @@ double shown_noise(const PilotSetting& setting, const ViewSampler& sampler, std:
   constexpr int pictures = 16;
   for (std::uint32_t seed = 100; seed < 100 + pictures; ++seed) {
     for (const PatchEnergies& patch :
-         patch_energies(cells, pixels, picture(samples, seed), expected, false)) {
+         patch_energies(cells, pixels, picture(samples, seed), {expected, expected}, false)) {
       sum += patch.cells * patch.noise[0] / pictures;
     }
   }
@@ -145,7 +145,7 @@ TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
   const PilotSetting pilot = setting(stage_);
   levels_.first_per_pixel = 0.5;
   const auto sampler = aimed("od");
-  const CellMeans converged =
+  const ConvergedMeans converged =
       converged_means(pilot, *sampler, object().direction, 400.0, mask(0.6), small);
   constexpr std::uint32_t pictures = 8;
   std::vector<ScaleTables> tables;
