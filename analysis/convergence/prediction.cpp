@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/view/density_around.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola::analysis {
@@ -21,7 +22,7 @@ double mean_inverse_probability(const ViewSampler& sampler, const PixelRegion& r
     const double v = (y + 0.5) / size.y;
     const double sr = pixel_area * std::sin(std::numbers::pi * v);
     const Vec3 middle = direction_from_equirect(Vec2((x + 0.5) / size.x, v));
-    sum += weight / (sampler.density_per_sr(middle) * sr);
+    sum += weight / (density_around(sampler, middle) * sr);
     total_weight += weight;
   }
   return sum / total_weight;

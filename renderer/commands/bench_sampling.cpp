@@ -121,8 +121,8 @@ Measured film_cost(int width, int height, FilmUse use, const Workers& workers) {
 
 std::vector<Measured> cost_of_each() {
   std::vector<Measured> measured;
-  for (const char* method : {"od", "vp", "vp-rect", "fv", "fv:acuity=guenter", "fv:acuity=watson",
-                             "pointer", "crop", "hybrid:0.9*fv+0.1*od"}) {
+  for (const char* method : {"od", "vp", "vp-rect", "fv", "fv-paper", "fv:acuity=guenter",
+                             "fv:acuity=watson", "pointer", "crop", "hybrid:0.9*fv+0.1*od"}) {
     measured.push_back(sampler_cost(method));
   }
   const ScratchFolder folder;

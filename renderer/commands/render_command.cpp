@@ -235,10 +235,11 @@ void add_render(CLI::App& app, const SceneFinder& find_scene, const std::stop_to
   command->add_option("-o,--output", arguments->output,
                       "The image to write, as .exr (R, G, B, samples) or .png");
   command
-      ->add_option("--method", arguments->settings.method,
-                   "Where the samples go: od, vp, vp-rect, fv, fv-map, mask, pointer, crop or a "
-                   "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
-                   "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
+      ->add_option(
+          "--method", arguments->settings.method,
+          "Where the samples go: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or a "
+          "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
+          "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Size of the image in pixels, WIDTHxHEIGHT")
       ->capture_default_str();

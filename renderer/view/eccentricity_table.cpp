@@ -1,5 +1,7 @@
 #include "renderer/view/eccentricity_table.h"
 
+#include <limits>
+
 namespace foveola {
 namespace {
 
@@ -50,10 +52,15 @@ void EccentricityTable::add_pieces(const RadialDistribution& distribution, doubl
   // what two floats below 1 are apart.
   constexpr int most_halvings = 26;
   const double cell = (end - begin) / cells_in_piece;
+  // What holds at the ends of a piece is what holds inside it: at a knee the radius may jump, and
+  // of the two radii there either is the neighbour's. A few roundings inside is inside for s^2 too.
+  constexpr double a_few_roundings = 4.0 * std::numeric_limits<double>::epsilon();
+  const double first = begin * (1.0 + a_few_roundings);
+  const double last = end * (1.0 - a_few_roundings);
   std::vector<Cubic> cubics;
   for (int i = 0; i < cells_in_piece; ++i) {
     const auto exact = [&](double t) {
-      return eccentricity_over_s(distribution, begin + cell * (i + t));
+      return eccentricity_over_s(distribution, std::clamp(begin + cell * (i + t), first, last));
     };
     const Cubic c = cubic_through({exact(0.0), exact(1.0 / 3.0), exact(2.0 / 3.0), exact(1.0)});
     // Between its four points a cubic is farthest off near the ends.

@@ -13,9 +13,9 @@
 namespace foveola {
 
 /// RadialDistribution::eccentricity_deg in turns, within 1e-6 relative at every float of [0, 1).
-/// With s = sqrt(u), the eccentricity over s is smooth from knee to knee; cubics through exact
-/// values stand for it, more of them where it is steep. What lies beyond the last float below 1,
-/// 6e-8 of the samples, is never drawn.
+/// With s = sqrt(u), the eccentricity over s is smooth from knee to knee, and may jump at one;
+/// cubics through exact values stand for it, more of them where it is steep. What lies beyond the
+/// last float below 1, 6e-8 of the samples, is never drawn.
 class EccentricityTable {
  public:
   explicit EccentricityTable(const RadialDistribution& distribution);

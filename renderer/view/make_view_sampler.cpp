@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/view/equation7.h"
 #include "renderer/view/foveated_sampler.h"
 #include "renderer/view/image_samplers.h"
 #include "renderer/view/map_sampler.h"
@@ -142,6 +143,10 @@ constexpr NamedMaker makers[] = {
     {"vp", [](MethodText&, const FindWeights&) { return make_viewport_sampler(); }},
     {"vp-rect", [](MethodText&, const FindWeights&) { return make_viewport_rectangle_sampler(); }},
     {"fv", [](MethodText& settings, const FindWeights&) { return make_foveated(settings); }},
+    {"fv-paper",
+     [](MethodText&, const FindWeights&) -> std::unique_ptr<ViewSampler> {
+       return std::make_unique<FoveatedSampler>(std::make_unique<Equation7Distribution>());
+     }},
     {"fv-map", make_map},
     {"mask", make_mask},
     {pointer_name, [](MethodText& settings, const FindWeights&) { return make_pointer(settings); }},
@@ -200,7 +205,7 @@ bool follows_gaze(std::string_view method) {
                        [](const HybridPart& part) { return follows_gaze(part.method); });
   }
   const std::string name = MethodText(method).name();
-  return name == "fv" || name == "fv-map" || follows_pointer(method);
+  return name == "fv" || name == "fv-paper" || name == "fv-map" || follows_pointer(method);
 }
 
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {

@@ -22,7 +22,7 @@ class RadialDistribution {
  public:
   virtual ~RadialDistribution() = default;
   virtual double cutoff_deg() const = 0;
-  /// Where the density bends, strictly inside (0, cut-off).
+  /// Where the density bends or jumps, strictly inside (0, cut-off), ascending.
   virtual std::vector<double> knees_deg() const = 0;
   /// The fraction of samples below an eccentricity.
   virtual double cumulative(double eccentricity_deg) const = 0;

@@ -53,6 +53,8 @@ const std::vector<std::string>& published_methods();
 ///           linear with inner, outer, least, weier1, weier2, weier3, or watson with eye=both
 ///           (default), left, right; exponent (default: the model's), cutoff (80), measure=planar
 ///           (default, the paper's) or solid-angle
+/// fv-paper  the paper's fv to the letter: radii by its equation 7, whose jump leaves a thin ring
+///           without samples (Equation7Distribution), where fv has the exact inverse
 /// fv-map    an image laid around the gaze: file, extent (80; the eccentricity at half of its
 ///           larger side)
 /// mask      an image painted over the equirect image, read anew when it changes: file, floor (0;

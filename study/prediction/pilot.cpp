@@ -10,6 +10,7 @@
 #include "renderer/base/random.h"
 #include "renderer/film/viewport_resampler.h"
 #include "renderer/progressive/progressive_render.h"
+#include "renderer/view/density_around.h"
 
 namespace foveola::study {
 namespace {
@@ -123,7 +124,7 @@ double geometric_mean_density(const ViewSampler& sampler, const ScaleTables& tab
   double count = 0.0;
   for (const NoiseTable& table : tables) {
     for (const PatchNoise& patch : table) {
-      if (const double density = sampler.density_per_sr(patch.direction); density > 0.0) {
+      if (const double density = density_around(sampler, patch.direction); density > 0.0) {
         sum += std::log(density);
         count += 1.0;
       }
@@ -154,7 +155,7 @@ void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t le
     if (table[i].noise_times_density.empty()) {
       continue;  // the method does not go there
     }
-    const double per_sr = static_cast<double>(samples) * sampler.density_per_sr(table[i].direction);
+    const double per_sr = static_cast<double>(samples) * density_around(sampler, table[i].direction);
     const ChannelValues noise = not_negative(seen[i].noise);
     for (std::size_t c = 0; c < channel_count; ++c) {
       table[i].noise_times_density[level][c] = noise[c] * per_sr;
@@ -180,7 +181,7 @@ void begin_levels(const ViewSampler& sampler, const std::vector<std::uint64_t>& 
                   ScaleTables& tables) {
   for (NoiseTable& table : tables) {
     for (PatchNoise& patch : table) {
-      const double per_sr = sampler.density_per_sr(patch.direction);
+      const double per_sr = density_around(sampler, patch.direction);
       patch.first_per_sr = static_cast<double>(sample_counts.front()) * per_sr;
       patch.noise_times_density.resize(per_sr > 0.0 ? sample_counts.size() : 0);
     }

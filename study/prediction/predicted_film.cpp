@@ -1,5 +1,7 @@
 #include "study/prediction/predicted_film.h"
 
+#include "renderer/view/density_around.h"
+
 namespace foveola::study {
 namespace {
 
@@ -33,7 +35,7 @@ std::span<const double> PatchSamples::per_sr() {
 const std::vector<double>& PatchSamples::rates() {
   if (rates_.empty()) {
     for (const PatchNoise& patch : table_) {
-      rates_.push_back(sampler_.density_per_sr(patch.direction));
+      rates_.push_back(density_around(sampler_, patch.direction));
     }
   }
   return rates_;

@@ -39,6 +39,7 @@ BENCHMARK_CAPTURE(directions, od, "od");
 BENCHMARK_CAPTURE(directions, vp, "vp");
 BENCHMARK_CAPTURE(directions, vp_rect, "vp-rect");
 BENCHMARK_CAPTURE(directions, fv, "fv");
+BENCHMARK_CAPTURE(directions, fv_paper, "fv-paper");
 BENCHMARK_CAPTURE(directions, fv_guenter, "fv:acuity=guenter");
 BENCHMARK_CAPTURE(directions, fv_watson, "fv:acuity=watson");
 BENCHMARK_CAPTURE(directions, pointer, "pointer");

@@ -87,6 +87,27 @@ Density planar(const std::function<double(double e, double azimuth)>& density,
 
 double reddy(double e) { return e <= 5.79 ? 1.0 : 7.49 / std::pow(0.3 * e + 1.0, 2); }
 
+/// 1 / (2 pi e p'(u)) of the paper's radius p(u), its equation 7, with u by bisection.
+double equation7(double e) {
+  if (e <= 18.64 * std::sqrt(0.0965)) {
+    return 1.0 / (pi * 18.64 * 18.64);
+  }
+  const auto radius = [](double u) {
+    return 25.09 * std::pow(u, 4) + 0.1680 * std::pow(u, 3) + 27.61 * u * u + 23.87 * u + 3.232;
+  };
+  double low = 0.0965;
+  double high = 1.0;
+  if (e < radius(low)) {
+    return 0.0;
+  }
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (radius(middle) < e ? low : high) = middle;
+  }
+  const double slope = 100.36 * std::pow(low, 3) + 0.504 * low * low + 55.22 * low + 23.87;
+  return 1.0 / (2.0 * pi * e * slope);
+}
+
 Density linear(double inner, double outer, double least) {
   return planar([=](double e, double) {
     const double t = (e - inner) / (outer - inner);
@@ -186,6 +207,7 @@ std::vector<Method> methods() {
       {"vp", {{1.0, in_view}}},
       {"vp-rect", {{1.0, in_view_rectangle}}},
       {"fv", {{1.0, in_fv}}},
+      {"fv-paper", {{1.0, planar([](double e, double) { return equation7(e); }, 79.97)}}},
       {"fv:exponent=2", {{1.0, planar([](double e, double) { return std::pow(reddy(e), 2); })}}},
       {"fv:measure=solid-angle",
        {{1.0, [](const Seen& s) { return s.e <= 80.0 ? reddy(s.e) : 0.0; }}}},

@@ -14,6 +14,7 @@ inline const std::string every_method[] = {
     "fv",
     "fv:acuity=guenter,cutoff=120,measure=solid-angle",
     "fv:acuity=weier1",
+    "fv-paper",
     "fv:acuity=watson",
     "fv:acuity=watson,eye=left,exponent=0.5,measure=solid-angle",
     "fv-map:file=MAP,extent=60",

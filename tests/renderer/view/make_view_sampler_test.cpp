@@ -20,7 +20,7 @@ std::string complaint(const std::string& method) {
 }
 
 TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
-  EXPECT_THAT(complaint("xyz"), testing::HasSubstr("od, vp, vp-rect, fv"));
+  EXPECT_THAT(complaint("xyz"), testing::HasSubstr("od, vp, vp-rect, fv, fv-paper, fv-map"));
   EXPECT_THAT(complaint(""), testing::HasSubstr("no such method"));
   EXPECT_THAT(complaint("fv:acuity=cat"), testing::HasSubstr("reddy, guenter"));
   EXPECT_THAT(complaint("fv:acuty=reddy"), testing::HasSubstr("there are acuity, exponent"));
@@ -31,6 +31,7 @@ TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
   EXPECT_THAT(complaint("fv:slope=0.02"), testing::HasSubstr("no setting 'slope'"));
   EXPECT_THAT(complaint("fv:acuity=linear,inner=20,outer=10"), testing::HasSubstr("below outer"));
   EXPECT_THAT(complaint("od:width=3"), testing::HasSubstr("od has none"));
+  EXPECT_THAT(complaint("fv-paper:cutoff=60"), testing::HasSubstr("fv-paper has none"));
   EXPECT_THAT(complaint("fv:acuity=watson,eye=third"), testing::HasSubstr("left, right, both"));
   EXPECT_THAT(complaint("fv:eye=left"), testing::HasSubstr("no setting 'eye'"));
   EXPECT_THAT(complaint("mask:floor=1"), testing::HasSubstr("image of the mask is missing"));
@@ -150,7 +151,7 @@ TEST(WithPointer, HoldsEveryPointerInPlace) {
 }
 
 TEST(FollowsGaze, IsTrueOfWhatTheGazeAims) {
-  for (const char* method : {"fv", "fv:acuity=watson", "fv-map:file=a.png", "pointer",
+  for (const char* method : {"fv", "fv:acuity=watson", "fv-paper", "fv-map:file=a.png", "pointer",
                              "hybrid:0.9*od+0.1*fv", "hybrid:6*\"hybrid:3*fv+1*od\"+4*vp"}) {
     EXPECT_TRUE(follows_gaze(method)) << method;
   }

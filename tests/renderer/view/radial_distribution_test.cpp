@@ -12,6 +12,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/view/eccentricity_table.h"
+#include "renderer/view/equation7.h"
 
 namespace foveola {
 namespace {
@@ -143,6 +144,7 @@ std::vector<Named> distributions() {
   all.push_back({"Guenter, steep", make(linear_resolution_model(1.0), 3.0, 120.0, solid)});
   all.push_back({"Weier's first", make(linear_fall_off_model(5.0, 10.0, 0.01), 1.0, 80.0, planar)});
   all.push_back({"Weier's third", make(linear_fall_off_model(15.0, 30.0, 0.1), 1.0, 80.0, solid)});
+  all.push_back({"equation 7", std::make_unique<Equation7Distribution>()});
   return all;
 }
 
