@@ -16,6 +16,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/commands/bench_equation7.h"
 #include "renderer/commands/bench_preview.h"
 #include "renderer/commands/bench_sampling.h"
 #include "renderer/commands/bench_tracing.h"
@@ -184,6 +185,7 @@ CLI::App& add_bench_commands(CLI::App& app, const std::vector<std::string>& scen
   bench->require_subcommand(1);
   add_stability(*bench, scenes, find_scene, stop);
   add_bench_sampling(*bench);
+  add_bench_equation7(*bench);
   add_bench_tracing(*bench, find_scene);
   add_bench_preview(*bench, find_scene, stop);
   return *bench;
