@@ -14,9 +14,11 @@ namespace fs = std::filesystem;
 namespace foveola::test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
+using testing::StartsWith;
 
 class BenchConvergence : public testing::Test {
  protected:
@@ -99,6 +101,23 @@ TEST(BenchCompare, PrintsRatiosOfWhatABenchPrinted) {
   EXPECT_THAT(run_foveola({"bench", "compare", before, before}).output, HasSubstr("1.000"));
   EXPECT_EQ(run_foveola({"bench", "compare", before, (folder / "none.json").string()}).exit_code,
             1);
+}
+
+TEST(BenchEquation7, PrintsItsFiguresBesideThePapers) {
+  const ProgramResult table = run_foveola({"bench", "equation7"});
+  ASSERT_EQ(table.exit_code, 0) << table.errors;
+  EXPECT_THAT(table.output, ContainsRegex("what +the program's figure +the paper's\n"));
+  EXPECT_THAT(table.output, ContainsRegex("jump at u = 0.0965 +5.7904 deg +-\n"));
+  EXPECT_THAT(table.output, ContainsRegex("radius, relative +-0.224 % at u = 0.15.* 1.8 % "));
+  const ProgramResult json = run_foveola({"bench", "equation7", "--json"});
+  ASSERT_EQ(json.exit_code, 0) << json.errors;
+  for (const auto& figure : nlohmann::json::parse(json.output).at("figures")) {
+    if (figure.at("what") == "mean absolute difference over the mean radius") {
+      EXPECT_NEAR(figure.at("value").get<double>(), 0.0327, 5e-5);
+      EXPECT_EQ(figure.at("unit"), "%");
+      EXPECT_THAT(figure.at("published").get<std::string>(), StartsWith("< 0.04 %"));
+    }
+  }
 }
 
 TEST(BenchPreview, TellsWhichFramesAreLate) {

@@ -93,18 +93,18 @@ double equation7(double e) {
     return 1.0 / (pi * 18.64 * 18.64);
   }
   const auto radius = [](double u) {
-    return 25.09 * std::pow(u, 4) + 0.1680 * std::pow(u, 3) + 27.61 * u * u + 23.87 * u + 3.232;
+    return (((25.09 * u + 0.1680) * u + 27.61) * u + 23.87) * u + 3.232;
   };
   double low = 0.0965;
   double high = 1.0;
   if (e < radius(low)) {
     return 0.0;
   }
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
     (radius(middle) < e ? low : high) = middle;
   }
-  const double slope = 100.36 * std::pow(low, 3) + 0.504 * low * low + 55.22 * low + 23.87;
+  const double slope = ((100.36 * low + 0.504) * low + 55.22) * low + 23.87;
   return 1.0 / (2.0 * pi * e * slope);
 }
 

@@ -93,6 +93,23 @@ TEST_F(PilotTest, EachPictureHasItsOwnNoise) {
   EXPECT_NE(noise(1), noise(2));
 }
 
+// The ring that fv-paper leaves out is thinner than any patch.
+TEST_F(PilotTest, APatchWhoseMiddleIsLeftOutIsReached) {
+  const Vec3 middle = tables(stage_, "fv", 0.42)[1][0].direction;
+  const double in_ring_rad = radians(5.7926);
+  Aim aim = aim_at(object().direction, DisplaySettings{});
+  aim.gaze = Frame(middle).to_world(Vec3(std::sin(in_ring_rad), 0.0, std::cos(in_ring_rad)));
+  const auto sampler = make_view_sampler("fv-paper");
+  sampler->aim(aim);
+  ASSERT_EQ(sampler->density_per_sr(middle), 0.0);
+  const NoiseTable table =
+      measure_noise(setting(stage_), *sampler, levels_, 0, mask(0.42), views(), expected(stage_))
+          .front()[1];
+  ASSERT_EQ(table[0].noise_times_density.size(), 11U);
+  const ChannelValues noise = noise_at(table[0], 32.0 * table[0].first_per_sr);
+  EXPECT_LT(noise[0], table[0].unsampled[0]);
+}
+
 TEST_F(PilotTest, NoiseFallsWithTheSamples) {
   for (const NoiseTable& table : tables(stage_, "od", 0.42)) {
     double first = 0.0;
