@@ -27,7 +27,8 @@ class Scorer {
   Scorer(const ConvergencePlan& plan, const Viewport& viewport, double exposure_stops,
          const std::vector<Region>& regions, ReferenceHalves reference, const Workers& workers);
 
-  /// One score a region. Unsampled pixels are black on the display, as in the published study.
+  /// One score a region. Unsampled pixels are black on the display; the published renderer did not
+  /// reconstruct them either (Koskela et al. 2018, section 3).
   std::vector<Score> score(const EquirectFilm& film) const;
 
   const std::vector<PixelRegion>& film_regions() const { return film_regions_; }

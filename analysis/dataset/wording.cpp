@@ -53,6 +53,12 @@ std::string fixed(std::optional<double> value, int decimals) {
   return is_negative_zero ? text.substr(1) : text;
 }
 
+std::string with_sign(std::optional<double> value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+  return value && *value > 0.0 && !is_zero ? "+" + text : text;
+}
+
 std::string mean_and_deviation(const Description& description, int decimals) {
   std::string text = fixed(description.mean, decimals);
   if (description.standard_deviation) {

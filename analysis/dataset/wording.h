@@ -13,11 +13,14 @@ namespace foveola::analysis {
 /// "OD", "VP" and "FV" as in print; any other method by its id.
 std::string method_label(const std::string& method);
 
-/// "omnidirectional preview" and so on; empty for a method that the published study did not have.
+/// "omnidirectional preview" and so on; empty for a method that the paper does not have (section 4.1).
 std::string_view method_meaning(const std::string& method);
 
 /// A value with this many decimals; an en dash where there is none.
 std::string fixed(std::optional<double> value, int decimals);
+
+/// The same with its sign, "+1.5" or "-0.3"; zero has none.
+std::string with_sign(std::optional<double> value, int decimals);
 
 /// "12.3 ± 4.5", or "12.3" for a single value, or an en dash.
 std::string mean_and_deviation(const Description& description, int decimals);

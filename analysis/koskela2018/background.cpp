@@ -115,15 +115,20 @@ const char* name_of(TimeSaved quantity) {
   return quantity == TimeSaved::log_ratio ? "log_ratio" : "seconds_saved";
 }
 
-std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& records) {
+std::vector<BackgroundAnswer> answers_in_numbers(const study::StudyRecords& records,
+                                                 const std::string& questionnaire) {
   std::vector<BackgroundAnswer> answers;
   for (const study::AnswerRow& row : records.answers) {
-    if (row.value.is_measured() && records.questionnaire_of(row) == "background") {
+    if (row.value.is_measured() && records.questionnaire_of(row) == questionnaire) {
       answers.push_back(
           {records.sessions[row.session].participant, records.question_of(row), row.value.number});
     }
   }
   return answers;
+}
+
+std::vector<BackgroundAnswer> background_answers(const study::StudyRecords& records) {
+  return answers_in_numbers(records, "background");
 }
 
 BackgroundScale choose_background_scale(const std::vector<BackgroundAnswer>& answers) {

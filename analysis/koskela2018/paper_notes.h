@@ -1,14 +1,16 @@
 // What the report of the published study, or of a repetition of it, says of its paper.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "analysis/dataset/dataset.h"
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/published_study.h"
 
 namespace foveola::analysis {
 
-/// Sentences for the parts of the report, without markup: where the paper shows the same, and how
-/// it reads there.
+/// Sentences for the parts of the report, without markup: where the paper shows the same, and what
+/// it states there, with the section.
 struct PaperNotes {
   std::string times_by_scene;
   std::string percentages;
@@ -19,7 +21,11 @@ struct PaperNotes {
   std::string background;
 };
 
-/// All empty for a study that does not measure what was published.
-PaperNotes paper_notes(const Dataset& set);
+/// All empty where nothing published stands beside the study.
+PaperNotes paper_notes(const StudyTables& tables, const std::optional<PublishedStudy>& published);
+
+/// What section 5.3 says of Figure 6 in words, beside the order of this study's mean ratings of
+/// artifacts; empty if OD, VP and FV were not all rated.
+std::string artifacts_in_order(const StudyTables& tables);
 
 }  // namespace foveola::analysis

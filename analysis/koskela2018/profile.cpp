@@ -22,6 +22,8 @@ bool measures_what_was_published(const Dataset& set) {
          rating.maximum == 5.0;
 }
 
+bool is_relative_to_od(const Dataset& set) { return set.methods[baseline] == "od"; }
+
 std::string meaning_of_mark(const std::string& mark) {
   if (mark == "outline") {
     return "The outline mark says when a participant could tell whether moving or turning the "

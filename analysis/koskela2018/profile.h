@@ -9,10 +9,13 @@
 namespace foveola::analysis {
 
 /// Whether the study has the published marks, outline and material, and the published rating,
-/// artifacts, of the points 1 to 5.
+/// artifacts, of the points 1 to 5 (sections 4.2 and 5.2; the ids are ours).
 bool measures_what_was_published(const Dataset& set);
 
-/// What a mark of the published study means, as a sentence; empty for any other.
+/// Whether the study's baseline is the paper's, so that percentages are of the same method's times.
+bool is_relative_to_od(const Dataset& set);
+
+/// What a mark of the published study means (section 4.2), as a sentence; empty for any other.
 std::string meaning_of_mark(const std::string& mark);
 
 /// What a mark is made on, in sentences: "the outline of a chosen object could be judged", or the

@@ -1,67 +1,33 @@
 #include "analysis/koskela2018/published_comparison.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/background.h"
+#include "analysis/koskela2018/profile.h"
+#include "analysis/statistics/log_of_means.h"
 
 namespace foveola::analysis {
 namespace {
 
-std::optional<Interval> exactly(std::optional<double> value) {
-  return value ? std::optional(Interval{*value, *value}) : std::nullopt;
-}
+constexpr std::array marks = {"outline", "material"};
+constexpr const char* all_scenes = "all scenes";
+constexpr const char* over_scenes = "Table 2, all scenes";
 
-/// The answers that the analysed participants gave to a question.
-Description answers_to(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
-                       const std::string& question) {
-  const std::set<std::string> analysed(tables.set.participants.begin(),
-                                       tables.set.participants.end());
-  std::vector<double> values;
-  for (const BackgroundAnswer& row : answers) {
-    if (row.question == question && analysed.contains(row.participant)) {
-      values.push_back(row.value);
-    }
-  }
-  return describe(values);
-}
+using Values = std::vector<std::optional<double>>;  ///< Of participants; some may lack.
 
-void compare_background(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
-                        const PublishedTables& published, std::vector<ComparedCell>& cells) {
-  for (const PublishedBackground& row : published.background) {
-    const Description given = answers_to(tables, answers, row.question);
-    const ComparedCell cell{.source = "Table 1",
-                            .row = row.question,
-                            .own_row = given.n > 0 ? row.question : "",
-                            .mark = "",
-                            .method = "",
-                            .quantity = "mean",
-                            .reading = "",
-                            .unit = row.question == "age" ? "years" : "points",
-                            .published = exactly(row.mean),
-                            .study = given.mean};
-    cells.push_back(cell);
-    cells.push_back(cell);
-    cells.back().quantity = "sd";
-    cells.back().published = exactly(row.standard_deviation);
-    cells.back().study = given.standard_deviation;
-  }
-}
-
-/// The study's scene that is compared with a published one.
-std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row) {
-  for (const std::string& name : {row.scene, row.counterpart}) {
-    const auto found = std::find(set.scenes.begin(), set.scenes.end(), name);
-    if (found != set.scenes.end()) {
-      return static_cast<std::size_t>(found - set.scenes.begin());
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<std::size_t> method_position(const Dataset& set, const std::string& method) {
-  const auto found = std::find(set.methods.begin(), set.methods.end(), method);
-  return found == set.methods.end()
-             ? std::nullopt
-             : std::optional(static_cast<std::size_t>(found - set.methods.begin()));
+std::optional<std::size_t> position_of(const std::vector<std::string>& names,
+                                       const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt
+                              : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
 /// The index of the study's mark of this id; empty if it has none.
@@ -70,110 +36,470 @@ std::optional<std::size_t> time_named(const Dataset& set, const std::string& mar
   return found && set.measures[*found].kind == MeasureKind::time ? found : std::nullopt;
 }
 
-/// This study's mean and deviation in one reading of Table 2.
-struct StudyNumbers {
-  std::string reading;
-  std::optional<double> mean;
-  std::optional<double> standard_deviation;
+/// The study's scene that is compared with a published one.
+std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row) {
+  const auto same = position_of(set.scenes, row.scene);
+  return same ? same : position_of(set.scenes, row.counterpart);
+}
+
+/// The study's cell that is compared with one of Table 2.
+struct Cell {
+  std::size_t mark = 0;
+  std::size_t scene = 0;
+  std::size_t method = 0;
 };
 
-/// The cells of one published time: one for the baseline's seconds, two readings of the others'
-/// percentages.
-std::vector<StudyNumbers> readings_of(const SceneTimes& times, bool is_baseline) {
-  if (is_baseline) {
-    return {{"", times.seconds.mean, times.seconds.standard_deviation}};
-  }
-  return {
-      {"own ratios", times.percent_of_baseline.mean, times.percent_of_baseline.standard_deviation},
-      {"ratio of means", times.of_baseline_mean.mean_percent,
-       times.of_baseline_mean.sd_percent_points}};
+std::optional<Cell> cell_of(const Dataset& set, const PublishedTime& row) {
+  const auto mark = time_named(set, row.mark);
+  const auto scene = scene_of(set, row);
+  const auto method = position_of(set.methods, row.method);
+  return mark && scene && method && is_relative_to_od(set)
+             ? std::optional(Cell{*mark, *scene, *method})
+             : std::nullopt;
 }
 
-void compare_times(const StudyTables& tables, const PublishedTables& published,
-                   std::vector<ComparedCell>& cells) {
-  const bool same_baseline = tables.set.methods.front() == "od";
+Values seconds_in(const Dataset& set, const Cell& cell) {
+  Values values;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    const Value& time = set.value(participant, cell.scene, cell.method, cell.mark);
+    values.push_back(time.is_measured() ? std::optional(time.number) : std::nullopt);
+  }
+  return values;
+}
+
+Values baseline_seconds_in(const Dataset& set, const Cell& cell) {
+  return seconds_in(set, {cell.mark, cell.scene, baseline});
+}
+
+/// Each participant's time in per cent of the same participant's with the baseline.
+Values own_percent_in(const Dataset& set, const Cell& cell) {
+  const Values references = baseline_seconds_in(set, cell);
+  Values values = seconds_in(set, cell);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = values[i] && references[i] ? std::optional(100.0 * *values[i] / *references[i])
+                                           : std::nullopt;
+  }
+  return values;
+}
+
+std::vector<double> present(const Values& values) {
+  std::vector<double> result;
+  for (const std::optional<double>& value : values) {
+    if (value) {
+      result.push_back(*value);
+    }
+  }
+  return result;
+}
+
+/// What Table 2 may have shown of a cell: seconds, or per cent in one of two readings.
+enum class Reading : std::uint8_t { seconds, own_ratios, ratio_of_means };
+
+const char* name_of(Reading reading) {
+  constexpr std::array names = {"", "own ratios", "ratio of means"};
+  return names.at(static_cast<std::size_t>(reading));
+}
+
+std::vector<Reading> readings_of(const std::string& method) {
+  return method == "od" ? std::vector{Reading::seconds}
+                        : std::vector{Reading::own_ratios, Reading::ratio_of_means};
+}
+
+/// The logarithm of the cell's mean in seconds or per cent.
+std::optional<LogOfMeans> log_in(const Dataset& set, const Cell& cell, Reading reading) {
+  if (reading == Reading::own_ratios) {
+    return log_of_mean(own_percent_in(set, cell));
+  }
+  const auto seconds = log_of_mean(seconds_in(set, cell));
+  if (reading == Reading::seconds) {
+    return seconds;
+  }
+  const auto reference = log_of_mean(baseline_seconds_in(set, cell));
+  if (!seconds || !reference) {
+    return std::nullopt;
+  }
+  LogOfMeans percent = log_of_ratio(*seconds, *reference);
+  percent.value += std::log(100.0);
+  return percent;
+}
+
+struct MeanAndDeviation {
+  std::optional<Estimate> mean;
+  std::optional<double> deviation;
+};
+
+MeanAndDeviation mean_in(const StudyTables& tables, const Cell& cell, Reading reading) {
+  if (reading == Reading::ratio_of_means) {
+    const auto ratio = log_in(tables.set, cell, reading);
+    return {ratio ? std::optional(estimate_of(*ratio)) : std::nullopt,
+            tables.scene_times_of(cell.mark, cell.scene, cell.method)
+                .of_baseline_mean.sd_percent_points};
+  }
+  const std::vector<double> values =
+      present(reading == Reading::seconds ? seconds_in(tables.set, cell)
+                                          : own_percent_in(tables.set, cell));
+  return {mean_estimate(values), standard_deviation(values)};
+}
+
+/// Of the analysed participants to a question of Table 1.
+Description answers_to(const std::vector<QuestionAnswers>& own, const std::string& question) {
+  const auto found = std::find_if(
+      own.begin(), own.end(), [&](const QuestionAnswers& row) { return row.question == question; });
+  return found == own.end() ? Description{} : found->answers;
+}
+
+/// Those that the analysed participants gave to a question.
+std::vector<double> answers_to(const StudyTables& tables,
+                               const std::vector<BackgroundAnswer>& answers,
+                               const std::string& question) {
+  const std::set<std::string> analysed(tables.set.participants.begin(),
+                                       tables.set.participants.end());
+  std::vector<double> values;
+  for (const BackgroundAnswer& row : answers) {
+    if (row.question == question && analysed.contains(row.participant)) {
+      values.push_back(row.value);
+    }
+  }
+  return values;
+}
+
+void compare_background(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
+                        const PublishedStudy& published, std::vector<ComparedNumber>& numbers) {
+  const std::vector<QuestionAnswers> own = describe_background(tables.set, answers);
+  for (const PublishedAnswers& row : published.background) {
+    const Description given = answers_to(own, row.question);
+    numbers.push_back({.source = "Table 1",
+                       .section = "5.1",
+                       .row = row.question,
+                       .own_row = given.n == 0 ? "" : row.question,
+                       .mark = "",
+                       .method = "",
+                       .reading = "",
+                       .unit = row.question == "age" ? "years" : "points",
+                       .published = published_mean(published, row.mean, row.standard_deviation),
+                       .published_deviation = row.standard_deviation,
+                       .study = mean_estimate(given),
+                       .study_deviation = given.standard_deviation});
+  }
+}
+
+void compare_times(const StudyTables& tables, const PublishedStudy& published,
+                   std::vector<ComparedNumber>& numbers) {
   for (const PublishedTime& row : published.times) {
-    const bool is_baseline = row.method == "od";
     const auto scene = scene_of(tables.set, row);
-    const auto method = method_position(tables.set, row.method);
-    const bool has_study = scene && method && same_baseline;
-    const auto mark = time_named(tables.set, row.mark);
-    const SceneTimes times =
-        has_study && mark ? tables.scene_times_of(*mark, *scene, *method) : SceneTimes{};
-    for (const StudyNumbers& numbers : readings_of(times, is_baseline)) {
-      const ComparedCell cell{.source = "Table 2",
-                              .row = row.scene,
-                              .own_row = scene ? tables.set.scenes[*scene] : "",
-                              .mark = row.mark,
-                              .method = row.method,
-                              .quantity = "mean",
-                              .reading = numbers.reading,
-                              .unit = is_baseline ? "s" : "%",
-                              .published = exactly(row.mean),
-                              .study = numbers.mean};
-      cells.push_back(cell);
-      cells.push_back(cell);
-      cells.back().quantity = "sd";
-      cells.back().unit = is_baseline ? "s" : "percentage points";
-      cells.back().published = exactly(row.standard_deviation);
-      cells.back().study = numbers.standard_deviation;
+    const auto cell = cell_of(tables.set, row);
+    for (const Reading reading : readings_of(row.method)) {
+      const MeanAndDeviation own = cell ? mean_in(tables, *cell, reading) : MeanAndDeviation{};
+      numbers.push_back({.source = "Table 2",
+                         .section = "5.2",
+                         .row = row.scene,
+                         .own_row = scene ? tables.set.scenes[*scene] : "",
+                         .mark = row.mark,
+                         .method = row.method,
+                         .reading = name_of(reading),
+                         .unit = row.method == "od" ? "s" : "%",
+                         .published = published_mean(published, row.mean, row.standard_deviation),
+                         .published_deviation = row.standard_deviation,
+                         .study = own.mean,
+                         .study_deviation = own.deviation});
     }
   }
 }
 
-void compare_ranges(const StudyTables& tables, const std::vector<PublishedMean>& means,
-                    std::vector<ComparedCell>& cells) {
-  for (const PublishedMean& range : means) {
-    const auto method = method_position(tables.set, range.method);
-    for (const std::string mark : {"outline", "material"}) {
-      const auto time = time_named(tables.set, mark);
-      ComparedCell cell{.source = "text",
-                        .row = "all scenes",
-                        .own_row = "all scenes",
-                        .mark = mark,
-                        .method = range.method,
-                        .quantity = "mean",
-                        .reading = "geometric mean",
-                        .unit = "%",
-                        .published = range.percent_of_od,
-                        .study = std::nullopt};
-      if (time && method && *method != baseline && tables.set.methods.front() == "od") {
-        const auto& estimate = tables.method_times_of(*time, *method).percent_of_baseline;
-        cell.study = estimate ? std::optional(estimate->value) : std::nullopt;
+/// The study's own, formed as the published one from Table 2: the geometric mean over the same
+/// scenes of the means over participants. Empty unless the study has every scene.
+std::optional<Estimate> over_published_scenes(const Dataset& set, const PublishedStudy& published,
+                                              const std::string& mark, const std::string& method,
+                                              Reading reading) {
+  std::vector<LogOfMeans> means;
+  for (const PublishedTime& row : published.times) {
+    if (row.mark != mark || row.method != method) {
+      continue;
+    }
+    const auto cell = cell_of(set, row);
+    const auto mean = cell ? log_in(set, *cell, reading) : std::nullopt;
+    if (!mean) {
+      return std::nullopt;
+    }
+    means.push_back(*mean);
+  }
+  return means.empty() ? std::nullopt : std::optional(estimate_of(log_of_geometric_mean(means)));
+}
+
+/// The geometric mean over participants and all the study's scenes: seconds of OD, else per cent.
+std::optional<Estimate> over_own_scenes(const StudyTables& tables, const std::string& mark,
+                                        const std::string& method) {
+  const auto time = time_named(tables.set, mark);
+  const auto position = position_of(tables.set.methods, method);
+  if (!time || !position || !is_relative_to_od(tables.set)) {
+    return std::nullopt;
+  }
+  const MethodTimes& times = tables.method_times_of(*time, *position);
+  return *position == baseline ? times.seconds : times.percent_of_baseline;
+}
+
+void compare_over_scenes(const StudyTables& tables, const PublishedStudy& published,
+                         std::vector<ComparedNumber>& numbers) {
+  for (const std::string mark : marks) {
+    for (const std::string method : {"od", "vp", "fv"}) {
+      const auto mean = geometric_mean_of_table_2(published, mark, method);
+      if (!mean) {
+        continue;
       }
-      cells.push_back(std::move(cell));
+      ComparedNumber number{.source = over_scenes,
+                            .section = "5.2",
+                            .row = all_scenes,
+                            .own_row = all_scenes,
+                            .mark = mark,
+                            .method = method,
+                            .reading = "",
+                            .unit = method == "od" ? "s" : "%",
+                            .published = {.value = *mean},
+                            .published_deviation = {},
+                            .study = {},
+                            .study_deviation = {}};
+      for (const Reading reading : readings_of(method)) {
+        number.reading = name_of(reading);
+        number.study = over_published_scenes(tables.set, published, mark, method, reading);
+        numbers.push_back(number);
+      }
+      number.reading = "geometric mean";
+      number.study = over_own_scenes(tables, mark, method);
+      numbers.push_back(std::move(number));
     }
   }
+}
+
+/// A number of the text, to be filled in.
+ComparedNumber number_of_text(const PublishedStudy& published, const std::string& id,
+                              const std::string& words) {
+  const PublishedFigure& figure = published_figure(published, id);
+  return {.source = "text",
+          .section = figure.section,
+          .row = words,
+          .own_row = "",
+          .mark = "",
+          .method = "",
+          .reading = "",
+          .unit = figure.unit,
+          .published = {.value = figure.value},
+          .published_deviation = {},
+          .study = {},
+          .study_deviation = {}};
+}
+
+/// A time over another's, which section 5.2 states of all scenes together.
+struct Claim {
+  const char* figure;
+  const char* words;
+  const char* method;     ///< Whose time is
+  const char* reference;  ///< divided by this one's;
+  double factor;          ///< times this.
+};
+
+constexpr std::array claims = {
+    Claim{"fv_percent_of_od", "FV’s time, of OD’s", "fv", "od", 100.0},
+    Claim{"speedup_fv_over_od", "FV faster than OD", "od", "fv", 1.0},
+    Claim{"speedup_vp_over_od", "VP faster than OD", "od", "vp", 1.0},
+    Claim{"speedup_fv_over_vp", "FV faster than VP", "vp", "fv", 1.0},
+};
+
+/// Over participants, of each one's geometric means over scenes.
+std::optional<Estimate> ratio_over_scenes(const StudyTables& tables, std::size_t mark,
+                                          const Claim& claim) {
+  const auto method = position_of(tables.set.methods, claim.method);
+  const auto reference = position_of(tables.set.methods, claim.reference);
+  if (!method || !reference) {
+    return std::nullopt;
+  }
+  // Of the same participants: those with a scene in which every method's time was measured.
+  std::vector<double> ratios = tables.method_times_of(mark, *method).participant_seconds;
+  const std::vector<double>& divisors =
+      tables.method_times_of(mark, *reference).participant_seconds;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    ratios[i] *= claim.factor / divisors.at(i);
+  }
+  return geometric_mean(ratios);
+}
+
+void compare_claims(const StudyTables& tables, const PublishedStudy& published,
+                    std::vector<ComparedNumber>& numbers) {
+  for (const Claim& claim : claims) {
+    for (const std::string mark : marks) {
+      ComparedNumber number = number_of_text(published, claim.figure, claim.words);
+      const auto time = time_named(tables.set, mark);
+      number.own_row = all_scenes;
+      number.mark = mark;
+      number.reading = "geometric mean";
+      number.study = time ? ratio_over_scenes(tables, *time, claim) : std::nullopt;
+      numbers.push_back(std::move(number));
+    }
+  }
+}
+
+/// How many of the analysed participants gave this answer; empty if none has answered.
+std::optional<Estimate> number_who_answered(const std::vector<double>& answers, double wanted) {
+  return answers.empty()
+             ? std::nullopt
+             : std::optional(
+                   Estimate{answers.size(),
+                            static_cast<double>(std::count(answers.begin(), answers.end(), wanted)),
+                            {}});
+}
+
+void compare_participants(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
+                          const std::vector<BackgroundAnswer>& debrief,
+                          const PublishedStudy& published, std::vector<ComparedNumber>& numbers) {
+  const auto add = [&](const char* id, const char* words, const std::optional<Estimate>& own) {
+    numbers.push_back(number_of_text(published, id, words));
+    numbers.back().study = own;
+  };
+  const std::size_t n = tables.set.participants.size();
+  add("participants", "participants", Estimate{n, static_cast<double>(n), {}});
+  // The code of Table 1's second question.
+  constexpr double male = 1.0;
+  constexpr double female = 5.0;
+  const std::vector<double> genders = answers_to(tables, answers, "gender");
+  add("male", "male", number_who_answered(genders, male));
+  add("female", "female", number_who_answered(genders, female));
+  const std::vector<double> ages = answers_to(tables, answers, "age");
+  const auto extreme = [&](auto which) {
+    return ages.empty()
+               ? std::nullopt
+               : std::optional(Estimate{ages.size(), *which(ages.begin(), ages.end()), {}});
+  };
+  add("youngest_years", "youngest",
+      extreme([](auto first, auto last) { return std::min_element(first, last); }));
+  add("oldest_years", "oldest",
+      extreme([](auto first, auto last) { return std::max_element(first, last); }));
+  add("knew_setup", "knew the set-up",
+      number_who_answered(answers_to(tables, debrief, "knew_setup"), 1.0));
+}
+
+/// Of the published questions against the difference between OD and FV, with each mark: section 5.1
+/// says neither which one it took, nor how times were averaged, nor which correlation P is of.
+void compare_background_p(const StudyTables& tables, const std::vector<BackgroundAnswer>& answers,
+                          const PublishedStudy& published, std::vector<ComparedNumber>& numbers) {
+  const BackgroundScale scale = choose_background_scale(answers);
+  const std::vector<BackgroundCorrelation> correlations =
+      scale.as_published && is_relative_to_od(tables.set)
+          ? correlate_background(tables.set, answers, scale)
+          : std::vector<BackgroundCorrelation>{};
+  for (const std::string mark : marks) {
+    ComparedNumber number = number_of_text(published, "background_p",
+                                           "P of experience (questions 3 and 4) against OD − FV");
+    number.mark = mark;
+    number.reading = "Pearson’s r";
+    for (const BackgroundCorrelation& row : correlations) {
+      if (row.mark == mark && row.method == "fv" && row.quantity == TimeSaved::seconds_saved &&
+          row.pearson) {
+        number.study = Estimate{row.pearson->n, row.pearson->p, {}};
+      }
+    }
+    numbers.push_back(std::move(number));
+  }
+}
+
+std::optional<bool> is_within(double value, const std::optional<Interval>& interval) {
+  return interval ? std::optional(interval->low <= value && value <= interval->high) : std::nullopt;
+}
+
+bool is_near(double times) { return times <= near_factor && times >= 1.0 / near_factor; }
+
+/// Counts those of one reading and of the methods for which `is_counted`.
+template <typename Condition>
+MetMeans count_met(const std::vector<ComparedNumber>& numbers, const std::string& means,
+                   const Condition& is_counted) {
+  MetMeans met{.means = means};
+  for (const ComparedNumber& number : numbers) {
+    if (!is_counted(number)) {
+      continue;
+    }
+    const bool study_in = is_study_in_published_interval(number).value_or(false);
+    const bool published_in = is_published_in_study_interval(number).value_or(false);
+    ++met.published;
+    met.compared += number.study ? 1 : 0;
+    met.study_in_published_interval += study_in ? 1 : 0;
+    met.published_in_study_interval += published_in ? 1 : 0;
+    met.in_both_intervals += study_in && published_in ? 1 : 0;
+    if (number.source != "Table 1") {
+      const auto times = times_published(number);
+      met.near = met.near.value_or(0) + (times && is_near(*times) ? 1 : 0);
+    }
+  }
+  return met;
 }
 
 }  // namespace
 
-std::vector<ComparedCell> compare_with_published(const StudyTables& tables,
-                                                 const std::vector<BackgroundAnswer>& answers,
-                                                 const PublishedTables& published,
-                                                 const std::vector<PublishedMean>& means) {
-  std::vector<ComparedCell> cells;
-  compare_background(tables, answers, published, cells);
-  compare_times(tables, published, cells);
-  compare_ranges(tables, means, cells);
-  return cells;
+std::vector<ComparedNumber> compare_with_published(const study::StudyRecords& records,
+                                                   const StudyTables& tables,
+                                                   const PublishedStudy& published) {
+  const std::vector<BackgroundAnswer> answers = background_answers(records);
+  std::vector<ComparedNumber> numbers;
+  compare_background(tables, answers, published, numbers);
+  compare_times(tables, published, numbers);
+  compare_over_scenes(tables, published, numbers);
+  compare_claims(tables, published, numbers);
+  compare_background_p(tables, answers, published, numbers);
+  compare_participants(tables, answers, answers_in_numbers(records, "debrief"), published, numbers);
+  return numbers;
 }
 
-std::optional<double> difference_of(const ComparedCell& cell) {
-  if (!cell.published || !cell.study) {
-    return std::nullopt;
-  }
-  return *cell.study - std::clamp(*cell.study, cell.published->low, cell.published->high);
+std::optional<double> difference_of(const ComparedNumber& number) {
+  return number.study ? std::optional(number.study->value - number.published.value) : std::nullopt;
 }
 
-std::string what_is_missing(const ComparedCell& cell) {
-  if (!cell.published && !cell.study) {
-    return "the published number is not at hand, and this study has none";
+std::optional<double> difference_of_deviations(const ComparedNumber& number) {
+  return number.study_deviation && number.published_deviation
+             ? std::optional(*number.study_deviation - *number.published_deviation)
+             : std::nullopt;
+}
+
+std::optional<double> times_published(const ComparedNumber& number) {
+  const bool is_time = number.unit == "s" || number.unit == "%" || number.unit == "times";
+  return number.study && is_time ? std::optional(number.study->value / number.published.value)
+                                 : std::nullopt;
+}
+
+std::optional<bool> is_study_in_published_interval(const ComparedNumber& number) {
+  return number.study ? is_within(number.study->value, number.published.interval) : std::nullopt;
+}
+
+std::optional<bool> is_published_in_study_interval(const ComparedNumber& number) {
+  return number.study ? is_within(number.published.value, number.study->interval) : std::nullopt;
+}
+
+std::vector<MetMeans> count_met_means(const std::vector<ComparedNumber>& numbers) {
+  std::vector<MetMeans> counts = {
+      count_met(numbers, "Table 1",
+                [](const ComparedNumber& number) { return number.source == "Table 1"; }),
+      count_met(numbers, "Table 2, OD", [](const ComparedNumber& number) {
+        return number.source == "Table 2" && number.method == "od";
+      })};
+  for (const Reading reading : {Reading::own_ratios, Reading::ratio_of_means}) {
+    counts.push_back(count_met(numbers, fmt::format("Table 2, VP and FV, {}", name_of(reading)),
+                               [&](const ComparedNumber& number) {
+                                 return number.source == "Table 2" &&
+                                        number.reading == name_of(reading);
+                               }));
   }
-  if (!cell.published) {
-    return "the published number is not at hand";
+  return counts;
+}
+
+std::string in_words(const MetMeans& met) {
+  std::string text =
+      fmt::format("{}: of {}, ", met.means, counted(met.published, "published mean"));
+  if (met.compared < met.published) {
+    text += fmt::format("{} of which this study has, ", met.compared);
   }
-  return cell.study ? "" : "this study has no such number";
+  if (met.near) {
+    text += fmt::format("{} within {:g} times the published value, ", *met.near, near_factor);
+  }
+  return text +
+         fmt::format("{} of ours in the published interval, {} of theirs in ours, {} in both.",
+                     met.study_in_published_interval, met.published_in_study_interval,
+                     met.in_both_intervals);
 }
 
 }  // namespace foveola::analysis

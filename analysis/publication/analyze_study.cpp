@@ -163,17 +163,18 @@ const Table& table_named(const std::vector<Table>& tables, std::string_view id) 
 }
 
 std::vector<TextFile> latex_files(const AnalysisOutput& output,
-                                  const std::vector<PublishedMean>& published) {
+                                  const std::optional<PublishedStudy>& published) {
   const StudyTables& tables = output.tables;
   std::vector<PrintedTable> printed;
   for (const std::size_t mark : tables.set.times()) {
-    printed.push_back(printed_times(tables, mark));
+    printed.push_back(printed_times(tables, mark, published));
   }
   printed.push_back(printed_geometric_means(tables, published));
   printed.push_back(printed_time_to_mark(tables));
   for (const std::size_t rating : tables.set.ratings()) {
     printed.push_back(printed_ratings(tables, rating));
   }
+  printed.push_back(printed_background_answers(output.background, published));
   for (const bool planned : {true, false}) {
     printed.push_back(printed_primary(output.comparisons, planned));
   }
@@ -192,11 +193,10 @@ std::vector<TextFile> latex_files(const AnalysisOutput& output,
 /// The report comes last, so that it never stands beside tables older than itself.
 std::vector<TextFile> files_of(const AnalysisOutput& output,
                                const study::DataQualityRecords& quality,
-                               const study::StudyRecords& records) {
+                               const study::StudyRecords& records,
+                               const std::optional<PublishedStudy>& published) {
   const StudyTables& tables = output.tables;
   const std::vector<Figure> figures = draw_figures(tables);
-  const std::vector<PublishedMean> published =
-      read_published_means(resource_folder() / "data" / "koskela2018" / "mean_percent_of_od.csv");
   std::vector<TextFile> files;
   for (const Table& table : output.results) {
     if (!is_written_by_rows(table)) {
@@ -331,6 +331,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   if (output.record) {
     output.tables.set.record = output.record->faults.empty() ? "verified" : "changed";
   }
+  const std::optional<PublishedStudy> published = published_beside(output.tables.set);
   output.background = analyse_background(background_answers(records), output.tables.set);
   output.checks = check_data_quality(output.tables, quality, records);
   const study::StudyRecords& data = exported ? *exported : records;
@@ -348,7 +349,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
                       options.r ? fit_models_of(models, staged.path())
                                 : FittedModels{.missing = "it was not asked for (analyze --r)"});
   output.results = tables_of(output, records, trials, participants, answers, models);
-  output.summary = terminal_summary(output.tables, output.background);
+  output.summary = terminal_summary(output.tables, output.background, published);
   output.warnings = warnings_about(output);
   if (const std::string& why = output.comparisons.models.missing; options.r && !why.empty()) {
     output.warnings.push_back(fmt::format("No model was fitted: {}.", why));
@@ -359,7 +360,7 @@ AnalysisOutput analyze_records(const study::StudyRecords& records,
   if (options.bids) {
     write_bids(data, trials, participants, quality.gaze_runs, read_gaze, staged.path(), output);
   }
-  for (const TextFile& file : files_of(output, quality, records)) {
+  for (const TextFile& file : files_of(output, quality, records, published)) {
     write_output(staged.path(), file.name, file.content, output);
   }
   output.files = staged.publish(output.files);

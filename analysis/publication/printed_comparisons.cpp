@@ -144,7 +144,7 @@ PrintedTable printed_rating_differences(const Comparisons& comparisons) {
   table.title = "Ratings over participants, in these scenes.";
   table.note =
       "Of each participant’s mean over scenes. Wilcoxon signed-rank, exact for up to 200 "
-      "participants; the difference of means is given too, as in the published study.";
+      "participants; the difference of means is given, too.";
   table.columns = {"Methods, rating",      "n",           "difference [95 %]",
                    "pseudo-median [95 %]", "P, Wilcoxon", "r, rank"};
   for (const MethodComparison& row : comparisons.methods) {

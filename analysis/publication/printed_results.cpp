@@ -10,6 +10,7 @@
 #include "analysis/dataset/amended_labels.h"
 #include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/profile.h"
+#include "analysis/publication/beside_published.h"
 
 namespace foveola::analysis {
 namespace {
@@ -58,12 +59,6 @@ std::vector<std::string> overall_row(const StudyTables& tables, std::size_t mark
   return row;
 }
 
-std::string published_range(const StudyTables& tables, const std::vector<PublishedMean>& published,
-                            const std::string& method) {
-  const auto range = published_mean_of(published, tables.set.methods[baseline], method);
-  return range ? fmt::format("{:g}–{:g}", range->low, range->high) : "–";
-}
-
 std::string coefficient(const std::optional<Correlation>& found) {
   return found ? with_interval(Estimate{found->n, found->r, found->interval}, 2) : "–";
 }
@@ -99,7 +94,8 @@ std::optional<double> number_in(const Table& table, const Row& row, const std::s
 
 }  // namespace
 
-PrintedTable printed_times(const StudyTables& tables, std::size_t mark) {
+PrintedTable printed_times(const StudyTables& tables, std::size_t mark,
+                           const std::optional<PublishedStudy>& published) {
   const Measure& measure = tables.set.measures[mark];
   const std::string reference = baseline_name(tables);
   PrintedTable table;
@@ -108,8 +104,8 @@ PrintedTable printed_times(const StudyTables& tables, std::size_t mark) {
   table.note = fmt::format(
       "{} in seconds; other methods in per cent of each participant’s own {} time in the same "
       "scene. Mean ± standard deviation over n participants; last, the geometric mean over scenes "
-      "with its 95 % interval.",
-      reference, reference);
+      "with its 95 % interval.{}",
+      reference, reference, published_rows_explained(tables, published));
   table.columns = {"Scene"};
   for (std::size_t method = 0; method < tables.set.methods.size(); ++method) {
     table.columns.push_back(method_label(tables.set.methods[method]) +
@@ -118,12 +114,18 @@ PrintedTable printed_times(const StudyTables& tables, std::size_t mark) {
   table.columns.insert(table.columns.end(), {"n", "right-censored", "missing"});
   for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
     table.rows.push_back(scene_row(tables, mark, scene));
+    if (auto row = published_row(tables, mark, scene, tables.set.methods, published)) {
+      row->push_back(fmt::format("{:g}", published_figure(*published, "participants").value));
+      row->insert(row->end(), 2, "");
+      table.rows.push_back(std::move(*row));
+    }
   }
   table.rows.push_back(overall_row(tables, mark));
   return table;
 }
 
-PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark) {
+PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark,
+                                     const std::optional<PublishedStudy>& published) {
   const std::string reference = baseline_name(tables);
   PrintedTable table;
   table.id = "ratios-of-means-" + tables.set.measures[mark].id();
@@ -131,12 +133,14 @@ PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark
                             moment_of(tables.set.measures[mark]), reference);
   table.note = fmt::format(
       "Mean time over participants in per cent of {}’s mean time in the scene ± standard deviation "
-      "in percentage points of it.",
-      reference);
+      "in percentage points of it.{}",
+      reference, published_rows_explained(tables, published));
   table.columns = {"Scene"};
   for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
     table.columns.push_back(method_label(tables.set.methods[method]) + ", %");
   }
+  const std::vector<std::string> methods(tables.set.methods.begin() + baseline + 1,
+                                         tables.set.methods.end());
   for (std::size_t scene = 0; scene < tables.set.scenes.size(); ++scene) {
     std::vector<std::string> row = {tables.set.scenes[scene]};
     for (std::size_t method = baseline + 1; method < tables.set.methods.size(); ++method) {
@@ -148,31 +152,37 @@ PrintedTable printed_ratios_of_means(const StudyTables& tables, std::size_t mark
                                        1));
     }
     table.rows.push_back(std::move(row));
+    if (auto beside = published_row(tables, mark, scene, methods, published)) {
+      table.rows.push_back(std::move(*beside));
+    }
   }
   return table;
 }
 
 PrintedTable printed_geometric_means(const StudyTables& tables,
-                                     const std::vector<PublishedMean>& published) {
-  const bool is_comparable = measures_what_was_published(tables.set);
+                                     const std::optional<PublishedStudy>& published) {
   PrintedTable table;
   table.id = "geometric-means";
   table.title = "Geometric means over scenes.";
   table.note = "With 95 % intervals over n participants.";
   table.columns = {"Method and mark", "n", "seconds", "% of " + baseline_name(tables)};
-  if (is_comparable) {
+  const bool has_published = published && is_relative_to_od(tables.set);
+  if (has_published) {
+    table.title = "Geometric means over scenes; published: geometric mean over scenes of Table 2.";
     table.note +=
-        " The published column gives the range of the published mean times (Koskela et al. 2018); "
-        "the paper does not say how its percentages were formed.";
-    table.columns.emplace_back("published, %");
+        " The published column is computed by us from the printed means of Table 2 (Koskela et al. "
+        "2018, section 5.2); the paper does not say how its percentages were formed. Difference: "
+        "this study’s less the published, of percentages in percentage points.";
+    table.columns.insert(table.columns.end(), {"published", "difference"});
   }
   for (const MethodTimes& times : tables.method_times) {
     std::vector<std::string>& row = table.rows.emplace_back();
     row = {fmt::format("{}, {}", method_label(times.method), times.mark),
            std::to_string(times.participant_seconds.size()), with_interval(times.seconds, 2),
            with_interval(times.percent_of_baseline, 1)};
-    if (is_comparable) {
-      row.push_back(published_range(tables, published, times.method));
+    if (has_published) {
+      const std::vector<std::string> beside = published_mean_and_difference(times, *published);
+      row.insert(row.end(), beside.begin(), beside.end());
     }
   }
   return table;
@@ -255,18 +265,52 @@ PrintedTable printed_scores(const Table& scores) {
   return table;
 }
 
-PrintedTable printed_background(const StudyTables& tables, const Background& background) {
+PrintedTable printed_background_answers(const Background& background,
+                                        const std::optional<PublishedStudy>& published) {
+  PrintedTable table;
+  table.id = "background-answers";
+  table.title = "Background; published: Table 1.";
+  table.note =
+      "Means over n participants with 95 % intervals from Student’s t; age in years, else points. "
+      "Published: Table 1 of Koskela et al. 2018, section 5.1. Difference: of the means, this "
+      "study’s less the published.";
+  table.columns = {"Question", "n", "mean [95 %]", "sd", "published", "difference"};
+  for (const QuestionAnswers& own : background.answers) {
+    const PublishedAnswers* answers =
+        published ? published_answers(*published, own.question) : nullptr;
+    if (answers != nullptr) {
+      const Description& given = own.answers;
+      table.rows.push_back(
+          {own.question, std::to_string(given.n), with_interval(mean_estimate(given), 2),
+           fixed(given.standard_deviation, 2),
+           fmt::format("{:.1f} ± {:.1f}", answers->mean, answers->standard_deviation),
+           given.mean ? with_sign(*given.mean - answers->mean, 2) : "–"});
+    }
+  }
+  return table;
+}
+
+PrintedTable printed_background(const StudyTables& tables, const Background& background,
+                                const std::optional<PublishedStudy>& published) {
   PrintedTable table;
   table.id = "background";
   table.title = "Correlation of background with speed-up.";
   table.note = fmt::format(
       "Pearson’s r of the values and Spearman’s ρ of their ranks, with 95 % intervals; P is "
       "two-sided and not adjusted. Speed-up is a participant’s mean over scenes: the logarithm of "
-      "{0}’s time over the method’s or, as in the published study, {0}’s time minus the method’s, "
-      "which is larger for those who take long with every method. A dash: not defined, because of "
-      "fewer than three participants or constant values.",
+      "{0}’s time over the method’s, or {0}’s time minus the method’s, which is larger for those "
+      "who take long with every method. A dash: not defined, because of fewer than three "
+      "participants or constant values.",
       baseline_name(tables));
   table.columns = {"Speed-up", "n", "r [95 %]", "t", "P", "ρ [95 %]", "P, ρ"};
+  const bool has_published =
+      published && background.scale.as_published && is_relative_to_od(tables.set);
+  if (has_published) {
+    table.note +=
+        " Published: Koskela et al. 2018, section 5.1, of the difference between OD and FV, "
+        "without saying of which mark or correlation.";
+    table.columns.emplace_back("published P");
+  }
   for (const BackgroundCorrelation& row : background.correlations) {
     const std::string method = method_label(row.method);
     const std::string speed_up = row.quantity == TimeSaved::log_ratio
@@ -276,6 +320,12 @@ PrintedTable printed_background(const StudyTables& tables, const Background& bac
                           std::to_string(row.participants), coefficient(row.pearson),
                           row.pearson ? fixed(row.pearson->t, 2) : "–", p_text(row.pearson),
                           coefficient(row.spearman), p_text(row.spearman)});
+    if (has_published) {
+      const bool is_of_same = row.quantity == TimeSaved::seconds_saved && row.method == "fv";
+      table.rows.back().push_back(
+          is_of_same ? fmt::format("{:g}", published_figure(*published, "background_p").value)
+                     : "–");
+    }
   }
   return table;
 }

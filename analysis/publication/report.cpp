@@ -79,13 +79,14 @@ std::string report_html(const ReportContent& content) {
   return report_page(
       tables, "Foveola study report",
       record_flags(content.record) + data_quality_flags(tables, content.checks) +
-          findings_html(tables, content.comparisons) + scenes_section(tables, content.figures) +
+          findings_html(tables, content.comparisons) +
+          scenes_section(tables, content.figures, content.published) +
           methods_section(tables, content.figures, content.published) +
-          ratings_section(tables, content.figures) +
+          ratings_section(tables, content.figures, content.published) +
           comparisons_section(tables, content.comparisons) +
           answers_section(tables, content.answers, content.scores) +
-          background_section(tables, content.background) +
-          data_quality_section(tables, content.checks, content.quality) +
+          background_section(tables, content.background, content.published) +
+          data_quality_section(tables, content.checks, content.quality, content.published) +
           record_section(content.record) + exclusions_section(tables) + amended_section(tables) +
           methods_text_section(content.methods) + sensitivity_section(tables, content.comparisons) +
           definitions_section(tables) + citation_section());

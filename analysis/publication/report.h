@@ -8,7 +8,7 @@
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/background.h"
-#include "analysis/koskela2018/published_means.h"
+#include "analysis/koskela2018/published_study.h"
 #include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/figures.h"
 #include "analysis/tables/table.h"
@@ -26,7 +26,7 @@ struct ReportContent {
   const study::DataQualityRecords& quality;
   const DataQualityReport& checks;
   const std::vector<Figure>& figures;
-  const std::vector<PublishedMean>& published;
+  const std::optional<PublishedStudy>& published;    ///< What stands beside; see published_beside.
   const std::string& methods;                        ///< The text of methods_paragraph.
   const std::optional<study::Verification>& record;  ///< The verification, if there is a file.
 };

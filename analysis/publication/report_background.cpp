@@ -21,16 +21,19 @@ std::string background_scale_in_words(const BackgroundScale& scale) {
 
 }  // namespace
 
-std::string background_section(const StudyTables& tables, const Background& background) {
+std::string background_section(const StudyTables& tables, const Background& background,
+                               const std::optional<PublishedStudy>& published) {
   std::string text = background_scale_in_words(background.scale);
   std::string table;
   if (!background.scale.questions.empty()) {
-    const std::string paper = paper_notes(tables.set).background;
+    const std::string paper = paper_notes(tables, published).background;
     text += paper.empty() ? "" : " " + paper;
-    table = html_of(printed_background(tables, background), data_notice(tables));
+    table = html_of(printed_background(tables, background, published), data_notice(tables));
   }
-  return html_section("Background and speed-up",
-                      fmt::format("<p>{}</p>\n", escape_html(text)) + table);
+  return html_section(
+      "Background and speed-up",
+      html_of(printed_background_answers(background, published), data_notice(tables)) +
+          fmt::format("<p>{}</p>\n", escape_html(text)) + table);
 }
 
 }  // namespace foveola::analysis

@@ -27,12 +27,13 @@ std::string checks_table(const StudyTables& tables, const DataQualityReport& rep
 }
 
 /// The mean latency of each session's frames, from the eye to the display.
-std::string latency_html(const StudyTables& tables, const study::DataQualityRecords& quality) {
+std::string latency_html(const StudyTables& tables, const study::DataQualityRecords& quality,
+                         const std::optional<PublishedStudy>& published) {
   constexpr std::size_t most_rows = 100;
   PrintedTable table;
   table.title = "Latency from the eye to the display.";
   table.note = joined("From the frame log: means over each session’s frames.",
-                      paper_notes(tables.set).latency);
+                      paper_notes(tables, published).latency);
   table.columns = {
       "Participant", "frames",           "age of the gaze, ms", "polling to display, ms",
       "both, ms",    "longest frame, ms"};
@@ -114,12 +115,13 @@ std::string data_quality_flags(const StudyTables& tables, const DataQualityRepor
 }
 
 std::string data_quality_section(const StudyTables& tables, const DataQualityReport& report,
-                                 const study::DataQualityRecords& quality) {
+                                 const study::DataQualityRecords& quality,
+                                 const std::optional<PublishedStudy>& published) {
   return html_section("Data quality",
                       checks_table(tables, report) +
                           fmt::format("<p>{}</p>\n", escape_html(attempts_in_words(tables.set))) +
-                          latency_html(tables, quality) + reactions_table(tables, report) +
-                          catches_html(tables, report));
+                          latency_html(tables, quality, published) +
+                          reactions_table(tables, report) + catches_html(tables, report));
 }
 
 }  // namespace foveola::analysis

@@ -37,8 +37,9 @@ std::string figure_explained(const StudyTables& tables, const Measure& measure) 
 
 }  // namespace
 
-std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures) {
-  const PaperNotes paper = paper_notes(tables.set);
+std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures,
+                            const std::optional<PublishedStudy>& published) {
+  const PaperNotes paper = paper_notes(tables, published);
   std::string html =
       paragraph_html(paper.ratings) +
       paragraph_html(joined("Means treat the steps of a scale as equal; the distribution, or each "

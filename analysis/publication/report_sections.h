@@ -8,7 +8,7 @@
 #include "analysis/dataset/comparisons.h"
 #include "analysis/dataset/study_tables.h"
 #include "analysis/koskela2018/background.h"
-#include "analysis/koskela2018/published_means.h"
+#include "analysis/koskela2018/published_study.h"
 #include "analysis/publication/data_quality_checks.h"
 #include "analysis/publication/figures.h"
 #include "analysis/tables/table.h"
@@ -16,17 +16,20 @@
 
 namespace foveola::analysis {
 
-// Each function returns the HTML of a section, with every text from the study escaped.
+// Each function returns the HTML of a section, with every text from the study escaped. `published`
+// is what stands beside the study; empty for one that does not measure what was published.
 
 /// The times in each scene, in both readings of their percentages, with their figure.
-std::string scenes_section(const StudyTables& tables, const std::vector<Figure>& figures);
+std::string scenes_section(const StudyTables& tables, const std::vector<Figure>& figures,
+                           const std::optional<PublishedStudy>& published);
 
 /// The times over all scenes, with their figures.
 std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
-                            const std::vector<PublishedMean>& published);
+                            const std::optional<PublishedStudy>& published);
 
 /// Every rating in numbers; empty if there is none.
-std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures);
+std::string ratings_section(const StudyTables& tables, const std::vector<Figure>& figures,
+                            const std::optional<PublishedStudy>& published);
 
 /// The tables answers_by_question and questionnaire_scores; empty if nothing was asked.
 std::string answers_section(const StudyTables& tables, const Table& answers, const Table& scores);
@@ -38,7 +41,8 @@ std::string comparisons_section(const StudyTables& tables, const Comparisons& co
 std::string sensitivity_section(const StudyTables& tables, const Comparisons& comparisons);
 
 /// The correlation of background with speed-up, and its P-value.
-std::string background_section(const StudyTables& tables, const Background& background);
+std::string background_section(const StudyTables& tables, const Background& background,
+                               const std::optional<PublishedStudy>& published);
 
 /// The warning that the study's file failed its verification, for the top of the report; empty if
 /// it passed.
@@ -52,7 +56,8 @@ std::string data_quality_flags(const StudyTables& tables, const DataQualityRepor
 
 /// Checks, latency (Fig. 7), attempts, and the floor of reaction times.
 std::string data_quality_section(const StudyTables& tables, const DataQualityReport& report,
-                                 const study::DataQualityRecords& quality);
+                                 const study::DataQualityRecords& quality,
+                                 const std::optional<PublishedStudy>& published);
 
 /// The sessions that followed an amended protocol, and which of its keys had changed.
 std::string amended_section(const StudyTables& tables);

@@ -123,26 +123,27 @@ std::string unreached_html(const StudyTables& tables, const std::vector<Figure>&
 
 }  // namespace
 
-std::string scenes_section(const StudyTables& tables, const std::vector<Figure>& figures) {
-  const PaperNotes paper = paper_notes(tables.set);
+std::string scenes_section(const StudyTables& tables, const std::vector<Figure>& figures,
+                           const std::optional<PublishedStudy>& published) {
+  const PaperNotes paper = paper_notes(tables, published);
   std::string html = paragraph_html(paper.times_by_scene + meanings_of_marks(tables)) +
                      paragraph_html(paper.percentages);
   html += figure_html(tables, figures, "relative_times_by_scene",
                       fmt::format("Time relative to {} in each scene.", baseline_label(tables)),
                       scenes_explained(tables));
   for (const std::size_t mark : tables.set.times()) {
-    html += html_of(printed_times(tables, mark), data_notice(tables));
+    html += html_of(printed_times(tables, mark, published), data_notice(tables));
     if (tables.set.methods.size() > 1) {
-      html += html_of(printed_ratios_of_means(tables, mark), data_notice(tables));
+      html += html_of(printed_ratios_of_means(tables, mark, published), data_notice(tables));
     }
   }
   return html_section("Time in each scene", html);
 }
 
 std::string methods_section(const StudyTables& tables, const std::vector<Figure>& figures,
-                            const std::vector<PublishedMean>& published) {
+                            const std::optional<PublishedStudy>& published) {
   const std::size_t methods = tables.set.methods.size();
-  std::string html = paragraph_html(paper_notes(tables.set).times_by_method);
+  std::string html = paragraph_html(paper_notes(tables, published).times_by_method);
   html += figure_html(tables, figures, "relative_times",
                       fmt::format("Time relative to {}.", baseline_label(tables)),
                       methods_explained(tables, methods - 1, relative_axis_explained(tables)));

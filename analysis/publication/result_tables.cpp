@@ -190,7 +190,7 @@ Table background_correlation(const StudyTables& tables, const Background& backgr
        [](const B& row) { return field(row.method); }},
       {{"quantity", text, "",
         "What background is held against, a mean over scenes: log_ratio (natural logarithm of the "
-        "baseline's time over the method's) or, as published, seconds_saved (baseline less "
+        "baseline's time over the method's) or seconds_saved (baseline less "
         "method)"},
        [](const B& row) { return field(std::string(name_of(row.quantity))); }},
       {{"background_questions", text, "", "The questions whose answers are averaged"},

@@ -10,13 +10,13 @@
 
 namespace foveola::analysis {
 
-/// times_by_scene: the published study's Table 2, for every mark.
+/// times_by_scene: as Table 2 of the paper (Koskela et al. 2018, section 5.2), for every mark.
 Table times_by_scene(const StudyTables& tables);
 
-/// times_by_method: the published study's Fig. 5, for every mark.
+/// times_by_method: as its Fig. 5 (section 5.2), for every mark.
 Table times_by_method(const StudyTables& tables);
 
-/// ratings_by_method: the published study's Fig. 6, for every rating in numbers.
+/// ratings_by_method: as its Fig. 6 (section 5.3), for every rating in numbers.
 Table ratings_by_method(const StudyTables& tables);
 
 /// rating_counts: how often each answer was given, where a rating has points that can be counted.

@@ -19,25 +19,32 @@ std::string block(const StudyTables& tables, PrintedTable table) {
 
 }  // namespace
 
-std::string terminal_summary(const StudyTables& tables, const Background& background) {
+std::string terminal_summary(const StudyTables& tables, const Background& background,
+                             const std::optional<PublishedStudy>& published) {
   std::string text = fmt::format(
       "{}: {}, {}, {}\n", printable(tables.protocol_name), participants_in_words(tables),
       counted(tables.set.scenes.size(), "scene"), counted(tables.set.methods.size(), "method"));
   for (const std::size_t mark : tables.set.times()) {
-    text += block(tables, printed_times(tables, mark));
+    text += block(tables, printed_times(tables, mark, published));
   }
   text += fmt::format(
       "  Mean ± standard deviation; % of each participant's own {} time. The last row: geometric\n"
       "  mean over scenes with a 95 % interval over participants.\n",
       printable(method_label(tables.set.methods[baseline])));
+  if (published) {
+    text += block(tables, printed_geometric_means(tables, published));
+  }
   for (const std::size_t rating : tables.set.ratings()) {
     const Measure& measure = tables.set.measures[rating];
     PrintedTable table = printed_ratings(tables, rating);
     table.title = fmt::format("Ratings: {}, {}", measure.id(), study::scale_in_words(measure));
     text += block(tables, std::move(table));
   }
+  if (published) {
+    text += block(tables, printed_background_answers(background, published));
+  }
   if (!background.correlations.empty() && !background.scale.questions.empty()) {
-    PrintedTable table = printed_background(tables, background);
+    PrintedTable table = printed_background(tables, background, published);
     table.title =
         fmt::format("Background ({}) against speed-up", listed(background.scale.questions));
     text += block(tables, std::move(table));

@@ -66,16 +66,23 @@ Description describe(std::span<const double> values) {
 }
 
 std::optional<Estimate> mean_estimate(std::span<const double> values, double confidence) {
-  const std::optional<double> center = mean(values);
-  if (!center) {
+  Description described = describe(values);
+  if (!varies(values)) {
+    described.standard_deviation.reset();
+  }
+  return mean_estimate(described, confidence);
+}
+
+std::optional<Estimate> mean_estimate(const Description& description, double confidence) {
+  if (!description.mean) {
     return std::nullopt;
   }
-  Estimate estimate{values.size(), *center, std::nullopt};
-  const std::optional<double> deviation = standard_deviation(values);
-  if (deviation && is_above_rounding(*deviation, values)) {
-    const auto n = static_cast<double>(values.size());
-    const double half_width = student_t_quantile(confidence, n - 1.0) * *deviation / std::sqrt(n);
-    estimate.interval = {*center - half_width, *center + half_width};
+  Estimate estimate{description.n, *description.mean, std::nullopt};
+  const double deviation = description.standard_deviation.value_or(0.0);
+  if (description.n > 1 && deviation > 0.0) {
+    const auto n = static_cast<double>(description.n);
+    const double half_width = student_t_quantile(confidence, n - 1.0) * deviation / std::sqrt(n);
+    estimate.interval = {estimate.value - half_width, estimate.value + half_width};
   }
   return estimate;
 }

@@ -50,6 +50,11 @@ inline constexpr double default_confidence = 0.95;
 std::optional<Estimate> mean_estimate(std::span<const double> values,
                                       double confidence = default_confidence);
 
+/// The same from a sample's description, as a table prints it: n, mean and standard deviation.
+/// Empty without a mean.
+std::optional<Estimate> mean_estimate(const Description& description,
+                                      double confidence = default_confidence);
+
 /// The geometric mean and its interval, exp(m -+ t s / sqrt(n)) with m and s of the logarithms
 /// (Sauro and Lewis 2010, "Average task times in usability tests"). Empty for an empty sample; its
 /// interval is empty too where s is no more than rounding_of_logarithms.

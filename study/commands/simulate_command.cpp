@@ -135,8 +135,10 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
   CLI::Option* const inject =
       command->add_option("--inject", arguments->injected, injected_effect_help);
   accept_former_name(*command, *inject, "--plant");
-  command->add_option("--report", arguments->report,
-                      "A folder that gets a comparison with the published study, cell by cell");
+  command->add_option(
+      "--report", arguments->report,
+      "A folder that gets every published number beside the study's, with differences and "
+      "intervals");
   command->add_flag("--resume", arguments->resume,
                     "Go on where the same command was stopped or killed");
   add_json(command, arguments->json);

@@ -162,7 +162,12 @@ TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
       run({"study", "simulate", "hall", "--db", study, "--participants", "4", "--predicted",
            "--report", (folder / "report").string()});
   ASSERT_EQ(reported.exit_code, 0) << reported.errors;
-  EXPECT_THAT(read_file(folder / "report/published_comparison.html"), HasSubstr("imulated"));
+  EXPECT_THAT(reported.output,
+              HasSubstr("Table 2, OD: of 10 published means, 0 of which this study "
+                        "has, "));
+  const std::string page = read_file(folder / "report/published_comparison.html");
+  EXPECT_THAT(page, HasSubstr("imulated"));
+  EXPECT_THAT(page, HasSubstr("<td>41.8 [36.6, 47.0] %</td>"));
 }
 
 TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {

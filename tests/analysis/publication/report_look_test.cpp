@@ -31,8 +31,8 @@ std::string simulated_report() {
   return report_html({tables, background, answers_by_question(records, tables.set),
                       questionnaire_scores(records, tables.set.kind), comparisons, quality,
                       check_data_quality(tables, quality, records), draw_figures(tables),
-                      std::vector<PublishedMean>{}, methods_paragraph(tables, comparisons, records),
-                      std::nullopt});
+                      std::optional<PublishedStudy>{},
+                      methods_paragraph(tables, comparisons, records), std::nullopt});
 }
 
 /// The texts from each `begin` to the next `end`.

@@ -15,13 +15,12 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::vector<PublishedMean> published = {{"vp", {31, 33}}, {"fv", {9, 12}}};
-
 std::string report_of(const study::StudyRecords& records,
                       const study::DataQualityRecords& quality = {}) {
   StudyTables tables = tabulate_study(records);
   const Background background = analyse_background(background_answers(records), tables.set);
   const Comparisons comparisons = compare_methods(tables.set, records.protocol.analysis);
+  const std::optional<PublishedStudy> published = published_beside(tables.set);
   return report_html({tables, background, answers_by_question(records, tables.set),
                       questionnaire_scores(records, tables.set.kind), comparisons, quality,
                       check_data_quality(tables, quality, records), draw_figures(tables), published,
@@ -118,7 +117,47 @@ TEST(Report, NamesTheProtocolAndThePaper) {
 }
 
 TEST(Report, PublishedValuesAreShownWithTheStudys) {
-  EXPECT_THAT(report_of(golden_study_records()), HasSubstr("<td>9–12</td>"));
+  const std::string html = report_of(golden_study_records());
+  EXPECT_THAT(html, HasSubstr("geometric mean over scenes of Table 2"));
+  // FV until the material, 9.1 % published.
+  const double own = golden_study().at("material.fv.geometric_mean_percent");
+  EXPECT_THAT(html, HasSubstr(fmt::format("<td>9.1 %</td><td>{:+.1f} points</td>", own - 9.1025)));
+  EXPECT_THAT(html, HasSubstr("<td>17.4 s</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>3.5 ± 1.3</td>")) << "Table 1, graphics_3d";
+  EXPECT_THAT(html, HasSubstr("<td>0.196</td>"));
+  EXPECT_THAT(html, Not(HasSubstr(">published: "))) << "it shows none of the paper's scenes";
+}
+
+TEST(Report, ScenesStandAboveTheirRowOfThePublishedTable2) {
+  study::StudyRecords records = complete_study(3);
+  records.scenes = {"bmw", "meeting-room"};
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">published: bmw</th><td>6.1 ± 7.6</td>"
+                              "<td>41.8 ± 9.8</td><td>20.8 ± 1.9</td><td>16</td>"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">published: conference (counterpart: "
+                              "meeting-room)</th><td>41.9 ± 59.7</td>"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">published: bmw</th><td>33.6 ± 15.1</td>"
+                              "<td>11.8 ± 5.3</td></tr>"));
+}
+
+TEST(Report, NothingPublishedStandsBesideAnotherStudy) {
+  study::StudyRecords records = complete_study(3);
+  records.scenes = {"bmw", "meeting-room"};
+  records.measures[artifacts_index].question.id = "comfort";
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, Not(HasSubstr("published:")));
+  EXPECT_THAT(html, Not(HasSubstr("Table 2")));
+  EXPECT_THAT(html, Not(HasSubstr("0.196")));
+}
+
+TEST(Report, WithoutOdNoTimeStandsBesideThePublished) {
+  study::StudyRecords records = complete_study(3);
+  records.scenes = {"bmw", "meeting-room"};
+  records.methods = {"hybrid", "vp", "fv"};
+  const std::string html = report_of(records);
+  EXPECT_THAT(html, Not(HasSubstr(">published: ")));
+  EXPECT_THAT(html, Not(HasSubstr("scenes of Table 2")));
+  EXPECT_THAT(html, Not(HasSubstr("<td>0.196</td>")));
 }
 
 TEST(Report, EveryCaptionSaysThatDataAreSimulated) {

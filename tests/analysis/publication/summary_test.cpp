@@ -14,7 +14,7 @@ using testing::Not;
 std::string summary_of(const study::StudyRecords& records) {
   StudyTables tables = tabulate_study(records);
   const Background background = analyse_background(background_answers(records), tables.set);
-  return terminal_summary(tables, background);
+  return terminal_summary(tables, background, published_beside(tables.set));
 }
 
 TEST(Summary, HasTheMainNumbers) {
@@ -25,6 +25,18 @@ TEST(Summary, HasTheMainNumbers) {
   EXPECT_THAT(text, HasSubstr("1.74 ± 0.62"));
   EXPECT_THAT(text, HasSubstr("8 participants, 3 scenes, 3 methods"));
   EXPECT_THAT(text, Not(HasSubstr("imulated")));
+}
+
+TEST(Summary, HasThePublishedNumbersBesideTheStudys) {
+  study::StudyRecords records = golden_study_records();
+  records.scenes[0] = "bmw";
+  const std::string text = summary_of(records);
+  EXPECT_THAT(text, HasSubstr("geometric mean over scenes of Table 2"));
+  EXPECT_THAT(text, HasSubstr("published: bmw"));
+  EXPECT_THAT(text, HasSubstr("30.3 %"));
+  EXPECT_THAT(text, HasSubstr("3.5 ± 1.3"));
+  records.measures[artifacts_index].question.id = "comfort";
+  EXPECT_THAT(summary_of(records), Not(HasSubstr("published")));
 }
 
 TEST(Summary, SaysThatDataAreSimulated) {
@@ -46,7 +58,7 @@ TEST(Summary, EveryTableSaysWhoseDataItShows) {
        at = text.find(" (Pilot data)\n", at + 1)) {
     ++marks_found;
   }
-  EXPECT_EQ(marks_found, 4U);
+  EXPECT_EQ(marks_found, 6U);
 }
 
 TEST(Summary, NamesCannotSteerTheTerminal) {

@@ -1,0 +1,84 @@
+// The numbers of the paper (Koskela et al. 2018): its Tables 1 and 2, and what its text states.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/dataset.h"
+#include "analysis/statistics/descriptive.h"
+
+namespace foveola::analysis {
+
+/// A row of Table 1: answers to a question, age in years and the others in points of their scales.
+struct PublishedAnswers {
+  std::string question;  ///< The question's id in protocols/koskela2018.toml.
+  double mean = 0.0;
+  double standard_deviation = 0.0;
+};
+
+/// A cell of Table 2: the baseline "od" in seconds, the others in per cent of it and percentage
+/// points.
+struct PublishedTime {
+  std::string scene;        ///< The published study's scene.
+  std::string counterpart;  ///< Foveola's own scene in its place.
+  std::string mark;         ///< "outline" or "material".
+  std::string method;
+  double mean = 0.0;
+  double standard_deviation = 0.0;
+};
+
+/// A number that the text states.
+struct PublishedFigure {
+  std::string id;
+  double value = 0.0;
+  std::string unit;     ///< Empty for counts and P.
+  std::string section;  ///< As "5.2".
+};
+
+struct PublishedStudy {
+  std::vector<PublishedAnswers> background;
+  std::vector<PublishedTime> times;
+  std::vector<PublishedFigure> text;
+};
+
+/// Reads table1.csv, table2.csv and text.csv of `folder`. Throws Error if one is missing or
+/// malformed.
+PublishedStudy read_published_study(const std::filesystem::path& folder);
+
+/// Foveola's data on the published study, for a set that measures what it did; empty for any other.
+std::optional<PublishedStudy> published_beside(const Dataset& set);
+
+/// A number of the text. Throws Error if there is none of this id.
+const PublishedFigure& published_figure(const PublishedStudy& published, const std::string& id);
+
+/// The row of Table 1; null where there is none.
+const PublishedAnswers* published_answers(const PublishedStudy& published,
+                                          const std::string& question);
+
+/// The cell of Table 2; null where there is none. `scene` is a published one.
+const PublishedTime* published_time(const PublishedStudy& published, const std::string& scene,
+                                    const std::string& mark, const std::string& method);
+
+/// A published mean with its own 95 % interval, mean -+ t s / sqrt(n), for the n participants of
+/// section 5: as if the values had been drawn from a normal distribution, of which the paper says
+/// nothing. It may reach below zero.
+Estimate published_mean(const PublishedStudy& published, double mean, double standard_deviation);
+
+/// Computed by us, the paper does not state it: the geometric mean over the scenes of Table 2's
+/// means. In seconds for "od", else in per cent; empty for a mark or method that Table 2 lacks.
+std::optional<double> geometric_mean_of_table_2(const PublishedStudy& published,
+                                                const std::string& mark, const std::string& method);
+
+/// The published scene for which a study's scene stands.
+struct PublishedScene {
+  std::string name;
+  bool is_counterpart = false;  ///< Whether the study's scene is Foveola's own in its place.
+};
+
+/// Empty for a scene that is neither a published one nor the counterpart of one.
+std::optional<PublishedScene> published_scene_of(const PublishedStudy& published,
+                                                 const std::string& scene);
+
+}  // namespace foveola::analysis
