@@ -142,5 +142,19 @@ TEST(Descriptive, GeometricMeanNamesTheValueWithoutLogarithm) {
               ThrowsMessage<Error>(HasSubstr("value 2 of 2")));
 }
 
+TEST(Descriptive, AMeansIntervalFollowsFromWhatATablePrints) {
+  // 41.8 -+ t(15) 9.8 / 4 with t(15) = 2.131450; of the same values, the same as from them.
+  const Estimate printed =
+      mean_estimate(Description{.n = 16, .mean = 41.8, .standard_deviation = 9.8, .median = {}})
+          .value();
+  EXPECT_NEAR(printed.interval->low, 36.57795, 1e-5);
+  EXPECT_NEAR(printed.interval->high, 47.02205, 1e-5);
+  const std::vector<double> values = {1.0, 2.0, 4.5};
+  EXPECT_EQ(mean_estimate(describe(values))->interval->low, mean_estimate(values)->interval->low);
+  EXPECT_FALSE(mean_estimate(Description{}));
+  EXPECT_FALSE(mean_estimate(describe(std::vector<double>{3.0}))->interval);
+  EXPECT_FALSE(mean_estimate(describe(std::vector<double>{3.0, 3.0}))->interval);
+}
+
 }  // namespace
 }  // namespace foveola::analysis

@@ -1,7 +1,7 @@
 #include "analysis/statistics/log_of_means.h"
 
 #include <cmath>
-#include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST(LogOfMeans, OfOneMeanHasTheRelativeErrorOfTheMean) {
 }
 
 TEST(LogOfMeans, ARatioTakesEachParticipantsTwoValuesTogether) {
-  // By hand: ratio 6 / 12; influences (-1/3 + 1/2)/3... of (y - 6)/(3 * 6) - (x - 12)/(3 * 12).
+  // Means 6 and 12; the influences are (y - 6) / (3 * 6) - (x - 12) / (3 * 12).
   const LogOfMeans y = log_of_mean(Values{4.0, 6.0, 8.0}).value();
   const LogOfMeans x = log_of_mean(Values{6.0, 12.0, 18.0}).value();
   const LogOfMeans ratio = log_of_ratio(y, x);
