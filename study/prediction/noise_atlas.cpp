@@ -20,8 +20,8 @@
 namespace foveola::study {
 namespace {
 
-/// For an object at full size: samples per pixel of each of its two converged pictures, and how many
-/// noisy ones there may be. A scaled film has so few pixels that more of both are needed.
+/// For an object at full size: samples per pixel of each of its two converged pictures, and how
+/// many noisy ones there may be. A scaled film has so few pixels that more of both are needed.
 constexpr double object_convergence = 16.0;
 constexpr double object_pictures = 4.0;
 constexpr SampleCountLevels object_levels{};
@@ -208,8 +208,9 @@ class SceneAtlas {
     mask.add(judged.cone.middle, judged.cone.radius_rad, margin_px, setting_.workers);
     const auto sampler = make_view_sampler(crop_around(judged.cone));
     sampler->aim(aim_to(judged.object->direction));
-    judged.expected = converged_means(pilot, *sampler, judged.object->direction,
-                                      object_convergence * std::sqrt(coarseness()), mask, {&judged.view, 1});
+    judged.expected =
+        converged_means(pilot, *sampler, judged.object->direction,
+                        object_convergence * std::sqrt(coarseness()), mask, {&judged.view, 1});
   }
 
   std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {

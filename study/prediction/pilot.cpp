@@ -155,7 +155,8 @@ void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t le
     if (table[i].noise_times_density.empty()) {
       continue;  // the method does not go there
     }
-    const double per_sr = static_cast<double>(samples) * density_around(sampler, table[i].direction);
+    const double per_sr =
+        static_cast<double>(samples) * density_around(sampler, table[i].direction);
     const ChannelValues noise = not_negative(seen[i].noise);
     for (std::size_t c = 0; c < channel_count; ++c) {
       table[i].noise_times_density[level][c] = noise[c] * per_sr;
