@@ -13,7 +13,8 @@ namespace foveola::analysis {
 /// "OD", "VP" and "FV" as in print; any other method by its id.
 std::string method_label(const std::string& method);
 
-/// "omnidirectional preview" and so on; empty for a method that the paper does not have (section 4.1).
+/// "omnidirectional preview" and so on; empty for a method that the paper does not have
+/// (section 4.1).
 std::string_view method_meaning(const std::string& method);
 
 /// A value with this many decimals; an en dash where there is none.

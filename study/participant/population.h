@@ -15,11 +15,13 @@ struct GazeHabits {
   double saccade_s_per_deg = 0.0;
   /// Fixations on the chosen object stay within this part of its angular radius.
   double examined_part = 0.0;
-  /// While looking around: the head's range to both sides of the object and up and down, the time
-  /// of a turn, and the standard deviation of the eye in the head.
+  /// While looking around: the head's range to both sides of the object, and above and below the
+  /// horizon, and the standard deviation of the eye in the head.
   double head_azimuth_deg = 0.0;
   double head_elevation_deg = 0.0;
+  /// A turn of the head by A degrees takes head_turn_s + head_turn_s_per_deg A.
   double head_turn_s = 0.0;
+  double head_turn_s_per_deg = 0.0;
   double eye_in_head_deg = 0.0;
   double fixations_per_head_turn = 0.0;  ///< Rounded to a whole number.
 };

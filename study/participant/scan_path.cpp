@@ -32,6 +32,17 @@ double between(double low, double high, Pcg32& random) {
   return low + (high - low) * random.uniform();
 }
 
+/// How far to turn from one heading to another, the short way.
+AzimuthElevation turn_between(const AzimuthElevation& from, const AzimuthElevation& to) {
+  return {.azimuth_rad = std::remainder(to.azimuth_rad - from.azimuth_rad, 2.0 * std::numbers::pi),
+          .elevation_rad = to.elevation_rad - from.elevation_rad};
+}
+
+AzimuthElevation turned(const AzimuthElevation& from, const AzimuthElevation& turn, double part) {
+  return {.azimuth_rad = from.azimuth_rad + part * turn.azimuth_rad,
+          .elevation_rad = from.elevation_rad + part * turn.elevation_rad};
+}
+
 }  // namespace
 
 ScanPath::ScanPath(const GazeHabits& habits, std::uint64_t seed)
@@ -52,24 +63,27 @@ void ScanPath::examine(const Vec3& object, double radius_deg, Nanoseconds start)
   turn_head(azimuth_elevation(object), start);
 }
 
-void ScanPath::explore(const AzimuthElevation& around, Nanoseconds start) {
+void ScanPath::explore(double azimuth_rad, Nanoseconds start) {
   begin(start);
   exploring_ = true;
-  around_ = around;
+  around_azimuth_rad_ = azimuth_rad;
   fixations_since_turn_ = fixations_per_turn();
 }
 
 void ScanPath::begin(Nanoseconds start) {
   const Saccade none{.start = start, .end = start, .target = gaze(start)};
-  const HeadTurn turn{.start = start, .heading = head(start)};
+  const HeadTurn turn{.start = start, .end = start, .heading = head(start)};
   saccades_.assign(1, none);
   turns_.assign(1, turn);
   next_saccade_ = start;
 }
 
 void ScanPath::turn_head(const AzimuthElevation& heading, Nanoseconds start) {
-  const HeadTurn turn{.start = start, .heading = heading};
-  turns_.push_back(turn);
+  const double angle_deg =
+      degrees(angle_between(direction_from(turns_.back().heading), direction_from(heading)));
+  const Nanoseconds end = start + nanoseconds_from_seconds(habits_.head_turn_s +
+                                                           habits_.head_turn_s_per_deg * angle_deg);
+  turns_.push_back({.start = start, .end = end, .heading = heading});
 }
 
 Vec3 ScanPath::gaze(Nanoseconds time) {
@@ -80,8 +94,17 @@ Vec3 ScanPath::gaze(Nanoseconds time) {
     return to.target;
   }
   const Saccade& from = saccades_[i > 0 ? i - 1 : 0];
-  const auto part = static_cast<float>(eased(time, to.start, to.end));
-  return glm::normalize(glm::mix(from.target, to.target, part));
+  const double part = eased(time, to.start, to.end);
+  if (to.turn == 0) {
+    return glm::normalize(glm::mix(from.target, to.target, static_cast<float>(part)));
+  }
+  // From one place in the head to another, whichever way the head turns.
+  const AzimuthElevation before =
+      turn_between(turns_[to.turn - 1].heading, azimuth_elevation(from.target));
+  const AzimuthElevation after =
+      turn_between(turns_[to.turn].heading, azimuth_elevation(to.target));
+  const AzimuthElevation in_head = turned(before, turn_between(before, after), part);
+  return direction_from(turned(head(time), in_head, 1.0));
 }
 
 ScanPath::Fixation ScanPath::fixation(Nanoseconds time) {
@@ -98,13 +121,10 @@ ScanPath::Fixation ScanPath::fixation(Nanoseconds time) {
 AzimuthElevation ScanPath::head(Nanoseconds time) {
   continue_to(time);
   const std::size_t i = current(turns_, time);
-  const AzimuthElevation& to = turns_[i].heading;
-  const AzimuthElevation& from = turns_[i > 0 ? i - 1 : 0].heading;
-  const Nanoseconds end = turns_[i].start + nanoseconds_from_seconds(habits_.head_turn_s);
-  const double part = eased(time, turns_[i].start, end);
-  const double turn_rad = std::remainder(to.azimuth_rad - from.azimuth_rad, 2.0 * std::numbers::pi);
-  return {.azimuth_rad = from.azimuth_rad + part * turn_rad,
-          .elevation_rad = from.elevation_rad + part * (to.elevation_rad - from.elevation_rad)};
+  const HeadTurn& to = turns_[i];
+  const HeadTurn& from = turns_[i > 0 ? i - 1 : 0];
+  return turned(from.heading, turn_between(from.heading, to.heading),
+                eased(time, to.start, to.end));
 }
 
 void ScanPath::continue_to(Nanoseconds time) {
@@ -118,10 +138,12 @@ void ScanPath::continue_to(Nanoseconds time) {
 
 Nanoseconds ScanPath::add_saccade(const Vec3& target, Nanoseconds start) {
   const double amplitude_deg = degrees(angle_between(saccades_.back().target, target));
-  const Nanoseconds landing =
+  const Nanoseconds end =
       start +
       nanoseconds_from_seconds(habits_.saccade_s + habits_.saccade_s_per_deg * amplitude_deg);
-  saccades_.push_back({.start = start, .end = landing, .target = target});
+  const std::size_t turn = turns_.back().start == start ? turns_.size() - 1 : 0;
+  const Nanoseconds landing = turn > 0 ? std::max(end, turns_.back().end) : end;
+  saccades_.push_back({.start = start, .end = landing, .target = target, .turn = turn});
   return landing;
 }
 
@@ -142,9 +164,9 @@ Vec3 ScanPath::target_around() {
     fixations_since_turn_ = 0;
     const double right_deg = between(-habits_.head_azimuth_deg, habits_.head_azimuth_deg, random_);
     const double up_deg = between(-habits_.head_elevation_deg, habits_.head_elevation_deg, random_);
-    turn_head({.azimuth_rad = around_.azimuth_rad + radians(right_deg),
-               .elevation_rad = around_.elevation_rad + radians(up_deg)},
-              next_saccade_);
+    turn_head(
+        {.azimuth_rad = around_azimuth_rad_ + radians(right_deg), .elevation_rad = radians(up_deg)},
+        next_saccade_);
   }
   ++fixations_since_turn_;
   const AzimuthElevation& heading = turns_.back().heading;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,8 +24,8 @@ class ScanPath {
   void fixate(const Vec3& target, Nanoseconds start);
   /// From `start` on the head faces `object` (unit length, world) and the eye wanders over it.
   void examine(const Vec3& object, double radius_deg, Nanoseconds start);
-  /// From `start` on head and eye look around.
-  void explore(const AzimuthElevation& around, Nanoseconds start);
+  /// From `start` on head and eye look around, to both sides of `azimuth_rad`.
+  void explore(double azimuth_rad, Nanoseconds start);
 
   /// The eye's direction in world axes and the head's heading at `time`; before the last start,
   /// those at the start.
@@ -47,20 +48,24 @@ class ScanPath {
     Nanoseconds start{0};
     Nanoseconds end{0};
     Vec3 target{0.0F, 0.0F, -1.0F};
+    std::size_t turn = 0;  ///< The turn of the head that carries it along; 0: none does.
   };
   struct HeadTurn {
     Nanoseconds start{0};
+    Nanoseconds end{0};
     AzimuthElevation heading;
   };
 
   long fixations_per_turn() const { return std::lround(habits_.fixations_per_head_turn); }
   /// Discards the path but for the directions of head and eye at `start`.
   void begin(Nanoseconds start);
+  /// The last turn that was begun must be over, or have begun at `start`.
   void turn_head(const AzimuthElevation& heading, Nanoseconds start);
   bool wanders() const { return exploring_ || radius_deg_ > 0.0; }
   /// Adds saccades until the eye rests beyond `time`.
   void continue_to(Nanoseconds time);
-  /// Returns the time at which the saccade lands.
+  /// Returns the time at which the eye lands: when the saccade does, or later, with the head, if it
+  /// is carried along by a turn that began with it.
   Nanoseconds add_saccade(const Vec3& target, Nanoseconds start);
   Vec3 next_target();
   Vec3 target_on_object();
@@ -75,7 +80,7 @@ class ScanPath {
   long fixations_since_turn_ = 0;
   Vec3 object_{0.0F, 0.0F, -1.0F};
   double radius_deg_ = 0.0;
-  AzimuthElevation around_;
+  double around_azimuth_rad_ = 0.0;
 };
 
 }  // namespace foveola::study

@@ -58,7 +58,7 @@ void SimulatedParticipant::begin(Task task, Nanoseconds now) {
   task_ = task;
   decision_.begin(task, now);
   if (task == Task::look_around) {
-    path_.explore(azimuth_elevation(object_.direction), now);
+    path_.explore(azimuth_elevation(object_.direction).azimuth_rad, now);
   } else {
     path_.examine(object_.direction, object_.radius_deg, now);
   }

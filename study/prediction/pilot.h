@@ -28,8 +28,8 @@ struct PilotSetting {
   std::stop_token stop;
 };
 
-/// When a pilot is looked at: after so many samples a pixel, in the geometric mean over the view's
-/// judged patches, growing by half an octave from level to level.
+/// When a pilot is looked at: after about so many samples a pixel, in the geometric mean over the
+/// view's judged patches, growing by half an octave from level to level.
 struct SampleCountLevels {
   double first_per_pixel = 1.0 / 32.0;
   int count = 17;  ///< up to 8 samples per pixel, beyond which noise falls as one over the samples

@@ -73,9 +73,10 @@ TEST(ScanPath, FixatesForFractionsOfASecondAndMovesInBetween) {
 
 TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
   ScanPath path(gaze_habits, 5);
-  path.explore({.azimuth_rad = 3.0, .elevation_rad = 0.1}, Nanoseconds(0));
+  path.explore(3.0, Nanoseconds(0));
   double leftmost_deg = 0.0;
   double rightmost_deg = 0.0;
+  double highest_deg = 0.0;
   // After the first turn of the head, which may start from anywhere.
   for (Nanoseconds time = seconds(2); time < seconds(60); time += milliseconds(20)) {
     const AzimuthElevation head = path.head(time);
@@ -83,18 +84,28 @@ TEST(ScanPath, LooksAroundWithHeadAndEyeWithinReach) {
         degrees(std::remainder(head.azimuth_rad - 3.0, 2.0 * std::numbers::pi));
     leftmost_deg = std::min(leftmost_deg, offset_deg);
     rightmost_deg = std::max(rightmost_deg, offset_deg);
+    highest_deg = std::max(highest_deg, std::abs(degrees(head.elevation_rad)));
   }
-  EXPECT_LT(leftmost_deg, -20.0);
-  EXPECT_GT(rightmost_deg, 20.0);
-  EXPECT_GE(leftmost_deg, -gaze_habits.head_azimuth_deg - 0.01);
-  EXPECT_LE(rightmost_deg, gaze_habits.head_azimuth_deg + 0.01);
+  EXPECT_LT(leftmost_deg, -90.0) << "all around";
+  EXPECT_GT(rightmost_deg, 90.0);
+  EXPECT_GT(highest_deg, 5.0);
+  EXPECT_LE(highest_deg, gaze_habits.head_elevation_deg + 0.01) << "about the horizon";
+}
+
+/// The eye cannot turn far in the head, so that it arrives with it, however far both go.
+TEST(ScanPath, TheHeadCarriesTheEyeAlong) {
+  ScanPath path(gaze_habits, 11);
+  path.explore(0.0, Nanoseconds(0));
+  for (Nanoseconds time = seconds(1); time < seconds(60); time += milliseconds(5)) {
+    EXPECT_LT(head_offset_deg(path.head(time), path.gaze(time)), 6.0 * gaze_habits.eye_in_head_deg);
+  }
 }
 
 TEST(ScanPath, NeverJumps) {
   ScanPath path(gaze_habits, 6);
   path.examine(looked_for, object_radius_deg, Nanoseconds(0));
   path.gaze(seconds(3));
-  path.explore(azimuth_elevation(looked_for), seconds(3));
+  path.explore(azimuth_elevation(looked_for).azimuth_rad, seconds(3));
   const Nanoseconds end = seconds(10);
   constexpr auto step = milliseconds(1);
   for (Nanoseconds time = seconds(3); time < end; time += step) {
@@ -110,7 +121,7 @@ TEST(ScanPath, IsTheSameHoweverOftenItIsAsked) {
   ScanPath seldom(gaze_habits, 7);
   ScanPath other(gaze_habits, 8);
   for (ScanPath* path : {&often, &seldom, &other}) {
-    path->explore({}, Nanoseconds(0));
+    path->explore(0.0, Nanoseconds(0));
   }
   for (Nanoseconds time{0}; time < seconds(9); time += milliseconds(3)) {
     often.gaze(time);
