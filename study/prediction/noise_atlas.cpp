@@ -27,7 +27,7 @@ constexpr double object_pictures = 4.0;
 constexpr SampleCountLevels object_levels{};
 
 /// A look around yields one number from a hundred patches: fewer samples will do for each.
-constexpr double surround_convergence = 8.0;
+constexpr double surround_convergence = 5.0;
 constexpr SampleCountLevels surround_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
@@ -120,7 +120,8 @@ class SceneAtlas {
 
   std::vector<NoiseTable> surround_noise() {
     const TrialSettings shown = shown_with(setting_.protocol.methods.front());
-    const std::string key = fmt::format("around\n{}", key_of_setting(shown));
+    const std::string key = fmt::format("around up to {} degrees\n{}", setting_.highest_seen_deg,
+                                        key_of_setting(shown));
     if (std::optional<std::vector<NoiseTable>> known = cache_.find(key)) {
       return std::move(*known);
     }
@@ -214,9 +215,18 @@ class SceneAtlas {
   }
 
   std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {
-    const std::vector<JudgedView> views =
-        surround_views(setting_.vision, setting_.protocol.display);
-    const std::vector<Cells::Patch> patches = surround_patches(setting_.vision);
+    std::vector<JudgedView> views = surround_views(setting_.vision, setting_.protocol.display);
+    std::vector<Cells::Patch> patches = surround_patches(setting_.vision);
+    const auto is_never_seen = [&](const Vec3& direction) {
+      return std::abs(degrees(azimuth_elevation(direction).elevation_rad)) >
+             setting_.highest_seen_deg;
+    };
+    for (std::size_t i = patches.size(); i-- > 0;) {
+      if (is_never_seen(patches[i].direction)) {
+        views.erase(views.begin() + static_cast<std::ptrdiff_t>(i));
+        patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
     SampleMask mask(shown.film.width, shown.film.height);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const double to_corner_rad =

@@ -46,6 +46,7 @@ struct AtlasSetting {
   const Protocol& protocol;
   const SceneStages& stages;
   const Vision& vision;
+  double highest_seen_deg = 90.0;  ///< above the horizon, or below it, whoever looks around
   const PicturesWanted& wanted;  ///< of the protocol's scenes and methods, and the scenes' objects
   const Workers& workers;
   std::filesystem::path cache;  ///< folder of the tables that were made before

@@ -20,13 +20,22 @@ int scaled_side(int side, double scale) {
   return scaled;
 }
 
-void scale_film(FilmSettings& film, double scale) {
-  film.width = scaled_side(film.width, scale);
-  film.height = scaled_side(film.height, scale);
-}
-
 double pixels_of(const FilmSettings& film) {
   return static_cast<double>(film.width) * static_cast<double>(film.height);
+}
+
+void scale_film(FilmSettings& film, double scale) {
+  // Of 6 degrees each: hardly an object is as large as one, and none has an outline.
+  constexpr double fewest_pixels = 1000.0;
+  const std::string full = fmt::format("{} x {}", film.width, film.height);
+  film.width = scaled_side(film.width, scale);
+  film.height = scaled_side(film.height, scale);
+  if (pixels_of(film) < fewest_pixels) {
+    throw UsageError("--scale",
+                     fmt::format("leaves a film of {} x {} pixels of one of {}, on which nothing "
+                                 "can be made out; choose one that leaves {:.0f} pixels or more",
+                                 film.width, film.height, full, fewest_pixels));
+  }
 }
 
 }  // namespace

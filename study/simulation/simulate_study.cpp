@@ -182,6 +182,8 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
           {.protocol = study.protocol,
            .stages = study.stages,
            .vision = population.vision,
+           .highest_seen_deg =
+               population.gaze.head_elevation_deg + 0.5 * study.protocol.display.vertical_fov_deg,
            .wanted = pictures_wanted(study, population.vision,
                                      sessions_ahead(study.settings, study.protocol)),
            .workers = study.workers,
