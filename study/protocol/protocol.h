@@ -50,7 +50,7 @@ struct DisplaySettings {
   double horizontal_fov_deg = 100.0;
   double vertical_fov_deg = 100.0;
   RadialLens lens;              ///< The lens before the eye that the protocol shows.
-  bool fill_unsampled = false;  ///< From the film's pyramid; the published study left them black.
+  bool fill_unsampled = false;  ///< From the film's pyramid; else they are black.
 };
 
 struct FilmSettings {

@@ -34,7 +34,7 @@ class Cautions : public ProtocolFolder {
 };
 
 TEST_F(Cautions, AreNotNeededForTheProtocolsOfFoveola) {
-  for (const char* name : {"demo", "real-scenes", "koskela2018"}) {
+  for (const char* name : {"demo", "koskela2018-original", "koskela2018"}) {
     const Protocol protocol = load_protocol(find_protocol(name));
     std::vector<SceneSource> scenes;
     for (const SceneEntry& scene : protocol.scenes) {

@@ -146,9 +146,35 @@ TEST_F(ProtocolFile, APointerHeldInPlaceNeedsNobodyToPoint) {
 }
 
 TEST_F(ProtocolFile, EveryShippedProtocolLoads) {
-  for (const char* name : {"demo", "koskela2018", "real-scenes"}) {
+  for (const char* name : {"demo", "koskela2018", "koskela2018-original"}) {
     EXPECT_EQ(load_protocol(find_protocol(name)).name, name);
   }
+}
+
+/// The settings of a shipped protocol, line by line, without comments and what names it.
+std::vector<std::string> settings_in(const std::string& name) {
+  std::vector<std::string> lines;
+  std::istringstream text(read_file(find_protocol(name)));
+  for (std::string line; std::getline(text, line);) {
+    line.erase(std::min(line.find("  #"), line.size()));
+    const bool is_named =
+        line.starts_with("name =") || line.starts_with("title =") || line.starts_with("scenes =");
+    const bool is_first_title = lines.size() < 3;
+    if (!line.empty() && !line.starts_with('#') && !(is_named && is_first_title)) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+TEST_F(ProtocolFile, ThePublishedStudyInItsOwnScenesIsTheSameInAllElse) {
+  EXPECT_EQ(settings_in("koskela2018-original"), settings_in("koskela2018"));
+  EXPECT_THAT(load_protocol(find_protocol("koskela2018-original")).scenes,
+              ElementsAre(testing::Field(&SceneEntry::name, "bmw"),
+                          testing::Field(&SceneEntry::name, "classroom"),
+                          testing::Field(&SceneEntry::name, "conference"),
+                          testing::Field(&SceneEntry::name, "sibenik"),
+                          testing::Field(&SceneEntry::name, "sponza")));
 }
 
 TEST_F(ProtocolFile, AnUnknownNameListsTheKnownOnes) {
