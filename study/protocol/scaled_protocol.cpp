@@ -25,8 +25,8 @@ double pixels_of(const FilmSettings& film) {
 }
 
 void scale_film(FilmSettings& film, double scale) {
-  // Of 6 degrees each: hardly an object is as large as one, and none has an outline.
-  constexpr double fewest_pixels = 1000.0;
+  // Of 9 degrees each: hardly an object is as large as one, and none has an outline.
+  constexpr double fewest_pixels = 500.0;
   const std::string full = fmt::format("{} x {}", film.width, film.height);
   film.width = scaled_side(film.width, scale);
   film.height = scaled_side(film.height, scale);

@@ -9,7 +9,7 @@ namespace foveola::study {
 /// overrides, and as many times fewer samples per second: a pixel has the same noise at the same
 /// second. Sides are rounded, and the machine is slowed by the ratio of the rounded films. Scale 1
 /// changes nothing. Throws UsageError if scale is below 1 or not finite, or if too few pixels would
-/// be left: 8 aside, and 1000 of a film.
+/// be left: 8 aside, and 500 of a film.
 Protocol scaled_protocol(Protocol protocol, double scale);
 
 }  // namespace foveola::study

@@ -49,7 +49,7 @@ TEST(ScaledProtocol, RefusesWhatShowsNothing) {
   EXPECT_THROW(scaled_protocol(large_protocol(), std::numeric_limits<double>::quiet_NaN()),
                UsageError);
   EXPECT_THROW(scaled_protocol(large_protocol(), 1e6), UsageError);
-  EXPECT_THROW(scaled_protocol(large_protocol(), 16384.0), UsageError) << "32 x 16 pixels are left";
+  EXPECT_THROW(scaled_protocol(large_protocol(), 30000.0), UsageError) << "24 x 12 pixels are left";
 }
 
 }  // namespace
