@@ -13,6 +13,13 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
+  std::string protocol = hall_protocol();
+  for (const auto& [small, large] :
+       {std::pair("width = 32\nheight = 16", "width = 64\nheight = 32"),
+        std::pair("view_width = 16\nview_height = 16", "view_width = 32\nview_height = 32")}) {
+    protocol.replace(protocol.find(small), std::string(small).size(), large);
+  }
+  folder.write("share/protocols/hall.toml", protocol);
   const std::string study = (folder / "study.sqlite").string();
   const ProgramResult simulated =
       run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--scale", "4"});
