@@ -255,12 +255,6 @@ OmnibusTest test_all(const Measure& measure, const ParticipantValues& values) {
   return test;
 }
 
-std::optional<std::size_t> index_of(const std::vector<std::string>& names,
-                                    const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found != names.end() ? std::optional<std::size_t>(found - names.begin()) : std::nullopt;
-}
-
 bool is_of_pair(const study::PlannedComparison& planned, const std::string& measure,
                 const std::string& a, const std::string& b) {
   return planned.measure == measure && ((planned.method == a && planned.baseline == b) ||
@@ -281,8 +275,8 @@ std::vector<ParticipantValues> means_of_measures(const Dataset& set) {
 /// Empty if the study does not have the planned measure, in numbers, or methods.
 std::optional<ComparedPair> pair_of(const Dataset& set, const study::PlannedComparison& planned) {
   const auto measure = set.measure_named(planned.measure);
-  const auto method = index_of(set.methods, planned.method);
-  const auto reference = index_of(set.methods, planned.baseline);
+  const auto method = position_of(set.methods, planned.method);
+  const auto reference = position_of(set.methods, planned.baseline);
   if (!measure || !method || !reference || !set.measures[*measure].is_numeric()) {
     return std::nullopt;
   }

@@ -262,4 +262,10 @@ void exclude(const std::vector<Exclusion>& exclusions, Dataset& set) {
       [](const Exclusion& a, const Exclusion& b) { return a.participant < b.participant; });
 }
 
+std::optional<std::size_t> position_of(const std::vector<std::string>& names,
+                                       const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found != names.end() ? std::optional<std::size_t>(found - names.begin()) : std::nullopt;
+}
+
 }  // namespace foveola::analysis

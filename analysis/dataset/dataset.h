@@ -103,4 +103,8 @@ std::string reason_not_analysed(const study::SessionRow& session, const std::str
 /// Adds to the set's exclusions and keeps their order.
 void exclude(const std::vector<Exclusion>& exclusions, Dataset& set);
 
+/// The index of a scene's or a method's name; empty if it is not among them.
+std::optional<std::size_t> position_of(const std::vector<std::string>& names,
+                                       const std::string& name);
+
 }  // namespace foveola::analysis

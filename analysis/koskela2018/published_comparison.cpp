@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "analysis/dataset/wording.h"
 #include "analysis/koskela2018/background.h"
+#include "analysis/koskela2018/own_cells.h"
 #include "analysis/koskela2018/profile.h"
 #include "analysis/statistics/log_of_means.h"
 
@@ -20,126 +16,6 @@ namespace {
 constexpr std::array marks = {"outline", "material"};
 constexpr const char* all_scenes = "all scenes";
 constexpr const char* over_scenes = "Table 2, all scenes";
-
-using Values = std::vector<std::optional<double>>;  ///< Of participants; some may lack.
-
-std::optional<std::size_t> position_of(const std::vector<std::string>& names,
-                                       const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::nullopt
-                              : std::optional(static_cast<std::size_t>(found - names.begin()));
-}
-
-/// The index of the study's mark of this id; empty if it has none.
-std::optional<std::size_t> time_named(const Dataset& set, const std::string& mark) {
-  const auto found = set.measure_named(mark);
-  return found && set.measures[*found].kind == MeasureKind::time ? found : std::nullopt;
-}
-
-/// The study's scene that is compared with a published one.
-std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row) {
-  const auto same = position_of(set.scenes, row.scene);
-  return same ? same : position_of(set.scenes, row.counterpart);
-}
-
-/// The study's cell that is compared with one of Table 2.
-struct Cell {
-  std::size_t mark = 0;
-  std::size_t scene = 0;
-  std::size_t method = 0;
-};
-
-std::optional<Cell> cell_of(const Dataset& set, const PublishedTime& row) {
-  const auto mark = time_named(set, row.mark);
-  const auto scene = scene_of(set, row);
-  const auto method = position_of(set.methods, row.method);
-  return mark && scene && method && is_relative_to_od(set)
-             ? std::optional(Cell{*mark, *scene, *method})
-             : std::nullopt;
-}
-
-Values seconds_in(const Dataset& set, const Cell& cell) {
-  Values values;
-  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
-    const Value& time = set.value(participant, cell.scene, cell.method, cell.mark);
-    values.push_back(time.is_measured() ? std::optional(time.number) : std::nullopt);
-  }
-  return values;
-}
-
-Values baseline_seconds_in(const Dataset& set, const Cell& cell) {
-  return seconds_in(set, {cell.mark, cell.scene, baseline});
-}
-
-/// Each participant's time in per cent of the same participant's with the baseline.
-Values own_percent_in(const Dataset& set, const Cell& cell) {
-  const Values references = baseline_seconds_in(set, cell);
-  Values values = seconds_in(set, cell);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = values[i] && references[i] ? std::optional(100.0 * *values[i] / *references[i])
-                                           : std::nullopt;
-  }
-  return values;
-}
-
-std::vector<double> present(const Values& values) {
-  std::vector<double> result;
-  for (const std::optional<double>& value : values) {
-    if (value) {
-      result.push_back(*value);
-    }
-  }
-  return result;
-}
-
-/// What Table 2 may have shown of a cell: seconds, or per cent in one of two readings.
-enum class Reading : std::uint8_t { seconds, own_ratios, ratio_of_means };
-
-const char* name_of(Reading reading) {
-  constexpr std::array names = {"", "own ratios", "ratio of means"};
-  return names.at(static_cast<std::size_t>(reading));
-}
-
-std::vector<Reading> readings_of(const std::string& method) {
-  return method == "od" ? std::vector{Reading::seconds}
-                        : std::vector{Reading::own_ratios, Reading::ratio_of_means};
-}
-
-/// The logarithm of the cell's mean in seconds or per cent.
-std::optional<LogOfMeans> log_in(const Dataset& set, const Cell& cell, Reading reading) {
-  if (reading == Reading::own_ratios) {
-    return log_of_mean(own_percent_in(set, cell));
-  }
-  const auto seconds = log_of_mean(seconds_in(set, cell));
-  if (reading == Reading::seconds) {
-    return seconds;
-  }
-  const auto reference = log_of_mean(baseline_seconds_in(set, cell));
-  if (!seconds || !reference) {
-    return std::nullopt;
-  }
-  LogOfMeans percent = log_of_ratio(*seconds, *reference);
-  percent.value += std::log(100.0);
-  return percent;
-}
-
-struct MeanAndDeviation {
-  std::optional<Estimate> mean;
-  std::optional<double> deviation;
-};
-
-MeanAndDeviation mean_in(const StudyTables& tables, const Cell& cell, Reading reading) {
-  if (reading == Reading::ratio_of_means) {
-    const auto ratio = log_in(tables.set, cell, reading);
-    return {ratio ? std::optional(estimate_of(*ratio)) : std::nullopt,
-            tables.scene_times_of(cell.mark, cell.scene, cell.method)
-                .of_baseline_mean.sd_percent_points};
-  }
-  const std::vector<double> values =
-      present(reading == Reading::seconds ? seconds_in(tables.set, cell)
-                                          : own_percent_in(tables.set, cell));
-  return {mean_estimate(values), standard_deviation(values)};
-}
 
 /// Of the analysed participants to a question of Table 1.
 Description answers_to(const std::vector<QuestionAnswers>& own, const std::string& question) {
@@ -404,32 +280,6 @@ std::optional<bool> is_within(double value, const std::optional<Interval>& inter
   return interval ? std::optional(interval->low <= value && value <= interval->high) : std::nullopt;
 }
 
-bool is_near(double times) { return times <= near_factor && times >= 1.0 / near_factor; }
-
-/// Counts those of one reading and of the methods for which `is_counted`.
-template <typename Condition>
-MetMeans count_met(const std::vector<ComparedNumber>& numbers, const std::string& means,
-                   const Condition& is_counted) {
-  MetMeans met{.means = means};
-  for (const ComparedNumber& number : numbers) {
-    if (!is_counted(number)) {
-      continue;
-    }
-    const bool study_in = is_study_in_published_interval(number).value_or(false);
-    const bool published_in = is_published_in_study_interval(number).value_or(false);
-    ++met.published;
-    met.compared += number.study ? 1 : 0;
-    met.study_in_published_interval += study_in ? 1 : 0;
-    met.published_in_study_interval += published_in ? 1 : 0;
-    met.in_both_intervals += study_in && published_in ? 1 : 0;
-    if (number.source != "Table 1") {
-      const auto times = times_published(number);
-      met.near = met.near.value_or(0) + (times && is_near(*times) ? 1 : 0);
-    }
-  }
-  return met;
-}
-
 }  // namespace
 
 std::vector<ComparedNumber> compare_with_published(const study::StudyRecords& records,
@@ -468,38 +318,6 @@ std::optional<bool> is_study_in_published_interval(const ComparedNumber& number)
 
 std::optional<bool> is_published_in_study_interval(const ComparedNumber& number) {
   return number.study ? is_within(number.published.value, number.study->interval) : std::nullopt;
-}
-
-std::vector<MetMeans> count_met_means(const std::vector<ComparedNumber>& numbers) {
-  std::vector<MetMeans> counts = {
-      count_met(numbers, "Table 1",
-                [](const ComparedNumber& number) { return number.source == "Table 1"; }),
-      count_met(numbers, "Table 2, OD", [](const ComparedNumber& number) {
-        return number.source == "Table 2" && number.method == "od";
-      })};
-  for (const Reading reading : {Reading::own_ratios, Reading::ratio_of_means}) {
-    counts.push_back(count_met(numbers, fmt::format("Table 2, VP and FV, {}", name_of(reading)),
-                               [&](const ComparedNumber& number) {
-                                 return number.source == "Table 2" &&
-                                        number.reading == name_of(reading);
-                               }));
-  }
-  return counts;
-}
-
-std::string in_words(const MetMeans& met) {
-  std::string text =
-      fmt::format("{}: of {}, ", met.means, counted(met.published, "published mean"));
-  if (met.compared < met.published) {
-    text += fmt::format("{} of which this study has, ", met.compared);
-  }
-  if (met.near) {
-    text += fmt::format("{} within {:g} times the published value, ", *met.near, near_factor);
-  }
-  return text +
-         fmt::format("{} of ours in the published interval, {} of theirs in ours, {} in both.",
-                     met.study_in_published_interval, met.published_in_study_interval,
-                     met.in_both_intervals);
 }
 
 }  // namespace foveola::analysis

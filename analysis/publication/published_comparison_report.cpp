@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/met_means.h"
 #include "analysis/koskela2018/paper_notes.h"
 #include "analysis/publication/output_folder.h"
 #include "analysis/publication/report_parts.h"

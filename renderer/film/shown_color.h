@@ -11,7 +11,7 @@ namespace foveola {
 
 /// What the display shows where no sample has fallen yet.
 enum class UnsampledPixels {
-  black,  ///< as we read that they were not reconstructed (Koskela et al. 2018, section 3)
+  black,  ///< our reading of Koskela et al. 2018, section 3: they were not reconstructed
   filled  ///< from the finest level of the film's pyramid that knows something there
 };
 

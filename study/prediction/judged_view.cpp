@@ -61,11 +61,16 @@ JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
   return view;
 }
 
-std::vector<Cells::Patch> surround_patches(const Vision& vision) {
-  return view_cells(vision).back().patches();
+std::vector<Cells::Patch> surround_patches(const Vision& vision, double highest_deg) {
+  std::vector<Cells::Patch> patches = view_cells(vision).back().patches();
+  std::erase_if(patches, [&](const Cells::Patch& patch) {
+    return std::abs(degrees(azimuth_elevation(patch.direction).elevation_rad)) > highest_deg;
+  });
+  return patches;
 }
 
-std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display) {
+std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display,
+                                       const std::vector<Cells::Patch>& patches) {
   const double pixel_rad = display_pixel_rad(display);
   constexpr double smallest_radius_deg = 1.0;
   constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
@@ -77,7 +82,7 @@ std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettin
   // Cells are squares: a corner lies beyond the radius that the middles are in.
   const double reach_deg = radius_deg(scales.back()) + std::numbers::sqrt2 * scales.back();
   std::vector<JudgedView> views;
-  for (const Cells::Patch& patch : surround_patches(vision)) {
+  for (const Cells::Patch& patch : patches) {
     views.push_back(view_around(patch.direction, radians(reach_deg), pixel_rad));
     for (const double cell_deg : scales) {
       judge(Cells::around(patch.direction, radius_deg(cell_deg), cell_deg, vision.view_patch_deg,

@@ -38,10 +38,12 @@ JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
                           const DisplaySettings& display);
 
 /// The patches that stand for the whole view on all scales: those of its coarsest cells.
-std::vector<Cells::Patch> surround_patches(const Vision& vision);
+/// highest_deg: of the patches' middles, above the horizon or below it.
+std::vector<Cells::Patch> surround_patches(const Vision& vision, double highest_deg);
 
 /// For each of these patches, in their order, some cells in its middle on each scale, which stand
 /// for it; in views just large enough, with pixels as large as those of the display's middle.
-std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display);
+std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display,
+                                       const std::vector<Cells::Patch>& patches);
 
 }  // namespace foveola::study

@@ -215,18 +215,10 @@ class SceneAtlas {
   }
 
   std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {
-    std::vector<JudgedView> views = surround_views(setting_.vision, setting_.protocol.display);
-    std::vector<Cells::Patch> patches = surround_patches(setting_.vision);
-    const auto is_never_seen = [&](const Vec3& direction) {
-      return std::abs(degrees(azimuth_elevation(direction).elevation_rad)) >
-             setting_.highest_seen_deg;
-    };
-    for (std::size_t i = patches.size(); i-- > 0;) {
-      if (is_never_seen(patches[i].direction)) {
-        views.erase(views.begin() + static_cast<std::ptrdiff_t>(i));
-        patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(i));
-      }
-    }
+    const std::vector<Cells::Patch> patches =
+        surround_patches(setting_.vision, setting_.highest_seen_deg);
+    const std::vector<JudgedView> views =
+        surround_views(setting_.vision, setting_.protocol.display, patches);
     SampleMask mask(shown.film.width, shown.film.height);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const double to_corner_rad =

@@ -164,13 +164,13 @@ void set_level(const ViewSampler& sampler, std::uint64_t samples, std::size_t le
   }
 }
 
-/// The samples after which each level is looked at. The density is rounded to half octaves, so that
-/// views of about the same density are looked at in the same pictures.
+/// The samples after which each level is looked at. The density is rounded to quarter octaves, so
+/// that views of about the same density are looked at in the same pictures.
 std::vector<std::uint64_t> sample_counts_of(const FilmSettings& film,
                                             const SampleCountLevels& levels,
                                             double density_per_sr) {
   std::vector<std::uint64_t> sample_counts;
-  const double rounded_per_sr = std::exp2(0.5 * std::round(2.0 * std::log2(density_per_sr)));
+  const double rounded_per_sr = std::exp2(0.25 * std::round(4.0 * std::log2(density_per_sr)));
   const double first = levels.first_per_pixel / (pixel_sr(film) * rounded_per_sr);
   for (int level = 0; level < levels.count; ++level) {
     sample_counts.push_back(static_cast<std::uint64_t>(

@@ -158,10 +158,14 @@ void require_whole_pages(const fs::path& path) {
   }
 }
 
-void require_sound(SQLite::Database& database, const fs::path& path) {
+std::optional<std::string> page_fault(SQLite::Database& database) {
   const std::string finding = database.execAndGet("PRAGMA quick_check(1)").getString();
-  if (finding != "ok") {
-    throw Error(path.string(), fmt::format("is damaged ({})", finding), damage_remedy);
+  return finding == "ok" ? std::nullopt : std::optional(finding);
+}
+
+void require_sound(SQLite::Database& database, const fs::path& path) {
+  if (const std::optional<std::string> fault = page_fault(database)) {
+    throw Error(path.string(), fmt::format("is damaged ({})", *fault), damage_remedy);
   }
 }
 

@@ -35,7 +35,11 @@ std::optional<std::string> size_fault(const std::filesystem::path& path);
 /// Throws Error if there is a size_fault().
 void require_whole_pages(const std::filesystem::path& path);
 
-/// Throws Error if SQLite's quick check finds the file damaged.
+/// What SQLite's quick check finds first; empty if the pages form the trees that they should, so
+/// that reading them comes to an end.
+std::optional<std::string> page_fault(SQLite::Database& database);
+
+/// Throws Error if there is a page_fault().
 void require_sound(SQLite::Database& database, const std::filesystem::path& path);
 
 /// Throws Error if `database`, a copy that is to lie at `path`, is not whole: by SQLite's own

@@ -47,11 +47,6 @@ Verification check_integrity(const fs::path& path) {
   return found;
 }
 
-/// Whether its pages form the trees that they should, so that reading it comes to an end.
-bool is_readable(SQLite::Database& study) {
-  return study.execAndGet("PRAGMA quick_check(1)").getString() == "ok";
-}
-
 void check_schema(SQLite::Database& study, const fs::path& path, Verification& found) {
   require_schema(study, path);
   for (const std::string& object : foreign_objects(study)) {
@@ -137,7 +132,7 @@ Verification verify(const fs::path& path) {
   std::vector<SessionKey> sessions;
   {
     SQLite::Database study = open_as_it_is(path);
-    if (!found.faults.empty() || !is_readable(study)) {
+    if (!found.faults.empty() || page_fault(study)) {
       append(found, check_integrity(path));
       return found;
     }

@@ -154,8 +154,6 @@ double shown_noise(const PilotSetting& setting, const ViewSampler& sampler, std:
   return sum;
 }
 
-// The noise of Sobol points does not fall evenly from level to level, so that what is interpolated
-// between them is up to a fifth too large.
 TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
   DisplaySettings display;
   display.view_width = 48;
@@ -166,7 +164,7 @@ TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
   const auto sampler = aimed("od");
   const ConvergedMeans converged =
       converged_means(pilot, *sampler, object().direction, 400.0, mask(0.6), small);
-  constexpr std::uint32_t pictures = 32;
+  constexpr std::uint32_t pictures = 8;
   std::vector<ScaleTables> tables;
   for (std::uint32_t picture = 0; picture < pictures; ++picture) {
     tables.push_back(
@@ -184,7 +182,7 @@ TEST_F(PilotTest, SeesTheNoiseThatADisplayShows) {
       }
       const double shown =
           shown_noise(pilot, *sampler, samples, small[0].judged[scale].cells, small[0].viewport);
-      EXPECT_NEAR(predicted / shown, 1.0, 0.25)
+      EXPECT_NEAR(predicted / shown, 1.0, 0.2)
           << "scale " << scale << ", " << samples << " samples";
     }
   }

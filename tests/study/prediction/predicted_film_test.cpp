@@ -1,7 +1,6 @@
 #include "study/prediction/predicted_film.h"
 
 #include <cmath>
-#include <map>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +86,21 @@ TEST_F(PredictedFilmTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
   EXPECT_NEAR(
       sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd,
       std::sqrt(1000.0 / density), 1e-3);
+}
+
+TEST_F(PredictedFilmTest, ATrialSeesItsPicture) {
+  ObjectNoise other = picture_;
+  for (PatchNoise& patch : other.material[0]) {
+    patch.noise_times_density.assign(3, {4000.0, 0.0, 0.0});
+  }
+  const PredictedTrial trial = this->trial(false);
+  const auto jnd_of = [&](const ObjectNoise& picture) {
+    const auto sampler = make_view_sampler("od");
+    PredictedFilm sight(trial, picture, *sampler, aimed(sight_ahead));
+    sight.add(5000.0, aimed(sight_ahead));
+    return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
+  };
+  EXPECT_NEAR(jnd_of(other) / jnd_of(picture_), 2.0, 1e-4);
 }
 
 // By hand: the second scale has 16 times the noise, so 4 times the difference: (1 + 4^4)^(1/4) =

@@ -38,6 +38,18 @@ TEST(Seeds, AreOthersForEveryTrialTimingPurposeAndSession) {
   EXPECT_EQ(seeds.size(), count);
 }
 
+TEST(Seeds, NoPictureIsRare) {
+  const Protocol protocol = three_by_two();
+  const PlannedTrial trial{.scene = "b", .method = "fv"};
+  int first = 0;
+  constexpr int trials = 200;
+  for (int row = 0; row < trials; ++row) {
+    first += picture_seed({5, row}, protocol, trial) % 2 == 0 ? 1 : 0;
+  }
+  EXPECT_GT(first, 60);
+  EXPECT_LT(first, trials - 60);
+}
+
 TEST(Seeds, DoNotDependOnWhenATrialIsShown) {
   const Protocol protocol = three_by_two();
   const PlannedTrial first{.scene = "b", .method = "fv"};

@@ -1,0 +1,108 @@
+#include "analysis/koskela2018/own_cells.h"
+
+#include <array>
+#include <cmath>
+
+#include "analysis/koskela2018/profile.h"
+
+namespace foveola::analysis {
+namespace {
+
+using Values = std::vector<std::optional<double>>;  ///< Of participants; some may lack.
+
+Values seconds_in(const Dataset& set, const OwnCell& cell) {
+  Values values;
+  for (std::size_t participant = 0; participant < set.participants.size(); ++participant) {
+    const Value& time = set.value(participant, cell.scene, cell.method, cell.mark);
+    values.push_back(time.is_measured() ? std::optional(time.number) : std::nullopt);
+  }
+  return values;
+}
+
+Values baseline_seconds_in(const Dataset& set, const OwnCell& cell) {
+  return seconds_in(set, {cell.mark, cell.scene, baseline});
+}
+
+/// Each participant's time in per cent of the same participant's with the baseline.
+Values own_percent_in(const Dataset& set, const OwnCell& cell) {
+  const Values references = baseline_seconds_in(set, cell);
+  Values values = seconds_in(set, cell);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = values[i] && references[i] ? std::optional(100.0 * *values[i] / *references[i])
+                                           : std::nullopt;
+  }
+  return values;
+}
+
+std::vector<double> present(const Values& values) {
+  std::vector<double> result;
+  for (const std::optional<double>& value : values) {
+    if (value) {
+      result.push_back(*value);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::size_t> time_named(const Dataset& set, const std::string& mark) {
+  const auto found = set.measure_named(mark);
+  return found && set.measures[*found].kind == MeasureKind::time ? found : std::nullopt;
+}
+
+std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row) {
+  const auto same = position_of(set.scenes, row.scene);
+  return same ? same : position_of(set.scenes, row.counterpart);
+}
+
+std::optional<OwnCell> cell_of(const Dataset& set, const PublishedTime& row) {
+  const auto mark = time_named(set, row.mark);
+  const auto scene = scene_of(set, row);
+  const auto method = position_of(set.methods, row.method);
+  return mark && scene && method && is_relative_to_od(set)
+             ? std::optional(OwnCell{*mark, *scene, *method})
+             : std::nullopt;
+}
+
+const char* name_of(Reading reading) {
+  constexpr std::array names = {"", "own ratios", "ratio of means"};
+  return names.at(static_cast<std::size_t>(reading));
+}
+
+std::vector<Reading> readings_of(const std::string& method) {
+  return method == "od" ? std::vector{Reading::seconds}
+                        : std::vector{Reading::own_ratios, Reading::ratio_of_means};
+}
+
+std::optional<LogOfMeans> log_in(const Dataset& set, const OwnCell& cell, Reading reading) {
+  if (reading == Reading::own_ratios) {
+    return log_of_mean(own_percent_in(set, cell));
+  }
+  const auto seconds = log_of_mean(seconds_in(set, cell));
+  if (reading == Reading::seconds) {
+    return seconds;
+  }
+  const auto reference = log_of_mean(baseline_seconds_in(set, cell));
+  if (!seconds || !reference) {
+    return std::nullopt;
+  }
+  LogOfMeans percent = log_of_ratio(*seconds, *reference);
+  percent.value += std::log(100.0);
+  return percent;
+}
+
+MeanAndDeviation mean_in(const StudyTables& tables, const OwnCell& cell, Reading reading) {
+  if (reading == Reading::ratio_of_means) {
+    const auto ratio = log_in(tables.set, cell, reading);
+    return {ratio ? std::optional(estimate_of(*ratio)) : std::nullopt,
+            tables.scene_times_of(cell.mark, cell.scene, cell.method)
+                .of_baseline_mean.sd_percent_points};
+  }
+  const std::vector<double> values =
+      present(reading == Reading::seconds ? seconds_in(tables.set, cell)
+                                          : own_percent_in(tables.set, cell));
+  return {mean_estimate(values), standard_deviation(values)};
+}
+
+}  // namespace foveola::analysis

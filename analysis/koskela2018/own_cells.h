@@ -1,0 +1,54 @@
+// What a study has in the place of a cell of the published Table 2.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/study_tables.h"
+#include "analysis/koskela2018/published_study.h"
+#include "analysis/statistics/log_of_means.h"
+
+namespace foveola::analysis {
+
+/// The index of the study's mark of this id; empty if it has none.
+std::optional<std::size_t> time_named(const Dataset& set, const std::string& mark);
+
+/// The index of the study's scene that is compared with the row's: that of the same name, else
+/// Foveola's counterpart of it; empty if it has neither.
+std::optional<std::size_t> scene_of(const Dataset& set, const PublishedTime& row);
+
+/// A cell of a study, by its indices.
+struct OwnCell {
+  std::size_t mark = 0;
+  std::size_t scene = 0;
+  std::size_t method = 0;
+};
+
+/// The one that is compared with a cell of Table 2; empty if the study has none, or its baseline is
+/// not OD.
+std::optional<OwnCell> cell_of(const Dataset& set, const PublishedTime& row);
+
+/// What Table 2 may have shown of a cell: seconds, or per cent in one of two readings.
+enum class Reading : std::uint8_t { seconds, own_ratios, ratio_of_means };
+
+/// "", "own ratios", "ratio of means".
+const char* name_of(Reading reading);
+
+/// Of "od" seconds, of the others both readings of per cent.
+std::vector<Reading> readings_of(const std::string& method);
+
+/// The logarithm of the cell's mean over participants, in seconds or per cent; empty without times.
+std::optional<LogOfMeans> log_in(const Dataset& set, const OwnCell& cell, Reading reading);
+
+struct MeanAndDeviation {
+  std::optional<Estimate> mean;
+  std::optional<double> deviation;
+};
+
+/// Over participants, in seconds, or in per cent and percentage points.
+MeanAndDeviation mean_in(const StudyTables& tables, const OwnCell& cell, Reading reading);
+
+}  // namespace foveola::analysis
