@@ -1,8 +1,11 @@
 #include "study/protocol/protocol.h"
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "renderer/base/digest.h"
+#include "renderer/base/files.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
