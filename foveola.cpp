@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "analysis/commands/bench_calibration.h"
 #include "analysis/commands/bench_compare.h"
 #include "analysis/commands/bench_convergence.h"
 #include "analysis/commands/bench_statistics.h"
@@ -175,6 +176,7 @@ int run(int argc, char** argv) {
   CLI::App& bench =
       add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
+  analysis::add_bench_calibration(bench, scenes::find_scene, signals.token());
   analysis::add_bench_compare(bench);
   study::add_bench_prediction(bench, scenes::find_scene, signals.token());
   study::add_bench_sensitivity(bench, scenes::find_scene, signals.token());

@@ -130,6 +130,10 @@ std::string simulation_in_words(const study::SimulationFacts& simulation) {
     text +=
         fmt::format(" Their times were drawn, with injected effects ({}).", simulation.injected);
   }
+  if (simulation.samples_per_second) {
+    text += fmt::format(" The machine took {:.0f} samples a second, which is not the protocol's.",
+                        *simulation.samples_per_second);
+  }
   if (simulation.scale != 1.0) {
     text += fmt::format(" Film and machine were scaled down by {:g}.", simulation.scale);
   }

@@ -1,6 +1,7 @@
 #include "study/commands/simulate_command.h"
 
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ struct SimulateArguments {
   int threads = 0;
   int jobs = 1;
   double scale = 1.0;
+  std::optional<double> samples_per_second;
   bool predicted = false;
   bool real_time = false;
   std::string report;  ///< folder; empty: none
@@ -65,6 +67,7 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
                                                 .threads = arguments.threads,
                                                 .jobs = arguments.jobs,
                                                 .scale = arguments.scale,
+                                                .samples_per_second = arguments.samples_per_second,
                                                 .predicted = arguments.predicted,
                                                 .real_time = arguments.real_time,
                                                 .resume = arguments.resume,
@@ -120,6 +123,8 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
       "--scale", arguments->scale,
       "Divide the pixels and the samples per second by this, for speed: a pixel's noise at "
       "any second stays what it was");
+  command->add_option("--samples-per-second", arguments->samples_per_second,
+                      "The machine's speed at full size, instead of the protocol's");
   command->add_flag(
       "--predicted", arguments->predicted,
       "Instead of every frame, render only pilots of each object and method, and predict "

@@ -58,16 +58,6 @@ class Gathering {
   std::map<std::pair<Place, Place>, std::uint32_t> block_numbers_;
 };
 
-/// The index of the part, of `parts` equal parts of [0, 1), that a position lies in.
-int part_at(double position, int parts) {
-  return std::clamp(static_cast<int>(position * parts), 0, parts - 1);
-}
-
-double azimuth_turns(const Vec3& direction) {
-  const double turns = std::atan2(direction.x, -direction.z) * (0.5 * std::numbers::inv_pi);
-  return turns + 0.5;
-}
-
 }  // namespace
 
 Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg,
@@ -106,41 +96,6 @@ Cells Cells::around(const Vec3& center, double radius_deg, double cell_deg, doub
   return cells;
 }
 
-Cells Cells::everywhere(double cell_deg, double patch_deg, int block) {
-  Cells cells;
-  const int rows = parts_of(180.0, cell_deg);
-  const double height_deg = 180.0 / rows;
-  const int rows_per_patch = block * parts_of(patch_deg, block * height_deg);
-  // The number of squares of `side` rows all around the band of such squares that the row lies in.
-  const auto around_at = [&](int row, int side) {
-    const int first = row / side * side;
-    const int last = std::min(rows, first + side);
-    const double middle_deg = -90.0 + 0.5 * (first + last) * height_deg;
-    return parts_of(360.0 * std::cos(radians(middle_deg)), side * height_deg);
-  };
-  cells.cell_deg_ = height_deg;
-  cells.block_ = block;
-  Gathering gathering;
-  for (int row = 0; row < rows; ++row) {
-    const double elevation_deg = -90.0 + (row + 0.5) * height_deg;
-    const int across = around_at(row, 1);
-    const int blocks_across = around_at(row, block);
-    const int patches_across = around_at(row, rows_per_patch);
-    cells.rows_.push_back({.first_cell = static_cast<std::uint32_t>(cells.block_of_cell_.size()),
-                           .cells = static_cast<std::uint32_t>(across)});
-    for (int i = 0; i < across; ++i) {
-      const double turns = (i + 0.5) / across;
-      const Vec3 direction = direction_from({.azimuth_rad = (turns - 0.5) * 2.0 * std::numbers::pi,
-                                             .elevation_rad = radians(elevation_deg)});
-      cells.block_of_cell_.push_back(gathering.add(
-          {.row = row / block, .column = part_at(turns, blocks_across)},
-          {.row = row / rows_per_patch, .column = part_at(turns, patches_across)}, direction));
-    }
-  }
-  cells.take(std::move(gathering.patches), std::move(gathering.blocks));
-  return cells;
-}
-
 void Cells::take(std::vector<Patch> patches, std::vector<Block> blocks) {
   patches_ = std::move(patches);
   blocks_ = std::move(blocks);
@@ -150,10 +105,6 @@ void Cells::take(std::vector<Patch> patches, std::vector<Block> blocks) {
 }
 
 std::uint32_t Cells::at(const Vec3& direction) const {
-  return across_ > 0 ? on_plane(direction) : on_sphere(direction);
-}
-
-std::uint32_t Cells::on_plane(const Vec3& direction) const {
   const double ahead = glm::dot(direction, forward_);
   if (ahead <= 0.0) {
     return none;
@@ -165,13 +116,6 @@ std::uint32_t Cells::on_plane(const Vec3& direction) const {
     return none;
   }
   return cell_of_square_[static_cast<std::size_t>(y) * across_ + static_cast<std::size_t>(x)];
-}
-
-std::uint32_t Cells::on_sphere(const Vec3& direction) const {
-  const double elevation_turns =
-      std::asin(std::clamp(direction.y, -1.0F, 1.0F)) * std::numbers::inv_pi;
-  const Row& row = rows_[part_at(elevation_turns + 0.5, static_cast<int>(rows_.size()))];
-  return row.first_cell + part_at(azimuth_turns(direction), static_cast<int>(row.cells));
 }
 
 CellPixels pixels_of(const Cells& cells, const Viewport& viewport, int width, int height) {

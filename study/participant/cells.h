@@ -6,6 +6,7 @@
 // pixels, nor on the film's. A cell's value is the mean of its pixels' values in each channel.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +17,7 @@
 
 namespace foveola::study {
 
-/// A part of the sphere that is divided into square cells, and these into patches.
+/// A part of the view that is divided into square cells, and these into patches.
 class Cells {
  public:
   /// Within radius_deg of `center` (unit length, world): a square grid on the tangent plane there,
@@ -24,10 +25,6 @@ class Cells {
   /// whole number of blocks, of block x block cells each, but at least one.
   static Cells around(const Vec3& center, double radius_deg, double cell_deg, double patch_deg,
                       int block = 1);
-  /// All directions: rows of equal elevation, each divided into equal azimuths about as wide as the
-  /// row is high. Patches and blocks are of patch_deg and block x block cells as nearly as rows of
-  /// different lengths allow.
-  static Cells everywhere(double cell_deg, double patch_deg, int block = 1);
 
   struct Patch {
     Vec3 direction{0.0F};     ///< Direction of its middle; unit length, world.
@@ -43,6 +40,8 @@ class Cells {
   /// The number of cells of a complete block.
   int cells_of_whole_block() const { return block_ * block_; }
   double cell_deg() const { return cell_deg_; }
+  /// From the center to the nearest edge of the square that holds all cells.
+  double half_width_rad() const { return std::atan(0.5 * across_ * cell_size_); }
   std::size_t count() const { return block_of_cell_.size(); }
   std::uint32_t block_of(std::uint32_t cell) const { return block_of_cell_[cell]; }
   std::uint32_t patch_of(std::uint32_t cell) const { return blocks_[block_of(cell)].patch; }
@@ -55,27 +54,19 @@ class Cells {
   Cells() = default;
   /// Stores the blocks, and the patches, which come with the sums of their cells' directions.
   void take(std::vector<Patch> patches, std::vector<Block> blocks);
-  std::uint32_t on_plane(const Vec3& direction) const;
-  std::uint32_t on_sphere(const Vec3& direction) const;
 
   double cell_deg_ = 0.0;
   int block_ = 1;
   std::vector<Patch> patches_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> block_of_cell_;
-  // The grid on a tangent plane; across_ is 0 for the whole sphere.
+  // The grid on a tangent plane.
   int across_ = 0;
   double cell_size_ = 0.0;  ///< On the plane at distance 1.
   Vec3 right_{0.0F};
   Vec3 up_{0.0F};
   Vec3 forward_{0.0F};
   std::vector<std::uint32_t> cell_of_square_;
-  // The rows of the whole sphere.
-  struct Row {
-    std::uint32_t first_cell = 0;
-    std::uint32_t cells = 0;
-  };
-  std::vector<Row> rows_;
 };
 
 /// The pixels of a view that lie in cells.

@@ -48,6 +48,7 @@ void Decision::begin(Task task, Nanoseconds now) {
   ++mark_;
   glance_ = 0;
   begun_ = now;
+  waiting_since_ = mark_ == 1 ? now : waiting_since_;
   draws_ = draw_for_mark();
 }
 
@@ -63,14 +64,16 @@ Decision::MarkDraws Decision::draw_for_mark() const {
   return draws;
 }
 
-double Decision::log_evidence(const Evidence& evidence) const {
+double Decision::log_evidence(const Evidence& evidence, Nanoseconds now) const {
   const double drift = traits_.drift_per_trial * attempt_.trials_before;
+  const double contentment = std::log1p(habits_.impatience_per_s * seconds(now - waiting_since_));
   const double ratio =
       *task_ == Task::mark_outline
           ? evidence.outline_signal_to_noise /
                 (habits_.outline_signal_to_noise * traits_.outline_criterion)
           : habits_.material_jnd * traits_.material_criterion / evidence.material_jnd;
-  return std::clamp(std::log(ratio) - drift, -habits_.evidence_limit, habits_.evidence_limit);
+  return std::clamp(std::log(ratio) - drift + contentment, -habits_.evidence_limit,
+                    habits_.evidence_limit);
 }
 
 std::optional<Nanoseconds> Decision::consider(const Evidence& evidence, Nanoseconds now) {
@@ -78,7 +81,7 @@ std::optional<Nanoseconds> Decision::consider(const Evidence& evidence, Nanoseco
     return std::nullopt;
   }
   Pcg32 random = chance(seed_, Chance::glances, {attempt_.conduct, mark_, glance_});
-  const double noisy = log_evidence(evidence) + habits_.glance_noise * random.normal();
+  const double noisy = log_evidence(evidence, now) + habits_.glance_noise * random.normal();
   const double since_s = seconds(now - last_glance_);
   const double weight = glance_ == 0 || habits_.integration_s == 0.0
                             ? 1.0

@@ -54,16 +54,17 @@ class Decision {
     Nanoseconds delay{0};  ///< From the decision to the press.
   };
   MarkDraws draw_for_mark() const;
-  /// The natural logarithm of the evidence over its criterion, without noise.
-  double log_evidence(const Evidence& evidence) const;
+  /// The natural logarithm of the evidence over its criterion at `now`, without noise.
+  double log_evidence(const Evidence& evidence, Nanoseconds now) const;
 
   DecisionHabits habits_;
   Traits traits_;
   std::uint64_t seed_;
   Attempt attempt_;
   std::optional<Task> task_;
-  std::uint32_t mark_ = 0;    ///< Number of tasks begun in this attempt.
-  std::uint32_t glance_ = 0;  ///< Number of glances at this task.
+  std::uint32_t mark_ = 0;        ///< Number of tasks begun in this attempt.
+  std::uint32_t glance_ = 0;      ///< Number of glances at this task.
+  Nanoseconds waiting_since_{0};  ///< The beginning of the attempt's first task.
   Nanoseconds begun_{0};
   Nanoseconds last_glance_{0};
   double mean_ = 0.0;  ///< Leaky mean of the logarithm of the evidence.

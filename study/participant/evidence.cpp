@@ -92,10 +92,17 @@ std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, doub
   return cells;
 }
 
-std::vector<Cells> view_cells(const Vision& vision) {
+Cells cells_around(const Vision& vision, const Vec3& place, double radius_deg, double cell_deg) {
+  constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
+  const double reach_deg = blocks_to_each_side * block_of(vision) * cell_deg;
+  return Cells::around(place, std::max(radius_deg, reach_deg), cell_deg, vision.view_patch_deg,
+                       block_of(vision));
+}
+
+std::vector<Cells> glance_cells(const Vision& vision, const Vec3& gaze) {
   std::vector<Cells> cells;
   for (const double cell_deg : scales_deg(vision, vision.view_cell_deg)) {
-    cells.push_back(Cells::everywhere(cell_deg, vision.view_patch_deg, block_of(vision)));
+    cells.push_back(cells_around(vision, gaze, vision.looked_at_deg, cell_deg));
   }
   return cells;
 }

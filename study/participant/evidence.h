@@ -19,7 +19,7 @@ struct Evidence {
   double outline_signal_to_noise = 0.0;
   /// Visible root mean square difference of the object from the expected image.
   double material_jnd = 0.0;
-  /// Visible root mean square difference of the whole view from the expected image.
+  /// Visible root mean square difference of what is around the gaze from the expected image.
   double artifacts_jnd = 0.0;
 };
 
@@ -45,9 +45,11 @@ std::vector<double> scales_deg(const Vision& vision, double finest_cell_deg);
 /// The cells that an object's material is judged on: within its radius, a set for each scale from
 /// material_cell_deg on.
 std::vector<Cells> material_cells(const Vision& vision, const Vec3& object, double radius_deg);
-/// The cells of the surround patches, which cover all directions: a set for each scale from
-/// view_cell_deg on, in patches of view_patch_deg.
-std::vector<Cells> view_cells(const Vision& vision);
+/// Cells within radius_deg of a place in the view, or as far from it as a whole block reaches.
+Cells cells_around(const Vision& vision, const Vec3& place, double radius_deg, double cell_deg);
+/// The cells that artifacts are judged on in a glance: within looked_at_deg of the gaze, a set for
+/// each scale from view_cell_deg on.
+std::vector<Cells> glance_cells(const Vision& vision, const Vec3& gaze);
 
 /// The expected means of cells: by the same image twice if it is known, else by two images of it
 /// whose noise is independent. Squares of what is compared with them are products of the two, whose

@@ -13,6 +13,8 @@ struct GazeHabits {
   /// A saccade of A degrees takes saccade_s + saccade_s_per_deg A.
   double saccade_s = 0.0;
   double saccade_s_per_deg = 0.0;
+  /// Nothing is judged while looking around until so long after a saccade has landed.
+  double suppression_s = 0.0;
   /// Fixations on the chosen object stay within this part of its angular radius.
   double examined_part = 0.0;
   /// While looking around: the head's range to both sides of the object, and above and below the
@@ -52,6 +54,8 @@ struct Vision {
   /// Cells are grouped in patches of these sizes, each judged at one eccentricity.
   double object_patch_deg = 0.0;
   double view_patch_deg = 0.0;
+  /// While looking around, artifacts are judged within this angle of the gaze.
+  double looked_at_deg = 0.0;
   /// Not a person's parameter, but a scaled study's, whose film and machine are scaled down by this
   /// factor squared: a whole number, the width in cells over which noise is averaged. That many
   /// cells hold as many samples as one does at full size, and the same fraction of pixels is
@@ -75,6 +79,9 @@ struct DecisionHabits {
   double criterion_spread = 0.0;
   /// Standard deviation between people of the change of that logarithm from trial to trial.
   double drift_per_trial = 0.0;
+  /// Having waited for t seconds since an attempt began, people are content with a signal-to-noise
+  /// ratio 1 + impatience_per_s t times lower, or a visible difference as many times larger.
+  double impatience_per_s = 0.0;
   /// The reaction time: a normal part and an exponential one; people's means differ by a factor
   /// whose natural logarithm has the standard deviation reaction_spread.
   double reaction_mean_s = 0.0;
@@ -97,6 +104,8 @@ struct RatingHabits {
   /// factor from each point's threshold to the next.
   double second_point_jnd = 0.0;
   double step_factor = 0.0;
+  /// What is noticed is the mean over glances of this power of the difference, and its root.
+  double pooling_exponent = 1.0;
   /// Standard deviations of the natural logarithm of the noticed difference: between people, and
   /// from rating to rating.
   double bias_spread = 0.0;

@@ -44,6 +44,8 @@ constexpr std::array parameters{
               [](Population& p) -> double& { return p.gaze.saccade_s; }},
     Parameter{"gaze", "saccade_s_per_deg", 0.0, 0.1,
               [](Population& p) -> double& { return p.gaze.saccade_s_per_deg; }},
+    Parameter{"gaze", "suppression_s", 0.0, 2.0,
+              [](Population& p) -> double& { return p.gaze.suppression_s; }},
     Parameter{"gaze", "examined_part", 0.0, 1.5,
               [](Population& p) -> double& { return p.gaze.examined_part; }},
     Parameter{"gaze", "head_azimuth_deg", 0.0, 360.0,
@@ -73,6 +75,8 @@ constexpr std::array parameters{
               [](Population& p) -> double& { return p.decision.criterion_spread; }},
     Parameter{"decision", "drift_per_trial", 0.0, 1.0,
               [](Population& p) -> double& { return p.decision.drift_per_trial; }},
+    Parameter{"decision", "impatience_per_s", 0.0, 1e3,
+              [](Population& p) -> double& { return p.decision.impatience_per_s; }},
     Parameter{"decision", "reaction_mean_s", 0.0, 60.0,
               [](Population& p) -> double& { return p.decision.reaction_mean_s; }},
     Parameter{"decision", "reaction_deviation_s", 0.0, 10.0,
@@ -97,6 +101,8 @@ constexpr std::array parameters{
               [](Population& p) -> double& { return p.rating.second_point_jnd; }},
     Parameter{"rating", "step_factor", 1.01, 1e3,
               [](Population& p) -> double& { return p.rating.step_factor; }},
+    Parameter{"rating", "pooling_exponent", 1.0, 100.0,
+              [](Population& p) -> double& { return p.rating.pooling_exponent; }},
     Parameter{"rating", "bias_spread", 0.0, 10.0,
               [](Population& p) -> double& { return p.rating.bias_spread; }},
     Parameter{"rating", "noise_spread", 0.0, 10.0,
@@ -138,7 +144,9 @@ constexpr std::array parameters{
     Parameter{"vision", "object_patch_deg", 0.05, 90.0,
               [](Population& p) -> double& { return p.vision.object_patch_deg; }},
     Parameter{"vision", "view_patch_deg", 0.25, 90.0,
-              [](Population& p) -> double& { return p.vision.view_patch_deg; }}};
+              [](Population& p) -> double& { return p.vision.view_patch_deg; }},
+    Parameter{"vision", "looked_at_deg", 0.5, 45.0,
+              [](Population& p) -> double& { return p.vision.looked_at_deg; }}};
 
 fs::path people_folder() { return resource_folder() / "data" / "participants"; }
 

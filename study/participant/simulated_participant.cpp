@@ -42,7 +42,7 @@ void SimulatedParticipant::begin_attempt(const Attempt& attempt) {
   decision_.begin_attempt(attempt);
   path_ = ScanPath(population_.gaze, seed_ ^ std::uint64_t{attempt.conduct} << 32U);
   task_.reset();
-  artifacts_jnd_ = 0.0;
+  artifact_powers_ = 0.0;
   looks_ = 0;
 }
 
@@ -65,14 +65,19 @@ void SimulatedParticipant::begin(Task task, Nanoseconds now) {
 }
 
 std::optional<Nanoseconds> SimulatedParticipant::see(const Stimulus& stimulus) {
-  return task_ ? consider(look(stimulus), stimulus.presented) : std::nullopt;
+  return judges(stimulus.presented) ? consider(look(stimulus), stimulus.presented) : std::nullopt;
 }
 
 std::optional<Nanoseconds> SimulatedParticipant::consider(const Evidence& evidence,
                                                           Nanoseconds now) {
-  if (task_ && *task_ == Task::look_around) {
-    artifacts_jnd_ += evidence.artifacts_jnd;
-    ++looks_;
+  if (!judges(now)) {
+    return std::nullopt;
+  }
+  if (*task_ == Task::look_around) {
+    if (std::isfinite(evidence.artifacts_jnd)) {  // not of a look beyond the view
+      artifact_powers_ += std::pow(evidence.artifacts_jnd, population_.rating.pooling_exponent);
+      ++looks_;
+    }
     return std::nullopt;
   }
   const std::optional<Nanoseconds> press = decision_.consider(evidence, now);
@@ -80,6 +85,14 @@ std::optional<Nanoseconds> SimulatedParticipant::consider(const Evidence& eviden
     task_.reset();
   }
   return press;
+}
+
+bool SimulatedParticipant::judges(Nanoseconds now) {
+  const auto is_suppressed = [&] {
+    return now <
+           path_.fixation(now).landing + nanoseconds_from_seconds(population_.gaze.suppression_s);
+  };
+  return task_ && (*task_ != Task::look_around || !is_suppressed());
 }
 
 std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& ratings) {
@@ -99,23 +112,25 @@ std::vector<Answer> SimulatedParticipant::rate(const std::vector<Question>& rati
 }
 
 double SimulatedParticipant::noticed_jnd(Pcg32& random) const {
-  const double mean_jnd = looks_ > 0 ? artifacts_jnd_ / looks_ : 0.0;
-  return mean_jnd * traits_.rating_bias *
-         std::exp(population_.rating.noise_spread * random.normal());
+  const double pooled =
+      looks_ > 0 ? std::pow(artifact_powers_ / looks_, 1.0 / population_.rating.pooling_exponent)
+                 : 0.0;
+  return pooled * traits_.rating_bias * std::exp(population_.rating.noise_spread * random.normal());
 }
 
-std::vector<SimulatedParticipant::Scale> SimulatedParticipant::judged_scales() const {
+std::vector<SimulatedParticipant::Scale> SimulatedParticipant::judged_scales(
+    const Vec3& looked_at) const {
   const Vision& vision = population_.vision;
   std::vector<Cells> cells;
   switch (*task_) {
     case Task::mark_outline:
-      cells.push_back(outline_cells(vision, object_.direction, object_.radius_deg));
+      cells.push_back(outline_cells(vision, looked_at, object_.radius_deg));
       break;
     case Task::mark_material:
-      cells = material_cells(vision, object_.direction, object_.radius_deg);
+      cells = material_cells(vision, looked_at, object_.radius_deg);
       break;
     case Task::look_around:
-      cells = view_cells(vision);
+      cells = glance_cells(vision, looked_at);
       break;
   }
   std::vector<Scale> scales;
@@ -159,8 +174,12 @@ std::vector<PatchEnergies> SimulatedParticipant::energies(const Stimulus& stimul
 }
 
 const SimulatedParticipant::Area& SimulatedParticipant::expect(const Stimulus& stimulus) {
-  if (!area_ || area_->task != *task_) {
-    area_ = Area{.task = *task_, .view = std::nullopt, .scales = judged_scales()};
+  const Vec3 looked_at = *task_ == Task::look_around ? stimulus.gaze : object_.direction;
+  if (!area_ || area_->task != *task_ || area_->looked_at != looked_at) {
+    area_ = Area{.task = *task_,
+                 .looked_at = looked_at,
+                 .view = std::nullopt,
+                 .scales = judged_scales(looked_at)};
   }
   if (area_->view != stimulus.viewport) {
     const int width = stimulus.image.width;

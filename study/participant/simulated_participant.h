@@ -57,6 +57,7 @@ class SimulatedParticipant : public SimulatedObserver {
   };
   struct Area {
     Task task = Task::mark_outline;
+    Vec3 looked_at{0.0F};  ///< Where the area is; the object, or, while looking around, the gaze.
     std::optional<Viewport> view;
     std::vector<Scale> scales;
   };
@@ -64,10 +65,13 @@ class SimulatedParticipant : public SimulatedObserver {
   double difference_jnd(const Stimulus& stimulus, const Area& area) const;
   std::vector<PatchEnergies> energies(const Stimulus& stimulus, const Scale& scale,
                                       bool with_contrast) const;
-  /// The cells that the task is judged by, on all scales.
-  std::vector<Scale> judged_scales() const;
-  /// The expected values in the stimulus's view, computed anew only when view or task change.
+  /// The cells around `looked_at` that the task is judged by, on all scales.
+  std::vector<Scale> judged_scales(const Vec3& looked_at) const;
+  /// The expected values in the stimulus's view, computed anew only when it or what is judged
+  /// changes.
   const Area& expect(const Stimulus& stimulus);
+  /// Whether what is seen now is judged: while looking around not during a saccade, nor just after.
+  bool judges(Nanoseconds now);
   double noticed_jnd(Pcg32& random) const;
 
   Population population_;
@@ -81,8 +85,8 @@ class SimulatedParticipant : public SimulatedObserver {
   OfferedObject object_;
   std::optional<Area> area_;
   std::optional<Task> task_;
-  double artifacts_jnd_ = 0.0;  ///< Sum over the glances while looking around.
-  int looks_ = 0;               ///< Number of these glances.
+  double artifact_powers_ = 0.0;  ///< Sum over the glances while looking around.
+  int looks_ = 0;                 ///< Number of these glances.
 };
 
 }  // namespace foveola::study

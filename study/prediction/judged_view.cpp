@@ -61,33 +61,43 @@ JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
   return view;
 }
 
-std::vector<Cells::Patch> surround_patches(const Vision& vision, double highest_deg) {
-  std::vector<Cells::Patch> patches = view_cells(vision).back().patches();
-  std::erase_if(patches, [&](const Cells::Patch& patch) {
-    return std::abs(degrees(azimuth_elevation(patch.direction).elevation_rad)) > highest_deg;
-  });
-  return patches;
+std::vector<Vec3> surround_places(const Vision& vision, double highest_deg) {
+  const auto parts_of = [](double whole_deg, double part_deg) {
+    return std::max(1, static_cast<int>(std::lround(whole_deg / part_deg)));
+  };
+  const int rows = parts_of(180.0, vision.view_patch_deg);
+  const double height_deg = 180.0 / rows;
+  std::vector<Vec3> places;
+  for (int row = 0; row < rows; ++row) {
+    const double elevation_deg = -90.0 + (row + 0.5) * height_deg;
+    if (std::abs(elevation_deg) > highest_deg) {
+      continue;
+    }
+    const int columns = parts_of(360.0 * std::cos(radians(elevation_deg)), height_deg);
+    for (int column = 0; column < columns; ++column) {
+      const double azimuth_deg = -180.0 + 360.0 * (column + 0.5) / columns;
+      places.push_back(direction_from(
+          {.azimuth_rad = radians(azimuth_deg), .elevation_rad = radians(elevation_deg)}));
+    }
+  }
+  return places;
 }
 
 std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display,
-                                       const std::vector<Cells::Patch>& patches) {
+                                       const std::vector<Vec3>& places) {
+  constexpr double radius_deg = 1.0;
   const double pixel_rad = display_pixel_rad(display);
-  constexpr double smallest_radius_deg = 1.0;
-  constexpr double blocks_to_each_side = 0.8;  // a whole block, wherever the grid begins
-  const int block = std::max(1, static_cast<int>(std::lround(vision.coarseness)));
-  const std::vector<double> scales = scales_deg(vision, vision.view_cell_deg);
-  const auto radius_deg = [&](double cell_deg) {
-    return std::max(smallest_radius_deg, blocks_to_each_side * block * cell_deg);
-  };
-  // Cells are squares: a corner lies beyond the radius that the middles are in.
-  const double reach_deg = radius_deg(scales.back()) + std::numbers::sqrt2 * scales.back();
   std::vector<JudgedView> views;
-  for (const Cells::Patch& patch : patches) {
-    views.push_back(view_around(patch.direction, radians(reach_deg), pixel_rad));
-    for (const double cell_deg : scales) {
-      judge(Cells::around(patch.direction, radius_deg(cell_deg), cell_deg, vision.view_patch_deg,
-                          block),
-            false, views.back());
+  for (const Vec3& place : places) {
+    std::vector<Cells> of_scales;
+    double half_width_rad = 0.0;
+    for (const double cell_deg : scales_deg(vision, vision.view_cell_deg)) {
+      of_scales.push_back(cells_around(vision, place, radius_deg, cell_deg));
+      half_width_rad = std::max(half_width_rad, of_scales.back().half_width_rad());
+    }
+    views.push_back(view_around(place, half_width_rad, pixel_rad));
+    for (Cells& cells : of_scales) {
+      judge(std::move(cells), false, views.back());
     }
   }
   return views;

@@ -37,13 +37,14 @@ Aim aim_at(const Vec3& object, const DisplaySettings& display);
 JudgedView view_of_object(const Vision& vision, const OfferedObject& object,
                           const DisplaySettings& display);
 
-/// The patches that stand for the whole view on all scales: those of its coarsest cells.
-/// highest_deg: of the patches' middles, above the horizon or below it.
-std::vector<Cells::Patch> surround_patches(const Vision& vision, double highest_deg);
+/// The middles of patches of about view_patch_deg that cover all directions: rows of equal
+/// elevation, each divided into equal azimuths. highest_deg: of the middles, above the horizon or
+/// below it.
+std::vector<Vec3> surround_places(const Vision& vision, double highest_deg);
 
 /// For each of these patches, in their order, some cells in its middle on each scale, which stand
 /// for it; in views just large enough, with pixels as large as those of the display's middle.
 std::vector<JudgedView> surround_views(const Vision& vision, const DisplaySettings& display,
-                                       const std::vector<Cells::Patch>& patches);
+                                       const std::vector<Vec3>& places);
 
 }  // namespace foveola::study

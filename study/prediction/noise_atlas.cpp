@@ -22,18 +22,18 @@ namespace {
 
 /// For an object at full size: samples per pixel of each of its two converged pictures, and how
 /// many noisy ones there may be. A scaled film has so few pixels that more of both are needed.
-constexpr double object_convergence = 16.0;
+constexpr double object_convergence = 8.0;
 constexpr double object_pictures = 4.0;
-constexpr SampleCountLevels object_levels{};
+constexpr SampleCountLevels object_levels{.count = 15};  // up to 4 samples per pixel
 
-/// A look around yields one number from a hundred patches: fewer samples will do for each.
-constexpr double surround_convergence = 5.0;
+/// A rating is made of many places: fewer samples will do for each.
+constexpr double surround_convergence = 4.0;
 constexpr SampleCountLevels surround_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
 /// Counted up whenever the tables of the same settings come out differently.
-constexpr int tables_version = 5;
+constexpr int tables_version = 6;
 
 /// A cone of directions.
 struct Cone {
@@ -186,7 +186,7 @@ class SceneAtlas {
     const Vision& vision = setting_.vision;
     const double outline_deg = object.radius_deg / vision.recognition_line_pairs;
     const double material_deg = scales_deg(vision, vision.material_cell_deg).back();
-    return radians(std::numbers::sqrt2 * std::max(outline_deg, material_deg));
+    return radians(0.5 * std::numbers::sqrt2 * std::max(outline_deg, material_deg));
   }
 
   PilotSetting pilot_of(const TrialSettings& shown) const {
@@ -215,15 +215,14 @@ class SceneAtlas {
   }
 
   std::vector<NoiseTable> measure_surround(const TrialSettings& shown) const {
-    const std::vector<Cells::Patch> patches =
-        surround_patches(setting_.vision, setting_.highest_seen_deg);
+    const std::vector<Vec3> places = surround_places(setting_.vision, setting_.highest_seen_deg);
     const std::vector<JudgedView> views =
-        surround_views(setting_.vision, setting_.protocol.display, patches);
+        surround_views(setting_.vision, setting_.protocol.display, places);
     SampleMask mask(shown.film.width, shown.film.height);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const double to_corner_rad =
           std::atan(std::numbers::sqrt2 * double{views[i].viewport.half_size().x});
-      mask.add(patches[i].direction, to_corner_rad, margin_px, setting_.workers);
+      mask.add(places[i], to_corner_rad, margin_px, setting_.workers);
     }
     const PilotSetting pilot = pilot_of(shown);
     const auto sampler = make_view_sampler("od");
@@ -232,13 +231,13 @@ class SceneAtlas {
     const ConvergedMeans expected =
         converged_means(pilot, *sampler, ahead, surround_convergence, mask, views);
     return gathered(measure_noise(pilot, *sampler, surround_levels, 0, mask, views, expected),
-                    patches);
+                    places);
   }
 
   /// A table for each scale, of all views, each standing for a patch. A view whose cells are too
   /// small for the film's pixels on any scale is left out on all.
   static std::vector<NoiseTable> gathered(const std::vector<ScaleTables>& views,
-                                          const std::vector<Cells::Patch>& patches) {
+                                          const std::vector<Vec3>& places) {
     std::vector<NoiseTable> tables(views.front().size());
     for (std::size_t view = 0; view < views.size(); ++view) {
       if (std::any_of(views[view].begin(), views[view].end(), std::mem_fn(&NoiseTable::empty))) {
@@ -246,8 +245,7 @@ class SceneAtlas {
       }
       for (std::size_t scale = 0; scale < tables.size(); ++scale) {
         tables[scale].push_back(mean_of(views[view][scale]));
-        tables[scale].back().direction = patches[view].direction;
-        tables[scale].back().cells = patches[view].cells;
+        tables[scale].back().direction = places[view];
       }
     }
     return tables;

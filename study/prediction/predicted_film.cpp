@@ -1,5 +1,8 @@
 #include "study/prediction/predicted_film.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "renderer/view/density_around.h"
 
 namespace foveola::study {
@@ -41,6 +44,32 @@ const std::vector<double>& PatchSamples::rates() {
   return rates_;
 }
 
+void SamplesByAim::add(double samples, const Aim& aim) {
+  const bool is_same = !aimed_.empty() && aimed_.back().aim.viewport == aim.viewport &&
+                       aimed_.back().aim.gaze == aim.gaze;
+  if (!is_same) {
+    aimed_.push_back({.aim = aim, .samples = 0.0});
+  }
+  aimed_.back().samples += samples;
+}
+
+double SamplesByAim::per_sr(const Aimed& aimed, const Vec3& direction) {
+  sampler_.aim(aimed.aim);
+  return aimed.samples * density_around(sampler_, direction);
+}
+
+double SamplesByAim::per_sr(const Vec3& direction) {
+  if (direction != direction_) {
+    direction_ = direction;
+    settled_ = 0;
+    settled_sum_ = 0.0;
+  }
+  for (; settled_ + 1 < aimed_.size(); ++settled_) {
+    settled_sum_ += per_sr(aimed_[settled_], direction);
+  }
+  return settled_sum_ + (aimed_.empty() ? 0.0 : per_sr(aimed_.back(), direction));
+}
+
 PredictedFilm::Judged::Judged(const NoiseTable& judged, const ViewSampler& sampler)
     : table(judged), samples(judged, sampler), patches(energies_without_noise(judged)) {}
 
@@ -59,8 +88,7 @@ PredictedFilm::PredictedFilm(const PredictedTrial& trial, const ObjectNoise& pic
       sampler_(sampler),
       aim_(facing),
       facing_(facing),
-      outline_(picture.outline, sampler),
-      around_(trial.surround.front(), sampler) {
+      outline_(picture.outline, sampler) {
   for (const NoiseTable& table : picture.material) {
     material_.emplace_back(table, sampler);
   }
@@ -68,12 +96,12 @@ PredictedFilm::PredictedFilm(const PredictedTrial& trial, const ObjectNoise& pic
 }
 
 void PredictedFilm::add(double samples, const Aim& aim_now) {
-  aim(aim_now);
-  samples_ += samples;
-  if (is_looking_around_) {
-    around_.add(samples);
+  if (around_) {
+    around_->add(samples, aim_now);
     return;
   }
+  aim(aim_now);
+  samples_ += samples;
   outline_.samples.add(samples);
   for (Judged& scale : material_) {
     scale.samples.add(samples);
@@ -86,21 +114,17 @@ void PredictedFilm::aim(const Aim& aim) {
   if (!has_moved) {
     return;
   }
-  if (is_looking_around_) {
-    around_.settle();
-  } else {
-    outline_.samples.settle();
-    for (Judged& scale : material_) {
-      scale.samples.settle();
-    }
+  outline_.samples.settle();
+  for (Judged& scale : material_) {
+    scale.samples.settle();
   }
   aim_ = aim;
   sampler_.aim(aim_);
 }
 
-Evidence PredictedFilm::look(Task task, const Vec3& gaze, const Viewport& viewport) {
+Evidence PredictedFilm::look(Task task, const Vec3& gaze) {
   if (task == Task::look_around) {
-    return {.artifacts_jnd = artifacts_jnd(gaze, viewport)};
+    return {.artifacts_jnd = artifacts_jnd(gaze)};
   }
   if (task == last_look_.task && gaze == last_look_.gaze &&
       samples_ < noticeable_growth * last_look_.samples) {
@@ -127,47 +151,33 @@ double PredictedFilm::material_jnd(const Vec3& gaze) {
 }
 
 void PredictedFilm::begin_looking_around() {
-  is_looking_around_ = true;
-  sampler_.aim(facing_);
-  around_.add(samples_);
-  around_.settle();
-  sampler_.aim(aim_);
+  around_.emplace(sampler_);
+  around_->add(samples_, facing_);
 }
 
-void PredictedFilm::find_in_view(const Viewport& viewport) {
-  if (viewed_ == viewport) {
-    return;
-  }
-  const NoiseTable& table = trial_.surround.front();
-  in_view_.clear();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    if (viewport.project(table[i].direction)) {
-      in_view_.push_back(i);
-    }
-  }
-  viewed_ = viewport;
-}
-
-double PredictedFilm::artifacts_jnd(const Vec3& gaze, const Viewport& viewport) {
-  if (!is_looking_around_) {
+double PredictedFilm::artifacts_jnd(const Vec3& gaze) {
+  if (!around_) {
     begin_looking_around();
   }
-  find_in_view(viewport);
-  const std::span<const double> per_sr = around_.per_sr();
+  const NoiseTable& places = trial_.surround.front();
+  if (places.empty()) {  // of a display without enough pixels
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto nearest =
+      std::max_element(places.begin(), places.end(), [&](const auto& one, const auto& other) {
+        return glm::dot(one.direction, gaze) < glm::dot(other.direction, gaze);
+      });
+  const double per_sr = around_->per_sr(gaze);
   jnd_of_scales_.clear();
   for (std::size_t scale = 0; scale < trial_.surround.size(); ++scale) {
-    const NoiseTable& table = trial_.surround[scale];
-    patches_in_view_.clear();
-    for (const std::size_t i : in_view_) {
-      patches_in_view_.push_back({.direction = table[i].direction,
-                                  .cells = table[i].cells,
-                                  .noise = noise_at(table[i], per_sr[i]),
-                                  .contrast = 0.0});
-    }
+    const PatchNoise& like_here = trial_.surround[scale][nearest - places.begin()];
+    const PatchEnergies seen{.direction = gaze,
+                             .cells = like_here.cells,
+                             .noise = noise_at(like_here, per_sr),
+                             .contrast = 0.0};
     jnd_of_scales_.push_back(
-        visible_difference_jnd(patches_in_view_, trial_.view_visibilities[scale], gaze));
+        visible_difference_jnd({&seen, 1}, trial_.view_visibilities[scale], gaze));
   }
-
   return pooled_jnd(trial_.vision, jnd_of_scales_);
 }
 

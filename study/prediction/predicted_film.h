@@ -36,6 +36,30 @@ class PatchSamples {
   double pending_ = 0.0;
 };
 
+/// How densely a sampler that is aimed again and again sampled one place after another.
+class SamplesByAim {
+ public:
+  /// Aims the sampler, which must outlive this, as it likes.
+  explicit SamplesByAim(ViewSampler& sampler) : sampler_(sampler) {}
+
+  void add(double samples, const Aim& aim);
+  /// Samples per steradian at `direction`.
+  double per_sr(const Vec3& direction);
+
+ private:
+  struct Aimed {
+    Aim aim;
+    double samples = 0.0;
+  };
+  double per_sr(const Aimed& aimed, const Vec3& direction);
+
+  ViewSampler& sampler_;
+  std::vector<Aimed> aimed_;
+  Vec3 direction_{0.0F};      ///< Where it was last asked for:
+  std::size_t settled_ = 0;   ///< so many of aimed_, which get no more samples,
+  double settled_sum_ = 0.0;  ///< have so many samples per steradian there.
+};
+
 /// What one trial is predicted with, but for the sampler and its picture of the object; it refers
 /// to all of it.
 struct PredictedTrial {
@@ -61,7 +85,7 @@ class PredictedFilm {
   void add(double samples, const Aim& aim);
 
   /// What a look at the film shows of what `task` asks for.
-  Evidence look(Task task, const Vec3& gaze, const Viewport& viewport);
+  Evidence look(Task task, const Vec3& gaze);
 
  private:
   /// What is judged on one scale, as far as it is rendered.
@@ -87,8 +111,7 @@ class PredictedFilm {
   /// object's middle: there a wandering gaze makes little difference.
   void begin_looking_around();
   double material_jnd(const Vec3& gaze);
-  double artifacts_jnd(const Vec3& gaze, const Viewport& viewport);
-  void find_in_view(const Viewport& viewport);
+  double artifacts_jnd(const Vec3& gaze);
 
   const PredictedTrial& trial_;
   ViewSampler& sampler_;
@@ -96,12 +119,7 @@ class PredictedFilm {
   const Aim facing_;
   Judged outline_;
   std::vector<Judged> material_;
-  PatchSamples around_;  ///< samples of the surround patches of all scales
-  bool is_looking_around_ = false;
-  std::optional<Viewport> viewed_;
-  std::vector<std::size_t> in_view_;  ///< which of the surround patches lie in `viewed_`
-  std::vector<PatchEnergies> patches_in_view_;
-
+  std::optional<SamplesByAim> around_;  ///< once it is looked around
   std::vector<double> jnd_of_scales_;
   double samples_ = 0.0;
   Look last_look_;

@@ -1,9 +1,12 @@
 #include "study/record/simulation_kind.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/error.h"
+#include "study/protocol/scaled_protocol.h"
 #include "study/record/shown_scene.h"
 
 namespace foveola::study {
@@ -14,16 +17,29 @@ std::string injected_in(const nlohmann::json& simulation) {
   return simulation.at(simulation.contains("injected") ? "injected" : "plant").get<std::string>();
 }
 
+std::optional<double> speed_in(const nlohmann::json& simulation) {
+  const auto found = simulation.find("samples_per_second");
+  return found != simulation.end() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
 }  // namespace
 
+Protocol simulated_protocol(Protocol protocol, const SimulationKind& kind) {
+  protocol.machine.samples_per_second =
+      kind.samples_per_second.value_or(protocol.machine.samples_per_second);
+  return scaled_protocol(std::move(protocol), kind.scale);
+}
+
 std::string devices_of(const SimulationKind& kind) {
-  const nlohmann::json devices = {{"simulation",
-                                   {{"scale", kind.scale},
-                                    {"predicted", kind.predicted},
-                                    {"real_time", kind.real_time},
-                                    {"injected", kind.injected},
-                                    {"people_sha256", kind.people_sha256}}}};
-  return devices.dump();
+  nlohmann::json simulation = {{"scale", kind.scale},
+                               {"predicted", kind.predicted},
+                               {"real_time", kind.real_time},
+                               {"injected", kind.injected},
+                               {"people_sha256", kind.people_sha256}};
+  if (kind.samples_per_second) {
+    simulation["samples_per_second"] = *kind.samples_per_second;
+  }
+  return nlohmann::json{{"simulation", simulation}}.dump();
 }
 
 std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
@@ -33,6 +49,7 @@ std::optional<SimulationKind> simulation_kind_in(const std::string& devices) {
   }
   const nlohmann::json& simulation = recorded.at("simulation");
   return SimulationKind{.scale = simulation.at("scale").get<double>(),
+                        .samples_per_second = speed_in(simulation),
                         .predicted = simulation.at("predicted").get<bool>(),
                         .real_time = simulation.value("real_time", false),
                         .injected = injected_in(simulation),

@@ -5,17 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "study/protocol/protocol.h"
 #include "study/record/study_store.h"
 
 namespace foveola::study {
 
 struct SimulationKind {
-  double scale = 1.0;         ///< see scaled_protocol
+  double scale = 1.0;  ///< see scaled_protocol
+  /// Of the machine at full size, instead of the protocol's; empty: the protocol's.
+  std::optional<double> samples_per_second{};
   bool predicted = false;     ///< nothing was rendered
   bool real_time = false;     ///< before the real window, at the speed of the machine
   std::string injected;       ///< the effect that was injected; empty: none
   std::string people_sha256;  ///< hash of the population's file
 };
+
+/// The protocol as its simulated sessions see it: the machine's speed, then the scale. Throws
+/// UsageError as scaled_protocol does.
+Protocol simulated_protocol(Protocol protocol, const SimulationKind& kind);
 
 /// Writes it as SessionFacts::devices.
 std::string devices_of(const SimulationKind& kind);

@@ -111,6 +111,7 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
   SQLite::Statement rows(
       database,
       "SELECT devices ->> '$.simulation.scale' AS scale,"
+      " devices ->> '$.simulation.samples_per_second' AS samples_per_second,"
       " devices ->> '$.simulation.predicted' AS predicted,"
       // Earlier versions called it "plant".
       " coalesce(nullif(coalesce(devices ->> '$.simulation.injected',"
@@ -119,9 +120,12 @@ std::optional<SimulationFacts> read_simulation(SQLite::Database& database) {
   if (!rows.executeStep()) {
     return std::nullopt;
   }
-  return SimulationFacts{.scale = rows.getColumn("scale").getDouble(),
-                         .predicted = rows.getColumn("predicted").getInt() == 1,
-                         .injected = rows.getColumn("injected").getString()};
+  const SQLite::Column speed = rows.getColumn("samples_per_second");
+  return SimulationFacts{
+      .scale = rows.getColumn("scale").getDouble(),
+      .samples_per_second = speed.isNull() ? std::nullopt : std::optional(speed.getDouble()),
+      .predicted = rows.getColumn("predicted").getInt() == 1,
+      .injected = rows.getColumn("injected").getString()};
 }
 
 void read_answers(SQLite::Database& database, const SessionIndices& sessions, WordIndices& words,

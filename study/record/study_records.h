@@ -71,7 +71,9 @@ struct AmendedSession {
 
 /// How a study's simulated sessions came about, all of them in the same way.
 struct SimulationFacts {
-  double scale = 1.0;      ///< so many times fewer pixels and samples per second
+  double scale = 1.0;  ///< so many times fewer pixels and samples per second
+  /// The full-size machine's, where it is not the protocol's.
+  std::optional<double> samples_per_second{};
   bool predicted = false;  ///< what was looked at was not rendered but predicted from pilots
   std::string injected;    ///< effects that were injected; empty: none
 

@@ -7,7 +7,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
-#include "study/protocol/scaled_protocol.h"
 #include "study/record/recorded_session.h"
 #include "study/record/same_scenes.h"
 #include "study/replay/attempt_replay.h"
@@ -36,7 +35,7 @@ std::vector<RecordedAttempt> chosen_attempts(const RecordedSession& session,
   return chosen;
 }
 
-/// As it was shown: a simulated session may have been scaled.
+/// As it was shown: a simulated session may have been scaled, or of another machine.
 Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& session) {
   if (session.simulation && session.simulation->predicted) {
     throw Error(settings.database.string(),
@@ -44,8 +43,9 @@ Protocol shown_protocol(const ReplaySettings& settings, const RecordedSession& s
                             settings.participant),
                 "replay one that was simulated without --predicted");
   }
-  const double scale = session.simulation ? session.simulation->scale : 1.0;
-  return scaled_protocol(read_recorded_protocol(settings.database, settings.folder), scale);
+  Protocol protocol = read_recorded_protocol(settings.database, settings.folder);
+  return session.simulation ? simulated_protocol(std::move(protocol), *session.simulation)
+                            : protocol;
 }
 
 std::string why_approximate(const RecordedSession& session, const Protocol& protocol) {

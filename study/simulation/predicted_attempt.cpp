@@ -49,7 +49,7 @@ std::optional<Nanoseconds> PredictedAttempt::show(Nanoseconds until) {
 }
 
 Evidence PredictedAttempt::look(Nanoseconds now) {
-  return sight_ ? sight_->look(task_, observer_.gaze(now), viewport(now)) : Evidence{};
+  return sight_ ? sight_->look(task_, observer_.gaze(now)) : Evidence{};
 }
 
 std::uint64_t PredictedAttempt::samples_until(std::uint64_t frames) const {

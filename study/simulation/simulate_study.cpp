@@ -14,7 +14,6 @@
 #include "study/participant/judged_measures.h"
 #include "study/participant/make_observer.h"
 #include "study/participant/population_file.h"
-#include "study/protocol/scaled_protocol.h"
 #include "study/record/same_scenes.h"
 #include "study/record/simulation_kind.h"
 #include "study/simulation/predicted_study.h"
@@ -80,6 +79,13 @@ void require_options(const SimulateSettings& settings) {
   if (settings.jobs < 1) {
     throw UsageError("--jobs", "must be at least 1");
   }
+  if (settings.samples_per_second && !(*settings.samples_per_second > 0.0)) {
+    throw UsageError("--samples-per-second", "must be above 0");
+  }
+  if (settings.real_time && settings.samples_per_second) {
+    throw UsageError("--samples-per-second",
+                     "is this machine's in real time; leave one of them out");
+  }
   if (settings.real_time && settings.predicted) {
     throw UsageError("--real-time", "shows every frame; leave --predicted out, or this");
   }
@@ -104,9 +110,10 @@ Simulated simulated_people(const SimulateSettings& settings) {
   return simulated;
 }
 
-/// The protocol as it is simulated.
-Protocol simulated_protocol(const SimulateSettings& settings, const Simulated& simulated) {
-  Protocol protocol = scaled_protocol(load_protocol(settings.protocol), settings.scale);
+/// The protocol as these participants see it.
+Protocol protocol_for(const Simulated& simulated, const SimulateSettings& settings,
+                      const SimulationKind& kind) {
+  Protocol protocol = simulated_protocol(load_protocol(settings.protocol), kind);
   if (!simulated.effect) {
     require_judgements(protocol);
   } else {
@@ -175,6 +182,7 @@ SimulateReport run_rendered(SimulatedStudy& study, const SimulationKind& kind, b
 
 SimulateReport run_predicted(SimulatedStudy& study, const Population& population, bool looks,
                              const std::stop_token& stop) {
+  constexpr double farthest = 3.0;  // standard deviations of the eye in the head
   NoiseAtlas atlas;
   try {
     if (looks) {
@@ -183,7 +191,7 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
            .stages = study.stages,
            .vision = population.vision,
            .highest_seen_deg =
-               population.gaze.head_elevation_deg + 0.5 * study.protocol.display.vertical_fov_deg,
+               population.gaze.head_elevation_deg + farthest * population.gaze.eye_in_head_deg,
            .wanted = pictures_wanted(study, population.vision,
                                      sessions_ahead(study.settings, study.protocol)),
            .workers = study.workers,
@@ -211,12 +219,13 @@ SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinde
   const SteadyClock clock;
   const Nanoseconds start = clock.now();
   const Simulated simulated = simulated_people(settings);
-  const Protocol protocol = simulated_protocol(settings, simulated);
   const SimulationKind kind{.scale = settings.scale,
+                            .samples_per_second = settings.samples_per_second,
                             .predicted = settings.predicted,
                             .real_time = settings.real_time,
                             .injected = settings.injected,
                             .people_sha256 = sha256(std::string_view(simulated.people.toml))};
+  const Protocol protocol = protocol_for(simulated, settings, kind);
   const std::vector<SceneSource> sources = find_scenes(protocol, find_scene);
   require_usable(settings, protocol, kind);
   if (settings.warns) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -15,13 +16,14 @@ struct SimulateSettings {
   std::filesystem::path database;  ///< must not exist yet, or be a study of the same protocol
   int participants = 0;
   std::uint64_t seed = 0;
-  std::string people = "adults";  ///< see read_people
-  std::string injected = "none";  ///< see parse_injected_effect
-  int threads = 0;                ///< 0: every core
-  int jobs = 1;                   ///< sessions side by side, which share the threads
-  double scale = 1.0;             ///< see scaled_protocol
-  bool predicted = false;         ///< renders pilots only, from which looks are predicted
-  bool real_time = false;         ///< shows the trials in a window, at this machine's speed
+  std::string people = "adults";               ///< see read_people
+  std::string injected = "none";               ///< see parse_injected_effect
+  int threads = 0;                             ///< 0: every core
+  int jobs = 1;                                ///< sessions side by side, which share the threads
+  double scale = 1.0;                          ///< see scaled_protocol
+  std::optional<double> samples_per_second{};  ///< see SimulationKind
+  bool predicted = false;  ///< renders pilots only, from which looks are predicted
+  bool real_time = false;  ///< shows the trials in a window, at this machine's speed
   /// Goes on where the same settings were stopped or killed: finishes the sessions that were begun,
   /// until there are so many participants in all. Otherwise they are added to those in the file.
   bool resume = false;

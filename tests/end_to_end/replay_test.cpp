@@ -21,8 +21,8 @@ TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
   }
   folder.write("share/protocols/hall.toml", protocol);
   const std::string study = (folder / "study.sqlite").string();
-  const ProgramResult simulated =
-      run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--scale", "4"});
+  const ProgramResult simulated = run({"study", "simulate", "hall", "--db", study, "--participants",
+                                       "1", "--scale", "4", "--samples-per-second", "20000"});
   ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
   const ProgramResult replayed = run({"study", "replay", study, "--participant", "P001"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.output << replayed.errors;
@@ -30,7 +30,7 @@ TEST_F(StudyOfAHall, AScaledSessionIsReplayedAsItWasShown) {
   const ProgramResult mixed =
       run({"study", "simulate", "hall", "--db", study, "--participants", "1"});
   EXPECT_EQ(mixed.exit_code, 1);
-  EXPECT_THAT(mixed.errors, HasSubstr("simulation/scale: 4.0, now 1.0"));
+  EXPECT_THAT(mixed.errors, HasSubstr("simulation/samples_per_second: 20000.0, now nothing"));
 }
 
 TEST_F(StudyOfAHall, APredictedSessionHasNothingToReplay) {

@@ -1,6 +1,7 @@
 // A study of the hall, whose descriptor names the hash of its file.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,6 +21,12 @@ class StudyOfAHall : public testing::Test, protected Hall {
   ProgramResult simulate(const std::string& database) const {
     return run(
         {"study", "simulate", "hall", "--db", (folder / database).string(), "--participants", "1"});
+  }
+
+  void copy_published_numbers() const {
+    std::filesystem::copy(std::filesystem::path(TEST_DATA_DIR) / "../../data/koskela2018",
+                          folder / "share/data/koskela2018",
+                          std::filesystem::copy_options::recursive);
   }
 
   std::string digest;  ///< hash of hall.glb, by coreutils

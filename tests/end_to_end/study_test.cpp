@@ -23,6 +23,10 @@ namespace {
 
 using testing::HasSubstr;
 
+std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  return text.replace(text.find(part), part.size(), by);
+}
+
 /// One scene, two participants, a film of 96 x 48: seconds of work.
 const char* const small_protocol = R"(
 name = "small"
@@ -150,8 +154,7 @@ TEST_F(StudyOfAHall, AnotherCameraIsNotMixedIn) {
 }
 
 TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
-  fs::copy(fs::path(TEST_DATA_DIR) / "../../data/koskela2018", folder / "share/data/koskela2018",
-           fs::copy_options::recursive);
+  copy_published_numbers();
   const std::string study = (folder / "study.sqlite").string();
   const ProgramResult nowhere =
       run({"study", "simulate", "hall", "--db", study, "--participants", "1", "--predicted",
@@ -168,6 +171,57 @@ TEST_F(StudyOfAHall, StandsBesideThePublishedOne) {
   const std::string page = read_file(folder / "report/published_comparison.html");
   EXPECT_THAT(page, HasSubstr("imulated"));
   EXPECT_THAT(page, HasSubstr("<td>41.8 [36.6, 47.0] %</td>"));
+}
+
+TEST_F(StudyOfAHall, OnlyThePublishedStudyIsCalibrated) {
+  copy_published_numbers();
+  const ProgramResult result = run({"bench", "calibration", "hall", "--participants", "2", "-o",
+                                    (folder / "calibration").string()});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors,
+              HasSubstr("the study has no times with OD until the mark outline in bmw; calibrate "
+                        "koskela2018"));
+}
+
+// The published study in five halls that have its scenes' names.
+TEST_F(StudyOfAHall, AMachineIsFittedUntilTheBaselineTakesAsLongAsPublished) {
+  const std::string published_scenes = R"(["bmw", "classroom", "conference", "sibenik", "sponza"])";
+  for (const char* scene : {"bmw", "classroom", "conference", "sibenik", "sponza"}) {
+    folder.write(fmt::format("share/scenes/{}.toml", scene),
+                 "sha256 = \"" + digest + "\"\n" +
+                     replaced(hall_descriptor, "radius_deg = 5.0", "radius_deg = 20.0"));
+  }
+  copy_published_numbers();
+  std::string protocol = replaced(hall_protocol(), R"(["hall"])", published_scenes);
+  protocol = replaced(protocol, "mark_timeout_s = 5", "mark_timeout_s = 3600");
+  protocol = replaced(protocol, "width = 32\nheight = 16", "width = 128\nheight = 64");
+  protocol =
+      replaced(protocol, "view_width = 16\nview_height = 16", "view_width = 64\nview_height = 64");
+  folder.write("share/protocols/hall.toml", protocol);
+  const ProgramResult result = run({"bench", "calibration", "hall", "--participants", "4", "-o",
+                                    (folder / "calibration").string(), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json calibration = nlohmann::json::parse(result.output);
+  EXPECT_EQ(calibration.at("participant_kind"), "simulated");
+  double log_ratio = 0.0;
+  for (const nlohmann::json& cell : calibration.at("cells")) {
+    log_ratio +=
+        std::log(cell.at("simulated_s").get<double>() / cell.at("published_s").get<double>());
+  }
+  EXPECT_EQ(calibration.at("cells").size(), 10U);
+  EXPECT_NEAR(log_ratio / 10.0, 0.0, 0.002);
+  const nlohmann::json& speeds = calibration.at("samples_per_second");
+  ASSERT_EQ(speeds.size(), 3U);
+  const nlohmann::json& both = speeds[0];
+  EXPECT_EQ(both.at("name"), "both marks");
+  EXPECT_LT(both.at("low").get<double>(), both.at("value").get<double>());
+  EXPECT_GT(both.at("high").get<double>(), both.at("value").get<double>());
+  const std::string study = fmt::format("{:.10g}.sqlite", both.at("value").get<double>());
+  EXPECT_NEAR(std::stod(value_of(folder / "calibration" / study,
+                                 "SELECT devices ->> '$.simulation.samples_per_second' FROM"
+                                 " session")),
+              both.at("value").get<double>(), 1e-6);
+  EXPECT_TRUE(fs::exists(folder / "calibration/published_comparison.html"));
 }
 
 TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {

@@ -101,6 +101,9 @@ TEST(MethodsParagraph, SaysHowDataWereSimulated) {
   records.simulation = study::SimulationFacts{.scale = 1.0, .injected = "faster:fv:2"};
   EXPECT_THAT(paragraph(records),
               AllOf(HasSubstr("injected effects (faster:fv:2)"), Not(HasSubstr("scaled"))));
+  records.simulation = study::SimulationFacts{.samples_per_second = 8e5, .injected = ""};
+  EXPECT_THAT(paragraph(records),
+              HasSubstr("took 800000 samples a second, which is not the protocol's"));
 }
 
 TEST(MethodsParagraph, SaysWhatWasMarkedAndRatedInTheProtocolsWords) {

@@ -89,26 +89,6 @@ TEST(CellsAround, BlocksAreWholeButAtTheEdge) {
   EXPECT_GT(cells.patches().size(), 100U) << "of 1.5 degrees, not much larger";
 }
 
-TEST(CellsEverywhere, CutTheSphereIntoNearlyEqualParts) {
-  const Cells cells = Cells::everywhere(2.0, 10.0);
-  // The sphere has 41 253 square degrees.
-  EXPECT_NEAR(static_cast<double>(cells.count()), 41'253.0 / 4.0, 60.0);
-  EXPECT_NEAR(static_cast<double>(cells.patches().size()), 412.5, 12.0);
-  EXPECT_EQ(cells_of_all_patches(cells), cells.count());
-  constexpr int directions = 2'000'000;
-  Pcg32 random(5);
-  std::vector<int> hits(cells.count());
-  for (int i = 0; i < directions; ++i) {
-    ++hits.at(cells.at(any_direction(random)));
-  }
-  const double expected = static_cast<double>(directions) / static_cast<double>(cells.count());
-  // Six deviations of a count, and at the poles three cells share what is round.
-  const auto [fewest, most] = std::minmax_element(hits.begin(), hits.end());
-  EXPECT_GT(*fewest, 0.8 * expected - 6.0 * std::sqrt(expected));
-  EXPECT_LT(*most, 1.25 * expected + 6.0 * std::sqrt(expected));
-  EXPECT_LT(farthest_from_patch_deg(cells), 10.0);
-}
-
 TEST(CellMeans, AreThoseOfThePixelsThatLieInTheCell) {
   constexpr int size = 120;
   const Viewport viewport(head_orientation(azimuth_elevation(object)), radians(40.0),

@@ -92,6 +92,36 @@ TEST(Decision, CriteriaDriftFromTrialToTrial) {
   EXPECT_TRUE(press(plain, Task::mark_outline, always(outline(1.01 * after_ten)), tenth, tiring));
 }
 
+// After ten seconds of waiting at a tenth a second half the signal-to-noise ratio will do, or twice
+// the difference.
+TEST(Decision, WhoHasWaitedIsContentWithLess) {
+  DecisionHabits impatient = plain;
+  impatient.impatience_per_s = 0.1;
+  const auto outline_pressed = press(impatient, Task::mark_outline, always(outline(2.5)));
+  ASSERT_TRUE(outline_pressed);
+  EXPECT_NEAR(outline_pressed->glance, 100, 4) << "later by the leaky mean";
+  const auto material_pressed = press(impatient, Task::mark_material, always(material(3.0)));
+  ASSERT_TRUE(material_pressed);
+  EXPECT_NEAR(material_pressed->glance, 100, 4);
+}
+
+TEST(Decision, TheSecondMarksWaitBeganWithTheFirst) {
+  DecisionHabits impatient = plain;
+  impatient.impatience_per_s = 0.1;
+  Decision decision(impatient, {}, 1);
+  decision.begin_attempt({});
+  decision.begin(Task::mark_outline, Nanoseconds(0));
+  for (int glance = 0; !decision.consider(outline(6.0), glance * glance_interval); ++glance) {
+  }
+  const Nanoseconds later = std::chrono::seconds(10);
+  decision.begin(Task::mark_material, later);
+  EXPECT_FALSE(decision.consider(material(2.9), later)) << "no decision at the first glance";
+  EXPECT_TRUE(decision.consider(material(2.9), later + 3 * glance_interval));
+  decision.begin_attempt({});
+  decision.begin(Task::mark_outline, later);
+  EXPECT_FALSE(decision.consider(outline(4.5), later + 3 * glance_interval)) << "a new attempt";
+}
+
 TEST(Decision, IsOverAfterThePress) {
   Decision decision(plain, {}, 1);
   decision.begin_attempt({});

@@ -23,9 +23,9 @@ constexpr Vision vision{.jnd_lab = 2.3,
                         .view_cell_deg = 2.0,
                         .scale_count = 3.0,
                         .pooling_exponent = 4.0,
-
                         .object_patch_deg = 2.0,
-                        .view_patch_deg = 10.0};
+                        .view_patch_deg = 10.0,
+                        .looked_at_deg = 6.0};
 const Vec3 ahead(0.0F, 0.0F, -1.0F);
 
 Vec3 right_of_gaze(double angle_deg) {
@@ -47,15 +47,22 @@ TEST(JudgedCells, AreAnEighthOfTheObjectWideAndOverItsSurroundings) {
   EXPECT_EQ(material_cells(vision, ahead, 4.0).front().at(right_of_gaze(5.0)), Cells::none);
 }
 
-TEST(JudgedCells, OfAMaterialAndOfTheViewAreOnScalesAnOctaveApart) {
+TEST(JudgedCells, OfAMaterialAndOfAGlanceAreOnScalesAnOctaveApart) {
   const std::vector<Cells> material = material_cells(vision, ahead, 4.0);
-  const std::vector<Cells> view = view_cells(vision);
+  const std::vector<Cells> glance = glance_cells(vision, ahead);
   ASSERT_EQ(material.size(), 3U);
-  ASSERT_EQ(view.size(), 3U);
+  ASSERT_EQ(glance.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(material[i].cell_deg(), std::ldexp(0.5, static_cast<int>(i)), 1e-12);
-    EXPECT_NEAR(view[i].cell_deg(), std::ldexp(2.0, static_cast<int>(i)), 0.2) << "whole rows";
+    EXPECT_NEAR(glance[i].cell_deg(), std::ldexp(2.0, static_cast<int>(i)), 1e-12);
   }
+}
+
+TEST(JudgedCells, OfAGlanceAreAroundTheGaze) {
+  const Cells cells = glance_cells(vision, right_of_gaze(30.0)).front();
+  EXPECT_NE(cells.at(right_of_gaze(30.0 + vision.looked_at_deg - 2.0)), Cells::none);
+  EXPECT_EQ(cells.at(right_of_gaze(30.0 + vision.looked_at_deg + 2.0)), Cells::none);
+  EXPECT_EQ(cells.at(ahead), Cells::none);
 }
 
 // By hand: (1 + 16 + 81)^(1/4) = 3.14635.
@@ -197,8 +204,10 @@ TEST(PatchEnergies, NoiseIsThatOfASolidAngleAndNotOfThePixels) {
 // A scaled study has fewer pixels of the same noise: four cells, or nine, have together there the
 // noise that one cell has at full size.
 TEST(PatchEnergies, NoiseOfAScaledStudyIsThatOfTheFullOne) {
+  Vision wide = vision;  // so that there are many blocks
+  wide.looked_at_deg = 40.0;
   for (const int factor : {2, 3}) {
-    Vision scaled = vision;
+    Vision scaled = wide;
     scaled.coarseness = factor;
     EXPECT_NEAR(noise_energy(material_cells(scaled, ahead, 6.0).front(), 900 / factor, 0.2) /
                     noise_energy(material_cells(vision, ahead, 6.0).front(), 900, 0.2),
@@ -208,8 +217,8 @@ TEST(PatchEnergies, NoiseOfAScaledStudyIsThatOfTheFullOne) {
                     noise_energy(outline_cells(vision, ahead, 6.0), 900, 0.2),
                 1.0, 0.06)
         << factor;
-    EXPECT_NEAR(noise_energy(view_cells(scaled).front(), 300 / factor, 0.2) /
-                    noise_energy(view_cells(vision).front(), 300, 0.2),
+    EXPECT_NEAR(noise_energy(glance_cells(scaled, ahead).front(), 300 / factor, 0.2) /
+                    noise_energy(glance_cells(wide, ahead).front(), 300, 0.2),
                 1.0, 0.06)
         << factor;
   }

@@ -1,4 +1,5 @@
 // How a simulated participant rates what was seen.
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -6,6 +7,11 @@
 
 namespace foveola::study {
 namespace {
+
+/// When a person who begins to look around at time 0 judges what is seen for the first time.
+Nanoseconds when_fixating(SimulatedParticipant& person) {
+  return person.path().fixation(Nanoseconds(0)).landing + std::chrono::milliseconds(60);
+}
 
 TEST_F(SimulatedParticipantTest, RatesByWhatIsWrongWithTheImage) {
   const Display slightly_noisy = [](const RgbImage& image, double) {
@@ -35,13 +41,57 @@ TEST_F(SimulatedParticipantTest, RatesWorseWhatIsWorse) {
   }
 }
 
+// By hand: the root mean cube of 1 and 3 is 2.41; their mean would be 2.
+TEST_F(SimulatedParticipantTest, RatesTheWorseOfWhatWasSeenMore) {
+  population_.rating = {.second_point_jnd = 2.3,
+                        .step_factor = 1.1,
+                        .pooling_exponent = 3.0,
+                        .bias_spread = 0.0,
+                        .noise_spread = 0.0};
+  SimulatedParticipant person = participant(1);
+  person.begin_attempt({});
+  person.begin(Task::look_around, Nanoseconds(0));
+  const Nanoseconds now = when_fixating(person);
+  person.consider({.artifacts_jnd = 1.0}, now);
+  person.consider({.artifacts_jnd = 3.0}, now);
+  person.consider({.artifacts_jnd = std::numeric_limits<double>::infinity()}, now);
+  const double rated = std::get<double>(
+      person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = 5.0, .simulated = "artifacts"}})
+          .at(0)
+          .value);
+  EXPECT_EQ(rated, 2.0) << "between 2.3 and 2.53";
+}
+
+TEST_F(SimulatedParticipantTest, DoesNotRateWhatPassesInASaccade) {
+  population_.rating.bias_spread = 0.0;
+  population_.rating.noise_spread = 0.0;
+  population_.gaze.suppression_s = 0.05;
+  SimulatedParticipant person = participant(1);
+  person.begin_attempt({});
+  person.begin(Task::look_around, Nanoseconds(0));
+  int judged = 0;
+  for (Nanoseconds now(0); now < std::chrono::seconds(4); now += std::chrono::milliseconds(10)) {
+    const ScanPath::Fixation fixation = person.path().fixation(now);
+    const bool is_fixating = now >= fixation.landing + std::chrono::milliseconds(50);
+    person.consider({.artifacts_jnd = is_fixating ? 0.0 : 1e6}, now);
+    judged += is_fixating ? 1 : 0;
+  }
+  EXPECT_GT(judged, 50);
+  EXPECT_LT(judged, 350);
+  const double rated = std::get<double>(
+      person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = 5.0, .simulated = "artifacts"}})
+          .at(0)
+          .value);
+  EXPECT_EQ(rated, 1.0);
+}
+
 TEST_F(SimulatedParticipantTest,
        RatingsDifferBetweenPeopleByTheirBiasAndBetweenTrialsByTheirNoise) {
   const auto rated = [&](std::uint64_t seed, std::uint32_t conduct) {
     SimulatedParticipant person = participant(seed);
     person.begin_attempt({.conduct = conduct});
     person.begin(Task::look_around, Nanoseconds(0));
-    person.consider({.artifacts_jnd = 2.8}, Nanoseconds(0));
+    person.consider({.artifacts_jnd = 2.8}, when_fixating(person));
     return std::get<double>(
         person.rate({{.id = "artifacts", .minimum = 1.0, .maximum = 5.0, .simulated = "artifacts"}})
             .at(0)

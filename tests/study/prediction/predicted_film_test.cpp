@@ -83,9 +83,8 @@ TEST_F(PredictedFilmTest, AMaterialIsSeenThroughTheNoiseOfItsSamples) {
   PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
   sight.add(5000.0, aimed(sight_ahead));
   const double density = 5000.0 * sampler->density_per_sr(sight_ahead);
-  EXPECT_NEAR(
-      sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd,
-      std::sqrt(1000.0 / density), 1e-3);
+  EXPECT_NEAR(sight.look(Task::mark_material, sight_ahead).material_jnd,
+              std::sqrt(1000.0 / density), 1e-3);
 }
 
 TEST_F(PredictedFilmTest, ATrialSeesItsPicture) {
@@ -98,7 +97,7 @@ TEST_F(PredictedFilmTest, ATrialSeesItsPicture) {
     const auto sampler = make_view_sampler("od");
     PredictedFilm sight(trial, picture, *sampler, aimed(sight_ahead));
     sight.add(5000.0, aimed(sight_ahead));
-    return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
+    return sight.look(Task::mark_material, sight_ahead).material_jnd;
   };
   EXPECT_NEAR(jnd_of(other) / jnd_of(picture_), 2.0, 1e-4);
 }
@@ -112,7 +111,7 @@ TEST_F(PredictedFilmTest, AMaterialIsLookedAtOnAllScalesAtOnce) {
     const auto sampler = make_view_sampler("od");
     PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
     sight.add(5000.0, aimed(sight_ahead));
-    return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
+    return sight.look(Task::mark_material, sight_ahead).material_jnd;
   };
   const double on_one = jnd();
   NoiseTable fine = picture_.material[0];
@@ -129,8 +128,7 @@ TEST_F(PredictedFilmTest, OutlinesStandOutTheMoreSamplesThereAre) {
   double before = 0.0;
   for (int i = 0; i < 5; ++i) {
     sight.add(10'000.0, aimed(sight_ahead));
-    const double now = sight.look(Task::mark_outline, sight_ahead, aimed(sight_ahead).viewport)
-                           .outline_signal_to_noise;
+    const double now = sight.look(Task::mark_outline, sight_ahead).outline_signal_to_noise;
     EXPECT_GT(now, before);
     before = now;
   }
@@ -142,7 +140,7 @@ TEST_F(PredictedFilmTest, SamplesFollowTheGazeThatIsTracked) {
   const auto jnd = [&](const Vec3& tracked) {
     PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
     sight.add(10'000.0, aimed(tracked));
-    return sight.look(Task::mark_material, sight_ahead, aimed(sight_ahead).viewport).material_jnd;
+    return sight.look(Task::mark_material, sight_ahead).material_jnd;
   };
   EXPECT_LT(1.5 * jnd(sight_ahead), jnd(right_of_ahead(30.0)));
 }
@@ -153,22 +151,69 @@ TEST_F(PredictedFilmTest, LookingAroundShowsWhatWasRenderedBefore) {
   const auto jnd = [&](double samples_before) {
     PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
     sight.add(samples_before, aimed(sight_ahead));
-    return sight.look(Task::look_around, sight_ahead, aimed(sight_ahead).viewport).artifacts_jnd;
+    return sight.look(Task::look_around, sight_ahead).artifacts_jnd;
   };
   EXPECT_NEAR(jnd(40'000.0), 0.5 * jnd(10'000.0), 1e-6 * jnd(10'000.0));
 }
 
-TEST_F(PredictedFilmTest, OnlyWhatIsInViewIsLookedAt) {
+TEST_F(PredictedFilmTest, ArtifactsAreThoseOfThePlaceThatIsLookedAt) {
   around_[0][19].noise_times_density.assign(3, {1e9, 0.0, 0.0});  // 171 degrees to the right
   const PredictedTrial trial = this->trial(false);
   const auto sampler = make_view_sampler("od");
   PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
   sight.add(10'000.0, aimed(sight_ahead));
-  const double before =
-      sight.look(Task::look_around, sight_ahead, aimed(sight_ahead).viewport).artifacts_jnd;
-  const Aim behind = aim_at(right_of_ahead(171.0), DisplaySettings{});
-  const double there = sight.look(Task::look_around, behind.gaze, behind.viewport).artifacts_jnd;
-  EXPECT_GT(there, 10.0 * before);
+  const double ahead = sight.look(Task::look_around, sight_ahead).artifacts_jnd;
+  const double behind = sight.look(Task::look_around, right_of_ahead(171.0)).artifacts_jnd;
+  EXPECT_NEAR(behind / ahead, 1e3, 1.0);
+}
+
+TEST_F(PredictedFilmTest, WhereNothingCanBeJudgedNoLookCounts) {
+  around_[0].clear();
+  const PredictedTrial trial = this->trial(false);
+  const auto sampler = make_view_sampler("od");
+  PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
+  EXPECT_FALSE(std::isfinite(sight.look(Task::look_around, sight_ahead).artifacts_jnd));
+}
+
+// Noise is one over the samples there: those of the marks, and those that came while it was looked
+// at.
+TEST_F(PredictedFilmTest, APlaceThatIsLookedAtFills) {
+  const PredictedTrial trial = this->trial(true);
+  const auto sampler = make_view_sampler("fv");
+  const auto other = make_view_sampler("fv");
+  PredictedFilm sight(trial, picture_, *sampler, aimed(sight_ahead));
+  sight.add(10'000.0, aimed(sight_ahead));
+  const Vec3 aside = right_of_ahead(45.0);
+  const double at_first = sight.look(Task::look_around, aside).artifacts_jnd;
+  sight.add(3'000.0, aimed(aside));
+  const double then = sight.look(Task::look_around, aside).artifacts_jnd;
+  other->aim(aimed(sight_ahead));
+  const double before_per_sr = 10'000.0 * other->density_per_sr(aside);
+  other->aim(aimed(aside));
+  const double after_per_sr = before_per_sr + 3'000.0 * other->density_per_sr(aside);
+  EXPECT_NEAR(then / at_first, std::sqrt(before_per_sr / after_per_sr), 1e-6);
+}
+
+TEST_F(PredictedFilmTest, SamplesAreCountedByWhereTheyWereAimed) {
+  const auto sampler = make_view_sampler("fv");
+  const auto other = make_view_sampler("fv");
+  const auto density = [&](const Vec3& gaze, const Vec3& place) {
+    other->aim(aimed(gaze));
+    return other->density_per_sr(place);
+  };
+  SamplesByAim samples(*sampler);
+  const Vec3 aside = right_of_ahead(20.0);
+  EXPECT_EQ(samples.per_sr(aside), 0.0);
+  samples.add(10.0, aimed(sight_ahead));
+  samples.add(5.0, aimed(sight_ahead));
+  EXPECT_NEAR(samples.per_sr(aside), 15.0 * density(sight_ahead, aside), 1e-9);
+  samples.add(7.0, aimed(aside));
+  const double at_aside = 15.0 * density(sight_ahead, aside) + 7.0 * density(aside, aside);
+  EXPECT_NEAR(samples.per_sr(aside), at_aside, 1e-9 * at_aside);
+  const double ahead = 15.0 * density(sight_ahead, sight_ahead) + 7.0 * density(aside, sight_ahead);
+  EXPECT_NEAR(samples.per_sr(sight_ahead), ahead, 1e-9 * ahead);
+  samples.add(7.0, aimed(aside));
+  EXPECT_NEAR(samples.per_sr(aside), at_aside + 7.0 * density(aside, aside), 1e-9 * at_aside);
 }
 
 }  // namespace

@@ -29,6 +29,31 @@ TEST(SimulationKind, ComesBackFromTheRecord) {
   EXPECT_FALSE(simulation_kind_in(R"({"display": {}})"));
 }
 
+TEST(SimulationKind, HasASpeedOfItsOwnOnlyIfAsked) {
+  EXPECT_FALSE(simulation_kind_in(devices_of(quick))->samples_per_second);
+  SimulationKind slow = quick;
+  slow.samples_per_second = 8e5;
+  EXPECT_EQ(simulation_kind_in(devices_of(slow))->samples_per_second, 8e5);
+  EXPECT_THAT(
+      [&] {
+        require_same_kind("study.sqlite", {session(SessionKind::simulated, devices_of(quick))},
+                          slow);
+      },
+      testing::ThrowsMessage<Error>(HasSubstr("samples_per_second: nothing, now 800000")));
+}
+
+TEST(SimulationKind, IsWhatItsSessionsSawOfTheProtocol) {
+  Protocol protocol;
+  protocol.film = {.width = 512, .height = 256};
+  protocol.display.view_width = 64;
+  protocol.display.view_height = 64;
+  protocol.machine.samples_per_second = 7e6;
+  EXPECT_EQ(simulated_protocol(protocol, {}).machine.samples_per_second, 7e6);
+  const Protocol slow = simulated_protocol(protocol, {.scale = 4.0, .samples_per_second = 8e5});
+  EXPECT_EQ(slow.machine.samples_per_second, 2e5);
+  EXPECT_EQ(slow.film.width, 256);
+}
+
 TEST(SimulationKind, ReadsWhatEarlierVersionsRecorded) {
   const std::optional<SimulationKind> kind = simulation_kind_in(
       R"({"simulation": {"scale": 8.0, "predicted": true, "plant": "order:1.1", )"

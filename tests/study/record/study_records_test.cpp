@@ -267,6 +267,14 @@ TEST_F(Records, SayHowSessionsWereSimulated) {
             (SimulationFacts{.scale = 36.0, .predicted = true, .injected = ""}));
 }
 
+TEST_F(Records, TellAMachineThatIsNotTheProtocols) {
+  SessionFacts slow = facts_of("P01");
+  slow.devices =
+      R"({"simulation": {"scale": 1.0, "samples_per_second": 8e5, "predicted": true, "injected": "none"}})";
+  store_.begin_session(slow, small_plan());
+  EXPECT_EQ(read_study(path_).simulation.value().samples_per_second, 8e5);
+}
+
 TEST_F(Records, TellWhatWasInjected) {
   SessionFacts injected = facts_of("P01");
   injected.devices =

@@ -137,6 +137,29 @@ TEST_F(SimulateStudyTest, AStopLeavesWholeSessions) {
   EXPECT_EQ(content("stopped.sqlite"), content("whole.sqlite"));
 }
 
+TEST_F(SimulateStudyTest, OnASlowerMachineAllWaitLonger) {
+  SimulateSettings usual = settings("usual.sqlite");
+  usual.predicted = true;
+  simulate(usual);
+  SimulateSettings slow = usual;
+  slow.database = folder_ / "slow.sqlite";
+  slow.samples_per_second = 10'000.0;  // half of the protocol's
+  simulate(slow);
+  const auto mean_time = [&](const std::string& database) {
+    return std::stod(query(folder_ / database, "SELECT avg(time_ns) FROM mark"));
+  };
+  EXPECT_GT(mean_time("slow.sqlite"), 1.3 * mean_time("usual.sqlite"));
+  EXPECT_THAT(query(folder_ / "slow.sqlite", "SELECT devices FROM session LIMIT 1"),
+              HasSubstr(R"("samples_per_second":10000.0)"));
+  slow.samples_per_second = 0.0;
+  EXPECT_THROW(simulate(slow), UsageError);
+  slow.samples_per_second = 10'000.0;
+  slow.predicted = false;
+  slow.real_time = true;
+  EXPECT_THAT([&] { simulate(slow); },
+              testing::ThrowsMessage<UsageError>(HasSubstr("is this machine's in real time")));
+}
+
 TEST_F(SimulateStudyTest, WhatWasSimulatedInAnotherWayIsNotMixedIn) {
   SimulateSettings predicted = settings("study.sqlite");
   predicted.predicted = true;

@@ -1,0 +1,256 @@
+#include "analysis/commands/bench_calibration.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/dataset/wording.h"
+#include "analysis/koskela2018/machine_speed.h"
+#include "analysis/koskela2018/published_study.h"
+#include "analysis/publication/output_folder.h"
+#include "analysis/publication/published_comparison_report.h"
+#include "renderer/base/aligned_rows.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "study/protocol/protocol.h"
+#include "study/simulation/simulate_study.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::analysis {
+namespace {
+
+struct CalibrationArguments {
+  std::string protocol;
+  std::string folder;
+  std::string people = "adults";
+  int participants = 200;
+  std::uint64_t seed = 0;
+  double scale = 1.0;
+  int threads = 0;
+  int jobs = 1;
+  bool json = false;
+};
+
+/// What a study on one machine says.
+struct TriedSpeed {
+  std::vector<ComparedNumber> numbers;
+  std::size_t baseline_trials_out_of_time = 0;
+};
+
+/// Predicted studies of the same people on machines of several speeds, each of which is simulated
+/// once.
+class TriedSpeeds {
+ public:
+  TriedSpeeds(const CalibrationArguments& arguments, const SceneFinder& find_scene,
+              std::stop_token stop)
+      : arguments_(arguments),
+        find_scene_(find_scene),
+        stop_(std::move(stop)),
+        published_(read_published_study(resource_folder() / "data" / "koskela2018")) {}
+
+  fs::path database(double samples_per_second) const {
+    return fs::path(arguments_.folder) / fmt::format("{:.10g}.sqlite", samples_per_second);
+  }
+
+  /// Throws Error if stopped.
+  const TriedSpeed& at(double samples_per_second) {
+    const auto known = tried_.find(samples_per_second);
+    return known != tried_.end()
+               ? known->second
+               : tried_.emplace(samples_per_second, simulate(samples_per_second)).first->second;
+  }
+
+ private:
+  TriedSpeed simulate(double samples_per_second) const {
+    const fs::path file = database(samples_per_second);
+    study::simulate_study({.protocol = study::find_protocol(arguments_.protocol),
+                           .database = file,
+                           .participants = arguments_.participants,
+                           .seed = arguments_.seed,
+                           .people = arguments_.people,
+                           .threads = arguments_.threads,
+                           .jobs = arguments_.jobs,
+                           .scale = arguments_.scale,
+                           .samples_per_second = samples_per_second,
+                           .predicted = true,
+                           .resume = true},
+                          find_scene_, stop_);
+    if (stop_.stop_requested()) {
+      throw Error("calibration", "stopped before it was finished", "the same command goes on");
+    }
+    const study::StudyRecords records = study::read_study(file);
+    TriedSpeed tried;
+    tried.numbers = compare_with_published(records, tabulate_study(records), published_);
+    for (std::size_t row = 0; row < records.trials.size(); ++row) {
+      tried.baseline_trials_out_of_time += ran_out(records, row) ? 1 : 0;
+    }
+    return tried;
+  }
+
+  /// Whether, in a trial with the baseline, a mark's time is only a lower bound.
+  static bool ran_out(const study::StudyRecords& records, std::size_t row) {
+    const study::TrialRow& trial = records.trials[row];
+    bool ran_out = false;
+    for (std::size_t measure = 0; measure < records.measures.size(); ++measure) {
+      ran_out |= records.value(row, measure).state == study::Value::State::right_censored;
+    }
+    return ran_out && trial.method == baseline && study::StudyRecords::is_result(trial);
+  }
+
+  const CalibrationArguments& arguments_;
+  const SceneFinder& find_scene_;
+  std::stop_token stop_;
+  PublishedStudy published_;
+  std::map<double, TriedSpeed> tried_;
+};
+
+/// A speed, and which cells it was fitted to.
+struct NamedSpeed {
+  std::string cells;
+  MachineSpeed speed;
+};
+
+std::string text_of(const NamedSpeed& named) {
+  const MachineSpeed& speed = named.speed;
+  return fmt::format(
+      "{:<14}{:>10.0f} samples a second{}\n", named.cells, speed.samples_per_second,
+      speed.interval ? fmt::format(" [{:.0f}, {:.0f}]", speed.interval->low, speed.interval->high)
+                     : "");
+}
+
+std::string text_of(const std::vector<ComparedNumber>& cells) {
+  std::vector<TextRow> rows = {
+      {"scene", "own scene", "mark", "published s (SD)", "simulated s (SD)", "ratio"}};
+  for (const ComparedNumber& cell : cells) {
+    rows.push_back(
+        {cell.row, cell.own_row, cell.mark,
+         fmt::format("{:.1f} ({:.1f})", cell.published.value, cell.published_deviation.value_or(0)),
+         fmt::format("{:.1f} ({:.1f})", cell.study->value, cell.study_deviation.value_or(0)),
+         fmt::format("{:.2f}", *times_published(cell))});
+  }
+  return aligned(rows);
+}
+
+nlohmann::ordered_json json_of(const std::vector<NamedSpeed>& speeds) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const NamedSpeed& named : speeds) {
+    nlohmann::ordered_json row = {{"name", named.cells},
+                                  {"value", named.speed.samples_per_second},
+                                  {"low", nullptr},
+                                  {"high", nullptr}};
+    if (named.speed.interval) {
+      row["low"] = named.speed.interval->low;
+      row["high"] = named.speed.interval->high;
+    }
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+nlohmann::ordered_json json_of(const std::vector<ComparedNumber>& cells) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ComparedNumber& cell : cells) {
+    list.push_back({{"scene", cell.row},
+                    {"own_scene", cell.own_row},
+                    {"mark", cell.mark},
+                    {"published_s", cell.published.value},
+                    {"simulated_s", cell.study->value}});
+  }
+  return list;
+}
+
+std::vector<NamedSpeed> fit_speeds(TriedSpeeds& speeds, double first) {
+  const CompareAtSpeed compare = [&](double speed) { return speeds.at(speed).numbers; };
+  const MachineSpeed both = fit_machine_speed(compare, first);
+  return {{"both marks", both},
+          {"outline alone", fit_machine_speed(compare, both.samples_per_second, "outline")},
+          {"material alone", fit_machine_speed(compare, both.samples_per_second, "material")}};
+}
+
+void run(const CalibrationArguments& arguments, const SceneFinder& find_scene,
+         const std::stop_token& stop) {
+  check_output_folder(arguments.folder);
+  const study::Protocol protocol = study::load_protocol(study::find_protocol(arguments.protocol));
+  make_output_folder(arguments.folder);
+  TriedSpeeds speeds(arguments, find_scene, stop);
+  const std::vector<NamedSpeed> fitted = fit_speeds(speeds, protocol.machine.samples_per_second);
+  const double speed = fitted.front().speed.samples_per_second;
+  const TriedSpeed& tried = speeds.at(speed);
+  const std::vector<ComparedNumber> cells = baseline_cells(tried.numbers, "");
+  const std::string report = report_published_comparison(speeds.database(speed), arguments.folder);
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {
+        {"participants", arguments.participants},
+        {"seed", arguments.seed},
+        {"scale", arguments.scale},
+        {"participant_kind", "simulated"},
+        {"baseline_trials_out_of_time", tried.baseline_trials_out_of_time},
+        {"samples_per_second", json_of(fitted)},
+        {"cells", json_of(cells)}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print(
+      "{} predicted participants. The machine with which OD takes as long as published, in the "
+      "geometric mean of Table 2's cells; in brackets, 95 % over scenes:\n",
+      arguments.participants);
+  for (const NamedSpeed& named : fitted) {
+    fmt::print("  {}", text_of(named));
+  }
+  fmt::print("OD, which was fitted, with {:.0f} samples a second:\n{}", speed, text_of(cells));
+  if (tried.baseline_trials_out_of_time > 0) {
+    fmt::print(
+        "In {} trials with OD a mark was not made in time; these times are not in the means.\n",
+        tried.baseline_trials_out_of_time);
+  }
+  fmt::print("The same study beside the published one; of VP and FV nothing was fitted:\n{}",
+             report);
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): every module adds its commands alike.
+void add_bench_calibration(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
+  constexpr int most_participants = 100'000;
+  constexpr int most_threads = 1024;
+  const auto arguments = std::make_shared<CalibrationArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "calibration",
+      "Find the machine's speed with which OD takes as long as in the published study");
+  command
+      ->add_option("PROTOCOL", arguments->protocol,
+                   "koskela2018, koskela2018-original, or a .toml file of the same measures")
+      ->required();
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "A folder for the studies that are tried, each named by its samples a second, "
+                   "and for the last one's comparison with the published study; made if its parent "
+                   "exists. Studies that are there already are resumed")
+      ->required();
+  command->add_option("--participants", arguments->participants, "Participants in each study")
+      ->check(CLI::Range(1, most_participants))
+      ->capture_default_str();
+  command
+      ->add_option("--seed", arguments->seed,
+                   "The seed of orders and simulated people; another one gives others")
+      ->capture_default_str();
+  command->add_option("--people", arguments->people, "As in study simulate")->capture_default_str();
+  command->add_option("--scale", arguments->scale, "As in study simulate");
+  command->add_option("--threads", arguments->threads, "The number of threads; 0: every core")
+      ->check(CLI::Range(0, most_threads))
+      ->capture_default_str();
+  command->add_option("--jobs", arguments->jobs, "As in study simulate");
+  command->add_flag("--json", arguments->json, "Print the result as JSON");
+  command->footer("Example: foveola bench calibration koskela2018 --scale 36 -o calibration");
+  command->callback([arguments, find_scene, stop] { run(*arguments, find_scene, stop); });
+}
+
+}  // namespace foveola::analysis

@@ -1,0 +1,44 @@
+// The speed of the simulated machine with which OD takes as long as it did in the paper's Table 2:
+// how many samples a second the published renderer's are worth. Nothing of VP or FV is used.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/koskela2018/published_comparison.h"
+
+namespace foveola::analysis {
+
+/// OD's cells of Table 2, of one mark, or, without one, of both. Throws Error if the study lacks
+/// any.
+std::vector<ComparedNumber> baseline_cells(const std::vector<ComparedNumber>& numbers,
+                                           const std::string& mark);
+
+/// ln(study's mean / published mean), the mean over each scene's cells, in the order of the scenes.
+std::vector<double> log_ratios_of_scenes(const std::vector<ComparedNumber>& cells);
+
+struct MachineSpeed {
+  double samples_per_second = 0.0;
+  /// Over scenes; empty with fewer than two, or where they do not vary.
+  std::optional<Interval> interval;
+};
+
+/// Compares a study on a machine of this speed with the paper; see compare_with_published.
+using CompareAtSpeed = std::function<std::vector<ComparedNumber>(double samples_per_second)>;
+
+/// The speed at which the mean over the cells of ln(study's mean / published mean) is 0: both are
+/// arithmetic means over participants, and each cell has the same weight. Found by Newton's method
+/// on the logarithm of the speed, from `first` on, to 0.2 %.
+///
+/// Interval: at that speed the mean of log_ratios_of_scenes has Student's interval of so many less
+/// one degrees of freedom, that of five other scenes; over the slope, which is the change of the
+/// mean for a machine faster by a tenth. It has the scatter of the published means in it, for lack
+/// of a better model; two numbers that were fitted apart have theirs apart.
+///
+/// Throws Error if times do not depend on the speed, or if it is not found in a dozen studies.
+MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,
+                               const std::string& mark = "");
+
+}  // namespace foveola::analysis
