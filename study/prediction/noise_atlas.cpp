@@ -91,10 +91,12 @@ class SceneAtlas {
     }
   }
 
-  /// Adds the wanted pictures with `method` to the atlas. One pilot will do for all objects if the
+  /// Adds the wanted pictures with `method` to the atlas. Their noise is that of the protocol's
+  /// first method after as many samples in the same place: methods differ in where their samples
+  /// go, and hardly in how much noise so many leave. One pilot will do for all objects if the first
   /// method's samples go to the same places whatever is looked at.
   void add_objects(const std::string& method, NoiseAtlas& atlas) {
-    const auto sampler = make_sampler(setting_.protocol, method);
+    const auto sampler = make_sampler(setting_.protocol, first_method());
     const Vec3 ahead = objects_.front().object->direction;
     const bool together = !follows_aim(*sampler, aim_to(ahead), aim_to(-ahead));
     for (const auto& [picture, objects] : wanted_objects(method)) {
@@ -119,7 +121,7 @@ class SceneAtlas {
   }
 
   std::vector<NoiseTable> surround_noise() {
-    const TrialSettings shown = shown_with(setting_.protocol.methods.front());
+    const TrialSettings shown = shown_with(first_method());
     const std::string key = fmt::format("around up to {} degrees\n{}", setting_.highest_seen_deg,
                                         key_of_setting(shown));
     if (std::optional<std::vector<NoiseTable>> known = cache_.find(key)) {
@@ -152,6 +154,8 @@ class SceneAtlas {
     atlas.objects[{scene_, method, objects_[object].object->name}][picture] = {
         .outline = tables.front(), .material = {tables.begin() + 1, tables.end()}};
   }
+
+  const std::string& first_method() const { return setting_.protocol.methods.front(); }
 
   double coarseness() const { return setting_.vision.coarseness; }
 
@@ -256,9 +260,9 @@ class SceneAtlas {
     std::string key =
         fmt::format("object {} {} {} radius {}\nmethod {}\npicture {}\n",
                     judged.object->direction.x, judged.object->direction.y,
-                    judged.object->direction.z, judged.object->radius_deg, method, picture);
+                    judged.object->direction.z, judged.object->radius_deg, first_method(), picture);
     for (const MethodFile& file : setting_.protocol.method_files) {
-      if (file.method == method) {
+      if (file.method == first_method()) {
         key += fmt::format("file {} {}\n", file.file, file.sha256);
       }
     }
