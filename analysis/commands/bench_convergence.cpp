@@ -41,6 +41,7 @@ struct ConvergenceArguments {
   std::optional<std::string> size;
   std::optional<int> samples_per_pixel;
   std::optional<int> repetitions;
+  int max_depth = TraceSettings{}.max_depth;
   int gazes = 1;
   int threads = 0;
   bool quick = false;
@@ -73,6 +74,7 @@ ConvergencePlan plan_of(const ConvergenceArguments& arguments) {
     plan.size = parse_size("--size", *arguments.size);
   }
   plan.samples_per_pixel = arguments.samples_per_pixel.value_or(plan.samples_per_pixel);
+  plan.max_depth = arguments.max_depth;
   if (arguments.repetitions) {
     plan.least_repetitions = *arguments.repetitions;
     plan.most_repetitions = *arguments.repetitions;
@@ -135,16 +137,8 @@ class ConvergenceBench {
     const Workers workers(arguments_.threads);
     const LoadedScene loaded(source, workers);
     print_warnings(loaded.warnings);
-    std::optional<PathTracer> by_power_alone;
-    if (std::any_of(plan_.configurations.begin(), plan_.configurations.end(),
-                    [](const Configuration& c) {
-                      return c.light_selection == LightSelection::by_power_alone;
-                    })) {
-      by_power_alone.emplace(loaded.scene, workers, LightSelection::by_power_alone);
-    }
-    const Subject subject{.loaded = loaded,
-                          .key = study::scene_key(loaded),
-                          .tracer_by_power_alone = by_power_alone ? &*by_power_alone : nullptr};
+    Subject subject{.loaded = loaded, .key = study::scene_key(loaded)};
+    subject.add_tracers_for(plan_.configurations, workers);
     for (int i = 0; i < arguments_.gazes && !stop_.stop_requested(); ++i) {
       const double turn_rad = 2.0 * std::numbers::pi * i / arguments_.gazes;
       // Turned into [-pi, pi], as directions have their azimuths.
@@ -263,7 +257,13 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
               "independent (random numbers instead of low-discrepancy sequences), clamp "
               "(samples are cut at a radiance of 10), adaptive (sampling as render's "
               "--adaptive 0.01), no-fast-path (the general path alone), no-hierarchy (lights "
-              "drawn by their power alone); or none")
+              "drawn by their power alone), uniform-lights (each light as likely as any other), "
+              "area-lights (points uniform in the area of near triangles too), cosine-sky "
+              "(directions to the environment by the surface's cosine alone), no-mis (light "
+              "samples alone, without multiple importance sampling), no-roulette (dim paths are "
+              "not ended), plain-paths (what a plain path tracer of 2017 would do: independent and "
+              "the last five together), plain-paths-mis (the same but for no-mis), "
+              "plain-paths-mis-clamp (and light samples cut at 3); or none")
           ->delimiter(',')
           ->allow_extra_args(false)
           ->capture_default_str();
@@ -279,6 +279,9 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
       ->add_option("--spp", arguments->samples_per_pixel,
                    "Samples of each render per pixel of the film (default: 32; quick: 16)")
       ->check(CLI::Range(16, 1 << 16));
+  command->add_option("--max-depth", arguments->max_depth, "The most surface vertices of a path")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   CLI::Option* const repetitions =
       command
           ->add_option("--repetitions", arguments->repetitions,

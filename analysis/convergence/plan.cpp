@@ -31,6 +31,22 @@ bool is_setting(std::string_view text) {
   return mark != std::string_view::npos && text[mark] == '=';
 }
 
+/// What a plain path tracer of 2017 would do, if light samples and scattered rays are weighed
+/// against each other.
+void make_plain_with_mis(Configuration& configuration) {
+  configuration.numbers = RandomNumbers::independent;
+  configuration.light_sampling = {.selection = LightSelection::uniform,
+                                  .triangles_by_area = true,
+                                  .environment_by_cosine = true};
+  configuration.vertices_before_roulette = no_roulette;
+}
+
+/// What a plain path tracer of 2017 would do, without multiple importance sampling.
+void make_plain(Configuration& configuration) {
+  make_plain_with_mis(configuration);
+  configuration.light_samples_alone = true;
+}
+
 }  // namespace
 
 std::vector<std::string> split_methods(std::string_view text) {
@@ -73,8 +89,44 @@ const std::vector<OptionRow>& option_rows() {
        .apply = [](Configuration& configuration) { configuration.uses_general_path = true; }},
       {.name = "no-hierarchy",
        .suffix = ", lights by power alone",
+       .apply =
+           [](Configuration& configuration) {
+             configuration.light_sampling.selection = LightSelection::by_power_alone;
+           }},
+      {.name = "uniform-lights",
+       .suffix = ", lights uniformly",
+       .apply =
+           [](Configuration& configuration) {
+             configuration.light_sampling.selection = LightSelection::uniform;
+           }},
+      {.name = "area-lights",
+       .suffix = ", triangles by area",
+       .apply =
+           [](Configuration& configuration) {
+             configuration.light_sampling.triangles_by_area = true;
+           }},
+      {.name = "cosine-sky",
+       .suffix = ", sky by cosine",
+       .apply =
+           [](Configuration& configuration) {
+             configuration.light_sampling.environment_by_cosine = true;
+           }},
+      {.name = "no-mis",
+       .suffix = ", light samples alone",
+       .apply = [](Configuration& configuration) { configuration.light_samples_alone = true; }},
+      {.name = "no-roulette",
+       .suffix = ", no roulette",
+       .apply =
+           [](Configuration& configuration) {
+             configuration.vertices_before_roulette = no_roulette;
+           }},
+      {.name = "plain-paths", .suffix = ", plain paths", .apply = make_plain},
+      {.name = "plain-paths-mis", .suffix = ", plain paths with MIS", .apply = make_plain_with_mis},
+      {.name = "plain-paths-mis-clamp",
+       .suffix = ", plain paths with MIS, light samples cut at 3",
        .apply = [](Configuration& configuration) {
-         configuration.light_selection = LightSelection::by_power_alone;
+         make_plain_with_mis(configuration);
+         configuration.largest_light_sample = 3.0F;
        }}};
   return rows;
 }
@@ -119,6 +171,27 @@ std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan) {
     }
   }
   return counts;
+}
+
+void Subject::add_tracers_for(const std::vector<Configuration>& configurations,
+                              const Workers& workers) {
+  for (const Configuration& configuration : configurations) {
+    if (tracer_for(configuration.light_sampling) == nullptr) {
+      other_tracers.push_back(
+          {.light_sampling = configuration.light_sampling,
+           .tracer = PathTracer(loaded.scene, workers, configuration.light_sampling)});
+    }
+  }
+}
+
+const PathTracer* Subject::tracer_for(const LightSampling& light_sampling) const {
+  if (light_sampling == LightSampling{}) {
+    return &loaded.tracer;
+  }
+  const auto found = std::find_if(
+      other_tracers.begin(), other_tracers.end(),
+      [&](const OtherTracer& other) { return other.light_sampling == light_sampling; });
+  return found != other_tracers.end() ? &found->tracer : nullptr;
 }
 
 std::string gaze_name(const AzimuthElevation& gaze) {

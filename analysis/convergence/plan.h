@@ -25,8 +25,12 @@ struct Configuration {
   /// VisibleNoise::contrast of adaptive sampling, with low-discrepancy numbers only: samples of
   /// pixels that are done go to others nearby, or are left out though they count as taken.
   std::optional<double> adaptive_contrast;
-  bool uses_general_path = false;  ///< see TraceSettings
-  LightSelection light_selection = LightSelection::usual;
+  /// What each light sample gives to a path is cut to this, as the display shows it: white is 1.
+  float largest_light_sample = std::numeric_limits<float>::infinity();
+  int vertices_before_roulette = usual_vertices_before_roulette;  ///< see TraceSettings
+  bool light_samples_alone = false;                               ///< see TraceSettings
+  bool uses_general_path = false;                                 ///< see TraceSettings
+  LightSampling light_sampling;
 };
 
 /// A row of the quality-speed options: what it is called and what it changes of a configuration.
@@ -74,9 +78,20 @@ std::vector<std::uint64_t> checkpoints(const ConvergencePlan& plan);
 
 /// A scene that is measured.
 struct Subject {
+  /// A tracer of the scene that draws lights in another way than the loaded scene's.
+  struct OtherTracer {
+    LightSampling light_sampling;
+    PathTracer tracer;
+  };
+
   const LoadedScene& loaded;
   std::string key;  ///< reference_image()'s scene_key: all that the radiance depends on
-  const PathTracer* tracer_by_power_alone = nullptr;  ///< null unless a configuration asks for it
+  std::vector<OtherTracer> other_tracers = {};
+
+  /// Builds what tracer_for() lacks for these configurations.
+  void add_tracers_for(const std::vector<Configuration>& configurations, const Workers& workers);
+  /// Null if there is none.
+  const PathTracer* tracer_for(const LightSampling& light_sampling) const;
 };
 
 /// "azimuth,elevation" in degrees: how a gaze is called in tables.

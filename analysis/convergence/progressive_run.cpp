@@ -1,6 +1,8 @@
 #include "analysis/convergence/progressive_run.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 #include "renderer/base/clock.h"
 
@@ -8,17 +10,22 @@ namespace foveola::analysis {
 namespace {
 
 const PathTracer& tracer_for(const Configuration& configuration, const Subject& subject) {
-  return configuration.light_selection == LightSelection::usual ? subject.loaded.tracer
-                                                                : *subject.tracer_by_power_alone;
+  const PathTracer* tracer = subject.tracer_for(configuration.light_sampling);
+  assert(tracer != nullptr);
+  return *tracer;
 }
 
 ProgressiveSettings settings_for(const Configuration& configuration, const ConvergencePlan& plan,
-                                 std::uint32_t seed) {
+                                 const SceneSource& source, std::uint32_t seed) {
+  const auto white = static_cast<float>(std::exp2(-source.exposure_stops));
   ProgressiveSettings settings;
   settings.film_size = plan.size;
   settings.trace = {.max_depth = plan.max_depth,
                     .seed = seed,
                     .largest_radiance = configuration.largest_radiance,
+                    .largest_light_sample = white * configuration.largest_light_sample,
+                    .vertices_before_roulette = configuration.vertices_before_roulette,
+                    .light_samples_alone = configuration.light_samples_alone,
                     .uses_general_path = configuration.uses_general_path};
   settings.numbers = configuration.numbers;
   if (configuration.adaptive_contrast) {
@@ -36,7 +43,9 @@ ProgressiveRun::ProgressiveRun(const Subject& subject, const ConvergencePlan& pl
       is_adaptive_(configuration.adaptive_contrast.has_value()),
       sampler_(make_view_sampler(configuration.method)),
       render_(tracer_for(configuration, subject),
-              subject.loaded.rendered_with(settings_for(configuration, plan, seed)), workers) {
+              subject.loaded.rendered_with(
+                  settings_for(configuration, plan, subject.loaded.source, seed)),
+              workers) {
   sampler_->aim(aim);
 }
 

@@ -11,8 +11,8 @@
 
 namespace foveola::analysis {
 
-/// Looks at one gaze with the head behind it. It refers to its subject and workers, which must
-/// outlive it.
+/// Looks at one gaze with the head behind it. It refers to its subject, which must have a tracer
+/// for the configuration, and to the workers; both must outlive it.
 class ProgressiveRun {
  public:
   ProgressiveRun(const Subject& subject, const ConvergencePlan& plan,

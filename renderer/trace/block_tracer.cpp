@@ -103,9 +103,9 @@ LaneMask BlockTracer::advance(const Group& group) {
 }
 
 NeededNumbers BlockTracer::needed_numbers() const {
-  const bool all = settings_.uses_general_path;
+  const bool all = takes_general_path_;
   return {.light_kind = all || traced_.lights.has_several_kinds(),
-          .roulette = all || vertex_ > vertices_before_roulette,
+          .roulette = all || vertex_ > settings_.vertices_before_roulette,
           .keys = all || traced_.rays.asks_for_keys()};
 }
 
@@ -123,7 +123,7 @@ BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {
     return Arrival::ended;
   }
   const bool is_on_fast_path =
-      object_of(hit).is_on_fast_path && !is_absorbed && !settings_.uses_general_path;
+      object_of(hit).is_on_fast_path && !is_absorbed && !takes_general_path_;
   return is_on_fast_path ? Arrival::fast_path : Arrival::general_path;
 }
 
@@ -150,9 +150,10 @@ bool BlockTracer::gather(Path& path, const Hit& hit) {
 }
 
 void BlockTracer::add_environment(const Path& path) {
-  const DistantLight light = traced_.lights.distant_light(path.ray.direction);
+  const DistantLight light = traced_.lights.distant_light(path.shading_point, path.ray.direction);
   if (max_component(light.radiance) > 0.0F) {
-    radiance_[path.job] += path.throughput * light.radiance * power_heuristic(path.pdf, light.pdf);
+    radiance_[path.job] += path.throughput * light.radiance *
+                           power_heuristic(path.pdf, light_samples_weighed_ * light.pdf);
   }
 }
 
@@ -161,8 +162,8 @@ void BlockTracer::add_emission(const Path& path, const Hit& hit) {
   if (max_component(emission.radiance) > 0.0F) {
     const float light_pdf =
         traced_.lights.triangle_pdf(path.shading_point, hit, hit.t, emission.cosine);
-    radiance_[path.job] +=
-        path.throughput * emission.radiance * power_heuristic(path.pdf, light_pdf);
+    radiance_[path.job] += path.throughput * emission.radiance *
+                           power_heuristic(path.pdf, light_samples_weighed_ * light_pdf);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "renderer/trace/surface_points.h"
 #include "renderer/trace/traced_scene.h"
 #include "renderer/trace/vertex_numbers.h"
+#include "renderer/trace/vertex_rules.h"
 
 namespace foveola {
 
@@ -39,6 +41,9 @@ class BlockTracer {
   BlockTracer(const TracedScene& traced, const TraceSettings& settings, TraceNotes notes = {})
       : traced_(traced),
         settings_(settings),
+        takes_general_path_(settings.uses_general_path || settings.light_samples_alone ||
+                            settings.largest_light_sample < std::numeric_limits<float>::infinity()),
+        light_samples_weighed_(settings.light_samples_alone ? overwhelmingly_many : 1.0F),
         notes_(notes),
         paths_(std::make_unique_for_overwrite<PathStates>()) {}
 
@@ -121,6 +126,9 @@ class BlockTracer {
 
   const TracedScene& traced_;
   const TraceSettings& settings_;
+  const bool takes_general_path_;  ///< at every vertex
+  /// As how many light samples one counts in the power heuristic (Veach 1997, section 9.2: n_i).
+  const float light_samples_weighed_;
   TraceNotes notes_;
   std::span<Rgb> radiance_;  ///< gathered so far, one a job
   int vertex_ = 0;           ///< the one that the active paths are on their way to; the first is 1

@@ -96,7 +96,7 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
     return;
   }
   const auto value = bsdfs.eval(chosen(arrives, incoming, all_lanes(straight_up)));
-  const Vec3s gain = direct_light(paths_->throughput.load(group.first), value, light);
+  const Vec3s gain = direct_light(paths_->throughput.load(group.first), value, light, light.pdf);
   arrives &= (gain.x != 0.0F) | (gain.y != 0.0F) | (gain.z != 0.0F);
   const Vec3s to_light = shadow_direction(light, points.position, points.origin);
   arrives = finite(group, arrives, gain, to_light);
@@ -128,7 +128,7 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
   Vec3s throughput = paths.throughput.load(first) * sample.weight;
   const Floats brightest = max_component(throughput) / paths.radiance_scale.load(first);
   goes_on = finite(group, goes_on, throughput, direction) & (brightest > 0.0F);
-  if (vertex_ > vertices_before_roulette) {
+  if (vertex_ > settings_.vertices_before_roulette) {
     const Floats survives = survival(brightest);
     const LaneMask is_dim = survives < 1.0F;
     throughput = chosen(is_dim, (1.0F / survives) * throughput, throughput);

@@ -6,6 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/base/angles.h"
+#include "renderer/base/turns.h"
+#include "renderer/trace/opaque_layers.h"
+
 namespace foveola {
 namespace {
 
@@ -24,8 +28,8 @@ double cross_section(const Scene& scene) {
 
 }  // namespace
 
-Lights::Lights(const Scene& scene, std::size_t most_in_table)
-    : suns_(scene), local_(scene, most_in_table) {
+Lights::Lights(const Scene& scene, const LightSampling& sampling, std::size_t most_in_table)
+    : suns_(scene, sampling.selection), local_(scene, sampling, most_in_table) {
   if (scene.environment) {
     environment_.emplace(*scene.environment);
     if (!(environment_->total_luminance() > 0.0)) {
@@ -33,33 +37,41 @@ Lights::Lights(const Scene& scene, std::size_t most_in_table)
     }
   }
   empty_ = !environment_ && suns_.empty() && local_.empty() && !local_.has_unlisted();
-  set_probabilities(scene);
+  draws_bright_sky_ = environment_ && !sampling.environment_by_cosine;
+  set_probabilities(scene, sampling.selection);
 }
 
-void Lights::set_probabilities(const Scene& scene) {
+void Lights::set_probabilities(const Scene& scene, LightSelection selection) {
   struct Source {
-    bool exists;
+    std::size_t lights;
     double power;
     float* probability;
   };
   const double area = cross_section(scene);
   const std::array<Source, 3> sources{
-      {{environment_.has_value(), environment_ ? area * environment_->total_luminance() : 0.0,
+      {{environment_ ? 1U : 0U, environment_ ? area * environment_->total_luminance() : 0.0,
         &environment_probability_},
-       {!suns_.empty(), area * suns_.irradiance(), &suns_probability_},
-       {!local_.empty(), local_.power(), &local_probability_}}};
-  double count = 0.0;
+       {suns_.size(), area * suns_.irradiance(), &suns_probability_},
+       {local_.size(), local_.power(), &local_probability_}}};
+  double kinds = 0.0;
+  double lights = 0.0;
   double power = 0.0;
   for (const Source& source : sources) {
-    count += source.exists ? 1.0 : 0.0;
-    power += source.exists ? source.power : 0.0;
-  }
-  for (const Source& source : sources) {
-    if (source.exists) {
-      const bool is_known = power > 0.0 && std::isfinite(power);
-      const double share = is_known ? source.power / power : 1.0 / count;
-      *source.probability = static_cast<float>(0.5 / count + 0.5 * share);
+    if (source.lights > 0) {
+      kinds += 1.0;
+      lights += static_cast<double>(source.lights);
+      power += source.power;
     }
+  }
+  const bool is_power_known = power > 0.0 && std::isfinite(power);
+  for (const Source& source : sources) {
+    if (source.lights == 0) {
+      continue;
+    }
+    const double share = is_power_known ? source.power / power : 1.0 / kinds;
+    *source.probability = static_cast<float>(selection == LightSelection::uniform
+                                                 ? static_cast<double>(source.lights) / lights
+                                                 : 0.5 / kinds + 0.5 * share);
   }
 }
 
@@ -79,11 +91,11 @@ std::optional<LightSample> Lights::sample(const ShadingPoint& shading_point, flo
                                           const Vec2& u_choice, const Vec2& u) const {
   switch (kind_of(u_kind)) {
     case Kind::environment: {
-      const EnvironmentLight::Sample sky = environment_->sample(u);
+      const EnvironmentLight::Sample sky = sample_sky(shading_point, u);
       return sample_distant(sky.direction, sky.light, {});
     }
     case Kind::suns:
-      return sample_suns(u_choice, u);
+      return sample_suns(shading_point, u_choice, u);
     case Kind::local:
       if (const auto sample = local_.sample(shading_point, u_choice, u)) {
         return some_light(from_local(*sample));
@@ -190,11 +202,11 @@ LightSamples Lights::sample(const ShadingPoints& shading_points, const LightNumb
   return samples;
 }
 
-std::optional<LightSample> Lights::sample_suns(const Vec2& u_choice, const Vec2& u) const {
+std::optional<LightSample> Lights::sample_suns(const ShadingPoint& shading_point,
+                                               const Vec2& u_choice, const Vec2& u) const {
   const Suns::Sample sample = suns_.sample(u_choice, u);
   if (!sample.is_delta) {
-    const DistantLight sky = environment_ ? environment_->at(sample.direction) : DistantLight{};
-    return sample_distant(sample.direction, sky, sample.sun);
+    return sample_distant(sample.direction, sky_at(shading_point, sample.direction), sample.sun);
   }
   return LightSample{.direction = sample.direction,
                      .pdf = suns_probability_ * sample.probability,
@@ -235,8 +247,35 @@ DistantLight Lights::with_suns(const DistantLight& sky, const Vec3& direction, S
           .pdf = both.pdf + suns_probability_ * suns.pdf};
 }
 
-DistantLight Lights::distant_light(const Vec3& direction) const {
-  return with_suns(environment_ ? environment_->at(direction) : DistantLight{}, direction, {});
+DistantLight Lights::sky_at(const ShadingPoint& shading_point, const Vec3& direction) const {
+  if (draws_bright_sky_) {
+    return environment_->at(direction);
+  }
+  if (!environment_) {
+    return {};
+  }
+  const float cosine = glm::dot(shading_point.normal, direction);
+  const float pdf = shading_point.transmits ? 0.5F * std::abs(cosine) : std::max(cosine, 0.0F);
+  return {.radiance = environment_->at(direction).radiance,
+          .pdf = std::numbers::inv_pi_v<float> * pdf};
+}
+
+EnvironmentLight::Sample Lights::sample_sky(const ShadingPoint& shading_point,
+                                            const Vec2& u) const {
+  if (draws_bright_sky_) {
+    return environment_->sample(u);
+  }
+  // Where light arrives from both sides, half of the numbers go to each.
+  const bool is_beyond = shading_point.transmits && u.y < 0.5F;
+  const float u_cosine = shading_point.transmits ? std::fmod(2.0F * u.y, 1.0F) : u.y;
+  const Vec3 local = sample_cosine_hemisphere(azimuth_at(u.x), u_cosine);
+  const Frame frame(is_beyond ? -shading_point.normal : shading_point.normal);
+  const Vec3 direction = glm::normalize(frame.to_world(local));
+  return {.direction = direction, .light = sky_at(shading_point, direction)};
+}
+
+DistantLight Lights::distant_light(const ShadingPoint& shading_point, const Vec3& direction) const {
+  return with_suns(sky_at(shading_point, direction), direction, {});
 }
 
 }  // namespace foveola

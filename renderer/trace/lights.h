@@ -6,6 +6,7 @@
 
 #include "renderer/scene/scene.h"
 #include "renderer/trace/environment_light.h"
+#include "renderer/trace/light_sampling.h"
 #include "renderer/trace/local_lights.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/shading_point.h"
@@ -41,11 +42,13 @@ struct LightNumbers {
 /// Three kinds of light: the environment, the suns (directional lights), and those in the scene
 /// (emissive triangles, points, spots). Of the n kinds that a scene has, each is drawn with the
 /// probability 1 / (2 n) + its share of the power / 2, for power knows nothing of walls. The power
-/// of what is infinitely far is what falls through the disc of the scene's bounding sphere.
+/// of what is infinitely far is what falls through the disc of the scene's bounding sphere. Of a
+/// uniform selection a kind has as large a share as of the lights.
 class Lights {
  public:
-  /// The scene must outlive this object. most_in_table: see LightChoice.
-  explicit Lights(const Scene& scene, std::size_t most_in_table = LightChoice::usual_most_in_table);
+  /// The scene must outlive this object. most_in_table: see LocalLights.
+  explicit Lights(const Scene& scene, const LightSampling& sampling = {},
+                  std::size_t most_in_table = LightChoice::usual_most_in_table);
 
   /// Nothing shines: every radiance is zero.
   bool empty() const { return empty_; }
@@ -70,13 +73,17 @@ class Lights {
   float triangle_pdf(const ShadingPoint& shading_point, const Hit& hit, float distance,
                      float cosine) const;
 
-  /// What arrives from infinity: environment and discs of suns. direction: unit length.
-  DistantLight distant_light(const Vec3& direction) const;
+  /// What arrives from infinity: environment and discs of suns. direction: unit length. The density
+  /// is that of samples drawn for the shading point.
+  DistantLight distant_light(const ShadingPoint& shading_point, const Vec3& direction) const;
 
  private:
   using Sun = std::optional<std::size_t>;  ///< from which a direction was drawn
 
-  void set_probabilities(const Scene& scene);
+  void set_probabilities(const Scene& scene, LightSelection selection);
+  /// What the environment alone says of the direction, as with_suns() takes it.
+  DistantLight sky_at(const ShadingPoint& shading_point, const Vec3& direction) const;
+  EnvironmentLight::Sample sample_sky(const ShadingPoint& shading_point, const Vec2& u) const;
   /// sky: what the environment alone says of the direction. known: see Suns::at().
   DistantLight with_suns(const DistantLight& sky, const Vec3& direction, Sun known) const;
 
@@ -84,7 +91,8 @@ class Lights {
   Kind kind_of(float u_kind) const;
   template <typename Number>
   LightSampleOf<Number> from_local(const LocalLightSampleOf<Number>& sample) const;
-  std::optional<LightSample> sample_suns(const Vec2& u_choice, const Vec2& u) const;
+  std::optional<LightSample> sample_suns(const ShadingPoint& shading_point, const Vec2& u_choice,
+                                         const Vec2& u) const;
   /// sky: comes with a direction drawn from it, because asked anew, across a cell's border, its
   /// density may be off by any factor.
   std::optional<LightSample> sample_distant(const Vec3& direction, const DistantLight& sky,
@@ -94,6 +102,7 @@ class Lights {
   Suns suns_;
   LocalLights local_;
   bool empty_;
+  bool draws_bright_sky_;  ///< there is an environment, and it is drawn by its brightness
   float environment_probability_ = 0.0F;
   float suns_probability_ = 0.0F;
   float local_probability_ = 0.0F;

@@ -1,14 +1,22 @@
 #include "renderer/trace/local_lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
 
 namespace foveola {
+namespace {
 
-LocalLights::LocalLights(const Scene& scene, std::size_t most_in_table)
-    : triangles_(scene), punctual_(scene) {
+/// All lights are drawn from the table, however many there are.
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+LocalLights::LocalLights(const Scene& scene, const LightSampling& sampling,
+                         std::size_t most_in_table)
+    : triangles_(scene, sampling.triangles_by_area), punctual_(scene) {
   std::vector<double> powers;
   std::vector<LightBounds> bounds;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -20,8 +28,23 @@ LocalLights::LocalLights(const Scene& scene, std::size_t most_in_table)
     bounds.push_back(punctual_.bounds(i));
   }
   power_ = std::accumulate(powers.begin(), powers.end(), 0.0);
-  if (power_ > 0.0 && std::isfinite(power_)) {
-    choice_.emplace(powers, bounds, most_in_table);
+  if (!(power_ > 0.0 && std::isfinite(power_))) {
+    return;
+  }
+  const auto has_power = [](double power) { return power > 0.0; };
+  size_ = static_cast<std::size_t>(std::count_if(powers.begin(), powers.end(), has_power));
+  switch (sampling.selection) {
+    case LightSelection::usual:
+      choice_.emplace(powers, bounds, most_in_table);
+      break;
+    case LightSelection::by_power_alone:
+      choice_.emplace(powers, bounds, any_number);
+      break;
+    case LightSelection::uniform:
+      std::transform(powers.begin(), powers.end(), powers.begin(),
+                     [&](double power) { return has_power(power) ? 1.0 : 0.0; });
+      choice_.emplace(powers, bounds, any_number);
+      break;
   }
 }
 

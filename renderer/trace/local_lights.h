@@ -6,6 +6,7 @@
 
 #include "renderer/scene/scene.h"
 #include "renderer/trace/light_choice.h"
+#include "renderer/trace/light_sampling.h"
 #include "renderer/trace/local_light_sample.h"
 #include "renderer/trace/punctual_lights.h"
 #include "renderer/trace/shading_point.h"
@@ -15,8 +16,8 @@ namespace foveola {
 
 class LocalLights {
  public:
-  /// The scene must outlive this object. most_in_table: see LightChoice.
-  LocalLights(const Scene& scene, std::size_t most_in_table);
+  /// The scene must outlive this object. most_in_table: see LightChoice; of the usual selection.
+  LocalLights(const Scene& scene, const LightSampling& sampling, std::size_t most_in_table);
 
   /// There is nothing to draw.
   bool empty() const { return !choice_; }
@@ -26,6 +27,9 @@ class LocalLights {
 
   /// Luminous, in radiance times square metre times steradian.
   double power() const { return power_; }
+
+  /// Lights that have power.
+  std::size_t size() const { return size_; }
 
   /// Empty if the light drawn does not reach the shading point. u_choice, u: in the unit square.
   /// Not to be called when empty().
@@ -51,6 +55,7 @@ class LocalLights {
   PunctualLights punctual_;  ///< numbered after the triangles
   std::optional<LightChoice> choice_;
   double power_ = 0.0;
+  std::size_t size_ = 0;
 };
 
 }  // namespace foveola

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <limits>
 
 #include "renderer/trace/block_tracer.h"
 
@@ -23,17 +22,14 @@ std::size_t block_size(std::size_t jobs, int threads) {
 }  // namespace
 
 struct PathTracer::Implementation {
-  Implementation(const Scene& scene, const Workers& workers, std::size_t most_lights_in_table)
-      : traced(scene, workers, most_lights_in_table) {}
+  Implementation(const Scene& scene, const Workers& workers, const LightSampling& lights)
+      : traced(scene, workers, lights) {}
 
   TracedScene traced;
 };
 
-PathTracer::PathTracer(const Scene& scene, const Workers& workers, LightSelection selection)
-    : implementation_(std::make_unique<Implementation>(
-          scene, workers,
-          selection == LightSelection::usual ? LightChoice::usual_most_in_table
-                                             : std::numeric_limits<std::size_t>::max())) {}
+PathTracer::PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights)
+    : implementation_(std::make_unique<Implementation>(scene, workers, lights)) {}
 PathTracer::~PathTracer() = default;
 PathTracer::PathTracer(PathTracer&&) noexcept = default;
 PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;

@@ -11,9 +11,13 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/sample_job.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/light_sampling.h"
 #include "renderer/trace/ray_scene.h"
 
 namespace foveola {
+
+inline constexpr int usual_vertices_before_roulette = 1;
+inline constexpr int no_roulette = std::numeric_limits<int>::max();
 
 struct TraceSettings {
   int max_depth = 8;  ///< surface vertices with next-event estimation; 1 is direct light only
@@ -23,6 +27,14 @@ struct TraceSettings {
   float pixel_angle_rad = 0.0F;
   /// Each channel of a sample is cut to this. Anything but infinity makes pictures too dark.
   float largest_radiance = std::numeric_limits<float>::infinity();
+  /// As largest_radiance, of what each light sample gives to a path. Anything but infinity makes
+  /// every vertex take the general path.
+  float largest_light_sample = std::numeric_limits<float>::infinity();
+  /// After how many vertices dim paths begin to be ended at random.
+  int vertices_before_roulette = usual_vertices_before_roulette;
+  /// Without multiple importance sampling: light samples count in full, and what scattered rays
+  /// meet counts only where no light sample finds it. Every vertex then takes the general path.
+  bool light_samples_alone = false;
   /// Every vertex takes the general path: for measuring what the fast path gains.
   bool uses_general_path = false;
 };
@@ -70,18 +82,11 @@ struct PathRecord {
   Rgb radiance{0.0F};
 };
 
-/// How a light is drawn where there are several.
-enum class LightSelection : std::uint8_t {
-  usual,           ///< many lights by what they may give to the shading point
-  by_power_alone,  ///< for measuring what the usual selection gains
-};
-
 /// A scene ready to be traced. It refers to the Scene it was built from, which must outlive it.
 /// All calls are const and may be made from several threads.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const Workers& workers,
-             LightSelection selection = LightSelection::usual);
+  PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights = {});
   ~PathTracer();
   PathTracer(PathTracer&&) noexcept;
   PathTracer& operator=(PathTracer&&) noexcept;

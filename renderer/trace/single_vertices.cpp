@@ -124,7 +124,8 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   if (side * incoming.z <= 0.0F) {
     return;
   }
-  Rgb gain = direct_light(path.throughput, bsdf.eval(incoming), *light);
+  Rgb gain = direct_light(path.throughput, bsdf.eval(incoming), *light,
+                          light_samples_weighed_ * light->pdf);
   if (gain == Rgb(0.0F)) {
     return;
   }
@@ -138,6 +139,7 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
                              ? absorption_beyond(path, point.reflectance, object.absorption_per_m)
                              : path.absorption_per_m;
   gain *= transmittance(absorption, glm::length(shadow_ray.direction) * shadow_ray.t_max);
+  gain = glm::min(gain, Rgb(settings_.largest_light_sample));
   if (finite(path.job, gain, shadow_ray.direction)) {
     pending_.push_back({.job = path.job, .radiance = gain});
     shadow_rays_.push_back(shadow_ray);
@@ -147,7 +149,7 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
 bool BlockTracer::survives_roulette(Path& path, float u) const {
   const float brightest = max_component(path.throughput) / path.radiance_scale;
   const float survives = survival(brightest);
-  if (vertex_ <= vertices_before_roulette || survives >= 1.0F) {
+  if (vertex_ <= settings_.vertices_before_roulette || survives >= 1.0F) {
     return brightest > 0.0F;
   }
   path.throughput /= survives;

@@ -41,13 +41,16 @@ bool Suns::Sun::covers(const Vec3& direction) const {
   return !is_delta && glm::dot(chord, chord) <= 2.0F * disc.one_minus_cosine;
 }
 
-Suns::Suns(const Scene& scene) {
+Suns::Suns(const Scene& scene, LightSelection selection) {
   std::vector<double> weights;
+  double total = 0.0;
   for (const PunctualLight& light : scene.lights) {
     if (is_sun(light)) {
+      const double irradiance = luminance(light.intensity);
       suns_.emplace_back(light);
-      weights.push_back(luminance(light.intensity));
-      irradiance_ += weights.back();
+      weights.push_back(selection == LightSelection::uniform ? 1.0 : irradiance);
+      irradiance_ += irradiance;
+      total += weights.back();
     }
   }
   if (suns_.empty()) {
@@ -56,7 +59,7 @@ Suns::Suns(const Scene& scene) {
   choice_.emplace(weights);
   for (std::size_t i = 0; i < suns_.size(); ++i) {
     Sun& sun = suns_[i];
-    sun.probability = static_cast<float>(weights[i] / irradiance_);
+    sun.probability = static_cast<float>(weights[i] / total);
     sun.shine.pdf = sun.is_delta ? 0.0F : sun.probability / sun.disc.solid_angle();
   }
 }

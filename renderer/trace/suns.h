@@ -9,19 +9,21 @@
 #include "renderer/trace/alias_table.h"
 #include "renderer/trace/direction_cone.h"
 #include "renderer/trace/distant_light.h"
+#include "renderer/trace/light_sampling.h"
 
 namespace foveola {
 
-/// The directional ones among a scene's lights, drawn by their irradiance E. A disc of angular
-/// radius a shines with E / (pi sin^2 a), so that a surface that faces its centre gets E. Radii
-/// above a right angle count as one, and below 5e-4 rad (a tenth of the Sun's) as none: a direction
-/// of floats cannot decide whether it is in the disc. Lights that are not finite or do not shine
-/// are left out.
+/// The directional ones among a scene's lights, drawn by their irradiance E, or all alike. A disc
+/// of angular radius a shines with E / (pi sin^2 a), so that a surface that faces its centre gets
+/// E. Radii above a right angle count as one, and below 5e-4 rad (a tenth of the Sun's) as none: a
+/// direction of floats cannot decide whether it is in the disc. Lights that are not finite or do
+/// not shine are left out.
 class Suns {
  public:
-  explicit Suns(const Scene& scene);
+  explicit Suns(const Scene& scene, LightSelection selection = LightSelection::usual);
 
   bool empty() const { return suns_.empty(); }
+  std::size_t size() const { return suns_.size(); }
 
   /// The luminous irradiance of a surface that faces all of them.
   double irradiance() const { return irradiance_; }

@@ -35,11 +35,10 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
 
 }  // namespace
 
-TracedScene::TracedScene(const Scene& source, const Workers& workers,
-                         std::size_t most_lights_in_table)
+TracedScene::TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling)
     : scene(source),
       rays(source, workers),
-      lights(source, most_lights_in_table),
+      lights(source, sampling),
       tables(source.materials, workers) {
   has_absorption = false;
   is_dark = lights.empty();

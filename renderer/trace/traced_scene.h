@@ -8,6 +8,7 @@
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/fast_path_bsdf.h"
+#include "renderer/trace/light_sampling.h"
 #include "renderer/trace/lights.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/scattering_tables.h"
@@ -37,8 +38,7 @@ struct TracedScene {
   bool has_absorption;  ///< some solid absorbs
   bool is_dark;         ///< nothing shines: every radiance is zero
 
-  /// most_lights_in_table: see LightChoice.
-  TracedScene(const Scene& source, const Workers& workers, std::size_t most_lights_in_table);
+  TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling);
 };
 
 }  // namespace foveola

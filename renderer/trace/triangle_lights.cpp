@@ -132,7 +132,7 @@ class SeenEmitterOf {
 
 }  // namespace
 
-TriangleLights::TriangleLights(const Scene& scene)
+TriangleLights::TriangleLights(const Scene& scene, bool by_area)
     : scene_(scene),
       first_of_object_(scene.object_count(), nothing),
       radiance_of_object_(scene.object_count(), 0.0F) {
@@ -145,14 +145,14 @@ TriangleLights::TriangleLights(const Scene& scene)
     }
     if (radiance[material] > 0.0F && emitters_.size() + mesh.triangles.size() <= most_triangles) {
       radiance_of_object_[object] = radiance[material];
-      add_object(object);
+      add_object(object, by_area);
     } else {
       has_unlisted_ = true;
     }
   }
 }
 
-void TriangleLights::add_object(std::uint32_t object) {
+void TriangleLights::add_object(std::uint32_t object, bool by_area) {
   first_of_object_[object] = static_cast<std::uint32_t>(emitters_.size());
   const Mesh& mesh = scene_.mesh_of(object);
   const Material& material = material_of(scene_, mesh);
@@ -160,16 +160,16 @@ void TriangleLights::add_object(std::uint32_t object) {
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     const Triangle triangle(scene_, object, t);
+    const float squared_longest_side = std::max({squared_distance(triangle.p0, triangle.p1),
+                                                 squared_distance(triangle.p1, triangle.p2),
+                                                 squared_distance(triangle.p2, triangle.p0)});
     emitters_.push_back(
-        {EmitterOf<float>{
-             .triangle = triangle,
-             .front_normal = triangle.front_normal(),
-             .area = static_cast<float>(triangle.area()),
-             .squared_longest_side = std::max({squared_distance(triangle.p0, triangle.p1),
-                                               squared_distance(triangle.p1, triangle.p2),
-                                               squared_distance(triangle.p2, triangle.p0)}),
-             .rounding_error = triangle.rounding_error(),
-             .is_two_sided = material.double_sided},
+        {EmitterOf<float>{.triangle = triangle,
+                          .front_normal = triangle.front_normal(),
+                          .area = static_cast<float>(triangle.area()),
+                          .squared_longest_side = by_area ? 0.0F : squared_longest_side,
+                          .rounding_error = triangle.rounding_error(),
+                          .is_two_sided = material.double_sided},
          /*is_uniform=*/!is_textured && !has_opacity(scene_, mesh), material.emission, object, t});
   }
 }

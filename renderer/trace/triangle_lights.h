@@ -23,7 +23,7 @@ struct EmitterOf {
   TriangleOf<Number> triangle;
   Vec3Of<Number> front_normal;
   Number area;                  ///< square metres
-  Number squared_longest_side;  ///< square metres
+  Number squared_longest_side;  ///< square metres; 0: points are never uniform in solid angle
   Number rounding_error;        ///< see TriangleOf
   MaskOf<Number> is_two_sided;
 };
@@ -39,8 +39,8 @@ class TriangleLights {
   static constexpr std::size_t most_triangles = 4'000'000;
   static constexpr std::uint32_t nothing = ~0U;
 
-  /// The scene must outlive this object.
-  explicit TriangleLights(const Scene& scene);
+  /// The scene must outlive this object. by_area: points are uniform in the area of all triangles.
+  explicit TriangleLights(const Scene& scene, bool by_area = false);
 
   std::size_t size() const { return emitters_.size(); }
 
@@ -80,7 +80,7 @@ class TriangleLights {
   /// The triangle seen from `place`, if it is to be sampled by its solid angle.
   static std::optional<SphericalTriangle> seen_from_near(const Emitter& emitter, const Vec3& place);
 
-  void add_object(std::uint32_t object);
+  void add_object(std::uint32_t object, bool by_area);
 
   const Scene& scene_;
   std::vector<Emitter> emitters_;

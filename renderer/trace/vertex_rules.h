@@ -11,9 +11,6 @@
 
 namespace foveola {
 
-/// From the vertex after this one on, dim paths are ended at random.
-inline constexpr int vertices_before_roulette = 1;
-
 /// How much more often paths survive than their brightness says: those of at least half the
 /// camera's always do. Ending them so much later costs 5 to 26 % more rays and takes 13 to 33 % of
 /// the variance.
@@ -42,14 +39,20 @@ inline Number power_heuristic(const Number& pdf, const Number& other) {
   return chosen(pdf == certain, Number{} + 1.0F, 1.0F / (1.0F + ratio * ratio));
 }
 
+/// So many light samples that one scattered ray is as nothing beside them: the power heuristic then
+/// gives light samples all weight wherever there can be one.
+inline constexpr float overwhelmingly_many = 0x1p100F;
+
 /// What a path of this throughput gains from a light sample if its shadow ray is not blocked.
-/// value: the BSDF's, for the sample's direction.
+/// value: the BSDF's, for the sample's direction. light_density: the density that the heuristic is
+/// told of the light sample.
 template <typename Number>
 inline Vec3Of<Number> direct_light(const Vec3Of<Number>& throughput,
                                    const BsdfValueOf<Number>& value,
-                                   const LightSampleOf<Number>& light) {
+                                   const LightSampleOf<Number>& light,
+                                   const Number& light_density) {
   const Number weight =
-      chosen(light.is_delta, Number{} + 1.0F, power_heuristic(light.pdf, value.pdf));
+      chosen(light.is_delta, Number{} + 1.0F, power_heuristic(light_density, value.pdf));
   return (weight / light.pdf) * (throughput * value.times_cosine * light.radiance);
 }
 

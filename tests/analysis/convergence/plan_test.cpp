@@ -44,8 +44,27 @@ TEST(Configurations, ChangeOneThingEach) {
   EXPECT_EQ(configurations[2].adaptive_contrast, 0.01);
   EXPECT_FALSE(configurations[2].uses_general_path);
   EXPECT_TRUE(configurations[3].uses_general_path);
-  EXPECT_EQ(configurations[3].light_selection, LightSelection::usual);
-  EXPECT_EQ(configurations[4].light_selection, LightSelection::by_power_alone);
+  EXPECT_EQ(configurations[3].light_sampling, LightSampling{});
+  EXPECT_EQ(configurations[4].light_sampling.selection, LightSelection::by_power_alone);
+}
+
+TEST(Configurations, OfPlainPathsAreTheirPartsTogether) {
+  const std::vector<Configuration> configurations = make_configurations(
+      {"od"}, {"independent", "uniform-lights", "area-lights", "cosine-sky", "no-mis",
+               "no-roulette", "plain-paths", "plain-paths-mis", "plain-paths-mis-clamp"});
+  ASSERT_EQ(configurations.size(), 10U);
+  for (std::size_t i = 0; i < configurations.size(); ++i) {
+    const Configuration& configuration = configurations[i];
+    const bool is_plain = i >= 7;
+    EXPECT_EQ(configuration.numbers == RandomNumbers::independent, i == 1 || is_plain);
+    EXPECT_EQ(configuration.light_sampling.selection == LightSelection::uniform,
+              i == 2 || is_plain);
+    EXPECT_EQ(configuration.light_sampling.triangles_by_area, i == 3 || is_plain);
+    EXPECT_EQ(configuration.light_sampling.environment_by_cosine, i == 4 || is_plain);
+    EXPECT_EQ(configuration.light_samples_alone, i == 5 || i == 7);
+    EXPECT_EQ(configuration.vertices_before_roulette == no_roulette, i == 6 || is_plain);
+    EXPECT_EQ(configuration.largest_light_sample == 3.0F, i == 9);
+  }
 }
 
 TEST(Configurations, RefuseWhatMakesNoSense) {

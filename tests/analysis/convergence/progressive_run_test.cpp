@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -117,22 +119,38 @@ TEST_F(ProgressiveRunTest, CutsSamples) {
 
 // Other numbers, but no other picture.
 TEST_F(ProgressiveRunTest, WaysOfTracingShowTheSame) {
-  const PathTracer by_power_alone(loaded_.scene, workers_, LightSelection::by_power_alone);
-  subject_.tracer_by_power_alone = &by_power_alone;
   constexpr std::uint64_t samples = 100'000;
   ProgressiveRun usual = run("od");
   usual.advance(samples);
   const Rgb expected = mean(usual.film());
-  const Configuration general{.name = "general", .method = "od", .uses_general_path = true};
-  const Configuration by_power{
-      .name = "by power alone", .method = "od", .light_selection = LightSelection::by_power_alone};
-  for (const Configuration& configuration : {general, by_power}) {
+  const std::vector<Configuration> configurations =
+      make_configurations({"od"}, {"no-fast-path", "no-hierarchy", "uniform-lights", "area-lights",
+                                   "no-mis", "no-roulette", "plain-paths", "plain-paths-mis"});
+  subject_.add_tracers_for(configurations, workers_);
+  for (const Configuration& configuration :
+       std::span(configurations).subspan(1)) {  // without the usual one
     ProgressiveRun changed(subject_, plan_, configuration, aim_, 7, workers_);
     changed.advance(samples);
     EXPECT_NE(changed.film().resolve().color.pixels, usual.film().resolve().color.pixels)
         << configuration.name;
     EXPECT_NEAR(mean(changed.film()).g, expected.g, 0.01F * expected.g) << configuration.name;
   }
+}
+
+// Three stops brighter, eight times as much is shown as white.
+TEST_F(ProgressiveRunTest, CutsLightSamplesAsTheDisplayShowsThem) {
+  const auto lightness = [&](float largest, double exposure_stops) {
+    loaded_.source.exposure_stops = exposure_stops;
+    ProgressiveRun cut(subject_, plan_,
+                       {.name = "od", .method = "od", .largest_light_sample = largest}, aim_, 7,
+                       workers_);
+    cut.advance(20'000);
+    return mean(cut.film()).g;
+  };
+  const float uncut = lightness(1e30F, 0.0);
+  const float cut = lightness(0.1F, 0.0);
+  EXPECT_LT(cut, 0.98F * uncut);
+  EXPECT_EQ(lightness(0.8F, 3.0), cut);
 }
 
 TEST_F(ProgressiveRunTest, CountsItsSamples) {

@@ -29,7 +29,7 @@ TEST(LightsInLanesTest, SamplesAreThoseOfSingleShadingPoints) {
   const Scene scene = every_light();
   const LaneMask but_the_last{-1, -1, -1, -1, -1, -1, -1, 0};
   for (const std::size_t most_in_table : {0U, 100U}) {
-    const Lights lights(scene, most_in_table);
+    const Lights lights(scene, {}, most_in_table);
     Pcg32 random(9);
     for (std::uint32_t i = 0; i < 500; ++i) {
       ShadingPoints shading_points;

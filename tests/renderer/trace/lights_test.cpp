@@ -106,7 +106,7 @@ TEST(LightsTest, DensitiesAgreeWithThoseOfSampledPoints) {
       const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
       ASSERT_TRUE(light);
       if (std::isinf(light->t_max)) {
-        EXPECT_FLOAT_EQ(lights.distant_light(light->direction).pdf, light->pdf);
+        EXPECT_FLOAT_EQ(lights.distant_light(shading_point, light->direction).pdf, light->pdf);
         continue;
       }
       const Hit hit =
@@ -133,7 +133,7 @@ TEST(LightsTest, AnInfiniteTriangleDoesNotHideTheOtherLights) {
   scene.environment = constant_environment(0.25F);
   const double expected = std::numbers::pi * (4.0 * corner_form_factor(0.5, 1.5) + 0.25);
   for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-    expect_mean(irradiance_at(Lights(scene, most_in_table), Vec3(0.0F), 40000), expected);
+    expect_mean(irradiance_at(Lights(scene, {}, most_in_table), Vec3(0.0F), 40000), expected);
   }
 }
 
@@ -141,7 +141,7 @@ TEST(LightsTest, BlackEnvironmentIsNoLight) {
   Scene scene;
   scene.environment = constant_environment(0.0F);
   EXPECT_TRUE(Lights(scene).empty());
-  EXPECT_EQ(Lights(scene).distant_light(Vec3(0, 1, 0)).radiance, Rgb(0.0F));
+  EXPECT_EQ(Lights(scene).distant_light({}, Vec3(0, 1, 0)).radiance, Rgb(0.0F));
 }
 
 TEST(LightsTest, TexturedEmitterIsWeighedByItsTexturesMean) {
@@ -177,7 +177,7 @@ Scene visible_lights() {
 /// With which density sample() draws a direction, asked light by light of what a ray meets.
 double density_of(const Lights& lights, const RayScene& rays, const ShadingPoint& shading_point,
                   const Scene& scene, const Vec3& direction) {
-  double density = lights.distant_light(direction).pdf;
+  double density = lights.distant_light(shading_point, direction).pdf;
   const Hit hit = rays.closest_hit({.origin = shading_point.position, .direction = direction});
   if (!hit.missed()) {
     const Vec3 normal = Triangle(scene, hit.object, hit.triangle).front_normal();
@@ -191,28 +191,107 @@ double density_of(const Lights& lights, const RayScene& rays, const ShadingPoint
   return density;
 }
 
+/// How directions are drawn for a point in visible_lights().
+void expect_drawn_by_their_densities(const Lights& lights, const ShadingPoint& shading_point,
+                                     int tests) {
+  const Scene scene = visible_lights();
+  const RayScene rays(scene, Workers(1));
+  const auto density = [&](const Vec3& w) {
+    return density_of(lights, rays, shading_point, scene, w);
+  };
+  const Vec3 pole = glm::normalize(Vec3(0.3F, 1, 0.2F));
+  EXPECT_NEAR(test::integral_over_sphere(density, pole), 1.0, 2e-3);
+  std::vector<Vec3> directions;
+  for (std::uint32_t i = 0; i < 50000; ++i) {
+    SampleStream random(5, i, 0);
+    const Numbers numbers(random);
+    const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
+    ASSERT_TRUE(light);
+    directions.push_back(light->direction);
+  }
+  EXPECT_GT(test::chi_squared_p_value(directions, density, pole), sidak_level(tests));
+}
+
 /// From the table and from the tree, for a surface that all lamps shine on.
 TEST(LightsTest, DirectionsAreDrawnByTheSumOfAllDensities) {
   const Scene scene = visible_lights();
-  const RayScene rays(scene, Workers(1));
   const ShadingPoint shading_point{.position = Vec3(0.2F, 0.3F, 0.1F), .normal = Vec3(0, 1, 0)};
   for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-    const Lights lights(scene, most_in_table);
-    const auto density = [&](const Vec3& w) {
-      return density_of(lights, rays, shading_point, scene, w);
-    };
-    const Vec3 pole = glm::normalize(Vec3(0.3F, 1, 0.2F));
-    EXPECT_NEAR(test::integral_over_sphere(density, pole), 1.0, 2e-3);
-    std::vector<Vec3> directions;
-    for (std::uint32_t i = 0; i < 50000; ++i) {
-      SampleStream random(5, i, 0);
-      const Numbers numbers(random);
-      const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
-      ASSERT_TRUE(light);
-      directions.push_back(light->direction);
-    }
-    EXPECT_GT(test::chi_squared_p_value(directions, density, pole), sidak_level(2));
+    expect_drawn_by_their_densities(Lights(scene, {}, most_in_table), shading_point, 2);
   }
+}
+
+TEST(LightsTest, OtherWaysToDrawThemKnowTheirDensitiesToo) {
+  const Scene scene = visible_lights();
+  ShadingPoint shading_point{.position = Vec3(0.2F, 0.3F, 0.1F),
+                             .normal = glm::normalize(Vec3(0.1F, 1, -0.3F))};
+  for (const LightSampling& sampling :
+       {LightSampling{.selection = LightSelection::by_power_alone},
+        LightSampling{.selection = LightSelection::uniform},
+        LightSampling{.triangles_by_area = true}, LightSampling{.environment_by_cosine = true}}) {
+    for (const bool transmits : {false, true}) {
+      shading_point.transmits = transmits;
+      expect_drawn_by_their_densities(Lights(scene, sampling), shading_point, 8);
+    }
+  }
+}
+
+/// Two triangles, two suns and a sky are five lights, however bright each is.
+TEST(LightsTest, UniformSelectionDrawsEachLightAsOften) {
+  Scene scene = ceiling_light({1.0F, 3.0F});
+  scene.environment = constant_environment(100.0F);
+  scene.lights = {{.kind = PunctualLight::Kind::directional,
+                   .direction = Vec3(0, -1, 0),
+                   .intensity = Rgb(70.0F)},
+                  {.kind = PunctualLight::Kind::directional,
+                   .direction = Vec3(0, -1, 0),
+                   .intensity = Rgb(0.1F)}};
+  const Lights lights(scene, {.selection = LightSelection::uniform});
+  const ShadingPoint shading_point = facing_up(Vec3(0, -500, 0));
+  EXPECT_NEAR(lights.distant_light(shading_point, Vec3(0, 1, 0)).pdf,
+              0.2 / (4.0 * std::numbers::pi), 1e-6);
+  for (const std::uint32_t triangle : {0U, 1U}) {
+    const Hit hit{.t = 1.0F, .barycentric = {}, .object = 0, .triangle = triangle};
+    EXPECT_NEAR(lights.triangle_pdf(shading_point, hit, 1.0F, 1.0F), 0.2 / 1.5, 1e-5);
+  }
+  int bright = 0;
+  int dim = 0;
+  constexpr int draws = 5000;
+  for (std::uint32_t i = 0; i < draws; ++i) {
+    SampleStream random(6, i, 0);
+    const Numbers numbers(random);
+    const auto light = lights.sample(shading_point, numbers.kind, numbers.choice, numbers.point);
+    if (light && light->is_delta) {
+      EXPECT_FLOAT_EQ(light->pdf, 0.2F);
+      ++(light->radiance.r > 1.0F ? bright : dim);
+    }
+  }
+  // Binomial counts, within four standard deviations.
+  const double deviation = 4.0 * std::sqrt(draws * 0.2 * 0.8);
+  EXPECT_NEAR(bright, 0.2 * draws, deviation);
+  EXPECT_NEAR(dim, 0.2 * draws, deviation);
+}
+
+/// In the densities of area and of solid angle, 1 m below a corner of the lamp.
+TEST(LightsTest, TrianglesCanBeDrawnByTheirArea) {
+  const Scene scene = ceiling_light({1.0F, 3.0F});
+  const ShadingPoint shading_point = facing_up(Vec3(0, 1, 0));
+  const Hit hit{.t = 1.0F, .barycentric = {}, .object = 0, .triangle = 0};
+  const Lights by_area(scene, {.selection = LightSelection::uniform, .triangles_by_area = true});
+  const Lights by_solid_angle(scene, {.selection = LightSelection::uniform});
+  // Half of the draws, in 1.5 square metres, at a distance of 1 m.
+  EXPECT_NEAR(by_area.triangle_pdf(shading_point, hit, 1.0F, 1.0F), 0.5 / 1.5, 1e-5);
+  EXPECT_GT(by_solid_angle.triangle_pdf(shading_point, hit, 1.0F, 1.0F), 0.6);
+}
+
+/// What the floor gets of a constant sky is the same in every sample.
+TEST(LightsTest, ACosineSkyGivesAFloorTheSameInEverySample) {
+  Scene scene;
+  scene.environment = constant_environment(0.25F);
+  const Lights lights(scene, {.environment_by_cosine = true});
+  const MeanEstimate irradiance = irradiance_at(lights, Vec3(0.0F), 1000);
+  EXPECT_NEAR(irradiance.mean(), 0.25 * std::numbers::pi, 1e-6);
+  EXPECT_LT(irradiance.standard_error(), 1e-6);
 }
 
 /// One light of each kind that no ray meets, above the plane y = 0 at the origin.
@@ -234,7 +313,7 @@ TEST(LightsTest, InvisibleLightsAddUp) {
   const double expected = std::numbers::pi * (4.0 * corner_form_factor(0.5, 1.5) + 0.25) -
                           3.0 * direction.y + 50.0 * 0.8 / 25.0 + 2.0 + 30.0 / 25.0;
   for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-    expect_mean(irradiance_at(Lights(scene, most_in_table), Vec3(0.0F), 100000), expected);
+    expect_mean(irradiance_at(Lights(scene, {}, most_in_table), Vec3(0.0F), 100000), expected);
   }
 }
 
@@ -269,8 +348,8 @@ Scene confetti(int count) {
 TEST(LightsTest, TreeAndTableExpectTheSame) {
   Scene scene = confetti(100);
   scene.lights.push_back({.position = Vec3(0.2F, 0.3F, -0.4F), .intensity = Rgb(0.3F)});
-  const Lights table(scene, 1000);
-  const Lights tree(scene, 0);
+  const Lights table(scene, {}, 1000);
+  const Lights tree(scene, {}, 0);
   Pcg32 random(12);
   for (int i = 0; i < 30; ++i) {
     const double half = i % 2 == 0 ? 1.0 : 3.0;
@@ -322,8 +401,8 @@ TEST(LightsTest, InstancesShineAsIfTheyWereBaked) {
       world.meshes.push_back(baked(instanced.prototypes[prototype], where));
     }
     for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-      const Lights of_instances(instanced, most_in_table);
-      const Lights of_meshes(world, most_in_table);
+      const Lights of_instances(instanced, {}, most_in_table);
+      const Lights of_meshes(world, {}, most_in_table);
       for (const Vec3& position : {Vec3(0.0F), Vec3(1, 0.5F, -2), Vec3(0.3F, 1.6F, -0.4F)}) {
         const MeanEstimate expected = irradiance_at(of_meshes, position, 20000);
         const MeanEstimate estimate = irradiance_at(of_instances, position, 20000);
@@ -357,7 +436,7 @@ TEST(LightsTest, EverySampleIsFinite) {
     scene.lights = {{.position = Vec3(0.0F), .intensity = Rgb(1.0F)},
                     {.position = scale * Vec3(1, 0, 0), .intensity = Rgb(1.0F), .radius_m = scale}};
     for (const std::size_t most_in_table : {std::size_t{32}, std::size_t{0}}) {
-      const Lights lights(scene, most_in_table);
+      const Lights lights(scene, {}, most_in_table);
       for (const Vec3& place :
            {Vec3(0.0F), Vec3(1, 0, 1), Vec3(0.5F, 0, 0.5F), Vec3(0.3F, 0, 0.6F), Vec3(7, 0, -3),
             Vec3(0.3F, 1e-7F, 0.6F), Vec3(0.3F, -1e-3F, 0.6F), Vec3(0, 1e-20F, 0), Vec3(3e3F)}) {
