@@ -24,11 +24,10 @@ namespace {
 /// many noisy ones there may be. A scaled film has so few pixels that more of both are needed.
 constexpr double object_convergence = 8.0;
 constexpr double object_pictures = 4.0;
-constexpr SampleCountLevels object_levels{.count = 15};  // up to 4 samples per pixel
 
 /// A rating is made of many places: fewer samples will do for each.
 constexpr double surround_convergence = 4.0;
-constexpr SampleCountLevels surround_levels{.first_per_pixel = 1.0 / 32.0, .count = 15};
+constexpr SampleCountLevels pilot_levels{};
 /// What resampling reads beside a pixel.
 constexpr int margin_px = 2;
 
@@ -182,7 +181,7 @@ class SceneAtlas {
       expected.second.push_back(judged.expected->second.front());
     }
     sampler.aim(aim_to(objects_[group.front()].object->direction));
-    return measure_noise(pilot, sampler, object_levels, picture, mask, views, expected);
+    return measure_noise(pilot, sampler, pilot_levels, picture, mask, views, expected);
   }
 
   /// How far cells reach beyond the radius that their middles are in.
@@ -234,7 +233,7 @@ class SceneAtlas {
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const ConvergedMeans expected =
         converged_means(pilot, *sampler, ahead, surround_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, surround_levels, 0, mask, views, expected),
+    return gathered(measure_noise(pilot, *sampler, pilot_levels, 0, mask, views, expected),
                     places);
   }
 
@@ -277,7 +276,7 @@ class SceneAtlas {
         "tables {}\nscene {}\nviewpoint {} {} {}\nexposure {}\nfilm {}x{} depth {} filled {}\n"
         "display {}x{} {} {} lens {} {} {} {}\n"
         "vision {} {} {} {} {} scales {} {} {} coarse {}\n"
-        "margin {} objects {} {} {} around {} {} {}\n",
+        "margin {} objects {} around {} levels {} {}\n",
         tables_version, stage_.key(), viewpoint.x, viewpoint.y, viewpoint.z,
         stage_.source().exposure_stops, shown.film.width, shown.film.height, shown.film.max_depth,
         shown.fill_unsampled, display.view_width, display.view_height, display.horizontal_fov_deg,
@@ -285,8 +284,7 @@ class SceneAtlas {
         display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
         vision.material_cell_deg, vision.view_cell_deg, vision.scale_count, vision.object_patch_deg,
         vision.view_patch_deg, vision.coarseness, margin_px, object_convergence,
-        object_levels.first_per_pixel, object_levels.count, surround_convergence,
-        surround_levels.first_per_pixel, surround_levels.count);
+        surround_convergence, pilot_levels.first_per_pixel, pilot_levels.count);
   }
 
   const AtlasSetting& setting_;

@@ -32,7 +32,7 @@ struct PilotSetting {
 /// view's judged patches, growing by half an octave from level to level.
 struct SampleCountLevels {
   double first_per_pixel = 1.0 / 32.0;
-  int count = 17;  ///< up to 8 samples per pixel, beyond which noise falls as one over the samples
+  int count = 15;  ///< up to 4 samples per pixel, beyond which noise falls as one over the samples
 };
 
 /// The means of cells in a picture, of each view on each scale.
