@@ -206,7 +206,8 @@ TEST(Procedure, ThePublishedStudyIsTheOneThatWasPublished) {
   EXPECT_THAT(phases_of(protocol), ElementsAre("background", "trials", "debrief"));
   EXPECT_EQ(protocol.film.width, 4096);
   EXPECT_EQ(protocol.film.height, 2048);
-  EXPECT_EQ(protocol.machine.samples_per_second, 7e6);
+  // The paper states no time-out; its longest mean is 137 s.
+  EXPECT_GE(protocol.timing.mark_timeout_s, 900.0);
   EXPECT_EQ(protocol.display.profile->name, "fove0");
   EXPECT_EQ(protocol.tracker.profile->name, "fove0");
   EXPECT_EQ(protocol.analysis.participants, 16);
