@@ -127,7 +127,7 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
                       "The machine's speed at full size, instead of the protocol's");
   command->add_flag(
       "--predicted", arguments->predicted,
-      "Instead of every frame, render only pilots of each object and method, and predict "
+      "Instead of every frame, render only pilots of each object, and predict "
       "from them what participants see: a thousand times faster");
   command->add_flag(
       "--real-time", arguments->real_time,

@@ -32,7 +32,7 @@ TEST(MethodsParagraph, SaysWhatTheProtocolSays) {
               HasSubstr("The order of scenes was random, that of methods within a scene random"));
   EXPECT_THAT(text, HasSubstr("4096 × 2048 pixels"));
   EXPECT_THAT(text, HasSubstr("profile fove0"));
-  EXPECT_THAT(text, HasSubstr("time-out of a mark was 180 s"));
+  EXPECT_THAT(text, HasSubstr("time-out of a mark was 900 s"));
   EXPECT_THAT(text, HasSubstr("2 comparisons were planned"));
 }
 
