@@ -125,10 +125,9 @@ void add_simulate(CLI::App& study, const SceneFinder& find_scene,
       "any second stays what it was");
   command->add_option("--samples-per-second", arguments->samples_per_second,
                       "The machine's speed at full size, instead of the protocol's");
-  command->add_flag(
-      "--predicted", arguments->predicted,
-      "Instead of every frame, render only pilots of each object, and predict "
-      "from them what participants see: a thousand times faster");
+  command->add_flag("--predicted", arguments->predicted,
+                    "Instead of every frame, render only pilots of each object, and predict "
+                    "from them what participants see: a thousand times faster");
   command->add_flag(
       "--real-time", arguments->real_time,
       "Show the sessions in a real window, as to people: at this machine's speed, which --scale "

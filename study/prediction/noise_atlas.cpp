@@ -233,8 +233,7 @@ class SceneAtlas {
     sampler->aim(aim_at(ahead, setting_.protocol.display));
     const ConvergedMeans expected =
         converged_means(pilot, *sampler, ahead, surround_convergence, mask, views);
-    return gathered(measure_noise(pilot, *sampler, pilot_levels, 0, mask, views, expected),
-                    places);
+    return gathered(measure_noise(pilot, *sampler, pilot_levels, 0, mask, views, expected), places);
   }
 
   /// A table for each scale, of all views, each standing for a patch. A view whose cells are too
