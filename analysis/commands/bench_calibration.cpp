@@ -19,6 +19,7 @@
 #include "renderer/base/aligned_rows.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "study/commands/command_line.h"
 #include "study/protocol/protocol.h"
 #include "study/simulation/simulate_study.h"
 
@@ -31,7 +32,7 @@ struct CalibrationArguments {
   std::string protocol;
   std::string folder;
   std::string people = "adults";
-  int participants = 200;
+  int participants = 0;
   std::uint64_t seed = 0;
   double scale = 1.0;
   int threads = 0;
@@ -219,37 +220,24 @@ void run(const CalibrationArguments& arguments, const SceneFinder& find_scene,
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): every module adds its commands alike.
 void add_bench_calibration(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
-  constexpr int most_participants = 100'000;
-  constexpr int most_threads = 1024;
   const auto arguments = std::make_shared<CalibrationArguments>();
-  CLI::App* command = bench.add_subcommand(
-      "calibration",
-      "Find the machine's speed with which OD takes as long as in the published study");
-  command
-      ->add_option("PROTOCOL", arguments->protocol,
-                   "koskela2018, koskela2018-original, or a .toml file of the same measures")
-      ->required();
+  CLI::App* command = study::add_command(
+      bench, "calibration",
+      "Find the machine's speed with which OD takes as long as in the published study",
+      "calibration koskela2018 --participants 200 --scale 36 -o calibration");
+  study::add_protocol(command, arguments->protocol);
   command
       ->add_option("-o,--output", arguments->folder,
                    "A folder for the studies that are tried, each named by its samples a second, "
                    "and for the last one's comparison with the published study; made if its parent "
                    "exists. Studies that are there already are resumed")
       ->required();
-  command->add_option("--participants", arguments->participants, "Participants in each study")
-      ->check(CLI::Range(1, most_participants))
-      ->capture_default_str();
-  command
-      ->add_option("--seed", arguments->seed,
-                   "The seed of orders and simulated people; another one gives others")
-      ->capture_default_str();
+  study::add_participants_and_seed(command, arguments->participants, arguments->seed);
   command->add_option("--people", arguments->people, "As in study simulate")->capture_default_str();
   command->add_option("--scale", arguments->scale, "As in study simulate");
-  command->add_option("--threads", arguments->threads, "The number of threads; 0: every core")
-      ->check(CLI::Range(0, most_threads))
-      ->capture_default_str();
+  study::add_threads(command, arguments->threads);
   command->add_option("--jobs", arguments->jobs, "As in study simulate");
-  command->add_flag("--json", arguments->json, "Print the result as JSON");
-  command->footer("Example: foveola bench calibration koskela2018 --scale 36 -o calibration");
+  study::add_json(command, arguments->json);
   command->callback([arguments, find_scene, stop] { run(*arguments, find_scene, stop); });
 }
 

@@ -32,10 +32,10 @@ using CompareAtSpeed = std::function<std::vector<ComparedNumber>(double samples_
 /// arithmetic means over participants, and each cell has the same weight. Found by Newton's method
 /// on the logarithm of the speed, from `first` on, to 0.2 %.
 ///
-/// Interval: at that speed the mean of log_ratios_of_scenes has Student's interval of so many less
-/// one degrees of freedom, that of five other scenes; over the slope, which is the change of the
-/// mean for a machine faster by a tenth. It has the scatter of the published means in it, for lack
-/// of a better model; two numbers that were fitted apart have theirs apart.
+/// Interval: Student's of the mean of log_ratios_of_scenes at that speed, with one degree of
+/// freedom less than there are scenes, divided by the slope of that mean over the speed's
+/// logarithm, which is taken from a machine faster by a tenth. So it stands for other scenes and
+/// other participants; that of one mark alone is fitted apart.
 ///
 /// Throws Error if times do not depend on the speed, or if it is not found in a dozen studies.
 MachineSpeed fit_machine_speed(const CompareAtSpeed& compare, double first,

@@ -25,8 +25,15 @@ std::optional<double> speed_in(const nlohmann::json& simulation) {
 }  // namespace
 
 Protocol simulated_protocol(Protocol protocol, const SimulationKind& kind) {
-  protocol.machine.samples_per_second =
-      kind.samples_per_second.value_or(protocol.machine.samples_per_second);
+  constexpr double slowest = 1.0;  // as a protocol's own machine
+  constexpr double fastest = 1e12;
+  if (kind.samples_per_second) {
+    const double speed = *kind.samples_per_second;
+    if (!(speed >= slowest && speed <= fastest)) {
+      throw UsageError("--samples-per-second", "must be from 1 to 1e12");
+    }
+    protocol.machine.samples_per_second = speed;
+  }
   return scaled_protocol(std::move(protocol), kind.scale);
 }
 

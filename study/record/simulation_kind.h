@@ -21,7 +21,7 @@ struct SimulationKind {
 };
 
 /// The protocol as its simulated sessions see it: the machine's speed, then the scale. Throws
-/// UsageError as scaled_protocol does.
+/// UsageError for a speed that no protocol may have, and as scaled_protocol does.
 Protocol simulated_protocol(Protocol protocol, const SimulationKind& kind);
 
 /// Writes it as SessionFacts::devices.

@@ -79,9 +79,6 @@ void require_options(const SimulateSettings& settings) {
   if (settings.jobs < 1) {
     throw UsageError("--jobs", "must be at least 1");
   }
-  if (settings.samples_per_second && !(*settings.samples_per_second > 0.0)) {
-    throw UsageError("--samples-per-second", "must be above 0");
-  }
   if (settings.real_time && settings.samples_per_second) {
     throw UsageError("--samples-per-second",
                      "is this machine's in real time; leave one of them out");

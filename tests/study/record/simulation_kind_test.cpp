@@ -1,5 +1,7 @@
 #include "study/record/simulation_kind.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +54,9 @@ TEST(SimulationKind, IsWhatItsSessionsSawOfTheProtocol) {
   const Protocol slow = simulated_protocol(protocol, {.scale = 4.0, .samples_per_second = 8e5});
   EXPECT_EQ(slow.machine.samples_per_second, 2e5);
   EXPECT_EQ(slow.film.width, 256);
+  for (const double speed : {0.0, -1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(simulated_protocol(protocol, {.samples_per_second = speed}), UsageError) << speed;
+  }
 }
 
 TEST(SimulationKind, ReadsWhatEarlierVersionsRecorded) {
