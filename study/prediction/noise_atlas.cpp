@@ -101,8 +101,8 @@ class SceneAtlas {
     for (const auto& [picture, objects] : wanted_objects(method)) {
       std::vector<std::size_t> unknown;
       for (const std::size_t i : objects) {
-        if (const auto known = cache_.find(key_of(objects_[i], method, picture))) {
-          add_picture(i, method, picture, *known, atlas);
+        if (const ScaleTables* tables = known(key_of(objects_[i], method, picture))) {
+          add_picture(i, method, picture, *tables, atlas);
         } else {
           unknown.push_back(i);
         }
@@ -112,7 +112,9 @@ class SceneAtlas {
         const std::span<const std::size_t> group(&unknown[first], step);
         const std::vector<ScaleTables> tables = measure(group, method, picture, *sampler);
         for (std::size_t i = 0; i < group.size(); ++i) {
-          cache_.keep(key_of(objects_[group[i]], method, picture), tables[i]);
+          const std::string key = key_of(objects_[group[i]], method, picture);
+          cache_.keep(key, tables[i]);
+          known_[key] = tables[i];
           add_picture(group[i], method, picture, tables[i], atlas);
         }
       }
@@ -132,6 +134,18 @@ class SceneAtlas {
   }
 
  private:
+  /// Null if they are not in the cache. Methods that are shown alike have the same tables, which
+  /// are read once.
+  const ScaleTables* known(const std::string& key) {
+    auto found = known_.find(key);
+    if (found == known_.end()) {
+      if (std::optional<ScaleTables> cached = cache_.find(key)) {
+        found = known_.emplace(key, std::move(*cached)).first;
+      }
+    }
+    return found != known_.end() ? &found->second : nullptr;
+  }
+
   /// The objects of which each picture is wanted, by the picture's number.
   std::map<std::uint32_t, std::vector<std::size_t>> wanted_objects(
       const std::string& method) const {
@@ -290,6 +304,7 @@ class SceneAtlas {
   std::string scene_;
   const SceneStage& stage_;
   TableCache cache_;
+  std::map<std::string, ScaleTables> known_;
   std::stop_token stop_;
   std::vector<JudgedObject> objects_;
 };
