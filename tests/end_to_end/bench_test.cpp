@@ -111,7 +111,8 @@ TEST(BenchEquation7, PrintsItsFiguresBesideThePapers) {
   EXPECT_THAT(table.output, ContainsRegex("radius, relative +-0.224 % at u = 0.15.* 1.8 % "));
   const ProgramResult json = run_foveola({"bench", "equation7", "--json"});
   ASSERT_EQ(json.exit_code, 0) << json.errors;
-  for (const auto& figure : nlohmann::json::parse(json.output).at("figures")) {
+  const auto figures = nlohmann::json::parse(json.output).at("figures");
+  for (const auto& figure : figures) {
     if (figure.at("what") == "mean absolute difference over the mean radius") {
       EXPECT_NEAR(figure.at("value").get<double>(), 0.0327, 5e-5);
       EXPECT_EQ(figure.at("unit"), "%");
