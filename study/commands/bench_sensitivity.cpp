@@ -59,7 +59,11 @@ std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
   for (const StatedNumber& number : people.numbers) {
     const bool is_asked = std::find(arguments.numbers.begin(), arguments.numbers.end(),
                                     number.name) != arguments.numbers.end();
-    if (arguments.numbers.empty() ? shares_pilots(number.name) : is_asked) {
+    if (is_asked && number.value == 0.0) {
+      throw Error(fmt::format("--number {}", number.name), "is 0, which no factor changes",
+                  "see what another value does by study simulate --people FILE");
+    }
+    if (arguments.numbers.empty() ? number.value != 0.0 && shares_pilots(number.name) : is_asked) {
       chosen.push_back(number);
     }
   }

@@ -238,6 +238,8 @@ TEST_F(StudyOfAHall, SensitivityIsMeasuredByChangingPeople) {
   const ProgramResult unknown = bench("decision.courage");
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_THAT(unknown.errors, HasSubstr("decision.courage: is not a number in a population file"));
+  EXPECT_THAT(bench("decision.impatience_per_s").errors,
+              HasSubstr("is 0, which no factor changes"));
   EXPECT_TRUE(fs::is_empty(out));
 
   const ProgramResult first = bench("decision.lapse_s");
