@@ -170,7 +170,9 @@ void read_viewpoint(TomlReader& table, SceneSource& source) {
   table.read("metres_per_unit", source.metres_per_unit, 1e-6, 1e6);
   table.require("camera");
   read_camera(table.table("camera"), source);
-  table.read("exposure_stops", source.exposure_stops, -20.0, 20.0);
+  if (table.has("exposure_stops")) {
+    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -20.0, 20.0);
+  }
   for (const TomlReader& light : table.tables("light")) {
     source.lights.push_back(read_light(light, source.metres_per_unit));
   }

@@ -160,7 +160,7 @@ class ConvergenceBench {
       if (!measurement.repetitions.empty()) {
         results_.measurements.push_back(std::move(measurement));
         results_.crops.push_back(bench.crops());
-        results_.exposure_stops.push_back(subject.loaded.source.exposure_stops);
+        results_.exposure_stops.push_back(subject.loaded.source.exposure_stops.value_or(0.0));
       }
     } catch (const Error&) {
       // A reference that was stopped takes nothing from what was measured before.

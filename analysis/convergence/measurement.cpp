@@ -70,7 +70,7 @@ GazeBench::GazeBench(const Subject& subject, const ConvergencePlan& plan,
       gaze_(gaze_name(gaze)),
       aim_(aim_at(plan, gaze)),
       regions_(regions_around(aim_.gaze, aim_.viewport)),
-      scorer_(plan, aim_.viewport, subject.loaded.source.exposure_stops, regions_,
+      scorer_(plan, aim_.viewport, subject.loaded.source.exposure_stops.value_or(0.0), regions_,
               reference_halves(
                   subject, plan, aim_.gaze, workers, cache,
                   [&](double fraction) {

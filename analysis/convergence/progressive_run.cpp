@@ -17,7 +17,7 @@ const PathTracer& tracer_for(const Configuration& configuration, const Subject& 
 
 ProgressiveSettings settings_for(const Configuration& configuration, const ConvergencePlan& plan,
                                  const SceneSource& source, std::uint32_t seed) {
-  const auto white = static_cast<float>(std::exp2(-source.exposure_stops));
+  const auto white = static_cast<float>(std::exp2(-source.exposure_stops.value_or(0.0)));
   ProgressiveSettings settings;
   settings.film_size = plan.size;
   settings.trace = {.max_depth = plan.max_depth,

@@ -71,7 +71,9 @@ struct SceneSource {
   std::optional<LightUnits> light_units;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
-  double exposure_stops = 0.0;
+  /// Brightens what is shown by a power of two. None: whoever shows the scene chooses it; a study
+  /// and whatever measures take 0.
+  std::optional<double> exposure_stops;
   /// At most one of these three, which replace the file's environment: a constant, an image, or
   /// daylight, whose sun becomes one of the scene's lights.
   std::optional<Rgb> environment_radiance;

@@ -135,7 +135,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
   HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
   Preview preview(loaded.tracer,
                   {.render = loaded.rendered_with(settings.progressive),
-                   .exposure_stops = source.exposure_stops},
+                   .exposure_stops = source.exposure_stops.value_or(0.0)},
                   eye, head, workers);
   Steering steering(steered_head, gaze.pointer);
   LivePreviewSettings live{.display = display,
@@ -146,7 +146,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .keeps_last_picture = !command.screenshot.empty(),
                            .corrects_gaze = command.correct_gaze,
                            .notify = print_notice};
-  live.choices.look.exposure_stops = source.exposure_stops + command.exposure_stops;
+  live.choices.look.exposure_stops = source.exposure_stops.value_or(0.0) + command.exposure_stops;
   if (command.frames > 0) {
     live.frames = command.frames;
   }

@@ -151,7 +151,7 @@ void apply_lighting(const CLI::App& command, const RenderArguments& arguments,
   if (!arguments.environment.empty()) {
     replace_environment(arguments.environment, source);
   }
-  source.exposure_stops += arguments.exposure_stops;
+  source.exposure_stops = source.exposure_stops.value_or(0.0) + arguments.exposure_stops;
   source.environment_rotation_rad += radians(arguments.environment_rotation_deg);
   source.environment_strength *= arguments.environment_strength;
   if (command.count("--light-radius") > 0) {
@@ -212,10 +212,10 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   if (rendering.report.samples == 0) {
     return;
   }
-  write_film_image(arguments.output, rendering.image, source.exposure_stops,
+  write_film_image(arguments.output, rendering.image, source.exposure_stops.value_or(0.0),
                    header_of(rendering.report, settings, command, arguments));
   if (settings.view) {
-    write_image(arguments.view, rendering.view, source.exposure_stops);
+    write_image(arguments.view, rendering.view, source.exposure_stops.value_or(0.0));
   }
   const RenderNames names{.scene = arguments.scene, .output = arguments.output};
   if (arguments.json) {

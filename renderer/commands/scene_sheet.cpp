@@ -64,8 +64,8 @@ SheetRow render_row(const SceneSource& source, RenderSettings settings,
   const double fov_rad = radians(view_extent_deg);
   row.view = viewport_image(film, Viewport(head_orientation(source.heading), fov_rad, fov_rad),
                             height, height);
-  expose(row.panorama, source.exposure_stops);
-  expose(row.view, source.exposure_stops);
+  expose(row.panorama, source.exposure_stops.value_or(0.0));
+  expose(row.view, source.exposure_stops.value_or(0.0));
   return row;
 }
 

@@ -12,7 +12,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/image_codec.h"
-#include "renderer/image/tone_mapping.h"
 
 namespace fs = std::filesystem;
 
@@ -75,8 +74,9 @@ void write_exr(const fs::path& path, const RgbImage& image,
                       .floats = values});
 }
 
-void write_png(const fs::path& path, const RgbImage& linear, double exposure_stops) {
-  const RgbImage display = display_image(linear, exposure_stops);
+void write_png(const fs::path& path, const RgbImage& linear, double exposure_stops,
+               ToneCurve curve) {
+  const RgbImage display = display_image(linear, exposure_stops, curve);
   std::vector<std::uint8_t> values;
   values.reserve(display.pixels.size() * 3);
   for (const Rgb& pixel : display.pixels) {
@@ -197,17 +197,19 @@ void require_image_extension(const fs::path& path) {
 }
 
 void write_film_image(const fs::path& path, const FilmImage& image, double exposure_stops,
-                      const ImageFacts& facts) {
+                      const ImageFacts& facts, ToneCurve curve) {
   require_image_extension(path);
   if (lower_extension(path) == ".exr") {
     write_exr(path, image.color, image.samples, image.variances, facts);
   } else {
-    write_png(path, image.color, exposure_stops);
+    write_png(path, image.color, exposure_stops, curve);
   }
 }
 
-void write_image(const fs::path& path, const RgbImage& image, double exposure_stops) {
-  write_film_image(path, {.color = image, .samples = {}, .variances = {}}, exposure_stops);
+void write_image(const fs::path& path, const RgbImage& image, double exposure_stops,
+                 ToneCurve curve) {
+  write_film_image(path, {.color = image, .samples = {}, .variances = {}}, exposure_stops, {},
+                   curve);
 }
 
 IVec2 image_size(const fs::path& path) {

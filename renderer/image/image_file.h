@@ -7,6 +7,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/image/image.h"
+#include "renderer/image/tone_mapping.h"
 
 namespace foveola {
 
@@ -17,13 +18,15 @@ void require_image_extension(const std::filesystem::path& path);
 using ImageFacts = std::map<std::string, std::string>;
 
 /// .exr: float channels R, G, B, `samples` and, if they are known, `variance`, with `facts` in its
-/// header. .png: sRGB, 8 bits, after `exposure_stops`. The file appears whole or not at all. Throws
-/// Error if it cannot be written.
+/// header. .png: sRGB, 8 bits, after `exposure_stops` and `curve`. The file appears whole or not at
+/// all. Throws Error if it cannot be written.
 void write_film_image(const std::filesystem::path& path, const FilmImage& image,
-                      double exposure_stops, const ImageFacts& facts = {});
+                      double exposure_stops, const ImageFacts& facts = {},
+                      ToneCurve curve = ToneCurve::plain);
 
 /// A linear image as .exr (R, G, B) or .png (as write_film_image).
-void write_image(const std::filesystem::path& path, const RgbImage& image, double exposure_stops);
+void write_image(const std::filesystem::path& path, const RgbImage& image, double exposure_stops,
+                 ToneCurve curve = ToneCurve::plain);
 
 /// Width and height in pixels, without reading them. Throws Error as read_film_image.
 IVec2 image_size(const std::filesystem::path& path);

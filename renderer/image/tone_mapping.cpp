@@ -12,13 +12,14 @@ float linear_from_srgb(float encoded) {
 
 float exposure_scale(double stops) { return static_cast<float>(std::exp2(stops)); }
 
-RgbImage display_image(const RgbImage& linear, double exposure_stops) {
+RgbImage display_image(const RgbImage& linear, double exposure_stops, ToneCurve curve) {
   const float scale = exposure_scale(exposure_stops);
   RgbImage display(linear.width, linear.height);
   std::transform(linear.pixels.begin(), linear.pixels.end(), display.pixels.begin(),
-                 [scale](const Rgb& color) {
-                   return Rgb(srgb_from_linear(scale * color.r), srgb_from_linear(scale * color.g),
-                              srgb_from_linear(scale * color.b));
+                 [scale, curve](const Rgb& color) {
+                   return Rgb(display_from_linear(scale * color.r, curve),
+                              display_from_linear(scale * color.g, curve),
+                              display_from_linear(scale * color.b, curve));
                  });
   return display;
 }

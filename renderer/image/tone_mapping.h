@@ -1,6 +1,8 @@
 // From linear radiance to what a display shows.
 #pragma once
 
+#include <cstdint>
+
 #include "renderer/base/lanes.h"
 #include "renderer/image/image.h"
 
@@ -27,10 +29,37 @@ Number srgb_from_linear(const Number& linear) {
 }
 float linear_from_srgb(float encoded);
 
+/// How radiance, after the exposure, becomes what a display shows.
+enum class ToneCurve : std::uint8_t {
+  plain,  ///< as it is, cut off at white
+  filmic  ///< see filmic()
+};
+
+/// Bright light rolls off towards white instead of being cut off: Narkowicz's fit of the curve of
+/// the Academy Color Encoding System (ACES Filmic Tone Mapping Curve, 2015), each channel by
+/// itself, of 0.6 times the linear value, which is that curve's own exposure. 0.18 becomes 0.14,
+/// and 1 becomes 0.67; negative values and NaN become 0. Number: float, or Floats.
+template <typename Number>
+Number filmic(const Number& linear) {
+  constexpr float exposure = 0.6F;
+  constexpr float white_long_since = 1e6F;  // and its square is finite
+  const Number x = exposure * smaller(larger(linear, 0.0F), white_long_since);
+  return smaller((x * (2.51F * x + 0.03F)) / (x * (2.43F * x + 0.59F) + 0.14F), 1.0F);
+}
+
+/// A linear value, exposed already, encoded for an sRGB display; in [0, 1]. Number: float, or
+/// Floats.
+template <typename Number>
+Number display_from_linear(const Number& linear, ToneCurve curve) {
+  return srgb_from_linear(curve == ToneCurve::filmic ? filmic(linear) : linear);
+}
+
 /// What radiance is multiplied by for an exposure.
 float exposure_scale(double stops);
 
-/// Exposure by a power of two, then the sRGB transfer function for each channel; values in [0, 1].
-RgbImage display_image(const RgbImage& linear, double exposure_stops);
+/// Exposure by a power of two, then the curve and the sRGB transfer function for each channel;
+/// values in [0, 1].
+RgbImage display_image(const RgbImage& linear, double exposure_stops,
+                       ToneCurve curve = ToneCurve::plain);
 
 }  // namespace foveola

@@ -111,7 +111,7 @@ LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, doubl
 ProgressiveSettings LoadedScene::rendered_with(ProgressiveSettings settings) const {
   settings.viewpoint = camera.position;
   if (settings.adaptive) {
-    settings.adaptive->exposure_stops = source.exposure_stops;
+    settings.adaptive->exposure_stops = source.exposure_stops.value_or(0.0);
   }
   return settings;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -143,12 +144,25 @@ AzimuthElevation heading_of(const DMat4& world_from_local) {
   return heading;
 }
 
-/// Whether the camera is turned about its line of sight, by more than rounding.
-bool rolls(const DMat4& world_from_local, const AzimuthElevation& heading) {
+/// See CameraView; 0 for what may be rounding.
+double roll_of(const DMat4& world_from_local, const AzimuthElevation& heading) {
   constexpr double smallest_roll_rad = 1e-3;
-  const DVec3 right = glm::cross(DVec3(world_from_local[1]), DVec3(world_from_local[2]));
+  const DVec3 back(world_from_local[2]);
+  const DVec3 right = glm::cross(DVec3(world_from_local[1]), back);
   const DVec3 level(std::cos(heading.azimuth_rad), 0.0, std::sin(heading.azimuth_rad));
-  return glm::length(right / glm::length(right) - level) > smallest_roll_rad;
+  const DVec3 level_up = glm::cross(back / glm::length(back), level);
+  const double roll_rad = std::atan2(-glm::dot(right, level_up), glm::dot(right, level));
+  return std::abs(roll_rad) > smallest_roll_rad ? roll_rad : 0.0;
+}
+
+/// The field of view and the aspect ratio of a perspective camera, where they make sense.
+void read_lens(const tinygltf::PerspectiveCamera& lens, CameraView& view) {
+  if (lens.yfov > 0.0 && lens.yfov < std::numbers::pi) {
+    view.vertical_fov_rad = lens.yfov;
+  }
+  if (lens.aspectRatio > 0.0 && std::isfinite(lens.aspectRatio)) {
+    view.aspect_ratio = lens.aspectRatio;
+  }
 }
 
 }  // namespace
@@ -207,12 +221,17 @@ std::vector<CameraView> read_cameras(const tinygltf::Model& model,
     }
     const DMat4& world_from_local = item.placement.world_from_local;
     const AzimuthElevation heading = heading_of(world_from_local);
-    if (rolls(world_from_local, heading)) {
+    CameraView view{.name = sanitised(camera.name.empty() ? node.name : camera.name),
+                    .position = Vec3(DVec3(world_from_local[3]) - origin),
+                    .heading = heading,
+                    .roll_rad = roll_of(world_from_local, heading),
+                    .vertical_fov_rad = std::nullopt,
+                    .aspect_ratio = std::nullopt};
+    if (view.roll_rad != 0.0) {
       warnings.add("the roll of a camera is ignored: its horizon stays level", place);
     }
-    views.push_back({.name = sanitised(camera.name.empty() ? node.name : camera.name),
-                     .position = Vec3(DVec3(world_from_local[3]) - origin),
-                     .heading = heading});
+    read_lens(camera.perspective, view);
+    views.push_back(std::move(view));
   }
   return views;
 }

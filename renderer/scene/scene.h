@@ -128,6 +128,12 @@ struct CameraView {
   std::string name;
   Vec3 position{0.0F};
   AzimuthElevation heading;
+  /// Turn about the line of sight, clockwise as the camera sees it, in (-pi, pi]: its horizon then
+  /// turns counter-clockwise in the picture. Only an ordinary picture has it, no head.
+  double roll_rad = 0.0;
+  /// Height of what an ordinary picture shows, in (0, pi); none if the camera does not say.
+  std::optional<double> vertical_fov_rad;
+  std::optional<double> aspect_ratio;  ///< width over height of that picture, if the file says it
 };
 
 struct Bounds {

@@ -212,7 +212,7 @@ class SceneAtlas {
             .viewpoint = stage_.viewpoint(),
             .film = shown.film,
             .unsampled = shown.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black,
-            .exposure_stops = stage_.source().exposure_stops,
+            .exposure_stops = stage_.source().exposure_stops.value_or(0.0),
             .jnd_lab = setting_.vision.jnd_lab,
             .stop = stop_};
   }
@@ -291,13 +291,14 @@ class SceneAtlas {
         "vision {} {} {} {} {} scales {} {} {} coarse {}\n"
         "margin {} objects {} around {} levels {} {}\n",
         tables_version, stage_.key(), viewpoint.x, viewpoint.y, viewpoint.z,
-        stage_.source().exposure_stops, shown.film.width, shown.film.height, shown.film.max_depth,
-        shown.fill_unsampled, display.view_width, display.view_height, display.horizontal_fov_deg,
-        display.vertical_fov_deg, display.lens.axis.x, display.lens.axis.y, display.lens.k1,
-        display.lens.k2, vision.jnd_lab, vision.recognition_line_pairs, vision.surround_factor,
-        vision.material_cell_deg, vision.view_cell_deg, vision.scale_count, vision.object_patch_deg,
-        vision.view_patch_deg, vision.coarseness, margin_px, object_convergence,
-        surround_convergence, pilot_levels.first_per_pixel, pilot_levels.count);
+        stage_.source().exposure_stops.value_or(0.0), shown.film.width, shown.film.height,
+        shown.film.max_depth, shown.fill_unsampled, display.view_width, display.view_height,
+        display.horizontal_fov_deg, display.vertical_fov_deg, display.lens.axis.x,
+        display.lens.axis.y, display.lens.k1, display.lens.k2, vision.jnd_lab,
+        vision.recognition_line_pairs, vision.surround_factor, vision.material_cell_deg,
+        vision.view_cell_deg, vision.scale_count, vision.object_patch_deg, vision.view_patch_deg,
+        vision.coarseness, margin_px, object_convergence, surround_convergence,
+        pilot_levels.first_per_pixel, pilot_levels.count);
   }
 
   const AtlasSetting& setting_;

@@ -98,7 +98,7 @@ std::string text_of(const Json& json) {
 
 std::string shown_as(const SceneSource& source) {
   return text_of({{"camera", camera_of(source)},
-                  {"exposure_stops", source.exposure_stops},
+                  {"exposure_stops", source.exposure_stops.value_or(0.0)},
                   {"objects", json_of(source.objects)},
                   {"added", added_to(source)}});
 }

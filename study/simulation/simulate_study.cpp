@@ -132,7 +132,8 @@ std::vector<std::string> mark_ids(const Protocol& protocol) {
 
 KnownScene knowledge_of(const SceneStages& stages, const std::string& scene) {
   const SceneStage& stage = *stages.at(scene);
-  return {.panorama = &stage.reference(), .exposure_stops = stage.source().exposure_stops};
+  return {.panorama = &stage.reference(),
+          .exposure_stops = stage.source().exposure_stops.value_or(0.0)};
 }
 
 /// Renders what each scene converges to, until it is stopped.

@@ -18,7 +18,7 @@ PreviewSettings trial_preview_settings(const Protocol& protocol, const TrialSett
                            .lens = protocol.display.lens};
   preview.view_size = {protocol.display.view_width, protocol.display.view_height};
   preview.unsampled = settings.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
-  preview.exposure_stops = stage.source().exposure_stops;
+  preview.exposure_stops = stage.source().exposure_stops.value_or(0.0);
   return preview;
 }
 

@@ -59,6 +59,12 @@ std::string error_of(const std::string& content) {
   return "no error";
 }
 
+TEST(Descriptor, LeavesTheExposureOpenWhereItSaysNone) {
+  const TemporaryFolder folder;
+  const std::string text = with(good, "exposure_stops = -1.5", "");
+  EXPECT_FALSE(read_descriptor(folder.write("hall.toml", text)).source.exposure_stops);
+}
+
 TEST(Descriptor, ReadsEveryKey) {
   const TemporaryFolder folder;
   const Descriptor hall = read_descriptor(folder.write("hall.toml", good));

@@ -127,6 +127,21 @@ TEST_F(Nodes, PerspectiveCamerasLookAlongMinusZ) {
   EXPECT_NEAR(scene.cameras[1].heading.azimuth_rad, -std::numbers::pi / 4.0, 1e-6);
 }
 
+TEST_F(Nodes, CamerasKeepTheirFieldOfViewAndAspectRatio) {
+  GlbBuilder glb = one_triangle();
+  glb.add("cameras", {{"type", "perspective"},
+                      {"perspective", {{"yfov", 0.75}, {"aspectRatio", 1.5}, {"znear", 0.1}}}});
+  glb.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 4.0}, {"znear", 0.1}}}});
+  glb.add_root({{"camera", 0}});
+  glb.add_root({{"camera", 1}});
+  const Scene scene = load(glb);
+  ASSERT_EQ(scene.cameras.size(), 2U);
+  EXPECT_EQ(scene.cameras[0].vertical_fov_rad, 0.75);
+  EXPECT_EQ(scene.cameras[0].aspect_ratio, 1.5);
+  EXPECT_FALSE(scene.cameras[1].vertical_fov_rad) << "over half a turn";
+  EXPECT_FALSE(scene.cameras[1].aspect_ratio);
+}
+
 /// A triangle, and a camera turned by this quaternion (x, y, z, w).
 GlbBuilder with_turned_camera(const Json& rotation) {
   GlbBuilder glb = one_triangle();
@@ -145,7 +160,9 @@ Json turn(double degrees, const Vec3& axis) {
 TEST_F(Nodes, LevelCamerasDoNotRoll) {
   for (const Json& level : {turn(77, {0, 1, 0}), turn(-60, {1, 0, 0}), turn(89, {1, 0, 0}),
                             turn(-90, {1, 0, 0}), turn(180, {0, 1, 0})}) {
-    EXPECT_THAT(load(with_turned_camera(level)).warnings, IsEmpty()) << level;
+    const Scene scene = load(with_turned_camera(level));
+    EXPECT_THAT(scene.warnings, IsEmpty()) << level;
+    EXPECT_EQ(scene.cameras.at(0).roll_rad, 0.0) << level;
   }
 }
 
@@ -167,6 +184,9 @@ TEST_F(Nodes, WarnsOfCamerasThatRoll) {
     EXPECT_THAT(scene.warnings, ElementsAre(warning)) << rolled;
     EXPECT_NEAR(scene.cameras.at(0).heading.azimuth_rad, 0.0, 1e-6);
   }
+  // Turned counter-clockwise about +Z, which points at whoever looks along -Z.
+  EXPECT_NEAR(load(with_turned_camera(turn(-30, {0, 0, 1}))).cameras.at(0).roll_rad,
+              std::numbers::pi / 6.0, 1e-6);
   GlbBuilder two = with_turned_camera(turn(30, {0, 0, 1}));
   two.add_root({{"camera", 0}, {"rotation", turn(40, {0, 0, 1})}});
   EXPECT_THAT(load(two).warnings, ElementsAre(HasSubstr("(2 times, first at nodes[1])")));

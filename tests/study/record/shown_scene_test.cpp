@@ -37,6 +37,12 @@ SceneSource hall() {
   return source;
 }
 
+TEST(ShownScene, WithoutAnExposureOfItsOwnASceneIsShownAsItIs) {
+  SceneSource plain = hall();
+  plain.exposure_stops.reset();
+  EXPECT_THAT(shown_as(plain), testing::HasSubstr(R"("exposure_stops":0.0,)"));
+}
+
 TEST(ShownScene, SaysAllThatTheSourceSaysBeyondItsFile) {
   EXPECT_EQ(
       shown_as(hall()),
