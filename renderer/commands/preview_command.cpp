@@ -119,9 +119,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                              const IVec2& framebuffer, const Clock& clock,
                              const std::stop_token& stop) {
   const RenderSettings settings = render_settings(command);
-  const IVec2& film_size = settings.progressive.film_size;
-  const PyramidAtlas atlas(film_size.x, film_size.y);
-  Presenter presenter(window, atlas, clock);
+  Presenter presenter(window, clock);
   const Workers workers(settings.threads);
   const LoadedScene loaded(source, workers, settings.scene);
   print_warnings(loaded.warnings);
@@ -156,6 +154,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .window = &window,
                            .events = &events,
                            .presenter = &presenter,
+                           .workers = &workers,
                            .clock = &clock});
   LivePreviewReport report = shown.run(stop);
   report.threads = workers.threads();

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/image/tone_mapping.h"
-
 namespace foveola {
 namespace {
 
@@ -19,6 +17,29 @@ std::optional<float> linear_exposure(const std::optional<double>& stops) {
   return stops ? std::optional(exposure_scale(*stops)) : std::nullopt;
 }
 
+void put(const EightPixels& pixels, const Vec3s& colors, RgbImage& image) {
+  Vec3Lanes shown;
+  shown.store(colors);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (pixels[lane] < image.pixels.size()) {
+      image.pixels[pixels[lane]] = shown.at(lane);
+    }
+  }
+}
+
+/// colors: in [0, 1].
+void put(const EightPixels& pixels, const Vec3s& colors, ByteImage& image) {
+  const auto byte = [](const Floats& channel) { return truncated(255.0F * channel + 0.5F); };
+  constexpr std::int32_t opaque = std::int32_t{-1} << 24U;
+  const Ints shown =
+      byte(colors.x) | byte(colors.y) << 8 | byte(colors.z) << 16 | (Ints{} + opaque);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (pixels[lane] < image.pixels.size()) {
+      image.pixels[pixels[lane]] = static_cast<std::uint32_t>(shown[lane]);
+    }
+  }
+}
+
 EightPixels eight_from(std::size_t first) {
   EightPixels pixels;
   std::iota(pixels.begin(), pixels.end(), static_cast<std::uint32_t>(first));
@@ -27,16 +48,19 @@ EightPixels eight_from(std::size_t first) {
 
 }  // namespace
 
-ViewportResampler::ViewportResampler(const EquirectFilm& film, const ViewImage& settings)
+template <typename Image>
+FilmResampler<Image>::FilmResampler(const EquirectFilm& film, const ViewImage& settings)
     : film_(&film),
       unsampled_(settings.unsampled),
       exposure_(linear_exposure(settings.exposure_stops)),
+      curve_(settings.curve),
       copy_(film),
       pixels_(settings.width, settings.height),
       tiles_in_view_(film),
       image_(settings.width, settings.height) {}
 
-const RgbImage& ViewportResampler::show(const Viewport& viewport, const Workers& workers) {
+template <typename Image>
+const Image& FilmResampler<Image>::show(const Viewport& viewport, const Workers& workers) {
   const bool has_moved = viewport_ != viewport;
   if (!has_moved && film_->revision() == shown_at_) {
     return image_;
@@ -63,7 +87,8 @@ const RgbImage& ViewportResampler::show(const Viewport& viewport, const Workers&
   return image_;
 }
 
-void ViewportResampler::aim(const Viewport& viewport, const Workers& workers) {
+template <typename Image>
+void FilmResampler<Image>::aim(const Viewport& viewport, const Workers& workers) {
   const bool same_lens = has_same_lens(viewport);
   const int last_level = film_->levels() - 1;
   tiles_in_view_.forget();
@@ -88,12 +113,14 @@ void ViewportResampler::aim(const Viewport& viewport, const Workers& workers) {
   }
 }
 
-bool ViewportResampler::has_same_lens(const Viewport& viewport) const {
+template <typename Image>
+bool FilmResampler<Image>::has_same_lens(const Viewport& viewport) const {
   return viewport_ && viewport_->half_size() == viewport.half_size() &&
          viewport_->lens() == viewport.lens();
 }
 
-void ViewportResampler::note_levels() {
+template <typename Image>
+void FilmResampler<Image>::note_levels() {
   const auto highest = static_cast<int>(std::ceil(pixels_.highest_level()));
   const bool fills = unsampled_ == UnsampledPixels::filled;
   reads_above_tiles_ = fills || highest >= FilmTile::levels;
@@ -102,7 +129,8 @@ void ViewportResampler::note_levels() {
       !reads_above_tiles_ && film_->width() % (2 * cell) == 0 && film_->height() % cell == 0;
 }
 
-void ViewportResampler::find_squares(const Workers& workers) {
+template <typename Image>
+void FilmResampler<Image>::find_squares(const Workers& workers) {
   squares_.resize(pixels_.count());
   workers.for_each_block(pixels_.count(), pixels_in_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t first = begin; first < end; first += lane_count) {
@@ -113,7 +141,8 @@ void ViewportResampler::find_squares(const Workers& workers) {
   });
 }
 
-void ViewportResampler::paint_all(std::size_t begin, std::size_t end) {
+template <typename Image>
+void FilmResampler<Image>::paint_all(std::size_t begin, std::size_t end) {
   std::array<EightPixels, most_view_points> pixels;
   std::array<ViewPoints, most_view_points> points;
   while (begin < end) {
@@ -126,7 +155,8 @@ void ViewportResampler::paint_all(std::size_t begin, std::size_t end) {
   }
 }
 
-void ViewportResampler::paint_changed(std::size_t begin, std::size_t end) {
+template <typename Image>
+void FilmResampler<Image>::paint_changed(std::size_t begin, std::size_t end) {
   std::array<std::uint32_t, pixels_in_task + lane_count> changed;
   std::size_t count = 0;
   for (std::size_t pixel = begin; pixel < end; ++pixel) {
@@ -148,24 +178,23 @@ void ViewportResampler::paint_changed(std::size_t begin, std::size_t end) {
   }
 }
 
-void ViewportResampler::paint(std::span<const EightPixels> pixels,
-                              std::span<const ViewPoints> points) {
+template <typename Image>
+void FilmResampler<Image>::paint(std::span<const EightPixels> pixels,
+                                 std::span<const ViewPoints> points) {
   std::array<Vec3s, most_view_points> colors;
   shown_colors(copy_.cells(), points, unsampled_, std::span(colors).first(points.size()));
   for (std::size_t group = 0; group < pixels.size(); ++group) {
     Vec3s color = colors[group];
     if (exposure_) {
       color = all_lanes(*exposure_) * color;
-      color = {srgb_from_linear(color.x), srgb_from_linear(color.y), srgb_from_linear(color.z)};
+      color = {display_from_linear(color.x, curve_), display_from_linear(color.y, curve_),
+               display_from_linear(color.z, curve_)};
     }
-    Vec3Lanes shown;
-    shown.store(color);
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      if (pixels[group][lane] < image_.pixels.size()) {
-        image_.pixels[pixels[group][lane]] = shown.at(lane);
-      }
-    }
+    put(pixels[group], color, image_);
   }
 }
+
+template class FilmResampler<RgbImage>;
+template class FilmResampler<ByteImage>;
 
 }  // namespace foveola

@@ -12,6 +12,7 @@
 #include "renderer/film/tiles_in_view.h"
 #include "renderer/film/view_pixels.h"
 #include "renderer/image/image.h"
+#include "renderer/image/tone_mapping.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
@@ -22,23 +23,30 @@ struct ViewImage {
   UnsampledPixels unsampled = UnsampledPixels::black;
   /// Encoded for a display after this exposure, as display_image does it. None: linear radiance.
   std::optional<double> exposure_stops;
+  ToneCurve curve = ToneCurve::plain;  ///< after the exposure
+
+  bool operator==(const ViewImage&) const = default;
 };
 
-/// Shows exactly what viewport_image shows, to the bit, and does not do again what stays the same
-/// from frame to frame: where the view's pixels lie while the head is still, their levels until the
-/// lens or the fields of view change, and then all but the pixels of the view near new samples.
-/// Tiles out of sight are neither copied nor cleared until they come into sight.
+/// Shows exactly what viewport_image shows, to the bit or rounded to 8 bits, and does not do again
+/// what stays the same from frame to frame: where the view's pixels lie while the head is still,
+/// their levels until the lens or the fields of view change, and then all but the pixels of the
+/// view near new samples. Tiles out of sight are neither copied nor cleared until they come into
+/// sight.
 ///
 /// Every pixel is made anew while the head turns, after a clear, where unsampled pixels are filled,
 /// if a pixel of the view is larger than 16 pixels of the film, and for films whose sides 32 does
 /// not divide.
-class ViewportResampler {
+///
+/// Image: RgbImage, or ByteImage, which needs an exposure.
+template <typename Image>
+class FilmResampler {
  public:
   /// film must outlive this.
-  ViewportResampler(const EquirectFilm& film, const ViewImage& settings);
+  FilmResampler(const EquirectFilm& film, const ViewImage& settings);
 
   /// The film as it is now, seen through `viewport`. The image stays until the next call.
-  const RgbImage& show(const Viewport& viewport, const Workers& workers);
+  const Image& show(const Viewport& viewport, const Workers& workers);
 
  private:
   /// Works out what depends on the viewport alone, but for the squares.
@@ -55,6 +63,7 @@ class ViewportResampler {
   const EquirectFilm* film_;
   UnsampledPixels unsampled_;
   std::optional<float> exposure_;  ///< linear
+  ToneCurve curve_;
   FilmCopy copy_;
   ViewPixels pixels_;
   TilesInView tiles_in_view_;
@@ -65,7 +74,15 @@ class ViewportResampler {
       squares_;  ///< each pixel's square of SquareChanges; empty: not found yet
   std::optional<Viewport> viewport_;  ///< shown last
   FilmRevision shown_at_ = 0;
-  RgbImage image_;
+  Image image_;
 };
+
+extern template class FilmResampler<RgbImage>;
+extern template class FilmResampler<ByteImage>;
+
+/// What analyses and simulated participants see.
+using ViewportResampler = FilmResampler<RgbImage>;
+/// What a window shows.
+using DisplayResampler = FilmResampler<ByteImage>;
 
 }  // namespace foveola

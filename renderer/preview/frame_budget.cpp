@@ -19,18 +19,26 @@ void CostEstimate::add(double cost) {
 }
 
 Nanoseconds FrameBudget::begin_frame(Nanoseconds left, Nanoseconds interval) {
-  // The rest may have a little less than half: batches leave some time unused, and some frames end
-  // one refresh later than they aimed at.
-  constexpr double largest_rest_share = 0.45;
   interval_s_ = seconds(interval);
   if (!is_drawing_too_slow_) {
     return left;
   }
   const double usual_rest_s = rest_s_.mean() + rest_s_.deviation();
-  const double refreshes = std::ceil(usual_rest_s / (largest_rest_share * interval_s_));
   // As every frame is late, none keeps what is kept for being in time.
   const double kept_s = rest_s_.seldom_exceeded() - usual_rest_s + reserve_s_;
-  return left + nanoseconds_from_seconds((refreshes - 1.0) * interval_s_ + kept_s);
+  return left +
+         nanoseconds_from_seconds((refreshes_for(usual_rest_s) - 1.0) * interval_s_ + kept_s);
+}
+
+double FrameBudget::refreshes_for(double rest_s) const {
+  // The rest may have a little less than half: batches leave some time unused, and some frames end
+  // one refresh later than they aimed at.
+  constexpr double largest_rest_share = 0.45;
+  const double wanted_rest_share = std::min(1.0 - traced_share_, largest_rest_share);
+  const double wanted = std::ceil(rest_s / (wanted_rest_share * interval_s_));
+  const double longest_wanted = std::floor(longest_wanted_frame_s / interval_s_);
+  const double fewest = std::ceil(rest_s / (largest_rest_share * interval_s_));
+  return std::max({std::min(wanted, longest_wanted), fewest, 1.0});
 }
 
 std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
@@ -62,7 +70,7 @@ void FrameBudget::frame_ended(bool is_late) {
   constexpr double late_share = 0.005;
   constexpr double step_s = 2e-4;
   constexpr double largest_s = 5e-3;
-  judge_drawing(is_late);
+  judge_drawing();
   if (is_drawing_too_slow_) {
     return;  // it is late because it was meant to be
   }
@@ -71,25 +79,24 @@ void FrameBudget::frame_ended(bool is_late) {
 }
 
 FrameBudget FrameBudget::for_another_preview() const {
-  FrameBudget budget;
+  FrameBudget budget(traced_share_);
   if (is_drawing_too_slow_) {
     budget.rest_s_ = rest_s_;
-    budget.late_share_ = late_share_;
+    budget.slow_share_ = slow_share_;
     budget.is_drawing_too_slow_ = true;
   }
   return budget;
 }
 
-void FrameBudget::judge_drawing(bool is_late) {
+void FrameBudget::judge_drawing() {
   constexpr double gain = 1.0 / 16.0;
-  constexpr double most_late = 0.75;        // reached by 22 late frames in a row
-  constexpr double too_slow_above = 0.9;    // of the time between two refreshes
-  constexpr double fast_again_below = 0.7;  // as a part of the interval
-  const double rest_share = interval_s_ > 0.0 ? rest_s_.mean() / interval_s_ : 0.0;
-  const bool is_late_by_rest = is_late && rest_share >= too_slow_above;
-  late_share_ += gain * ((is_late_by_rest ? 1.0 : 0.0) - late_share_);
-  is_drawing_too_slow_ =
-      is_drawing_too_slow_ ? rest_share >= fast_again_below : late_share_ > most_late;
+  constexpr double most_slow = 0.75;   // reached by 22 slow frames in a row
+  constexpr double hysteresis = 0.78;  // so much shorter is fast again
+  const double longest_rest_s = (1.0 - traced_share_) * interval_s_;
+  const bool is_slow = interval_s_ > 0.0 && rest_s_.mean() >= longest_rest_s;
+  slow_share_ += gain * ((is_slow ? 1.0 : 0.0) - slow_share_);
+  is_drawing_too_slow_ = is_drawing_too_slow_ ? rest_s_.mean() >= hysteresis * longest_rest_s
+                                              : slow_share_ > most_slow;
 }
 
 double FrameBudget::samples_in(Nanoseconds left) const {

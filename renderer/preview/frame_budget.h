@@ -27,12 +27,23 @@ class CostEstimate {
 /// Cuts a frame's tracing into batches: a large one, and then what fits the time that is left. A
 /// frame's deadline is then missed only by what the last one takes longer than expected.
 ///
-/// Where drawing alone takes the time between two refreshes, frame after frame, no frame can be in
-/// time. Frames then aim at a later refresh, so that at least half of each is for tracing.
+/// Where drawing leaves less of the time between two refreshes than is wanted for tracing, frame
+/// after frame, frames aim at a later refresh: so that tracing has the wanted part of each as long
+/// as frames take no more than longest_wanted_frame_s, and at least half in any case.
 class FrameBudget {
  public:
   /// What is traced while nothing is known of the machine and the scene.
   static constexpr std::uint64_t first_of_all = 1024;
+  /// What is wanted where drawing takes no time from tracing, as on a graphics card: frames in
+  /// time.
+  static constexpr double least_share = 0.1;
+  /// What is wanted where both are the processor's work.
+  static constexpr double shared_processor_share = 2.0 / 3.0;
+  static constexpr double longest_wanted_frame_s = 1.0 / 15.0;
+
+  /// traced_share: the part of the time between two refreshes that is to be left for tracing, in
+  /// [least_share, 0.9].
+  explicit FrameBudget(double traced_share = least_share) : traced_share_(traced_share) {}
 
   /// A frame begins, `left` before its deadline, on a display that refreshes every `interval`.
   /// Returns what its batches are to take for the time left: `left`, or more if drawing is too
@@ -56,8 +67,8 @@ class FrameBudget {
   /// approximation method").
   void frame_ended(bool is_late);
 
-  /// Whether frames are late because of the rest of them. It takes a few dozen late frames in a row
-  /// to say so, and a rest that clearly fits between two refreshes to take it back.
+  /// Whether the rest of frames leaves tracing too little between two refreshes. It takes a few
+  /// dozen such frames in a row to say so, and a rest that is clearly shorter to take it back.
   bool is_drawing_too_slow() const { return is_drawing_too_slow_; }
   /// A budget to begin another preview with in the same window: one that has to learn what samples
   /// cost, but knows already if drawing is too slow.
@@ -67,17 +78,20 @@ class FrameBudget {
 
  private:
   /// Judges by a frame that ended.
-  void judge_drawing(bool is_late);
+  void judge_drawing();
+  /// Refreshes that a frame takes if its rest takes so long.
+  double refreshes_for(double rest_s) const;
   /// Samples that are done in time, were they traced now.
   double samples_in(Nanoseconds left) const;
   /// Samples that take so long, on average.
   double samples_for(double time_s) const { return time_s / sample_s_.mean(); }
 
+  double traced_share_;
   CostEstimate sample_s_;
   CostEstimate rest_s_;
   double reserve_s_ = 0.0;
   double interval_s_ = 0.0;  ///< time between refreshes, in the frame that began last
-  double late_share_ = 0.0;  ///< smoothed share of frames that were late because of the rest
+  double slow_share_ = 0.0;  ///< smoothed share of frames whose rest took too long
   bool is_drawing_too_slow_ = false;
 };
 

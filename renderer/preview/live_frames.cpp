@@ -88,6 +88,9 @@ void LiveFrames::note_shown_at(Nanoseconds refresh, LiveFrame& frame) const {
 }
 
 Nanoseconds LiveFrames::assumed_refresh(const LiveFrame& frame, Nanoseconds end) const {
+  if (budget_.is_drawing_too_slow()) {
+    return std::max(end, frame.deadline);  // waiting would leave the processor idle
+  }
   Nanoseconds refresh = frame.deadline;
   while (refresh < end) {
     refresh += refresh_.interval();

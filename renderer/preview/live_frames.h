@@ -49,7 +49,7 @@ class LiveFrames {
   /// refresh: the display's, with what it has learned already, as `budget` is.
   /// Preview and clock must outlive the frames.
   LiveFrames(Preview& preview, const Clock& clock, const RefreshEstimator& refresh,
-             WaitUntil wait_until, FrameOutput output, const FrameBudget& budget = {});
+             WaitUntil wait_until, FrameOutput output, const FrameBudget& budget = FrameBudget());
 
   /// Waits for the next refresh, and renders and presents a frame.
   LiveFrame next();
@@ -68,7 +68,8 @@ class LiveFrames {
   void trace_batch(std::uint64_t samples, LiveFrame& frame);
   void show(LiveFrame& frame);
   void note_shown_at(Nanoseconds refresh, LiveFrame& frame) const;
-  /// The refresh that shows a frame which was ready at `end`, if none is known but by the clock.
+  /// The refresh that shows a frame which was ready at `end`, if none is known but by the clock;
+  /// `end` itself where drawing is too slow for frames to keep the clock's time.
   Nanoseconds assumed_refresh(const LiveFrame& frame, Nanoseconds end) const;
 
   Preview* preview_;

@@ -22,4 +22,9 @@ DensityMap density_map(const ViewSampler& sampler, const Viewport& viewport, int
   return map;
 }
 
+Rgb density_color(float value) {
+  const Rgb color(3.0F * value - 1.0F, 1.5F - std::abs(3.0F * value - 1.5F), 2.0F - 3.0F * value);
+  return glm::clamp(color, 0.0F, 1.0F);
+}
+
 }  // namespace foveola

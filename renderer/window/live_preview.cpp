@@ -39,7 +39,7 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
       parts_(parts),
       choices_(settings.choices),
       start_(parts.clock->now()),
-      mirror_(parts.preview->film()) {
+      drawing_(parts.preview->film(), usual_drawer(parts.presenter->graphics()), *parts.workers) {
   show_in({.framebuffer = settings.framebuffer, .window = settings.framebuffer});
   restart();
 }
@@ -53,7 +53,8 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   LiveFrames live(*parts_.preview, *parts_.clock,
                   RefreshEstimator(settings_.display.refresh_rate_hz), wait_and_answer,
                   {.resample = [this](const Preview& preview) { draw(preview); },
-                   .present = [this] { return wait_until_shown(); }});
+                   .present = [this] { return wait_until_shown(); }},
+                  frame_budget_for(usual_drawer(parts_.presenter->graphics())));
   while (!is_done_ && !stop.stop_requested()) {
     keep(live.next());
     tell_of_slow_drawing(live);
@@ -153,7 +154,7 @@ void LivePreview::draw(const Preview& preview) {
   ShownFrame frame = head_frame(area_, geometry_, preview.viewport().head(), choices_.look);
   go_on_checking(preview);
   if (area_.is_seen()) {
-    frame.update = update_for(frame, preview.film(), mirror_);
+    drawing_.bring_up_to_date(frame);
     frame.overlays = overlays(preview);
     frame.panels = panels();
     take_picture(frame);

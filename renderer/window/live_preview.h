@@ -16,7 +16,7 @@
 #include "renderer/preview/live_frames.h"
 #include "renderer/preview/preview.h"
 #include "renderer/window/display_pictures.h"
-#include "renderer/window/film_mirror.h"
+#include "renderer/window/film_drawing.h"
 #include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
@@ -71,6 +71,7 @@ class LivePreview {
     Window* window;
     WindowEvents* events;
     Presenter* presenter;
+    const Workers* workers;
     const Clock* clock;
   };
 
@@ -103,7 +104,7 @@ class LivePreview {
   WindowArea area_;
   ViewGeometry geometry_;
   Nanoseconds start_;
-  FilmMirror mirror_;
+  FilmDrawing drawing_;
   LivePreviewReport report_;
   std::optional<CalibrationRoutine> gaze_check_;  ///< while it goes on
   std::string message_;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "renderer/window/picture_texture.h"
+
 namespace foveola {
 namespace {
 
@@ -28,16 +30,6 @@ RgbImage read_picture(const IVec2& size) {
   return picture;
 }
 
-std::vector<ScreenPlace> screen_places(const ShownFrame& frame) {
-  const bool is_headset = frame.views.size() > 1;
-  std::vector<ScreenPlace> places;
-  for (const ShownView& view : frame.views) {
-    places.push_back(
-        screen_place(view.part, frame.framebuffer.y, is_headset, view.viewport.lens().axis));
-  }
-  return places;
-}
-
 }  // namespace
 
 std::future<RgbImage> picture_of(ShownFrame& frame) {
@@ -47,39 +39,59 @@ std::future<RgbImage> picture_of(ShownFrame& frame) {
 
 /// What lives on the graphics card.
 struct Presenter::Card {
-  explicit Card(const PyramidAtlas& atlas) : film(atlas) {}
-
   void draw(const ShownFrame& frame) {
-    film.apply(frame.update);
+    update_film(frame);
     if (frame.framebuffer.x <= 0 || frame.framebuffer.y <= 0) {
       return;
     }
     const bool shows_film = !frame.screen || !frame.screen->covers_picture;
-    std::vector<WindowPart> parts;
-    for (const ShownView& view : frame.views) {
-      if (shows_film) {
-        renderer.draw(film, view.viewport, view.part, frame.look, frame.overlays);
-      }
-      parts.push_back(view.part);
+    if (shows_film) {
+      draw_film(frame);
     }
     glViewport(0, 0, frame.framebuffer.x, frame.framebuffer.y);
-    if (frame.screen) {
-      text.draw(frame.framebuffer, screen_places(frame), *frame.screen);
-    }
-    text.draw(frame.framebuffer, parts, frame.panels);
+    text.draw(frame.framebuffer, frame.views,
+              {.marks = shows_film ? &frame.overlays : nullptr,
+               .screen = frame.screen ? &*frame.screen : nullptr,
+               .panels = frame.panels});
     if (frame.picture) {
       frame.picture->set_value(read_picture(frame.framebuffer));
     }
   }
 
-  FilmTexture film;
+  void update_film(const ShownFrame& frame) {
+    if (frame.atlas == nullptr) {
+      return;
+    }
+    if (!film || film->atlas().size() != frame.atlas->size()) {
+      film.reset();
+      film.emplace(*frame.atlas);
+    }
+    film->apply(frame.update);
+  }
+
+  void draw_film(const ShownFrame& frame) {
+    if (frame.pictures.empty() && !film) {
+      glClear(GL_COLOR_BUFFER_BIT);
+      return;
+    }
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+      const ShownView& view = frame.views[i];
+      if (!frame.pictures.empty()) {
+        picture.draw(*frame.pictures[i], view.part);
+      } else {
+        renderer.draw(*film, view.viewport, view.part, frame.look);
+      }
+    }
+  }
+
+  std::optional<FilmTexture> film;  ///< once there is one to draw
   ViewRenderer renderer;
+  PictureTexture picture;
   TextOverlay text;
 };
 
-Presenter::Presenter(Window& window, const PyramidAtlas& atlas, const Clock& clock)
-    : window_(&window), clock_(&clock) {
-  thread_ = std::jthread([this, atlas](const std::stop_token& stop) { run(stop, atlas); });
+Presenter::Presenter(Window& window, const Clock& clock) : window_(&window), clock_(&clock) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   std::unique_lock lock(mutex_);
   wait_for(is_ready_, lock);
 }
@@ -109,10 +121,10 @@ void Presenter::wait_for(const bool& flag, std::unique_lock<std::mutex>& lock) {
   }
 }
 
-void Presenter::run(const std::stop_token& stop, const PyramidAtlas& atlas) {
+void Presenter::run(const std::stop_token& stop) {
   try {
     window_->make_current();
-    Card card(atlas);
+    Card card;
     graphics_ = graphics_name();
     serve(stop, card);
   } catch (...) {

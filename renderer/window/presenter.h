@@ -13,22 +13,22 @@
 #include "renderer/base/clock.h"
 #include "renderer/image/image.h"
 #include "renderer/window/text_overlay.h"
+#include "renderer/window/view_overlays.h"
 #include "renderer/window/view_renderer.h"
 #include "renderer/window/window.h"
 
 namespace foveola {
 
-/// A view and the part of the window that it fills.
-struct ShownView {
-  Viewport viewport;
-  WindowPart part;
-};
-
 /// All that the drawing thread needs for a frame.
 struct ShownFrame {
-  IVec2 framebuffer{0};          ///< pixels; nothing is drawn if it has none
+  IVec2 framebuffer{0};  ///< pixels; nothing is drawn if it has none
+  /// The film that the graphics card draws, or null: of the same film as before if of its size.
+  const PyramidAtlas* atlas = nullptr;
   FilmUpdate update;             ///< since the frame before
   std::vector<ShownView> views;  ///< one, or one for each eye
+  /// What each view shows of a film that the processor resampled, of as many pixels as its part
+  /// has; empty if the graphics card resamples it.
+  std::vector<const ByteImage*> pictures;
   ViewLook look;
   ViewOverlays overlays;
   std::vector<TextPanel> panels;
@@ -44,13 +44,13 @@ class Presenter {
  public:
   /// Takes the window's context. All must outlive it. Throws Error if the graphics card cannot do
   /// it.
-  Presenter(Window& window, const PyramidAtlas& atlas, const Clock& clock);
+  Presenter(Window& window, const Clock& clock);
   ~Presenter();
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
 
-  /// Waits until the frame is drawn; it is shown at the next refresh, after the one before.
-  /// Rethrows what went wrong in the drawing thread.
+  /// Waits until the frame is drawn, and no longer needs what it refers to; it is shown at the
+  /// next refresh, after the one before. Rethrows what went wrong in the drawing thread.
   void draw(ShownFrame frame);
 
   /// Waits until the frame that was drawn last is shown, and says when that was: its buffers were
@@ -63,7 +63,7 @@ class Presenter {
  private:
   struct Card;
 
-  void run(const std::stop_token& stop, const PyramidAtlas& atlas);
+  void run(const std::stop_token& stop);
   void serve(const std::stop_token& stop, Card& card);
   void fail(std::exception_ptr fault);
   /// Waits for `flag`, or for what goes wrong instead and rethrows it.

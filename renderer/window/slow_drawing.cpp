@@ -7,10 +7,10 @@ namespace foveola {
 std::string slow_drawing_line(const SlowDrawing& slow) {
   constexpr double ms_per_s = 1e3;
   return fmt::format(
-      "Drawing is too slow for this window: {} takes {:.1f} ms for {}x{} pixels, and the display "
-      "refreshes every {:.1f} ms. Every frame is late, and half of it is left to tracing; a "
-      "smaller --window or a graphics card helps.",
-      slow.graphics, ms_per_s * seconds(slow.drawing), slow.framebuffer.x, slow.framebuffer.y,
+      "Drawing takes long in this window: {:.1f} ms for {}x{} pixels ({}), where the display "
+      "refreshes every {:.1f} ms. So that most of the time is left for tracing, frames stay for "
+      "more than one refresh; a smaller window or a graphics card makes them faster.",
+      ms_per_s * seconds(slow.drawing), slow.framebuffer.x, slow.framebuffer.y, slow.graphics,
       ms_per_s * seconds(slow.interval));
 }
 

@@ -104,6 +104,16 @@ void paint(ImDrawList& list, const ScreenLayout& layout, const ScreenFonts& font
   }
 }
 
+std::vector<ScreenPlace> screen_places(std::span<const ShownView> views, int framebuffer_height) {
+  const bool is_headset = views.size() > 1;
+  std::vector<ScreenPlace> places;
+  for (const ShownView& view : views) {
+    places.push_back(
+        screen_place(view.part, framebuffer_height, is_headset, view.viewport.lens().axis));
+  }
+  return places;
+}
+
 void begin_frame(const IVec2& framebuffer) {
   ImGui::GetIO().DisplaySize = {static_cast<float>(framebuffer.x),
                                 static_cast<float>(framebuffer.y)};
@@ -131,30 +141,31 @@ TextOverlay::~TextOverlay() {
   ImGui::DestroyContext();
 }
 
-void TextOverlay::draw(const IVec2& framebuffer, std::span<const WindowPart> parts,
-                       std::span<const TextPanel> panels) {
-  if (panels.empty()) {
-    return;
+void TextOverlay::draw(const IVec2& framebuffer, std::span<const ShownView> views,
+                       const Overlaid& overlaid) {
+  const std::vector<ScreenPlace> places =
+      overlaid.screen != nullptr ? screen_places(views, framebuffer.y) : std::vector<ScreenPlace>();
+  if (!places.empty()) {
+    make_letters(text_height_px(places.front()), *overlaid.screen);
   }
   begin_frame(framebuffer);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t k = 0; k < panels.size(); ++k) {
-      draw_panel(fmt::format("panel {} of view {}", k, i), panels[k], parts[i], framebuffer.y);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (const ShownView& view : views) {
+    if (overlaid.marks != nullptr) {
+      paint(list, *overlaid.marks, view, framebuffer.y);
     }
   }
-  end_frame();
-}
-
-void TextOverlay::draw(const IVec2& framebuffer, std::span<const ScreenPlace> places,
-                       const ScreenPage& screen) {
-  make_letters(text_height_px(places.front()), screen);
-  begin_frame(framebuffer);
-  const TextWidth width_of = [this](TextFace face, std::string_view line) {
-    return fonts_->width_px(face, line);
-  };
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
   for (const ScreenPlace& place : places) {
-    paint(list, lay_out(screen, place, width_of), *fonts_);
+    const TextWidth width_of = [this](TextFace face, std::string_view line) {
+      return fonts_->width_px(face, line);
+    };
+    paint(list, lay_out(*overlaid.screen, place, width_of), *fonts_);
+  }
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    for (std::size_t k = 0; k < overlaid.panels.size(); ++k) {
+      draw_panel(fmt::format("panel {} of view {}", k, i), overlaid.panels[k], views[i].part,
+                 framebuffer.y);
+    }
   }
   end_frame();
 }

@@ -1,4 +1,4 @@
-// Text over the picture, or instead of it: help, frame times, screens.
+// What stands over the picture, or instead of it: marks, screens, and panels of text.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include "renderer/window/screen_fonts.h"
 #include "renderer/window/screen_layout.h"
-#include "renderer/window/view_renderer.h"
+#include "renderer/window/view_overlays.h"
 
 namespace foveola {
 
@@ -19,8 +19,15 @@ struct TextPanel {
   std::vector<std::string> lines;
 };
 
-/// Dear ImGui's text, which is for drawing only: it receives neither keys nor pointer. Needs a
-/// current context in all that it does; there can be one at a time.
+/// What a frame has over its views, from below to above.
+struct Overlaid {
+  const ViewOverlays* marks = nullptr;  ///< null: none
+  const ScreenPage* screen = nullptr;   ///< null: none
+  std::span<const TextPanel> panels;
+};
+
+/// Dear ImGui, which is for drawing only: it receives neither keys nor pointer. Needs a current
+/// context in all that it does; there can be one at a time.
 class TextOverlay {
  public:
   TextOverlay();
@@ -28,15 +35,10 @@ class TextOverlay {
   TextOverlay(const TextOverlay&) = delete;
   TextOverlay& operator=(const TextOverlay&) = delete;
 
-  /// Draws the panels into each part of a window of `framebuffer` pixels. A panel's first frame
-  /// only measures it.
-  void draw(const IVec2& framebuffer, std::span<const WindowPart> parts,
-            std::span<const TextPanel> panels);
-  /// Draws the screen at each of the places, which are of one size and inside a window of
-  /// `framebuffer` pixels. Its letters are made when their size changes, or when one is new that is
+  /// Draws into each view's part of a window of `framebuffer` pixels. A panel's first frame only
+  /// measures it. A screen's letters are made when their size changes, or when one is new that is
   /// not of Europe's, which takes longer than a frame. Throws Error if the system lacks them.
-  void draw(const IVec2& framebuffer, std::span<const ScreenPlace> places,
-            const ScreenPage& screen);
+  void draw(const IVec2& framebuffer, std::span<const ShownView> views, const Overlaid& overlaid);
 
  private:
   void make_letters(float text_px, const ScreenPage& screen);

@@ -33,10 +33,19 @@ void main() {
 }
 )";
 
+const char* const picture_fragment_shader = R"(#version 330 core
+uniform sampler2D picture;
+uniform ivec2 top_left;  // its first pixel in the window, from the bottom left
+out vec4 color;
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  color = texelFetch(picture, ivec2(at.x - top_left.x, top_left.y - at.y), 0);
+}
+)";
+
 const char* const view_fragment_shader = R"(#version 330 core
 const int most_levels = 17;
-const int most_rings = 8;
-const int most_offers = 32;
 const float pi = 3.14159265358979;
 
 uniform sampler2D atlas;
@@ -45,6 +54,7 @@ uniform ivec4 level_places[most_levels];  // origin and size, cells
 uniform vec2 film_size;                   // pixels
 uniform bool fill_unsampled;
 uniform float exposure;
+uniform bool is_filmic;  // else the plain curve
 
 uniform vec2 view_origin;  // of the view in the window, pixels from the bottom left
 uniform vec2 view_size;
@@ -52,18 +62,6 @@ uniform mat3 world_from_head;
 uniform vec2 half_size;  // of the image plane at distance 1
 uniform vec2 lens_axis;
 uniform vec2 lens;  // k1, k2
-
-uniform bool show_gaze;
-uniform vec3 gaze;
-uniform bool show_target;
-uniform vec3 target;
-uniform int rings;
-uniform float ring_rad[most_rings];
-uniform int offers;
-uniform vec4 offer_place[most_offers];  // direction, radius
-uniform bool offer_is_highlighted[most_offers];
-uniform bool show_density;
-uniform sampler2D density;  // 0 least to 1 most, over the view from its top left
 
 out vec4 color;
 
@@ -134,54 +132,15 @@ vec3 film_color(vec2 image, float level) {
   return known.a > 0.0 ? known.rgb / known.a : vec3(0.0);
 }
 
+// The function filmic() of tone_mapping.h.
+vec3 filmic(vec3 linear) {
+  vec3 x = 0.6 * clamp(linear, 0.0, 1e6);
+  return min((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 1.0);
+}
+
 vec3 srgb(vec3 linear) {
   vec3 x = clamp(linear, 0.0, 1.0);
   return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, lessThanEqual(x, vec3(0.0031308)));
-}
-
-// How much of a line `width` wide around `middle` covers this pixel; all in radians.
-float line(float at, float middle, float width, float pixel_rad) {
-  return clamp(0.5 + (0.5 * width - abs(at - middle)) / pixel_rad, 0.0, 1.0);
-}
-
-// The angle between two directions; accurate at both ends.
-float angle(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)); }
-
-// A disc whose edge is as sharp as pixels are.
-float disc(float at, float radius, float pixel_rad) {
-  return clamp(0.5 + (radius - at) / pixel_rad, 0.0, 1.0);
-}
-
-vec3 with_overlays(vec3 shown, vec2 plane, vec3 direction, float pixel_rad) {
-  if (show_density) {
-    float d = texture(density, plane).r;
-    vec3 heat = clamp(vec3(3.0 * d - 1.0, 1.5 - abs(3.0 * d - 1.5), 2.0 - 3.0 * d), 0.0, 1.0);
-    shown = mix(shown, heat, 0.45);
-  }
-  float eccentricity = angle(direction, gaze);
-  for (int i = 0; i < rings; ++i) {
-    float cover = line(eccentricity, ring_rad[i], 1.5 * pixel_rad, pixel_rad);
-    shown = mix(shown, vec3(1.0, 0.8, 0.1), 0.8 * cover);
-  }
-  for (int i = 0; i < offers; ++i) {
-    // White on black shows on any picture; the highlighted one is distinguished by its width, too.
-    float away = angle(direction, offer_place[i].xyz);
-    float width = pixel_rad * (offer_is_highlighted[i] ? 6.0 : 2.0);
-    vec3 ink = offer_is_highlighted[i] ? vec3(1.0, 0.85, 0.1) : vec3(1.0);
-    shown = mix(shown, vec3(0.0), line(away, offer_place[i].w, width + 4.0 * pixel_rad, pixel_rad));
-    shown = mix(shown, ink, line(away, offer_place[i].w, width, pixel_rad));
-  }
-  if (show_gaze) {
-    shown = mix(shown, vec3(1.0, 0.1, 0.2), 0.9 * disc(eccentricity, 5.0 * pixel_rad, pixel_rad));
-  }
-  if (show_target) {
-    // A bull's eye draws the gaze to its middle (Thaler et al. 2013, "What is the best fixation
-    // target?"): a disc of 0.6 degrees' diameter, in it one of 0.2; all else is grey meanwhile.
-    float away = angle(direction, target);
-    shown = mix(vec3(0.5), vec3(0.0), disc(away, radians(0.3), pixel_rad));
-    shown = mix(shown, vec3(1.0), disc(away, radians(0.1), pixel_rad));
-  }
-  return shown;
 }
 
 void main() {
@@ -189,9 +148,8 @@ void main() {
   plane.y = 1.0 - plane.y;
   vec2 offset = plane_offset(plane);
   vec3 direction = world_direction(offset);
-  vec3 shown = srgb(exposure * film_color(equirect(direction), level_for(offset)));
-  float pixel_rad = 2.0 * half_size.x / view_size.x;
-  color = vec4(with_overlays(shown, plane, direction, pixel_rad), 1.0);
+  vec3 exposed = exposure * film_color(equirect(direction), level_for(offset));
+  color = vec4(srgb(is_filmic ? filmic(exposed) : exposed), 1.0);
 }
 )";
 

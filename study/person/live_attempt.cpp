@@ -38,7 +38,7 @@ LiveAttempt::LiveAttempt(AttemptSetting setting)
                      .vertical_deg = geometry.vertical_fov_deg,
                      .lens = geometry.lens});
   preview_.restart(make_sampler(setting_.protocol, setting_.trial.method), setting_.seed);
-  setting_.display.show_film(preview_.film());
+  setting_.display.show_film(preview_.film(), setting_.workers);
 }
 
 Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {

@@ -35,9 +35,6 @@ std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered,
     }
   }
   rings.push_back(ring_around(offered[highlighted], true));
-  if (rings.size() > ViewOverlays::most_offers) {
-    rings.erase(rings.begin(), rings.end() - ViewOverlays::most_offers);
-  }
   return rings;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/base/vec.h"
-#include "renderer/window/view_renderer.h"
+#include "renderer/window/view_overlays.h"
 #include "study/participant/participant.h"
 
 namespace foveola::study {
@@ -15,8 +15,7 @@ namespace foveola::study {
 /// length, world.
 std::size_t object_ahead(const std::vector<OfferedObject>& offered, const Vec3& ahead);
 
-/// A ring for each, the highlighted one's on top. If there are more than can be drawn, the first
-/// ones are left out.
+/// A ring for each, the highlighted one's on top.
 std::vector<OfferRing> rings_of(const std::vector<OfferedObject>& offered, std::size_t highlighted);
 
 /// The ring of the object that is already chosen. Throws std::logic_error if it is not on offer.

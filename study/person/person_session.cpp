@@ -88,7 +88,7 @@ void PersonSession::enter_scene() {
     show_direct_shading(stage().scene(), stage().tracer().ray_scene(), stage().viewpoint(),
                         *panorama_, study_.workers);
   }
-  seat_.display.show_film(*panorama_);
+  seat_.display.show_film(*panorama_, study_.workers);
 }
 
 bool PersonSession::needs_gaze() const {

@@ -5,21 +5,16 @@
 #include <utility>
 
 namespace foveola::study {
-namespace {
-
-/// Pages alone need no film; this one costs nothing.
-constexpr IVec2 smallest_film{64, 32};
-
-}  // namespace
 
 SessionDisplay::SessionDisplay(Window& window, const DisplayProfile& profile,
                                const IVec2& framebuffer, const Clock& clock)
-    : window_(&window),
-      clock_(&clock),
+    : clock_(&clock),
       geometry_(view_geometry(profile, framebuffer)),
       profile_(profile),
       area_{.framebuffer = framebuffer},
-      refresh_(profile.refresh_rate_hz) {}
+      refresh_(profile.refresh_rate_hz),
+      presenter_(window, clock),
+      frame_budget_(frame_budget_for(usual_drawer(presenter_.graphics()))) {}
 
 void SessionDisplay::resize(const IVec2& framebuffer) {
   area_.framebuffer = framebuffer;
@@ -29,14 +24,11 @@ void SessionDisplay::resize(const IVec2& framebuffer) {
 }
 
 void SessionDisplay::draw(SessionPicture picture) {
-  if (!presenter_) {
-    film_size_ = smallest_film;
-    presenter_ = std::make_unique<Presenter>(
-        *window_, PyramidAtlas(smallest_film.x, smallest_film.y), *clock_);
-  }
   ShownFrame frame = head_frame(area_, geometry_, picture.head, picture.look);
   if (area_.is_seen()) {
-    frame.update = take_update(frame);
+    if (drawing_) {
+      drawing_->bring_up_to_date(frame);
+    }
     frame.overlays = std::move(picture.overlays);
     frame.screen = std::move(picture.screen);
     if (const auto file = std::exchange(picture_file_, std::nullopt)) {
@@ -45,7 +37,7 @@ void SessionDisplay::draw(SessionPicture picture) {
       pixels_ = picture_of(frame);
     }
   }
-  presenter_->draw(std::move(frame));
+  presenter_.draw(std::move(frame));
 }
 
 std::optional<RgbImage> SessionDisplay::take_pixels() {
@@ -53,7 +45,7 @@ std::optional<RgbImage> SessionDisplay::take_pixels() {
 }
 
 std::optional<Nanoseconds> SessionDisplay::wait_until_shown() {
-  const Nanoseconds shown = presenter_->wait_until_shown();
+  const Nanoseconds shown = presenter_.wait_until_shown();
   return area_.is_seen() ? std::optional(shown) : std::nullopt;
 }
 
@@ -71,29 +63,8 @@ Nanoseconds SessionDisplay::show(SessionPicture picture) {
   return shown.value_or(clock_->now());
 }
 
-void SessionDisplay::show_film(const EquirectFilm& film) {
-  film_ = &film;
-  mirror_.emplace(film);
-  first_update_.clear();
-  if (presenter_ && film_size_ == IVec2(film.width(), film.height())) {
-    const IVec2& size = mirror_->atlas().size();
-    first_update_.push_back({.width = static_cast<std::uint16_t>(size.x),
-                             .height = static_cast<std::uint16_t>(size.y)});
-  } else {
-    film_size_ = {film.width(), film.height()};
-    presenter_.reset();
-    presenter_ = std::make_unique<Presenter>(*window_, mirror_->atlas(), *clock_);
-  }
-}
-
-FilmUpdate SessionDisplay::take_update(const ShownFrame& frame) {
-  if (film_ == nullptr) {
-    return {};
-  }
-  FilmUpdate update = std::exchange(first_update_, {});
-  const FilmUpdate changes = update_for(frame, *film_, *mirror_);
-  update.insert(update.end(), changes.begin(), changes.end());
-  return update;
+void SessionDisplay::show_film(const EquirectFilm& film, const Workers& workers) {
+  drawing_.emplace(film, usual_drawer(graphics()), workers);
 }
 
 }  // namespace foveola::study

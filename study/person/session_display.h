@@ -15,7 +15,7 @@
 #include "renderer/preview/frame_budget.h"
 #include "renderer/preview/refresh_estimator.h"
 #include "renderer/window/display_pictures.h"
-#include "renderer/window/film_mirror.h"
+#include "renderer/window/film_drawing.h"
 #include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/screen.h"
@@ -45,11 +45,11 @@ class SessionDisplay {
   void resize(const IVec2& framebuffer);
   void hide(bool is_hidden) { area_.is_hidden = is_hidden; }
 
-  /// From now on, until show_no_film(): it must outlive that. Has to be called for every new film,
-  /// even if it lies where an old one was.
-  void show_film(const EquirectFilm& film);
+  /// From now on, until show_no_film(): film and workers must outlive that. Has to be called for
+  /// every new film, even if it lies where an old one was.
+  void show_film(const EquirectFilm& film, const Workers& workers);
   /// Below pages that cover all, what was shown last may stay.
-  void show_no_film() { film_ = nullptr; }
+  void show_no_film() { drawing_.reset(); }
 
   /// The next frame that is drawn becomes a file, too.
   void take_picture(const std::filesystem::path& file) { picture_file_ = file; }
@@ -79,25 +79,19 @@ class SessionDisplay {
   /// What the next attempt's frames know of drawing here.
   const FrameBudget& frame_budget() const { return frame_budget_; }
   void set_frame_budget(const FrameBudget& budget) { frame_budget_ = budget; }
-  /// The graphics card and its driver; empty before the first frame.
-  std::string graphics() const { return presenter_ ? presenter_->graphics() : std::string(); }
+  /// The graphics card and its driver, in their own words.
+  const std::string& graphics() const { return presenter_.graphics(); }
 
  private:
-  FilmUpdate take_update(const ShownFrame& frame);
-
-  Window* window_;
   const Clock* clock_;
   ViewGeometry geometry_;
   DisplayProfile profile_;
   WindowArea area_;
   RefreshEstimator refresh_;
-  FrameBudget frame_budget_;
   Nanoseconds next_frame_{0};
-  IVec2 film_size_{0};                  ///< size of the film that the presenter is made for
-  const EquirectFilm* film_ = nullptr;  ///< the film that the mirror copies
-  std::optional<FilmMirror> mirror_;
-  FilmUpdate first_update_;  ///< makes the graphics card forget the film before
-  std::unique_ptr<Presenter> presenter_;
+  Presenter presenter_;
+  FrameBudget frame_budget_;
+  std::optional<FilmDrawing> drawing_;  ///< while there is a film
   std::optional<std::filesystem::path> picture_file_;
   bool keeps_pixels_ = false;
   std::future<RgbImage> pixels_;

@@ -1,4 +1,5 @@
 // What the film costs: numbering and adding a batch, and what the display shows of it.
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -147,6 +148,43 @@ BENCHMARK(black_frames_shown)
 BENCHMARK(filled_frames_shown)
     ->ArgNames({"threads", "turn", "film"})
     ->ArgsProduct({{2}, {0, 50}, {0}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// What the processor draws of a window where there is no graphics card: 60 degrees, 1280x720
+/// pixels. Arguments: threads; how far the head turns from frame to frame, in hundredths of a
+/// degree; whether it zooms instead, by a part in a hundred.
+void window_shown(benchmark::State& state) {
+  PreviewFeed feed(static_cast<int>(state.range(0)));
+  const double turn_rad = radians(0.01 * static_cast<double>(state.range(1)));
+  const double zoom = state.range(2) != 0 ? 1.01 : 1.0;
+  DisplayResampler resampler(feed.film, {.width = 1280, .height = 720, .exposure_stops = 0.0});
+  AzimuthElevation heading;
+  double half_width = std::tan(radians(30.0));
+  const auto show = [&]() -> const ByteImage& {
+    return resampler.show(Viewport(head_orientation(heading), 2.0 * std::atan(half_width),
+                                   2.0 * std::atan(half_width * 0.5625)),
+                          feed.workers);
+  };
+  show();
+  for (auto _ : state) {
+    state.PauseTiming();
+    feed.draw();
+    feed.add();
+    heading.azimuth_rad += turn_rad;
+    half_width = half_width > 1.0 ? 0.3 : half_width * zoom;
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(show());
+  }
+}
+BENCHMARK(window_shown)
+    ->ArgNames({"threads", "turn", "zoom"})
+    ->Args({1, 0, 0})
+    ->Args({2, 0, 0})
+    ->Args({1, 50, 0})
+    ->Args({2, 50, 0})
+    ->Args({2, 0, 1})
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

@@ -33,5 +33,11 @@ TEST(DensityMapTest, IsALogarithmOfFourDecades) {
   }
 }
 
+TEST(DensityMapTest, ColorsGoFromBlueOverGreenToRed) {
+  EXPECT_EQ(density_color(0.0F), Rgb(0.0F, 0.0F, 1.0F));
+  EXPECT_EQ(density_color(0.5F), Rgb(0.5F, 1.0F, 0.5F));
+  EXPECT_EQ(density_color(1.0F), Rgb(1.0F, 0.0F, 0.0F));
+}
+
 }  // namespace
 }  // namespace foveola

@@ -47,6 +47,7 @@ class PresenterTest : public ::testing::Test {
       viewports.push_back(view.viewport);
     }
     ShownFrame frame{.framebuffer = window_.framebuffer_size(),
+                     .atlas = &mirror_.atlas(),
                      .update = mirror_.collect(film_, viewports, film_.levels()),
                      .views = views,
                      .look = look,
@@ -99,7 +100,7 @@ class PresenterTest : public ::testing::Test {
   Workers workers_{2};
   EquirectFilm film_{600, 300};
   FilmMirror mirror_{film_};
-  Presenter presenter_{window_, mirror_.atlas(), clock_};
+  Presenter presenter_{window_, clock_};
 };
 
 TEST_F(PresenterTest, DrawsWhatTheProcessorDraws) {
@@ -265,7 +266,9 @@ TEST(PresenterErrors, AFilmBeyondTheCardsTexturesIsRefused) {
   WindowEvents events;
   Window window({.size = {64, 64}}, events, clock);
   try {
-    const Presenter presenter(window, PyramidAtlas(65536, 16), clock);
+    Presenter presenter(window, clock);
+    const PyramidAtlas atlas(65536, 16);
+    presenter.draw({.framebuffer = {64, 64}, .atlas = &atlas});
     FAIL() << "a texture 65536 texels wide";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("choose a smaller film"));

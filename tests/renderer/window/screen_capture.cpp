@@ -43,17 +43,23 @@ ScreenCapture::ScreenCapture(const WindowCase& window) : window_case_(window) {
 }
 
 RgbImage ScreenCapture::capture(const std::optional<ScreenPage>& screen, const IVec2& framebuffer) {
-  const std::vector<ShownView> views = views_of(window_case_, framebuffer);
+  return draw({.framebuffer = framebuffer, .screen = screen});
+}
+
+RgbImage ScreenCapture::capture(const ViewOverlays& overlays) {
+  return draw({.framebuffer = window_case_.size, .overlays = overlays});
+}
+
+RgbImage ScreenCapture::draw(ShownFrame frame) {
+  const std::vector<ShownView> views = views_of(window_case_, frame.framebuffer);
   std::vector<Viewport> viewports;
   for (const ShownView& view : views) {
     viewports.push_back(view.viewport);
   }
-  ShownFrame frame{.framebuffer = framebuffer,
-                   .update = mirror_.collect(film_, viewports, film_.levels()),
-                   .views = views,
-                   .screen = screen,
-                   .picture = std::make_shared<std::promise<RgbImage>>()};
-  auto picture = frame.picture->get_future();
+  frame.atlas = &mirror_.atlas();
+  frame.update = mirror_.collect(film_, viewports, film_.levels());
+  frame.views = views;
+  auto picture = picture_of(frame);
   presenter_.draw(std::move(frame));
   return picture.get();
 }

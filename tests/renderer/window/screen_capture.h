@@ -33,8 +33,12 @@ class ScreenCapture {
     return capture(screen, window_case_.size);
   }
   RgbImage capture(const std::optional<ScreenPage>& screen, const IVec2& framebuffer);
+  RgbImage capture(const ViewOverlays& overlays);
 
  private:
+  /// The views and the film are added to what `frame` says.
+  RgbImage draw(ShownFrame frame);
+
   WindowCase window_case_;
   XServer server_;
   SteadyClock clock_;
@@ -42,7 +46,7 @@ class ScreenCapture {
   Window window_{{.size = window_case_.size}, events_, clock_};
   EquirectFilm film_{64, 32};
   FilmMirror mirror_{film_};
-  Presenter presenter_{window_, mirror_.atlas(), clock_};
+  Presenter presenter_{window_, clock_};
 };
 
 /// Writes NAME.png into the folder that FOVEOLA_SCREENS names, if it does, for people to look at.

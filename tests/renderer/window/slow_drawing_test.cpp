@@ -12,9 +12,10 @@ TEST(SlowDrawing, SaysWhatIsSlowAndWhatHelps) {
                          .graphics = "llvmpipe (LLVM 15.0.6, 256 bits)"};
   EXPECT_EQ(
       slow_drawing_line(slow),
-      "Drawing is too slow for this window: llvmpipe (LLVM 15.0.6, 256 bits) takes 37.9 ms "
-      "for 1280x720 pixels, and the display refreshes every 16.7 ms. Every frame is late, and "
-      "half of it is left to tracing; a smaller --window or a graphics card helps.");
+      "Drawing takes long in this window: 37.9 ms for 1280x720 pixels (llvmpipe (LLVM 15.0.6, 256 "
+      "bits)), where the display refreshes every 16.7 ms. So that most of the time is left for "
+      "tracing, frames stay for more than one refresh; a smaller window or a graphics card makes "
+      "them faster.");
 }
 
 }  // namespace

@@ -35,13 +35,6 @@ TEST(ObjectPick, RingsEachObjectTheHighlightedOneOnTop) {
   EXPECT_NEAR(rings.front().radius_rad, radians(4.0), 1e-6);
 }
 
-TEST(ObjectPick, DrawsNoMoreRingsThanItCan) {
-  const std::vector<OfferedObject> many(100, offered[0]);
-  const std::vector<OfferRing> rings = rings_of(many, 3);
-  EXPECT_EQ(rings.size(), ViewOverlays::most_offers);
-  EXPECT_TRUE(rings.back().is_highlighted);
-}
-
 TEST(ObjectPick, FindsTheChosenOnesRing) {
   EXPECT_EQ(ring_of(offered, "chair").direction, towards(180.0));
   EXPECT_THROW(ring_of(offered, "table"), std::logic_error);

@@ -1,0 +1,44 @@
+// What is drawn over the film, by the directions that it marks: the gaze, rings of acuity, sample
+// densities, what is offered, and points to look at.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "renderer/view/viewport.h"
+#include "renderer/window/density_map.h"
+#include "renderer/window/view_renderer.h"
+
+struct ImDrawList;
+
+namespace foveola {
+
+/// A ring that offers what is in it.
+struct OfferRing {
+  Vec3 direction{0.0F, 0.0F, -1.0F};  ///< direction of its middle; unit length, world
+  float radius_rad = 0.0F;
+  bool is_highlighted = false;  ///< the one that is chosen by now
+};
+
+/// What is drawn over the film, each on demand.
+struct ViewOverlays {
+  Vec3 gaze{0.0F, 0.0F, -1.0F};  ///< unit length, world
+  bool shows_gaze = false;       ///< whether the gaze is drawn, as a point
+  std::vector<float> rings_rad;  ///< eccentricities of rings around it, which say how many degrees
+  std::optional<DensityMap> density;
+  std::optional<Vec3> target;     ///< a point to look at instead of the film; unit length, world
+  std::vector<OfferRing> offers;  ///< of overlapping ones the last is on top
+};
+
+/// A view and the part of the window that it fills.
+struct ShownView {
+  Viewport viewport;
+  WindowPart part;
+};
+
+/// Paints them into the view's part of a window that is so many pixels high, in the window's
+/// pixels.
+void paint(ImDrawList& list, const ViewOverlays& overlays, const ShownView& view,
+           int framebuffer_height);
+
+}  // namespace foveola
