@@ -25,12 +25,15 @@
 #include "renderer/commands/bench_commands.h"
 #include "renderer/commands/commands.h"
 #include "renderer/commands/preview_command.h"
+#include "renderer/commands/scene_describe.h"
 #include "renderer/commands/scene_info.h"
 #include "renderer/commands/scene_pick.h"
 #include "renderer/commands/scene_sheet.h"
 #include "renderer/commands/tracker_commands.h"
+#include "renderer/commands/typed_command.h"
 #include "scenes/builtin_files.h"
 #include "scenes/commands.h"
+#include "scenes/descriptor_text.h"
 #include "scenes/find_scene.h"
 #include "study/commands/bench_prediction.h"
 #include "study/commands/bench_sensitivity.h"
@@ -107,7 +110,7 @@ void run_demo(const fs::path& parent, int participants, const std::stop_token& s
                              .participants = participants,
                              .seed = 2018,
                              .threads = 0},
-                            scenes::find_scene, stop);
+                            scenes::find_scene_beside, stop);
   if (stop.stop_requested()) {
     fmt::print("Stopped. The sessions recorded so far are in {}\n", database.string());
     return;
@@ -136,26 +139,6 @@ void add_demo(CLI::App& app, const std::stop_token& stop) {
   command->callback([parent, participants, stop] { run_demo(*parent, *participants, stop); });
 }
 
-/// Names an unknown command; CLI11 only says that a command is required.
-void reject_unknown_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') {
-    return;
-  }
-  const auto named = [&](const CLI::App* command) { return command->check_name(argv[1]); };
-  if (app.get_subcommands(named).empty()) {
-    throw UsageError(argv[1], "there is no such command", "see foveola --help");
-  }
-}
-
-/// The command as it was typed so far: "foveola study simulate".
-std::string typed_command(const CLI::App& app) {
-  std::string name = app.get_name();
-  for (const CLI::App* command : app.get_subcommands()) {
-    name += " " + typed_command(*command);
-  }
-  return name;
-}
-
 int complain(const std::string& message, int exit_code) {
   fmt::print(stderr, "foveola: error: {}\n", message);
   return exit_code;
@@ -176,29 +159,30 @@ int run(int argc, char** argv) {
   CLI::App& bench =
       add_bench_commands(app, scenes::builtin_names(), scenes::find_scene, signals.token());
   analysis::add_bench_convergence(bench, scenes::find_scene, signals.token());
-  analysis::add_bench_calibration(bench, scenes::find_scene, signals.token());
+  analysis::add_bench_calibration(bench, scenes::find_scene_beside, signals.token());
   analysis::add_bench_compare(bench);
-  study::add_bench_prediction(bench, scenes::find_scene, signals.token());
-  study::add_bench_sensitivity(bench, scenes::find_scene, signals.token());
+  study::add_bench_prediction(bench, scenes::find_scene_beside, signals.token());
+  study::add_bench_sensitivity(bench, scenes::find_scene_beside, signals.token());
   analysis::add_bench_statistics(bench, signals.token());
   CLI::App& scene = scenes::add_scene_commands(app, signals.token());
+  add_scene_describe(scene, scenes::descriptor_text, signals.token());
   add_scene_info(scene, scenes::find_scene);
   add_scene_pick(scene, scenes::find_scene);
   add_scene_sheet(scene, scenes::builtin_names(), scenes::find_scene, signals.token());
   add_tracker_commands(app, signals.token());
   study::add_study_commands(
-      app, scenes::find_scene,
+      app, scenes::find_scene_beside,
       {.check = analysis::check_output_folder, .write = analysis::report_published_comparison},
       signals.token());
   analysis::add_analysis_commands(app, signals.token());
   try {
-    reject_unknown_command(app, argc, argv);
+    check_numbers(app);
+    reject_unknown_commands(app, {argv + 1, argv + argc});
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return complain(fmt::format("{}; see {} --help", error.what(), typed_command(app)),
-                    usage_error);
+    return complain(fault_text(app, error), usage_error);
   } catch (const UsageError& error) {
     return complain(error.what(), usage_error);
   } catch (const Error& error) {

@@ -14,13 +14,17 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
+#include "renderer/base/similar_word.h"
+#include "renderer/base/utf8.h"
 #include "scenes/builtin_files.h"
 #include "scenes/descriptor.h"
+#include "scenes/descriptor_search.h"
 #include "scenes/fetch.h"
 #include "scenes/file_search.h"
 
@@ -33,7 +37,7 @@ void warn(const std::string& text) { fmt::print(stderr, "foveola: warning: {}\n"
 
 /// Where a scene stands: whether it can be used, and from which file.
 struct State {
-  const char* word;  ///< "built-in", "real", "another file", "unreadable" or "missing"
+  const char* word;  ///< "built-in", "real", "own", "another file", "unreadable" or "missing"
   std::string file;  ///< empty if there is none
   std::vector<std::string> obstacles;  ///< to finding a missing one: see FileSearch
 };
@@ -44,17 +48,27 @@ State state_of_builtin(const std::string& name) {
   return {"built-in", fs::exists(file, missing) ? file.string() : std::string(), {}};
 }
 
+/// The file of a user's descriptor, which lies in its folder.
+FileSearch search_own_folder(const Descriptor& descriptor) {
+  fs::path file = descriptor.path.parent_path() / descriptor.file_name;
+  std::error_code missing;
+  return fs::exists(file, missing) ? FileSearch{.file = std::move(file)} : FileSearch{};
+}
+
 State state_of(const Descriptor& descriptor) {
   if (descriptor.is_builtin) {
     return state_of_builtin(descriptor.name);
   }
-  FileSearch search = search_scene_path(descriptor.file_name);
+  const bool is_own = !is_programs_own(descriptor);
+  FileSearch search =
+      is_own ? search_own_folder(descriptor) : search_scene_path(descriptor.file_name);
   if (!search.file) {
     return {"missing", {}, std::move(search.obstacles)};
   }
   try {
-    const bool is_real = is_described_file(descriptor, *search.file);
-    return {is_real ? "real" : "another file", search.file->string(), {}};
+    const bool is_described = is_described_file(descriptor, *search.file);
+    const char* const word = is_own ? "own" : "real";
+    return {is_described ? word : "another file", search.file->string(), {}};
   } catch (const Error&) {
     return {"unreadable", search.file->string(), {}};
   }
@@ -81,13 +95,19 @@ void list_as_json(const std::vector<ListedScene>& scenes) {
   fmt::print("{}\n", list.dump(2));
 }
 
+/// Where a missing file comes from.
+std::string origin_of(const Descriptor& descriptor) {
+  return is_programs_own(descriptor) ? descriptor.origin
+                                     : "belongs into " + descriptor.path.parent_path().string();
+}
+
 /// What a person needs to know of the file, on one line; empty if there is nothing.
 std::string place_of(const Descriptor& descriptor, const State& state) {
   if (descriptor.is_builtin) {
     return state.file.empty() ? "made when it is first used" : state.file;
   }
   std::string place = state.file.empty()
-                          ? fmt::format("{}: {}", descriptor.file_name, descriptor.origin)
+                          ? fmt::format("{}: {}", descriptor.file_name, origin_of(descriptor))
                           : state.file;
   if (!descriptor.counterpart.empty()) {
     place += fmt::format(" (built-in counterpart: {})", descriptor.counterpart);
@@ -95,10 +115,22 @@ std::string place_of(const Descriptor& descriptor, const State& state) {
   return place;
 }
 
+/// Who made it, and what may be done with it, as far as the descriptor says.
+std::string terms_of(const Descriptor& descriptor) {
+  std::string terms;
+  if (!descriptor.author.empty()) {
+    terms += ", by " + printable(descriptor.author);
+  }
+  if (!descriptor.licence.empty()) {
+    terms += ". Licence: " + printable(descriptor.licence);
+  }
+  return terms;
+}
+
 void list_as_text(const std::vector<ListedScene>& scenes) {
   for (const auto& [descriptor, state] : scenes) {
-    fmt::print("{:<14} {:<13} {}, by {}. Licence: {}\n", descriptor.name, state.word,
-               descriptor.source.title, descriptor.author, descriptor.licence);
+    fmt::print("{:<14} {:<13} {}{}\n", descriptor.name, state.word,
+               printable(descriptor.source.title), terms_of(descriptor));
     fmt::print("{:<28} {}\n", "", place_of(descriptor, state));
   }
 }
@@ -114,8 +146,26 @@ void warn_of_obstacles(const std::vector<ListedScene>& scenes) {
   }
 }
 
+/// The program's and the user's, by name; of two with the same name, the user's.
+DescriptorList descriptors_in_force() {
+  DescriptorList list = users_descriptors();
+  const std::size_t users = list.descriptors.size();
+  DescriptorList programs = all_descriptors();
+  list.faults.insert(list.faults.end(), programs.faults.begin(), programs.faults.end());
+  for (Descriptor& descriptor : programs.descriptors) {
+    const auto end = list.descriptors.begin() + static_cast<std::ptrdiff_t>(users);
+    if (std::none_of(list.descriptors.begin(), end,
+                     [&](const Descriptor& own) { return own.name == descriptor.name; })) {
+      list.descriptors.push_back(std::move(descriptor));
+    }
+  }
+  std::sort(list.descriptors.begin(), list.descriptors.end(),
+            [](const Descriptor& a, const Descriptor& b) { return a.name < b.name; });
+  return list;
+}
+
 void list_scenes(bool as_json) {
-  DescriptorList list = all_descriptors();
+  DescriptorList list = descriptors_in_force();
   for (const std::string& fault : list.faults) {
     warn(fault);
   }
@@ -163,11 +213,21 @@ void make_scene(const std::string& name, const MakeArguments& arguments) {
              sha256_of_file(file));
 }
 
+/// As CLI11 wants it: what is wrong with the name, or nothing.
+std::string check_builtin_name(const std::string& name) {
+  const std::vector<std::string> names = builtin_names();
+  return std::find(names.begin(), names.end(), name) != names.end()
+             ? ""
+             : fmt::format(
+                   "no built-in scene is called '{}'; {}", name,
+                   did_you_mean(name, names, fmt::format("there are {}", fmt::join(names, ", "))));
+}
+
 void add_make(CLI::App& app, const std::stop_token& stop) {
   const auto arguments = std::make_shared<MakeArguments>();
   CLI::App* command = app.add_subcommand("make", "Make built-in scenes as .glb files");
   command->add_option("NAME", arguments->names, "The scenes to make (default: all)")
-      ->check(CLI::IsMember(builtin_names()));
+      ->check(check_builtin_name);
   command->add_option("-o,--output", arguments->folder,
                       "The folder to put them in (default: the cache)");
   command
@@ -191,7 +251,8 @@ void add_make(CLI::App& app, const std::stop_token& stop) {
 Descriptor real_scene(const std::string& name) {
   const auto descriptor = find_descriptor(name);
   if (!descriptor) {
-    throw Error(name, "no such scene", "see 'foveola scene list'");
+    throw Error(name, "no such scene",
+                did_you_mean(name, known_scene_names(), "see 'foveola scene list'"));
   }
   if (descriptor->is_builtin) {
     throw Error(name, "is built in", fmt::format("make it with 'foveola scene make {}'", name));

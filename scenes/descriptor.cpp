@@ -5,11 +5,14 @@
 #include <fstream>
 #include <initializer_list>
 #include <limits>
+#include <stdexcept>
 #include <system_error>
 
+#include <fmt/format.h>
+
+#include "renderer/base/confined_path.h"
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/base/files.h"
 #include "renderer/base/toml_reader.h"
 #include "scenes/builtin_files.h"
 
@@ -36,10 +39,11 @@ bool is_builtin_name(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The name of a .glb, without any folder: nobody can be made to write elsewhere.
-bool is_plain_glb_name(const std::string& name) {
+/// Without any folder: nobody can be made to read or write elsewhere.
+bool is_plain_name(const std::string& name, std::initializer_list<const char*> extensions) {
   const fs::path path(name);
-  return path.filename() == path && path.extension() == ".glb";
+  return path.filename() == path &&
+         std::find(extensions.begin(), extensions.end(), path.extension()) != extensions.end();
 }
 
 void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
@@ -147,11 +151,35 @@ void read_light_units(TomlReader& table, SceneSource& source) {
   }
 }
 
-void read_light_from_outside(TomlReader& table, SceneSource& source) {
-  if (table.has("environment_radiance") && table.has("sky")) {
-    table.fail(table.source("sky"), "a scene has one environment",
-               "give one of environment_radiance and [sky]");
+/// An image in the descriptor's own folder, which may be anybody's.
+void read_environment_file(TomlReader& table, const fs::path& folder, SceneSource& source) {
+  std::string name;
+  table.read("environment_file", name);
+  if (!table.has("environment_file")) {
+    return;
   }
+  try {
+    source.environment_file = confined_path(folder, name);
+  } catch (const std::runtime_error& reason) {
+    table.fail(table.source("environment_file"), fmt::format("'{}': {}", name, reason.what()),
+               "name an image in the folder of the descriptor");
+  }
+}
+
+void require_one_environment(const TomlReader& table) {
+  constexpr std::array keys{"environment_radiance", "environment_file", "sky"};
+  const auto is_given = [&](const char* key) { return table.has(key); };
+  if (std::count_if(keys.begin(), keys.end(), is_given) > 1) {
+    const auto* const first = std::find_if(keys.begin(), keys.end(), is_given);
+    table.fail(table.source(*std::find_if(first + 1, keys.end(), is_given)),
+               "a scene has one environment",
+               "give one of environment_radiance, environment_file and [sky]");
+  }
+}
+
+void read_light_from_outside(TomlReader& table, const fs::path& folder, SceneSource& source) {
+  require_one_environment(table);
+  read_environment_file(table, folder, source);
   if (table.has("environment_radiance")) {
     Rgb radiance;
     table.read("environment_radiance", radiance, 0.0, largest_radiance);
@@ -164,10 +192,28 @@ void read_light_from_outside(TomlReader& table, SceneSource& source) {
     source.suns.push_back(read_sun(sun));
   }
   table.read("environment_strength", source.environment_strength, 0.0, largest_radiance);
+  double rotation_deg = 0.0;
+  table.read("environment_rotation_deg", rotation_deg, -360.0, 360.0);
+  source.environment_rotation_rad = radians(rotation_deg);
+}
+
+/// The sizes that the file's own lights get in place of theirs.
+void read_light_sizes(TomlReader& table, SceneSource& source) {
+  if (table.has("light_radius")) {
+    double radius = 0.0;
+    table.read("light_radius", radius, 0.0, largest_coordinate);
+    source.light_radius_m = static_cast<float>(radius * source.metres_per_unit);
+  }
+  if (table.has("sun_radius_deg")) {
+    double radius_deg = 0.0;
+    table.read("sun_radius_deg", radius_deg, 0.0, 45.0);
+    source.sun_angular_radius_rad = static_cast<float>(radians(radius_deg));
+  }
 }
 
 void read_viewpoint(TomlReader& table, SceneSource& source) {
   table.read("metres_per_unit", source.metres_per_unit, 1e-6, 1e6);
+  read_light_sizes(table, source);
   table.require("camera");
   read_camera(table.table("camera"), source);
   if (table.has("exposure_stops")) {
@@ -191,8 +237,8 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   std::int64_t size_bytes = 0;
   table.read("size_bytes", size_bytes, 1, std::numeric_limits<std::int64_t>::max());
   descriptor.size_bytes = static_cast<std::uint64_t>(size_bytes);
-  if (!descriptor.file_name.empty() && !is_plain_glb_name(descriptor.file_name)) {
-    table.fail(table.source("file"), "file must be the plain name of a .glb",
+  if (table.has("file") && !is_plain_name(descriptor.file_name, {".glb", ".gltf", ".obj"})) {
+    table.fail(table.source("file"), "file must be the plain name of a .glb, .gltf or .obj",
                "for instance file = \"NAME.glb\"");
   }
   if (!descriptor.sha256.empty() && !is_digest(descriptor.sha256)) {
@@ -220,10 +266,11 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   TomlReader table(file.string(), toml, "");
   Descriptor descriptor;
   descriptor.name = file.stem().string();
+  descriptor.path = file;
   descriptor.source.name = descriptor.name;
   descriptor.source.title = table.require_text("title");
-  descriptor.author = table.require_text("author");
-  descriptor.licence = table.require_text("licence");
+  table.read("author", descriptor.author);
+  table.read("licence", descriptor.licence);
   table.read("builtin", descriptor.is_builtin);
   table.read("counterpart", descriptor.counterpart);
   read_file_facts(table, descriptor);
@@ -234,61 +281,25 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   }
   require_known_builtins(table, descriptor);
   read_light_units(table, descriptor.source);
-  read_light_from_outside(table, descriptor.source);
+  read_light_from_outside(table, file.parent_path(), descriptor.source);
   read_viewpoint(table, descriptor.source);
   table.reject_unknown_keys();
   return descriptor;
 }
 
-fs::path descriptor_folder() { return resource_folder() / "scenes"; }
-
-/// In the order of their names.
-std::vector<fs::path> descriptor_files() {
-  std::vector<fs::path> files;
-  std::error_code failure;
-  fs::directory_iterator entry(descriptor_folder(), failure);
-  for (; !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
-    if (entry->path().extension() == ".toml") {
-      files.push_back(entry->path());
-    }
-  }
-  if (failure) {
-    throw Error(descriptor_folder().string(), "cannot be read: " + failure.message(),
-                "install Foveola again, or set FOVEOLA_RESOURCES to the folder that holds scenes/");
-  }
-  std::sort(files.begin(), files.end());
-  return files;
+toml::table parse_descriptor(const fs::path& file) {
+  return parse_toml(file.string(), read_toml_file(file), "see scenes/arcade.toml for an example");
 }
 
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  return descriptor_from(file, parse_toml(file.string(), read_toml_file(file),
-                                          "see scenes/arcade.toml for an example"));
+  return descriptor_from(file, parse_descriptor(file));
 }
 
-std::optional<Descriptor> find_descriptor(const std::string& name) {
-  if (name.empty() || name.find('/') != std::string::npos || name[0] == '.') {
-    return std::nullopt;
-  }
-  const fs::path file = descriptor_folder() / (name + ".toml");
-  std::error_code failure;
-  if (!fs::exists(file, failure) && failure != std::errc::permission_denied) {
-    return std::nullopt;
-  }
-  return read_descriptor(file);
-}
-
-DescriptorList all_descriptors() {
-  DescriptorList list;
-  for (const fs::path& file : descriptor_files()) {
-    try {
-      list.descriptors.push_back(read_descriptor(file));
-    } catch (const Error& fault) {
-      list.faults.emplace_back(fault.what());
-    }
-  }
-  return list;
+bool is_descriptor(const fs::path& file) {
+  const toml::table table = parse_descriptor(file);
+  return table.contains("file") || table.contains("builtin") || table.contains("camera");
 }
 
 bool is_described_file(const Descriptor& descriptor, const fs::path& file) {

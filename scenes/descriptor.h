@@ -1,4 +1,4 @@
-// What is known of a scene before its file is opened: scenes/NAME.toml.
+// What is known of a scene before its file is opened: a descriptor, NAME.toml.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,14 @@
 namespace foveola::scenes {
 
 struct Descriptor {
-  std::string name;  ///< the name of its file, without .toml
-  std::string author;
+  std::string name;            ///< the name of its file, without .toml
+  std::filesystem::path path;  ///< this file
+  std::string author;          ///< may be empty, as the next three
   std::string licence;
-  std::string origin;       ///< the page of a real scene; empty for a built-in one
-  std::string counterpart;  ///< the built-in scene that stands in for a real one; may be empty
+  std::string origin;       ///< the page of a real scene
+  std::string counterpart;  ///< the built-in scene that stands in for a real one
   bool is_builtin = false;
-  std::string file_name;  ///< name of a real scene's .glb, which has all in it
+  std::string file_name;  ///< name of a real scene's .glb, .gltf or .obj
   /// SHA-256 and size of the file that the descriptor was written for; empty and 0 if not stated.
   std::string sha256;
   std::uint64_t size_bytes = 0;
@@ -30,16 +31,9 @@ struct Descriptor {
 /// type, a value out of range or what makes no sense.
 Descriptor read_descriptor(const std::filesystem::path& file);
 
-/// The descriptor `name` among the program's own, if there is one.
-std::optional<Descriptor> find_descriptor(const std::string& name);
-
-struct DescriptorList {
-  std::vector<Descriptor> descriptors;  ///< by name
-  std::vector<std::string> faults;      ///< what is wrong with those that cannot be read
-};
-
-/// All descriptors of the program's own.
-DescriptorList all_descriptors();
+/// Whether the TOML file has a key that only descriptors have. Throws Error as read_descriptor does
+/// for bad TOML.
+bool is_descriptor(const std::filesystem::path& file);
 
 /// Whether `file` is the one that the descriptor was written for, by its size and SHA-256. Throws
 /// Error if it cannot be read.

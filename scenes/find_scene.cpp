@@ -3,14 +3,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/confined_path.h"
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/similar_word.h"
 #include "scenes/builtin_files.h"
 #include "scenes/descriptor.h"
+#include "scenes/descriptor_search.h"
 #include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
@@ -18,12 +24,8 @@ namespace fs = std::filesystem;
 namespace foveola::scenes {
 namespace {
 
-SceneSource source_of(const Descriptor& descriptor) {
+SceneSource source_of_programs_own(const Descriptor& descriptor) {
   SceneSource source = descriptor.source;
-  if (descriptor.is_builtin) {
-    source.file = require_builtin(descriptor.name);
-    return source;
-  }
   const FileSearch search = search_scene_path(descriptor.file_name);
   if (!search.file) {
     const std::string stand_in = descriptor.counterpart.empty()
@@ -38,6 +40,30 @@ SceneSource source_of(const Descriptor& descriptor) {
   }
   source.file = *search.file;
   return source;
+}
+
+/// Anybody's descriptor: its file lies in its own folder, and it cannot name another.
+SceneSource source_in_own_folder(const Descriptor& descriptor) {
+  SceneSource source = descriptor.source;
+  const fs::path folder = fs::absolute(descriptor.path).parent_path();
+  try {
+    source.file = confined_path(folder, descriptor.file_name);
+  } catch (const std::runtime_error& reason) {
+    throw Error(descriptor.path.string(),
+                fmt::format("its scene '{}' is {}", descriptor.file_name, reason.what()),
+                fmt::format("put the file into {}", folder.string()));
+  }
+  return source;
+}
+
+SceneSource source_of(const Descriptor& descriptor) {
+  if (descriptor.is_builtin) {
+    SceneSource source = descriptor.source;
+    source.file = require_builtin(descriptor.name);
+    return source;
+  }
+  return is_programs_own(descriptor) ? source_of_programs_own(descriptor)
+                                     : source_in_own_folder(descriptor);
 }
 
 /// Whether `file` takes the descriptor's viewpoint: a conversion of a real scene under its name, or
@@ -59,7 +85,8 @@ SceneSource variant_of(const Descriptor& descriptor, std::uint32_t seed) {
   return source;
 }
 
-SceneSource source_of_file(const fs::path& file) {
+/// What the program's own descriptors say of the file, if they mean it.
+SceneSource source_by_name_of_file(const fs::path& file) {
   SceneSource source;
   source.title = file.stem().string();
   for (const Descriptor& descriptor : all_descriptors().descriptors) {
@@ -69,40 +96,115 @@ SceneSource source_of_file(const fs::path& file) {
       source = variant_of(descriptor, *seed);
     }
   }
+  return source;
+}
+
+SceneSource source_of_file(const fs::path& file) {
+  SceneSource source;
+  if (const std::optional<Descriptor> beside = descriptor_beside(file)) {
+    source = beside->source;
+    source.descriptor_beside = beside->path;
+  } else {
+    source = source_by_name_of_file(file);
+  }
   source.name = file.string();
   source.file = file;
   return source;
 }
 
-}  // namespace
-
-SceneSource find_scene(const std::string& name_or_path) {
-  if (const std::optional<Descriptor> descriptor = find_descriptor(name_or_path)) {
-    return source_of(*descriptor);
-  }
+/// Throws Error that says what is wrong, unless there is a regular file.
+void require_scene_file(const fs::path& path) {
   std::error_code failure;
-  const fs::file_status status = fs::status(name_or_path, failure);
+  const fs::file_status status = fs::status(path, failure);
   if (fs::is_directory(status)) {
-    throw Error(name_or_path, "is a folder, not a scene", "name a .glb, .gltf or .obj file in it");
+    throw Error(path.string(), "is a folder, not a scene", "name a .glb, .gltf or .obj file in it");
   }
   if (failure == std::errc::permission_denied) {
-    throw Error(name_or_path, "cannot be reached: " + failure.message(),
+    throw Error(path.string(), "cannot be reached: " + failure.message(),
                 "check the permissions of the folders above it");
   }
   std::error_code ignored;
-  if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(name_or_path, ignored))) {
-    throw Error(name_or_path, "is a link that leads nowhere", "mend the link");
+  if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(path, ignored))) {
+    throw Error(path.string(), "is a link that leads nowhere", "mend the link");
   }
   if (!fs::exists(status)) {
-    throw Error(name_or_path, "no such scene or file",
-                fmt::format("the built-in scenes are {}; for the published study's own see "
-                            "'foveola scene list' and set FOVEOLA_SCENE_PATH",
-                            fmt::join(builtin_names(), ", ")));
+    throw Error(
+        path.string(), "no such scene or file",
+        did_you_mean(path.string(), known_scene_names(),
+                     fmt::format("the built-in scenes are {}; for the published study's own see "
+                                 "'foveola scene list' and set FOVEOLA_SCENE_PATH",
+                                 fmt::join(builtin_names(), ", "))));
   }
   if (!fs::is_regular_file(status)) {
-    throw Error(name_or_path, "is not a regular file", "copy the scene into a file");
+    throw Error(path.string(), "is not a regular file", "copy the scene into a file");
   }
-  return source_of_file(name_or_path);
+}
+
+/// The file of a scene, or a descriptor.
+SceneSource source_at(const fs::path& path) {
+  require_scene_file(path);
+  return path.extension() == ".toml" ? source_of(read_descriptor(path)) : source_of_file(path);
+}
+
+/// NAME.glb, NAME.gltf or NAME.obj in `folder`, the first of them that is there.
+std::optional<fs::path> named_scene_file(const fs::path& folder, const std::string& name) {
+  for (const char* const extension : {".glb", ".gltf", ".obj"}) {
+    fs::path file = folder / (name + extension);
+    std::error_code ignored;
+    if (is_scene_name(name) && fs::is_regular_file(file, ignored)) {
+      return file;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The scene `name` of `folder`, described or not.
+std::optional<SceneSource> find_in(const fs::path& folder, const std::string& name) {
+  if (const std::optional<Descriptor> descriptor = find_descriptor_in(folder, name)) {
+    return source_of(*descriptor);
+  }
+  const std::optional<fs::path> file = named_scene_file(folder, name);
+  return file ? std::optional(source_of_file(*file)) : std::nullopt;
+}
+
+bool is_path(const std::string& name_or_path) {
+  const fs::path extension = fs::path(name_or_path).extension();
+  return !is_scene_name(name_or_path) || extension == ".glb" || extension == ".gltf" ||
+         extension == ".obj" || extension == ".toml";
+}
+
+bool is_programs_protocols(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::equivalent(folder, resource_folder() / "protocols", ignored);
+}
+
+}  // namespace
+
+SceneSource find_scene(const std::string& name_or_path) {
+  if (const std::optional<Descriptor> descriptor = find_users_descriptor(name_or_path)) {
+    return source_of(*descriptor);
+  }
+  if (const std::optional<Descriptor> descriptor = find_descriptor(name_or_path)) {
+    return source_of(*descriptor);
+  }
+  if (const std::optional<fs::path> file = named_scene_file(fetched_folder(), name_or_path)) {
+    return source_of_file(*file);
+  }
+  return source_at(name_or_path);
+}
+
+SceneSource find_scene_beside(const std::string& name_or_path, const fs::path& folder) {
+  if (is_path(name_or_path)) {
+    return source_at(folder / name_or_path);  // An absolute path stays what it is.
+  }
+  if (is_programs_protocols(folder)) {
+    if (const std::optional<Descriptor> descriptor = find_descriptor(name_or_path)) {
+      return source_of(*descriptor);
+    }
+  } else if (std::optional<SceneSource> source = find_in(folder, name_or_path)) {
+    return *std::move(source);
+  }
+  return find_scene(name_or_path);
 }
 
 }  // namespace foveola::scenes

@@ -70,9 +70,16 @@ XServer::XServer(std::vector<std::string> command) {
   ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
 }
 
-XServer::~XServer() {
-  ::kill(process_, SIGTERM);
-  ::waitpid(process_, nullptr, 0);
+XServer::~XServer() { end(SIGTERM); }
+
+void XServer::kill() { end(SIGKILL); }
+
+void XServer::end(int signal) {
+  if (process_ > 0) {
+    ::kill(process_, signal);
+    ::waitpid(process_, nullptr, 0);
+    process_ = -1;
+  }
 }
 
 namespace {

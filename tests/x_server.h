@@ -26,8 +26,12 @@ class XServer {
   XServer& operator=(const XServer&) = delete;
 
   const std::string& display() const { return display_; }
+  /// Ends it as a crash does. Nothing of this process may be connected with it any more.
+  void kill();
 
  private:
+  void end(int signal);
+
   std::string display_;
   pid_t process_ = -1;
 };

@@ -50,7 +50,7 @@ struct TriedSpeed {
 /// once.
 class TriedSpeeds {
  public:
-  TriedSpeeds(const CalibrationArguments& arguments, const SceneFinder& find_scene,
+  TriedSpeeds(const CalibrationArguments& arguments, const SceneFinderBeside& find_scene,
               std::stop_token stop)
       : arguments_(arguments),
         find_scene_(find_scene),
@@ -107,7 +107,7 @@ class TriedSpeeds {
   }
 
   const CalibrationArguments& arguments_;
-  const SceneFinder& find_scene_;
+  const SceneFinderBeside& find_scene_;
   std::stop_token stop_;
   PublishedStudy published_;
   std::map<double, TriedSpeed> tried_;
@@ -176,7 +176,7 @@ std::vector<NamedSpeed> fit_speeds(TriedSpeeds& speeds, double first) {
           {"material alone", fit_machine_speed(compare, both.samples_per_second, "material")}};
 }
 
-void run(const CalibrationArguments& arguments, const SceneFinder& find_scene,
+void run(const CalibrationArguments& arguments, const SceneFinderBeside& find_scene,
          const std::stop_token& stop) {
   check_output_folder(arguments.folder);
   const study::Protocol protocol = study::load_protocol(study::find_protocol(arguments.protocol));
@@ -219,7 +219,8 @@ void run(const CalibrationArguments& arguments, const SceneFinder& find_scene,
 }  // namespace
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): every module adds its commands alike.
-void add_bench_calibration(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
+void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
+                           std::stop_token stop) {
   const auto arguments = std::make_shared<CalibrationArguments>();
   CLI::App* command = study::add_command(
       bench, "calibration",

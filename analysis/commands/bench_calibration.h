@@ -13,6 +13,7 @@ class App;
 namespace foveola::analysis {
 
 /// Adds `calibration` to the command `bench`; see add_renderer_commands.
-void add_bench_calibration(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop);
+void add_bench_calibration(CLI::App& bench, const SceneFinderBeside& find_scene,
+                           std::stop_token stop);
 
 }  // namespace foveola::analysis

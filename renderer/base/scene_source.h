@@ -61,6 +61,8 @@ struct SceneSource {
   std::string name;  ///< what the user called it
   std::string title;
   std::filesystem::path file;  ///< .glb, .gltf or .obj
+  /// The descriptor that says all else here, if it was found beside the file without being named.
+  std::filesystem::path descriptor_beside;
   /// SHA-256 of the file that all else here was written for; empty if for no file in particular.
   /// Another file is accepted with a warning.
   std::string described_sha256;
@@ -91,5 +93,10 @@ struct SceneSource {
 /// Finds a scene by name or path: a name of a descriptor (made now if it is a built-in one that is
 /// not yet in the cache), else the path of a scene file. Throws Error if it is neither.
 using SceneFinder = std::function<SceneSource(const std::string& name_or_path)>;
+
+/// Finds a scene that a file names, as a protocol does: in that file's `folder` first, where
+/// relative paths begin.
+using SceneFinderBeside = std::function<SceneSource(const std::string& name_or_path,
+                                                    const std::filesystem::path& folder)>;
 
 }  // namespace foveola

@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/similar_word.h"
 
 namespace fs = std::filesystem;
 
@@ -234,7 +235,8 @@ std::size_t TomlReader::find_word(std::string_view key,
   const auto found = std::find(known.begin(), known.end(), text);
   if (found == known.end()) {
     fail(source(key), fmt::format("there is no {} '{}'", key, text),
-         fmt::format("choose one of {}", fmt::join(known, ", ")));
+         did_you_mean(text, {known.begin(), known.end()},
+                      fmt::format("choose one of {}", fmt::join(known, ", "))));
   }
   return static_cast<std::size_t>(found - known.begin());
 }
@@ -315,7 +317,8 @@ void TomlReader::reject_unknown_keys() const {
   for (auto&& [key, node] : *table_) {
     if (!asked_.contains(key.str())) {
       fail(key.source(), fmt::format("unknown key '{}'", full_name(key.str())),
-           fmt::format("the keys here are {}", fmt::join(asked_, ", ")));
+           did_you_mean(key.str(), {asked_.begin(), asked_.end()},
+                        fmt::format("the keys here are {}", fmt::join(asked_, ", "))));
     }
   }
 }

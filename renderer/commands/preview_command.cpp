@@ -273,6 +273,7 @@ void run_preview(const PreviewCommand& command, const SceneFinder& find_scene,
     require_writable(command.screenshot);
   }
   require_method(command.method);
+  print_method_notes(command.method);
   DisplayProfile display = read_display_profile(command.display);
   const SceneSource source = scene_of(command, find_scene);
   const SteadyClock clock;

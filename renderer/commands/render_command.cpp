@@ -82,6 +82,7 @@ RenderBudget budget_from(const CLI::App& command, const RenderArguments& argumen
 std::string method_from(const RenderArguments& arguments) {
   const std::string& typed = arguments.settings.method;
   require_method(typed);
+  print_method_notes(typed);
   if (arguments.pointer.empty()) {
     return typed;
   }

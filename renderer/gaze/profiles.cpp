@@ -14,6 +14,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/similar_word.h"
 #include "renderer/base/toml_reader.h"
 
 namespace fs = std::filesystem;
@@ -32,8 +33,10 @@ fs::path profile_file(std::string_view folder, const std::string& name_or_path) 
   }
   const std::vector<std::string> names = toml_names_in(profile_folder(folder));
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-    throw Error(fmt::format("profile '{}'", name_or_path), fmt::format("is none of the {}", folder),
-                fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
+    throw Error(
+        fmt::format("profile '{}'", name_or_path), fmt::format("is none of the {}", folder),
+        did_you_mean(name_or_path, names,
+                     fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
   }
   return profile_folder(folder) / (name_or_path + ".toml");
 }

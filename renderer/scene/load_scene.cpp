@@ -1,13 +1,13 @@
 #include "renderer/scene/load_scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/scene/foreign_format.h"
 #include "renderer/scene/sky.h"
 
 namespace foveola {
@@ -223,20 +223,29 @@ std::optional<std::string> warning_of_another_file(const Scene& scene, const Sce
       source.file.filename().string(), source.title);
 }
 
+/// Where nobody named it, who looks at the scene should know of it.
+std::optional<std::string> note_of_descriptor(const SceneSource& source) {
+  if (source.descriptor_beside.empty()) {
+    return std::nullopt;
+  }
+  return fmt::format("{} is shown as {} beside it says", source.file.filename().string(),
+                     source.descriptor_beside.filename().string());
+}
+
 }  // namespace
 
 Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".obj" ? load_obj(path) : load_gltf(path, light_units);
+  require_readable_format(path);
+  return lower_case_extension(path) == ".obj" ? load_obj(path) : load_gltf(path, light_units);
 }
 
 Scene load_scene(const SceneSource& source) {
   require_valid(source);
   Scene scene = load_scene_file(source.file, source.light_units);
-  if (const std::optional<std::string> warning = warning_of_another_file(scene, source)) {
-    scene.warnings.insert(scene.warnings.begin(), *warning);
+  for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
+    if (line) {
+      scene.warnings.insert(scene.warnings.begin(), *line);
+    }
   }
   if (source.metres_per_unit != 1.0) {
     scale_world(scene, source.metres_per_unit);

@@ -2,12 +2,15 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/similar_word.h"
 #include "renderer/view/equation7.h"
 #include "renderer/view/foveated_sampler.h"
 #include "renderer/view/image_samplers.h"
@@ -133,6 +136,11 @@ std::unique_ptr<ViewSampler> make_hybrid(std::string_view method, const FindWeig
   return std::make_unique<MixtureSampler>(std::move(parts));
 }
 
+double sum_of_weights(const std::vector<HybridPart>& parts) {
+  return std::accumulate(parts.begin(), parts.end(), 0.0,
+                         [](double sum, const HybridPart& part) { return sum + part.weight; });
+}
+
 struct NamedMaker {
   std::string_view name;
   std::unique_ptr<ViewSampler> (*make)(MethodText& settings, const FindWeights& find_weights);
@@ -157,11 +165,14 @@ const NamedMaker& maker_of(const MethodText& method) {
       std::find_if(std::begin(makers), std::end(makers),
                    [&](const NamedMaker& maker) { return maker.name == method.name(); });
   if (found == std::end(makers)) {
-    std::string names;
+    std::vector<std::string> names;
     for (const NamedMaker& maker : makers) {
-      names += fmt::format("{}, ", maker.name);
+      names.emplace_back(maker.name);
     }
-    method.fail("there is no such method", fmt::format("choose one of {}hybrid:...", names));
+    names.emplace_back("hybrid");
+    method.fail("there is no such method",
+                did_you_mean(method.name(), names,
+                             fmt::format("choose one of {}:...", fmt::join(names, ", "))));
   }
   return *found;
 }
@@ -206,6 +217,30 @@ bool follows_gaze(std::string_view method) {
   }
   const std::string name = MethodText(method).name();
   return name == "fv" || name == "fv-paper" || name == "fv-map" || follows_pointer(method);
+}
+
+std::vector<std::string> method_notes(std::string_view method) {
+  if (!is_hybrid(method)) {
+    return {};
+  }
+  constexpr double tolerance = 1e-6;
+  const std::vector<HybridPart> parts = hybrid_parts(method);
+  const double sum = sum_of_weights(parts);
+  std::vector<std::string> notes;
+  if (!(std::abs(sum - 1.0) <= tolerance)) {
+    std::vector<std::string> shares;
+    for (const HybridPart& part : parts) {
+      shares.push_back(fmt::format("{} {:.4g} %", part.method, 100.0 * (part.weight / sum)));
+    }
+    notes.push_back(
+        fmt::format("the weights of '{}' add up to {:.4g}, not to 1: of the samples, {}", method,
+                    sum, fmt::join(shares, ", ")));
+  }
+  for (const HybridPart& part : parts) {
+    const std::vector<std::string> inner = method_notes(part.method);
+    notes.insert(notes.end(), inner.begin(), inner.end());
+  }
+  return notes;
 }
 
 std::string with_pointer(std::string_view method, const AzimuthElevation& pointer) {

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/similar_word.h"
 
 namespace foveola {
 namespace {
@@ -97,7 +98,8 @@ std::string MethodText::word(std::string_view key, std::string_view fallback,
   }
   if (std::find(known.begin(), known.end(), *value) == known.end()) {
     fail(fmt::format("there is no {} '{}'", key, *value),
-         fmt::format("choose one of {}", fmt::join(known, ", ")));
+         did_you_mean(*value, {known.begin(), known.end()},
+                      fmt::format("choose one of {}", fmt::join(known, ", "))));
   }
   return *value;
 }
@@ -106,8 +108,9 @@ void MethodText::reject_unknown_settings() const {
   for (const auto& [key, value] : settings_) {
     if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
       fail(fmt::format("there is no setting '{}' here", key),
-           asked_.empty() ? fmt::format("{} has none", name_)
-                          : fmt::format("there are {}", fmt::join(asked_, ", ")));
+           asked_.empty()
+               ? fmt::format("{} has none", name_)
+               : did_you_mean(key, asked_, fmt::format("there are {}", fmt::join(asked_, ", "))));
     }
   }
 }

@@ -63,8 +63,8 @@ const std::vector<std::string>& published_methods();
 ///           azimuth, elevation: a fixed place instead of the pointer
 /// crop      uniform over a fixed rectangle of the image around azimuth, elevation (0), of width
 ///           and height (30)
-/// hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share of the samples; a hybrid
-///           within it stands in double quotes
+/// hybrid    of several: hybrid:0.9*fv+0.1*od, each part with its share of the samples, whose
+///           weights are divided by their sum; a hybrid within it stands in double quotes
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method);
 
 /// The weights that stand for a file, by the name that a method's text gives it.
@@ -74,6 +74,11 @@ using FindWeights = std::function<WeightImage(const std::string& file)>;
 /// reading it: masks stay as they are given. Throws as well what `find_weights` throws.
 std::unique_ptr<ViewSampler> make_view_sampler(std::string_view method,
                                                const FindWeights& find_weights);
+
+/// What a method means that its text may not show: a line for each hybrid in it whose weights do
+/// not add up to 1, with the shares that its parts get. Throws Error for a text that makes no
+/// sense.
+std::vector<std::string> method_notes(std::string_view method);
 
 /// Whether a method, or a part of it, samples where the pointer of its Aim is. Throws Error for a
 /// text that makes no sense.

@@ -105,6 +105,7 @@ struct Window::Callbacks {
 
 Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock& clock)
     : library_(std::make_unique<Library>()),
+      lost_display_(std::make_unique<LostDisplay>(settings.remedy_of_lost_display)),
       events_(&events),
       clock_(&clock),
       restored_size_(settings.size) {

@@ -15,6 +15,7 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/vec.h"
 #include "renderer/window/key_times.h"
+#include "renderer/window/lost_display.h"
 #include "renderer/window/window_event.h"
 
 struct GLFWwindow;
@@ -26,6 +27,8 @@ struct WindowSettings {
   std::string title = "Foveola";
   IVec2 size{1280, 720};       ///< window coordinates; not used in full screen
   std::optional<int> monitor;  ///< full screen on this one, as monitors() numbers them
+  /// What a user can do if the display goes away, which ends the program (see LostDisplay).
+  std::string remedy_of_lost_display = "start it again where there is one";
 };
 
 struct MonitorInfo {
@@ -85,6 +88,7 @@ class Window {
   void stay_on_a_monitor();
 
   std::unique_ptr<Library> library_;
+  std::unique_ptr<LostDisplay> lost_display_;
   WindowEvents* events_;
   const Clock* clock_;
   GLFWwindow* window_ = nullptr;

@@ -31,7 +31,7 @@ struct BenchArguments {
 
 /// One of the two studies; what was done of it before stays.
 SimulateReport simulate(const BenchArguments& arguments, bool predicted, const fs::path& database,
-                        const SceneFinder& find_scene, const std::stop_token& stop) {
+                        const SceneFinderBeside& find_scene, const std::stop_token& stop) {
   return simulate_study({.protocol = find_protocol(arguments.protocol),
                          .database = database,
                          .participants = arguments.participants,
@@ -72,7 +72,7 @@ nlohmann::json json_of(const std::vector<MarkAgreement>& agreements) {
   return list;
 }
 
-void run_bench(const BenchArguments& arguments, const SceneFinder& find_scene,
+void run_bench(const BenchArguments& arguments, const SceneFinderBeside& find_scene,
                const std::stop_token& stop) {
   const fs::path folder = arguments.folder;
   if (!fs::is_directory(folder)) {
@@ -101,7 +101,8 @@ void run_bench(const BenchArguments& arguments, const SceneFinder& find_scene,
 
 }  // namespace
 
-void add_bench_prediction(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
+void add_bench_prediction(CLI::App& bench, const SceneFinderBeside& find_scene,
+                          std::stop_token stop) {
   const auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       add_command(bench, "prediction",

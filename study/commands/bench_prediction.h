@@ -12,6 +12,7 @@ class App;
 namespace foveola::study {
 
 /// Adds `prediction` to the command `bench`.
-void add_bench_prediction(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop);
+void add_bench_prediction(CLI::App& bench, const SceneFinderBeside& find_scene,
+                          std::stop_token stop);
 
 }  // namespace foveola::study

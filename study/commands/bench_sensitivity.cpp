@@ -78,7 +78,7 @@ std::vector<StatedNumber> chosen_numbers(const SensitivityArguments& arguments,
 }
 
 std::vector<MethodMean> simulate(const SensitivityArguments& arguments, const std::string& people,
-                                 const fs::path& database, const SceneFinder& find_scene,
+                                 const fs::path& database, const SceneFinderBeside& find_scene,
                                  const std::stop_token& stop) {
   simulate_study({.protocol = find_protocol(arguments.protocol),
                   .database = database,
@@ -97,7 +97,8 @@ std::vector<MethodMean> simulate(const SensitivityArguments& arguments, const st
 /// Once as they are, and with each number divided and multiplied by the factor, as far as it may
 /// be.
 std::vector<Outcome> simulate_all(const SensitivityArguments& arguments,
-                                  const SceneFinder& find_scene, const std::stop_token& stop) {
+                                  const SceneFinderBeside& find_scene,
+                                  const std::stop_token& stop) {
   const fs::path folder = arguments.folder;
   const People people = read_people("adults");
   const std::vector<StatedNumber> numbers = chosen_numbers(arguments, people);
@@ -170,7 +171,7 @@ nlohmann::json json_of(const std::vector<Outcome>& outcomes) {
   return list;
 }
 
-void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_scene,
+void run_bench(const SensitivityArguments& arguments, const SceneFinderBeside& find_scene,
                const std::stop_token& stop) {
   if (!fs::is_directory(arguments.folder)) {
     throw Error(arguments.folder, "is no folder", "make it");
@@ -200,7 +201,8 @@ void run_bench(const SensitivityArguments& arguments, const SceneFinder& find_sc
 
 }  // namespace
 
-void add_bench_sensitivity(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop) {
+void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
+                           std::stop_token stop) {
   const auto arguments = std::make_shared<SensitivityArguments>();
   CLI::App* command =
       add_command(bench, "sensitivity",

@@ -12,6 +12,7 @@ class App;
 namespace foveola::study {
 
 /// Adds `sensitivity` to the command `bench`.
-void add_bench_sensitivity(CLI::App& bench, const SceneFinder& find_scene, std::stop_token stop);
+void add_bench_sensitivity(CLI::App& bench, const SceneFinderBeside& find_scene,
+                           std::stop_token stop);
 
 }  // namespace foveola::study

@@ -13,7 +13,7 @@ void add_protocol(CLI::App* command, std::string& protocol) {
   command
       ->add_option("PROTOCOL", protocol,
                    "The protocol: a .toml file, or the name of one that comes with Foveola (demo, "
-                   "koskela2018)")
+                   "koskela2018) or lies in ~/.local/share/foveola/protocols")
       ->required();
 }
 

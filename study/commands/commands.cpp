@@ -8,7 +8,7 @@
 
 namespace foveola::study {
 
-void add_study_commands(CLI::App& app, const SceneFinder& find_scene,
+void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
                         const SimulationReporter& reporter, std::stop_token stop) {
   CLI::App* study = app.add_subcommand("study", "Plan, run and look into user studies");
   study->require_subcommand(1);

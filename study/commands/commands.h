@@ -13,7 +13,7 @@ class App;
 namespace foveola::study {
 
 /// Adds `study` and its commands to `app`; see add_renderer_commands.
-void add_study_commands(CLI::App& app, const SceneFinder& find_scene,
+void add_study_commands(CLI::App& app, const SceneFinderBeside& find_scene,
                         const SimulationReporter& reporter, std::stop_token stop);
 
 }  // namespace foveola::study

@@ -72,7 +72,7 @@ nlohmann::json json_check(const Protocol& protocol) {
   return json;
 }
 
-void run_check(const ProtocolArguments& arguments, const SceneFinder& find_scene) {
+void run_check(const ProtocolArguments& arguments, const SceneFinderBeside& find_scene) {
   const Protocol protocol = load_protocol(find_protocol(arguments.protocol));
   warn_of_missing_letters(protocol);
   const std::vector<SceneSource> scenes = find_scenes(protocol, find_scene);
@@ -108,7 +108,7 @@ void run_plan(const ProtocolArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& study, const SceneFinder& find_scene) {
+void add_check(CLI::App& study, const SceneFinderBeside& find_scene) {
   const auto arguments = std::make_shared<ProtocolArguments>();
   CLI::App* command = add_command(study, "check",
                                   "Check a protocol: what it asks for, whether it is valid and can "

@@ -7,7 +7,7 @@
 
 namespace foveola::study {
 
-void add_check(CLI::App& study, const SceneFinder& find_scene);
+void add_check(CLI::App& study, const SceneFinderBeside& find_scene);
 void add_plan(CLI::App& study);
 
 }  // namespace foveola::study

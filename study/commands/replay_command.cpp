@@ -111,7 +111,7 @@ void require_same_films(const ReplayReport& report, const std::string& database)
   }
 }
 
-void run_replay(const ReplayArguments& arguments, const SceneFinder& find_scene,
+void run_replay(const ReplayArguments& arguments, const SceneFinderBeside& find_scene,
                 const std::stop_token& stop) {
   if (!arguments.output.empty()) {
     fs::create_directories(arguments.output);
@@ -137,7 +137,7 @@ void run_replay(const ReplayArguments& arguments, const SceneFinder& find_scene,
 
 }  // namespace
 
-void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
+void add_replay(CLI::App& study, const SceneFinderBeside& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = add_command(
       study, "replay",

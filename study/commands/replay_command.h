@@ -9,6 +9,6 @@
 
 namespace foveola::study {
 
-void add_replay(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop);
+void add_replay(CLI::App& study, const SceneFinderBeside& find_scene, const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -49,7 +49,7 @@ void require_code(const std::string& code) {
   }
 }
 
-void run_run(const RunArguments& arguments, const SceneFinder& find_scene,
+void run_run(const RunArguments& arguments, const SceneFinderBeside& find_scene,
              const std::stop_token& stop) {
   require_code(arguments.participant);
   RunSettings settings{.protocol = find_protocol(arguments.protocol),
@@ -83,7 +83,7 @@ void run_run(const RunArguments& arguments, const SceneFinder& find_scene,
 
 }  // namespace
 
-void add_run(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop) {
+void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::stop_token& stop) {
   const auto arguments = std::make_shared<RunArguments>();
   CLI::App* command =
       add_command(study, "run", "Run one person's session in a window, from consent to debrief",

@@ -10,6 +10,6 @@
 namespace foveola::study {
 
 /// It runs in the thread that parses the command line, the program's first.
-void add_run(CLI::App& study, const SceneFinder& find_scene, const std::stop_token& stop);
+void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::stop_token& stop);
 
 }  // namespace foveola::study

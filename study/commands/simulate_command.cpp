@@ -53,7 +53,7 @@ nlohmann::json json_report(const SimulateArguments& arguments, const SimulateRep
           {"non_finite", report.non_finite}};
 }
 
-void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_scene,
+void run_simulate(const SimulateArguments& arguments, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop) {
   if (!arguments.report.empty()) {
     reporter.check(arguments.report);
@@ -102,7 +102,7 @@ void run_simulate(const SimulateArguments& arguments, const SceneFinder& find_sc
 
 }  // namespace
 
-void add_simulate(CLI::App& study, const SceneFinder& find_scene,
+void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop) {
   const auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* command = add_command(study, "simulate", "Run a study with simulated participants",

@@ -22,7 +22,7 @@ struct SimulationReporter {
       write;
 };
 
-void add_simulate(CLI::App& study, const SceneFinder& find_scene,
+void add_simulate(CLI::App& study, const SceneFinderBeside& find_scene,
                   const SimulationReporter& reporter, const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -13,6 +13,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/similar_word.h"
 #include "renderer/base/toml_reader.h"
 #include "renderer/gaze/profiles.h"
 
@@ -156,8 +157,10 @@ fs::path people_file(const std::string& name_or_path) {
   }
   const std::vector<std::string> names = people_names();
   if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-    throw Error(fmt::format("people '{}'", name_or_path), "are not known",
-                fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
+    throw Error(
+        fmt::format("people '{}'", name_or_path), "are not known",
+        did_you_mean(name_or_path, names,
+                     fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
   }
   return people_folder() / (name_or_path + ".toml");
 }

@@ -215,6 +215,12 @@ class PersonRun {
   std::int64_t row_ = 0;  ///< the session's row in the store
 };
 
+/// Nothing was acknowledged to the participant before it was durable.
+std::string remedy_of_lost_display(const RunSettings& settings) {
+  return fmt::format("what {} did up to then is in {}: give the same command with --resume",
+                     settings.participant, settings.database.string());
+}
+
 fs::path back_up(const StudyStore& store, const fs::path& database) {
   std::string name = utc_now();
   std::replace(name.begin(), name.end(), ':', '-');
@@ -227,7 +233,7 @@ fs::path back_up(const StudyStore& store, const fs::path& database) {
 
 }  // namespace
 
-RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
+RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_scene,
                      const std::stop_token& stop) {
   const Protocol protocol = load_protocol(settings.protocol);
   warn_of_missing_letters(protocol);
@@ -242,7 +248,10 @@ RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
   print_notes(protocol);
   const SteadyClock clock;
   WindowEvents events;
-  Window window({.size = settings.window, .monitor = settings.monitor}, events, clock);
+  Window window({.size = settings.window,
+                 .monitor = settings.monitor,
+                 .remedy_of_lost_display = remedy_of_lost_display(settings)},
+                events, clock);
   display.refresh_rate_hz = said_refresh_rate_hz(window, settings.monitor.value_or(0), display);
   PersonRun run(settings, protocol, sources, std::move(display), tracker, store, std::move(so_far));
   RunReport report;

@@ -40,7 +40,7 @@ struct RunReport {
 /// Runs in the program's first thread, whose is the window. The experimenter's console is standard
 /// input and output. Throws Error for what is wrong with the settings, the files, the window or the
 /// participant's session so far; then nothing was begun.
-RunReport run_person(const RunSettings& settings, const SceneFinder& find_scene,
+RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_scene,
                      const std::stop_token& stop);
 
 }  // namespace foveola::study

@@ -78,6 +78,17 @@ void add_same_methods(const Protocol& protocol, const ProtocolPlaces& places,
   }
 }
 
+void add_method_notes(const Protocol& protocol, const ProtocolPlaces& places,
+                      std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < protocol.methods.size(); ++i) {
+    for (const std::string& note : method_notes(protocol.methods[i])) {
+      warnings.emplace_back(
+          Error(places.of(fmt::format("methods[{}]", i)), note, "write the shares that you mean")
+              .what());
+    }
+  }
+}
+
 /// What of a scene its pictures depend on most: its file, and where one stands in it.
 auto view_of(const SceneSource& scene) {
   std::error_code ignored;
@@ -149,6 +160,7 @@ std::vector<std::string> cautions(const Protocol& protocol,
   const ProtocolPlaces places(protocol);
   std::vector<std::string> warnings;
   add_same_methods(protocol, places, warnings);
+  add_method_notes(protocol, places, warnings);
   add_same_scenes(protocol, scenes, warnings);
   add_few_scenes(protocol, places, warnings);
   add_untranslated(protocol, places, warnings);

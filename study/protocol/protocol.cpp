@@ -10,6 +10,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/similar_word.h"
 #include "renderer/base/toml_reader.h"
 #include "study/protocol/read_analysis.h"
 #include "study/protocol/read_methods.h"
@@ -42,20 +43,34 @@ void refuse_old_tables(TomlReader& reader, const toml::table& table) {
   }
 }
 
+fs::path users_protocols() { return data_folder() / "protocols"; }
+
+/// None in a folder that does not exist.
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder, ignored) ? toml_names_in(folder) : std::vector<std::string>();
+}
+
 }  // namespace
 
 fs::path find_protocol(const std::string& name_or_path) {
-  if (fs::exists(name_or_path)) {
+  std::error_code no_name_of_a_file;
+  if (fs::exists(name_or_path, no_name_of_a_file)) {
     return name_or_path;
   }
-  const fs::path folder = resource_folder() / "protocols";
-  const fs::path named = folder / (name_or_path + ".toml");
-  if (name_or_path.find('/') == std::string::npos && fs::is_regular_file(named)) {
-    return named;
+  std::vector<std::string> names;
+  for (const fs::path& folder : {users_protocols(), resource_folder() / "protocols"}) {
+    const fs::path named = folder / (name_or_path + ".toml");
+    if (name_or_path.find('/') == std::string::npos &&
+        fs::is_regular_file(named, no_name_of_a_file)) {
+      return named;
+    }
+    const std::vector<std::string> there = names_in(folder);
+    names.insert(names.end(), there.begin(), there.end());
   }
-  throw Error(
-      name_or_path, "there is no such protocol",
-      fmt::format("give a .toml file or one of {}", fmt::join(toml_names_in(folder), ", ")));
+  throw Error(name_or_path, "there is no such protocol",
+              did_you_mean(name_or_path, names,
+                           fmt::format("give a .toml file or one of {}", fmt::join(names, ", "))));
 }
 
 Protocol load_protocol(const fs::path& path) { return read_protocol(read_toml_file(path), path); }
@@ -194,23 +209,25 @@ std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::s
   });
 }
 
-std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinder& find_scene) {
+std::vector<SceneSource> find_scenes(const Protocol& protocol,
+                                     const SceneFinderBeside& find_scene) {
   std::vector<SceneSource> sources;
   for (const SceneEntry& entry : protocol.scenes) {
     const std::string place =
         fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column);
     try {
-      sources.push_back(find_scene(entry.name));
+      sources.push_back(find_scene(entry.name, folder_of(protocol)));
     } catch (const Error& error) {
       throw Error(place, error.what());
     }
     if (sources.back().objects.empty()) {
       throw Error(place, fmt::format("the scene '{}' names no objects to choose", entry.name),
-                  "give it a descriptor with [[object]] entries");
+                  "'foveola scene describe' writes a descriptor with [[object]] entries beside its "
+                  "file");
     }
     if (!sources.back().camera_position) {
       throw Error(place, fmt::format("the scene '{}' has no viewpoint", entry.name),
-                  "give it a descriptor with a camera position");
+                  "'foveola scene describe' writes a descriptor with a camera beside its file");
     }
   }
   return sources;

@@ -217,7 +217,8 @@ struct Protocol {
 };
 
 /// A protocol's file: `name_or_path` itself if that is a file, else protocols/NAME.toml of the
-/// resource folder. Throws Error, listing the known names, if there is neither.
+/// user's data folder, else of the resource folder. Throws Error, listing the known names or one
+/// that may be meant, if there is none.
 std::filesystem::path find_protocol(const std::string& name_or_path);
 
 /// Only name, title, scenes and methods must be given; the rest has the defaults above. Files of
@@ -267,8 +268,8 @@ std::vector<NamedProfile> named_profiles(const Protocol& protocol);
 /// disk while a study runs have no effect.
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method);
 
-/// Finds every scene of the protocol, in its order. Throws Error with file:line:column for one that
-/// cannot be found or that names no objects to choose.
-std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinder& find_scene);
+/// Finds every scene of the protocol, in its order, beside the protocol first. Throws Error with
+/// file:line:column for one that cannot be found or that names no objects to choose.
+std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinderBeside& find_scene);
 
 }  // namespace foveola::study

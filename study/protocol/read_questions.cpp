@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "renderer/base/confined_path.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/similar_word.h"
 #include "renderer/gaze/profiles.h"
 
 namespace fs = std::filesystem;
@@ -182,16 +184,60 @@ void require_content(const TomlReader& reader, const Questionnaire& questionnair
 
 fs::path ready_questionnaires() { return resource_folder() / "protocols" / "questionnaires"; }
 
+fs::path users_questionnaires() { return data_folder() / "questionnaires"; }
+
+bool is_programs_own(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::equivalent(folder, resource_folder() / "protocols", ignored);
+}
+
+/// Whether it is one, as opposed to a protocol or a scene's descriptor of the same name.
+bool is_questionnaire(const fs::path& file) {
+  return parse_toml(file.string(), read_toml_file(file), "mend it, or move it elsewhere")
+      .contains("question");
+}
+
+/// NAME.toml in the folder of a protocol, which may be anybody's.
+std::optional<fs::path> questionnaire_beside(const std::string& name, const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / (name + ".toml"), ignored)) {
+    return std::nullopt;
+  }
+  fs::path file = confined_path(folder, name + ".toml");
+  return is_questionnaire(file) ? std::optional(std::move(file)) : std::nullopt;
+}
+
+/// The folders that hold nothing but questionnaires, the first to be looked into first. What comes
+/// with Foveola means what comes with it.
+std::vector<fs::path> questionnaire_folders(const fs::path& protocols) {
+  std::vector<fs::path> folders{users_questionnaires(), ready_questionnaires()};
+  if (is_programs_own(protocols)) {
+    std::swap(folders.front(), folders.back());
+  }
+  return folders;
+}
+
 fs::path questionnaire_file(const std::string& name_or_path, const fs::path& folder) {
   if (is_profile_path(name_or_path)) {
     return confined_path(folder, name_or_path);
   }
-  const std::vector<std::string> names = toml_names_in(ready_questionnaires());
-  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-    throw Error("questionnaire", "is not one of the ready-made ones",
-                fmt::format("choose one of {}, or give a path", fmt::join(names, ", ")));
+  if (const std::optional<fs::path> beside = questionnaire_beside(name_or_path, folder)) {
+    return *beside;
   }
-  return ready_questionnaires() / (name_or_path + ".toml");
+  std::vector<std::string> names;
+  for (const fs::path& ready : questionnaire_folders(folder)) {
+    std::error_code ignored;
+    const std::vector<std::string> there =
+        fs::is_directory(ready, ignored) ? toml_names_in(ready) : std::vector<std::string>();
+    if (std::find(there.begin(), there.end(), name_or_path) != there.end()) {
+      return ready / (name_or_path + ".toml");
+    }
+    names.insert(names.end(), there.begin(), there.end());
+  }
+  throw Error(
+      "questionnaire", "is not one of the ready-made ones",
+      did_you_mean(name_or_path, names,
+                   fmt::format("choose one of {}, or give a path", fmt::join(names, ", "))));
 }
 
 Questionnaire read_file_of(const std::string& name, const std::string& toml) {

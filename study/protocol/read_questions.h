@@ -24,7 +24,8 @@ std::vector<Question> read_questions(TomlReader& reader, std::string_view key,
 /// std::runtime_error if there is no such file.
 using QuestionnaireFiles = std::function<std::string(const std::string& name)>;
 
-/// The files that come with Foveola, by name, and those in `folder`, by path.
+/// The files in `folder`, by path, and by name NAME.toml there, else among the user's, else among
+/// those that come with Foveola. A protocol that comes with it means the latter.
 QuestionnaireFiles questionnaire_files_in(const std::filesystem::path& folder);
 
 /// The protocol's [[questionnaire]] entries.

@@ -73,7 +73,7 @@ std::string why_approximate(const RecordedSession& session, const Protocol& prot
 /// Replays the attempts of one session.
 class Replay {
  public:
-  Replay(const ReplaySettings& settings, const SceneFinder& find_scene)
+  Replay(const ReplaySettings& settings, const SceneFinderBeside& find_scene)
       : settings_(settings),
         find_scene_(find_scene),
         session_(read_session(settings.database, settings.participant)),
@@ -151,7 +151,7 @@ class Replay {
   const SceneStage& stage_of(const std::string& scene) {
     if (!stages_.contains(scene)) {
       SceneStages loaded;
-      loaded[scene] = std::make_unique<SceneStage>(find_scene_(scene), workers_);
+      loaded[scene] = std::make_unique<SceneStage>(find_scene_(scene, settings_.folder), workers_);
       require_same_scenes(settings_.database, shown_scenes(loaded));
       stages_.merge(loaded);
     }
@@ -159,7 +159,7 @@ class Replay {
   }
 
   const ReplaySettings& settings_;
-  const SceneFinder& find_scene_;
+  const SceneFinderBeside& find_scene_;
   RecordedSession session_;
   Protocol protocol_;
   Workers workers_;
@@ -169,7 +169,7 @@ class Replay {
 
 }  // namespace
 
-ReplayReport replay_session(const ReplaySettings& settings, const SceneFinder& find_scene,
+ReplayReport replay_session(const ReplaySettings& settings, const SceneFinderBeside& find_scene,
                             const std::stop_token& stop) {
   return Replay(settings, find_scene).run(stop);
 }

@@ -48,7 +48,7 @@ struct ReplayReport {
 /// gaze, samples and seeds are those of the record, the scenes are found by name. Throws Error if
 /// one of the scenes, or of what the protocol names, is another now. A requested stop ends it after
 /// an attempt.
-ReplayReport replay_session(const ReplaySettings& settings, const SceneFinder& find_scene,
+ReplayReport replay_session(const ReplaySettings& settings, const SceneFinderBeside& find_scene,
                             const std::stop_token& stop);
 
 }  // namespace foveola::study

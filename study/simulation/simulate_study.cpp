@@ -211,7 +211,7 @@ SimulateReport run_predicted(SimulatedStudy& study, const Population& population
 
 }  // namespace
 
-SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
+SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinderBeside& find_scene,
                               std::stop_token stop) {
   require_options(settings);
   const SteadyClock clock;

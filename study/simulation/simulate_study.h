@@ -53,7 +53,7 @@ struct SimulateReport {
 /// and Error, before anything is rendered, if the protocol asks for what its analysis or simulated
 /// participants cannot do, if a session to be resumed is of another seed or program, or if the file
 /// has sessions that were simulated in another way.
-SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinder& find_scene,
+SimulateReport simulate_study(const SimulateSettings& settings, const SceneFinderBeside& find_scene,
                               std::stop_token stop);
 
 }  // namespace foveola::study

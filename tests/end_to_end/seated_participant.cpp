@@ -87,7 +87,7 @@ void SeatedParticipant::begin(const std::vector<std::string>& options) {
   program_ = std::make_unique<RunningProgram>(arguments, hall_.environment());
   const std::string line = program_->wait_for("Session time 0 is ");
   zero_s_ = std::stod(line.substr(line.find(" is ") + 4));
-  user_.point_at("Foveola", 320, 240);
+  user_->point_at("Foveola", 320, 240);
 }
 
 std::string SeatedParticipant::wait_for_page() {
@@ -106,16 +106,21 @@ std::string SeatedParticipant::wait_for_page() {
 
 void SeatedParticipant::wait_for_signal() {
   constexpr std::chrono::milliseconds reaction{300};
-  wait_until("the signal", [&] { return user_.brightness_at("Foveola", 2, 2) > 0.5; });
+  wait_until("the signal", [&] { return user_->brightness_at("Foveola", 2, 2) > 0.5; });
   std::this_thread::sleep_for(reaction);
+}
+
+void SeatedParticipant::take_display_away() {
+  user_.reset();
+  server_.kill();
 }
 
 KeyPress SeatedParticipant::type(const std::string& key) {
   KeyPress press{.asked_s = monotonic_s() - zero_s_};
-  press.stamped_s = 1e-3 * user_.hold_and_ask_time(key) - zero_s_;
+  press.stamped_s = 1e-3 * user_->hold_and_ask_time(key) - zero_s_;
   press.taken_s = monotonic_s() - zero_s_;
   std::this_thread::sleep_for(keystroke);
-  user_.let_go(key);
+  user_->let_go(key);
   std::this_thread::sleep_for(keystroke);
   return press;
 }

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/end_to_end/hall.h"
@@ -51,6 +53,9 @@ class SeatedParticipant {
   RunningProgram& program() { return *program_; }
   const TemporaryFolder& folder() const { return hall_.folder; }
   std::filesystem::path database() const { return folder() / "study.sqlite"; }
+  /// The X server crashes. Nobody can press keys from then on.
+  void take_display_away();
+
   /// Another run of the command, to its end.
   ProgramResult run_besides(const std::string& participant,
                             const std::vector<std::string>& options) const;
@@ -64,7 +69,7 @@ class SeatedParticipant {
 
  private:
   XServer server_;
-  XUser user_{server_.display()};
+  std::optional<XUser> user_{std::in_place, server_.display()};
   Hall hall_;
   std::unique_ptr<RunningProgram> program_;
   std::filesystem::path screens_;  ///< a picture of each page

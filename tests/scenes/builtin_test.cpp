@@ -17,7 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scene/load_scene.h"
 #include "scenes/builtin_files.h"
-#include "scenes/descriptor.h"
+#include "scenes/descriptor_search.h"
 #include "scenes/modelling/glb_writer.h"
 #include "tests/scenes/environment.h"
 #include "tests/scenes/glb.h"

@@ -8,7 +8,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "scenes/builtin_files.h"
-#include "scenes/descriptor.h"
+#include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
 

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "scenes/builtin_files.h"
+#include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
 
@@ -109,6 +110,40 @@ TEST(Descriptor, IsInTheFilesUnits) {
               HasSubstr("metres_per_unit is out of range"));
 }
 
+TEST(Descriptor, MayLeaveOutWhoMadeTheScene) {
+  const TemporaryFolder folder;
+  const std::string text = with(good, "author = \"Somebody\"\nlicence = \"CC BY 4.0\"\n", "");
+  const Descriptor hall = read_descriptor(folder.write("hall.toml", text));
+  EXPECT_EQ(hall.author, "");
+  EXPECT_EQ(hall.licence, "");
+}
+
+TEST(Descriptor, AnImageOfTheEnvironmentLiesInItsFolder) {
+  const TemporaryFolder folder;
+  const std::string image = folder.write("lights/studio.hdr", "x").string();
+  const auto text = [&](const std::string& name) {
+    return with(good, "environment_radiance = [1, 2.5, 3.0]",
+                "environment_file = \"" + name + "\"\nenvironment_rotation_deg = 90");
+  };
+  const SceneSource source =
+      read_descriptor(folder.write("hall.toml", text("lights/studio.hdr"))).source;
+  EXPECT_EQ(source.environment_file, std::filesystem::canonical(image));
+  EXPECT_DOUBLE_EQ(source.environment_rotation_rad, 1.5707963267948966);
+  EXPECT_THAT(error_of(text("../studio.hdr")),
+              AllOf(HasSubstr("hall.toml:8:20"), HasSubstr("leads out of the folder")));
+  EXPECT_THAT(error_of(text("studio.hdr")), HasSubstr("does not exist"));
+  EXPECT_THAT(error_of("environment_file = \"a.hdr\"\n" + std::string(good)),
+              HasSubstr("a scene has one environment"));
+}
+
+TEST(Descriptor, IsToldFromOtherFiles) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(is_descriptor(folder.write("a.toml", good)));
+  EXPECT_TRUE(is_descriptor(folder.write("a.toml", "builtin = true\n")));
+  EXPECT_FALSE(is_descriptor(folder.write("a.toml", "title = \"A study\"\nscenes = [\"a\"]\n")));
+  EXPECT_THROW(is_descriptor(folder.write("a.toml", "title = ")), Error);
+}
+
 TEST(Descriptor, SaysWhatTheFilesLightsAreGivenIn) {
   const TemporaryFolder folder;
   const auto units_of = [&](const std::string& line) {
@@ -181,10 +216,17 @@ TEST(Descriptor, WrongTypesAndValuesAreNamedWithTheirPlace) {
               HasSubstr("hall.toml:19:17"));
 }
 
-TEST(Descriptor, FilesAreNamesOfGlbsWithoutFolders) {
-  for (const char* const name : {"../hall.glb", "halls/hall.glb", "/hall.glb", "..", "hall.obj"}) {
-    EXPECT_THAT(error_of(with(good, "file = \"hall.glb\"", fmt::format("file = \"{}\"", name))),
-                AllOf(HasSubstr("hall.toml:4:8"), HasSubstr("plain name")))
+TEST(Descriptor, FilesAreNamesOfScenesWithoutFolders) {
+  const auto text = [](const char* name) {
+    return with(good, "file = \"hall.glb\"", fmt::format("file = \"{}\"", name));
+  };
+  for (const char* const name : {"hall.glb", "hall.gltf", "hall.obj"}) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(read_descriptor(folder.write("hall.toml", text(name))).file_name, name);
+  }
+  for (const char* const name :
+       {"../hall.glb", "halls/hall.glb", "/hall.glb", "..", "", "h.blend"}) {
+    EXPECT_THAT(error_of(text(name)), AllOf(HasSubstr("hall.toml:4:8"), HasSubstr("plain name")))
         << name;
   }
 }
@@ -239,7 +281,7 @@ TEST(Descriptor, TheDescribedFileIsDistinguishedFromOthers) {
 }
 
 TEST(Descriptor, MissingKeysAreNamed) {
-  EXPECT_THAT(error_of(with(good, "author = \"Somebody\"\n", "")), HasSubstr("author is missing"));
+  EXPECT_THAT(error_of(with(good, "title = \"A hall\"\n", "")), HasSubstr("title is missing"));
   EXPECT_THAT(error_of(with(good, "radius_deg = 6.5\n", "")), HasSubstr("radius_deg is missing"));
 }
 

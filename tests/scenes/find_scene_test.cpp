@@ -8,7 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "scenes/builtin_files.h"
-#include "scenes/descriptor.h"
+#include "scenes/descriptor_search.h"
 #include "tests/scenes/environment.h"
 #include "tests/unprivileged.h"
 
@@ -33,6 +33,7 @@ class FindScene : public testing::Test {
 
  private:
   EnvironmentVariable cache_home_{"XDG_CACHE_HOME", (folder.path() / "cache").string()};
+  EnvironmentVariable data_home_{"XDG_DATA_HOME", (folder.path() / "data").string()};
   EnvironmentVariable scene_path_{"FOVEOLA_SCENE_PATH", (folder.path() / "real").string()};
 };
 
@@ -114,6 +115,12 @@ TEST_F(FindScene, UnknownNameListsTheBuiltinScenes) {
             HasSubstr("FOVEOLA_SCENE_PATH")));
   EXPECT_THAT(error_of((folder.path() / "missing.glb").string()), HasSubstr("arcade"));
   EXPECT_THAT(error_of(""), HasSubstr("arcade"));
+}
+
+TEST_F(FindScene, AsksWhetherASimilarSceneWasMeant) {
+  EXPECT_THAT(error_of("arcad"), HasSubstr("no such scene or file; did you mean 'arcade'?"));
+  folder.write("data/foveola/scenes/kitchen.toml", "");
+  EXPECT_THAT(error_of("kitchin"), HasSubstr("did you mean 'kitchen'?"));
 }
 
 TEST_F(FindScene, FolderIsRefused) {

@@ -23,7 +23,7 @@ TEST(MakeViewSampler, ATextThatMakesNoSenseIsExplained) {
   EXPECT_THAT(complaint("xyz"), testing::HasSubstr("od, vp, vp-rect, fv, fv-paper, fv-map"));
   EXPECT_THAT(complaint(""), testing::HasSubstr("no such method"));
   EXPECT_THAT(complaint("fv:acuity=cat"), testing::HasSubstr("reddy, guenter"));
-  EXPECT_THAT(complaint("fv:acuty=reddy"), testing::HasSubstr("there are acuity, exponent"));
+  EXPECT_THAT(complaint("fv:colour=3"), testing::HasSubstr("there are acuity, exponent"));
   EXPECT_THAT(complaint("fv:cutoff=0"), testing::HasSubstr("cutoff lies in"));
   EXPECT_THAT(complaint("fv:cutoff=nan"), testing::HasSubstr("cutoff lies in"));
   EXPECT_THAT(complaint("fv:cutoff"), testing::HasSubstr("KEY=VALUE"));
@@ -132,6 +132,22 @@ TEST(MakeViewSampler, WeightsCanBeGivenForEveryFile) {
   EXPECT_THAT(asked, testing::ElementsAre("left", "right", "left", "right"));
   make_view_sampler("hybrid:0.5*fv+0.5*pointer", halves);
   EXPECT_THAT(asked, testing::SizeIs(4)) << "methods without files";
+}
+
+TEST(MakeViewSampler, AsksWhetherASimilarWordWasMeant) {
+  EXPECT_THAT(complaint("fv-mpa"), testing::HasSubstr("did you mean 'fv-map'?"));
+  EXPECT_THAT(complaint("fv:acuiti=watson"), testing::HasSubstr("did you mean 'acuity'?"));
+  EXPECT_THAT(complaint("fv:acuity=watsen"), testing::HasSubstr("did you mean 'watson'?"));
+}
+
+TEST(MethodNotes, SayWhatWeightsThatDoNotAddUpTo1Mean) {
+  EXPECT_THAT(method_notes("fv"), testing::IsEmpty());
+  EXPECT_THAT(method_notes("hybrid:0.7*fv+0.2*vp+0.1*od"), testing::IsEmpty());
+  EXPECT_THAT(method_notes("hybrid:3*fv+1*od"),
+              testing::ElementsAre("the weights of 'hybrid:3*fv+1*od' add up to 4, not to 1: of "
+                                   "the samples, fv 75 %, od 25 %"));
+  EXPECT_THAT(method_notes("hybrid:0.6*\"hybrid:0.5*fv+0.4*od\"+0.4*vp"),
+              testing::ElementsAre(testing::HasSubstr("fv 55.56 %, od 44.44 %")));
 }
 
 TEST(WithPointer, HoldsEveryPointerInPlace) {

@@ -69,6 +69,12 @@ TEST_F(Cautions, FewScenesThatAPlanTakesForRandom) {
   EXPECT_THAT(of(text), IsEmpty());
 }
 
+TEST_F(Cautions, HybridsWhoseWeightsDoNotAddUpTo1) {
+  EXPECT_THAT(of(with_methods("\"od\", \"hybrid:3*fv+1*od\"")),
+              ElementsAre(AllOf(StartsWith(path_.string() + ":4:18: the weights of"),
+                                HasSubstr("add up to 4, not to 1: of the samples, fv 75 %"))));
+}
+
 TEST_F(Cautions, OneMethodWithTwoSettingsIsTwo) {
   const std::string methods = with_methods("\"fv\", \"fv:acuity=reddy\"");
   const std::string filled = "[[override]]\nmethod = \"fv:acuity=reddy\"\nfill_unsampled = true\n";

@@ -189,7 +189,8 @@ TEST_F(ProtocolFile, AnUnknownNameListsTheKnownOnes) {
 
 TEST_F(ProtocolFile, ScenesAreFoundInOrder) {
   const Protocol protocol = load(minimal);
-  const auto find = [](const std::string& name) {
+  const auto find = [&](const std::string& name, const std::filesystem::path& folder) {
+    EXPECT_EQ(folder, path_.parent_path());
     return SceneSource{.name = name, .camera_position = Vec3(0.0F), .objects = {{.name = "x"}}};
   };
   const std::vector<SceneSource> sources = find_scenes(protocol, find);
@@ -199,13 +200,15 @@ TEST_F(ProtocolFile, ScenesAreFoundInOrder) {
 
 TEST_F(ProtocolFile, ScenesThatCannotBeUsedAreNamedWithTheirPlace) {
   const Protocol protocol = load(minimal);
-  const auto missing = [](const std::string& name) -> SceneSource {
+  const auto missing = [](const std::string& name, const auto& /*folder*/) -> SceneSource {
     throw Error(name, "no such scene");
   };
   EXPECT_THAT(
       [&] { find_scenes(protocol, missing); },
       ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":3:11"), HasSubstr("arcade"))));
-  const auto bare = [](const std::string& name) { return SceneSource{.name = name}; };
+  const auto bare = [](const std::string& name, const auto& /*folder*/) {
+    return SceneSource{.name = name};
+  };
   EXPECT_THAT([&] { find_scenes(protocol, bare); }, ThrowsMessage<Error>(HasSubstr("objects")));
 }
 

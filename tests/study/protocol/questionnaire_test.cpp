@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/files.h"
+#include "tests/scenes/environment.h"
 #include "tests/study/protocol/protocol_folder.h"
 
 namespace foveola::study {
@@ -144,6 +146,49 @@ TEST_F(QuestionnairesOfFiles, ThatAreBadAreRefusedWithBothPlaces) {
               testing::ThrowsMessage<Error>(AllOf(HasSubstr(path_.string() + ":7:8: "),
                                                   HasSubstr("bad.toml:6:1"),
                                                   HasSubstr("question.colour"))));
+}
+
+/// The questionnaire "sus" in three places: beside the protocol, the user's, and Foveola's.
+class QuestionnaireNames : public ProtocolTables {
+ protected:
+  static std::string called(const std::string& title) {
+    return "title = \"" + title + "\"\n[[question]]\nid = \"a\"\ntext = \"?\"\nkind = \"text\"\n";
+  }
+  std::string title_of_sus() const {
+    return load("[[questionnaire]]\nid = \"q\"\nfile = \"sus\"\n").questionnaires.at(0).title;
+  }
+
+ private:
+  scenes::EnvironmentVariable data_home_{"XDG_DATA_HOME", folder_ / "data"};
+};
+
+TEST_F(QuestionnaireNames, AreLookedForInThreePlaces) {
+  EXPECT_EQ(title_of_sus(), "The system");
+  folder_.write("data/foveola/questionnaires/sus.toml", called("The user's"));
+  EXPECT_EQ(title_of_sus(), "The user's");
+  folder_.write("sus.toml", called("The study's"));
+  EXPECT_EQ(title_of_sus(), "The study's");
+}
+
+TEST_F(QuestionnaireNames, OtherFilesBesideTheProtocolArePassedOver) {
+  folder_.write("sus.toml", "title = \"A study of usability\"\n");
+  EXPECT_EQ(title_of_sus(), "The system");
+}
+
+TEST_F(QuestionnaireNames, TheUsersOwnAreReadByTheirNames) {
+  folder_.write("data/foveola/questionnaires/mine.toml", called("Mine"));
+  EXPECT_EQ(load("[[questionnaire]]\nid = \"q\"\nfile = \"mine\"\n").questionnaires[0].title,
+            "Mine");
+  EXPECT_THAT([&] { load("[[questionnaire]]\nid = \"q\"\nfile = \"mime\"\n"); },
+              ThrowsMessage<Error>(HasSubstr("did you mean 'mine'?")));
+}
+
+TEST_F(QuestionnaireNames, ProtocolsOfTheUserAreKnownByTheirNamesBeforeFoveolas) {
+  EXPECT_EQ(find_protocol("demo").parent_path(), resource_folder() / "protocols");
+  const fs::path mine = folder_.write("data/foveola/protocols/demo.toml", minimal);
+  EXPECT_EQ(find_protocol("demo"), mine);
+  EXPECT_THAT([] { find_protocol("koskela2081"); },
+              ThrowsMessage<Error>(HasSubstr("did you mean 'koskela2018'?")));
 }
 
 }  // namespace

@@ -1,0 +1,194 @@
+#include "renderer/commands/scene_describe.h"
+
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/utf8.h"
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/environment_option.h"
+#include "renderer/commands/light_units_option.h"
+#include "renderer/commands/object_sheet.h"
+#include "renderer/commands/warnings.h"
+#include "renderer/image/image_file.h"
+#include "renderer/progressive/loaded_scene.h"
+#include "renderer/progressive/proposed_objects.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola {
+namespace {
+
+/// The command line, as typed.
+struct DescribeArguments {
+  std::string file;
+  std::string output;
+  std::string contact_sheet;
+  std::string camera;
+  std::string head;
+  std::string environment;
+  bool may_replace = false;
+  int threads = 0;
+};
+
+/// What is written, and where.
+struct Outputs {
+  fs::path descriptor;
+  fs::path sheet;
+};
+
+Outputs outputs_of(const DescribeArguments& arguments) {
+  Outputs outputs{.descriptor = arguments.output, .sheet = arguments.contact_sheet};
+  if (outputs.descriptor.empty()) {
+    outputs.descriptor = fs::path(arguments.file).replace_extension(".toml");
+  }
+  if (outputs.sheet.empty()) {
+    outputs.sheet = outputs.descriptor;
+    outputs.sheet.replace_filename(outputs.descriptor.stem().string() + "-objects.png");
+  }
+  return outputs;
+}
+
+/// Before the work: throws what would be in the way of writing.
+void require_free(const Outputs& outputs, bool may_replace) {
+  if (outputs.descriptor.extension() != ".toml") {
+    throw UsageError("--output", "a descriptor's name ends in .toml", "name it so");
+  }
+  require_image_extension(outputs.sheet);
+  for (const fs::path& file : {outputs.descriptor, outputs.sheet}) {
+    std::error_code ignored;
+    if (fs::exists(file, ignored) && !may_replace) {
+      throw Error(file.string(), "is there already", "add --force to replace it");
+    }
+    require_writable(file);
+  }
+}
+
+/// The file alone, without what a descriptor says of it: a new one is made.
+SceneSource source_of_file(const std::string& file) {
+  SceneSource source;
+  source.name = file;
+  source.file = file;
+  source.title = source.file.stem().string();
+  return source;
+}
+
+SceneChoices choices_of(const DescribeArguments& arguments) {
+  SceneChoices choices;
+  if (!arguments.camera.empty()) {
+    choices.camera = parse_vec3("--camera", arguments.camera);
+  }
+  if (!arguments.head.empty()) {
+    choices.head = parse_azimuth_elevation("--head", arguments.head);
+  }
+  return choices;
+}
+
+/// An object's remark in the descriptor, and its line on the terminal.
+std::string remark_on(const ProposedObject& proposed) {
+  return fmt::format("{:.0f} % of it visible, {:.3g} m away", 100.0 * proposed.visible_share,
+                     proposed.distance_m);
+}
+
+void print_result(const Outputs& outputs, const std::vector<ProposedObject>& objects) {
+  fmt::print("{}: {} objects to choose from\n", outputs.descriptor.string(), objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    fmt::print("{:>3}  {}: radius {:.1f} degrees, {}\n", i + 1, printable(objects[i].object.name),
+               objects[i].object.radius_deg, remark_on(objects[i]));
+  }
+  if (objects.empty()) {
+    fmt::print(
+        "Nothing by itself is of the size and in sight that an object needs; 'foveola scene "
+        "pick' says where things are, for [[object]] entries of your own.\n");
+  } else {
+    fmt::print("{}: a picture of each\n", outputs.sheet.string());
+  }
+}
+
+/// Where the camera stands and looks is the descriptor's, whoever chose it.
+void describe_view(const LoadedScene& loaded, SceneSource& source) {
+  source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
+  source.heading = loaded.camera.heading;
+  source.described_sha256 = loaded.scene.sha256;
+  source.exposure_stops = source.exposure_stops.value_or(0.0);
+}
+
+/// What a descriptor names lies in its own folder.
+void print_what_belongs_beside(const fs::path& descriptor, const SceneSource& source) {
+  const auto folder_of = [](const fs::path& file) { return fs::absolute(file).parent_path(); };
+  std::vector<fs::path> files{source.file};
+  if (source.environment_file) {
+    files.push_back(*source.environment_file);
+  }
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (!fs::equivalent(folder_of(file), folder_of(descriptor), ignored)) {
+      fmt::print(stderr, "foveola: note: {} belongs into the folder of {}\n", file.string(),
+                 descriptor.string());
+    }
+  }
+}
+
+void describe(const DescribeArguments& arguments, SceneSource source,
+              const DescriptorText& descriptor_text, const std::stop_token& stop) {
+  const Outputs outputs = outputs_of(arguments);
+  require_free(outputs, arguments.may_replace);
+  if (!arguments.environment.empty()) {
+    replace_environment(arguments.environment, source);
+  }
+  const Workers workers(arguments.threads);
+  const LoadedScene loaded(source, workers, choices_of(arguments));
+  print_warnings(loaded.warnings);
+  describe_view(loaded, source);
+  const std::vector<ProposedObject> objects = propose_objects(loaded, workers);
+  std::vector<std::string> remarks;
+  for (const ProposedObject& proposed : objects) {
+    source.objects.push_back(proposed.object);
+    remarks.push_back(remark_on(proposed));
+  }
+  if (!objects.empty()) {
+    write_image(outputs.sheet, object_sheet(loaded, source, *source.exposure_stops, workers, stop),
+                0.0);
+  }
+  write_file(outputs.descriptor, descriptor_text(source, remarks));
+  print_result(outputs, objects);
+  print_what_belongs_beside(outputs.descriptor, source);
+}
+
+}  // namespace
+
+void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
+                        const std::stop_token& stop) {
+  const auto arguments = std::make_shared<DescribeArguments>();
+  CLI::App* command = scene.add_subcommand(
+      "describe",
+      "Write a descriptor of a scene of your own: where one stands in it, its exposure, and "
+      "objects that a study's participants may choose, proposed from what the camera sees");
+  command->add_option("FILE", arguments->file, "A .glb, .gltf or .obj file")->required();
+  command->add_option("-o,--output", arguments->output,
+                      "The .toml file to write (default: beside FILE, under its name, where every "
+                      "command finds it)");
+  command->add_option("--contact-sheet", arguments->contact_sheet,
+                      "The .png with a picture of each object (default: beside the descriptor, "
+                      "NAME-objects.png)");
+  command->add_flag("--force", arguments->may_replace, "Replace files that are there already");
+  command->add_option("--camera", arguments->camera, camera_help);
+  command->add_option("--head", arguments->head,
+                      "Where one looks at first: azimuth,elevation in degrees (default: as the "
+                      "file's camera)");
+  command->add_option("--environment", arguments->environment, environment_help);
+  command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->footer("Example: foveola scene describe kitchen.glb");
+  command->callback([arguments, find = with_light_units(*command, source_of_file), descriptor_text,
+                     stop] { describe(*arguments, find(arguments->file), descriptor_text, stop); });
+}
+
+}  // namespace foveola

@@ -1,0 +1,162 @@
+#include "renderer/commands/typed_command.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/similar_word.h"
+
+namespace foveola {
+namespace {
+
+/// The number that the whole of `text` is, as the C library reads it.
+std::optional<double> number_in(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' ? std::optional(number) : std::nullopt;
+}
+
+std::string no_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  const bool has_unit = end != text.c_str();
+  return fmt::format("'{}' is no number{}", text,
+                     has_unit ? fmt::format("; leave out '{}'", end) : "");
+}
+
+/// As CLI11 wants it: what is wrong with `text`, or nothing.
+std::string check_number(std::string& text) { return number_in(text) ? "" : no_number(text); }
+
+/// Puts 1e6 as 1000000. What has no exponent and no decimal point is left to CLI11.
+std::string check_whole_number(std::string& text) {
+  constexpr double largest = 9007199254740992.0;  // Beyond it doubles are not all whole numbers.
+  const std::optional<double> number = number_in(text);
+  if (!number) {
+    return no_number(text);
+  }
+  if (text.find_first_of(".eE") == std::string::npos || text.find_first_of("xX") != text.npos) {
+    return {};
+  }
+  if (*number != std::trunc(*number) || std::abs(*number) > largest) {
+    return fmt::format("'{}' is no whole number", text);
+  }
+  text = fmt::format("{:.0f}", *number);
+  return {};
+}
+
+/// Groups of options are commands without a name.
+bool is_command(const CLI::App& app) { return !app.get_name().empty(); }
+
+std::vector<const CLI::App*> subcommands(const CLI::App& app, bool are_commands) {
+  return app.get_subcommands(
+      [&](const CLI::App* command) { return is_command(*command) == are_commands; });
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : subcommands(app, true)) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+/// Those that help lists: names of earlier versions are in no group.
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      if (!option->get_group().empty()) {
+        names.push_back("--" + name);
+      }
+    }
+  }
+  for (const CLI::App* group : subcommands(app, false)) {
+    const std::vector<std::string> inner = option_names(*group);
+    names.insert(names.end(), inner.begin(), inner.end());
+  }
+  return names;
+}
+
+const CLI::App& last_command(const CLI::App& app) {
+  const std::vector<CLI::App*> typed = app.get_subcommands();
+  return typed.empty() ? app : last_command(*typed.back());
+}
+
+std::string see_help(const CLI::App& app) {
+  return fmt::format("see {} --help", typed_command(app));
+}
+
+std::string text_of_extras(const CLI::App& app) {
+  const CLI::App& command = last_command(app);
+  const std::vector<std::string> extras = app.remaining(true);
+  std::string remedy = see_help(app);
+  for (const std::string& extra : extras) {
+    if (const auto meant = similar_word(extra.substr(0, extra.find('=')), option_names(command))) {
+      remedy = fmt::format("did you mean {}? {}", *meant, remedy);
+      break;
+    }
+  }
+  return fmt::format("not expected: {}; {}", fmt::join(extras, " "), remedy);
+}
+
+}  // namespace
+
+void check_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type.starts_with("FLOAT")) {
+      option->transform(CLI::Validator(check_number, ""));
+    } else if (type.starts_with("INT") || type.starts_with("UINT")) {
+      option->transform(CLI::Validator(check_whole_number, ""));
+    }
+  }
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    check_numbers(*command);
+  }
+}
+
+void reject_unknown_commands(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* parent = &app;
+  std::string path = app.get_name();
+  for (const std::string& word : words) {
+    if (word.empty() || word.front() == '-' || command_names(*parent).empty()) {
+      return;
+    }
+    const std::vector<const CLI::App*> named =
+        parent->get_subcommands([&](const CLI::App* command) { return command->check_name(word); });
+    if (named.empty()) {
+      throw UsageError(word, "there is no such command",
+                       did_you_mean(word, command_names(*parent), "see " + path + " --help"));
+    }
+    parent = named.front();
+    path += " " + word;
+  }
+}
+
+std::string typed_command(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* command : app.get_subcommands()) {
+    name += " " + typed_command(*command);
+  }
+  return name;
+}
+
+std::string fault_text(const CLI::App& app, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    return text_of_extras(app);
+  }
+  const CLI::App& command = last_command(app);
+  const std::vector<std::string> names = command_names(command);
+  if (!names.empty() && command.get_subcommands().empty()) {
+    return fmt::format("{}: which of {}? {}", typed_command(app), fmt::join(names, ", "),
+                       see_help(app));
+  }
+  return fmt::format("{}; {}", error.what(), see_help(app));
+}
+
+}  // namespace foveola

@@ -1,0 +1,105 @@
+#include "scenes/descriptor_search.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/toml_reader.h"
+#include "scenes/file_search.h"
+
+namespace fs = std::filesystem;
+
+namespace foveola::scenes {
+namespace {
+
+fs::path programs_folder() { return resource_folder() / "scenes"; }
+
+/// NAME.toml in `folder`, if there is one, or if nobody may look.
+std::optional<fs::path> named_file(const fs::path& folder, const std::string& name) {
+  if (!is_scene_name(name)) {
+    return std::nullopt;
+  }
+  fs::path file = folder / (name + ".toml");
+  std::error_code failure;
+  if (!fs::exists(file, failure) && failure != std::errc::permission_denied) {
+    return std::nullopt;
+  }
+  return file;
+}
+
+std::optional<Descriptor> find_among(const fs::path& folder, const std::string& name) {
+  const std::optional<fs::path> file = named_file(folder, name);
+  return file ? std::optional(read_descriptor(*file)) : std::nullopt;
+}
+
+DescriptorList descriptors_in(const fs::path& folder) {
+  DescriptorList list;
+  for (const std::string& name : toml_names_in(folder)) {
+    try {
+      list.descriptors.push_back(read_descriptor(folder / (name + ".toml")));
+    } catch (const Error& fault) {
+      list.faults.emplace_back(fault.what());
+    }
+  }
+  return list;
+}
+
+bool is_users_folder_there() {
+  std::error_code ignored;
+  return fs::is_directory(fetched_folder(), ignored);
+}
+
+/// The names of the TOML files, as many as can be read.
+std::vector<std::string> readable_names_in(const fs::path& folder) {
+  try {
+    return toml_names_in(folder);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+bool is_scene_name(const std::string& text) {
+  return !text.empty() && text.find('/') == std::string::npos && text.front() != '.';
+}
+
+std::optional<Descriptor> find_descriptor(const std::string& name) {
+  return find_among(programs_folder(), name);
+}
+
+std::optional<Descriptor> find_users_descriptor(const std::string& name) {
+  return find_among(fetched_folder(), name);
+}
+
+std::optional<Descriptor> find_descriptor_in(const fs::path& folder, const std::string& name) {
+  const std::optional<fs::path> file = named_file(folder, name);
+  return file && is_descriptor(*file) ? std::optional(read_descriptor(*file)) : std::nullopt;
+}
+
+std::optional<Descriptor> descriptor_beside(const fs::path& scene_file) {
+  std::optional<Descriptor> descriptor =
+      find_descriptor_in(scene_file.parent_path(), scene_file.stem().string());
+  return descriptor && descriptor->file_name == scene_file.filename() ? descriptor : std::nullopt;
+}
+
+bool is_programs_own(const Descriptor& descriptor) {
+  std::error_code ignored;
+  return fs::equivalent(fs::absolute(descriptor.path).parent_path(), programs_folder(), ignored);
+}
+
+DescriptorList all_descriptors() { return descriptors_in(programs_folder()); }
+
+DescriptorList users_descriptors() {
+  return is_users_folder_there() ? descriptors_in(fetched_folder()) : DescriptorList{};
+}
+
+std::vector<std::string> known_scene_names() {
+  std::vector<std::string> names = readable_names_in(programs_folder());
+  const std::vector<std::string> users = readable_names_in(fetched_folder());
+  names.insert(names.end(), users.begin(), users.end());
+  return names;
+}
+
+}  // namespace foveola::scenes

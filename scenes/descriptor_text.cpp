@@ -1,0 +1,113 @@
+#include "scenes/descriptor_text.h"
+
+#include <cassert>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/utf8.h"
+
+namespace foveola::scenes {
+namespace {
+
+/// JSON's escapes are TOML's too. What is no UTF-8 is replaced.
+std::string quoted(const std::string& text) {
+  constexpr int on_one_line = -1;
+  return nlohmann::json(printable(text))
+      .dump(on_one_line, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string list_of(const Vec3& v) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x, v.y, v.z);
+}
+
+/// In the file's units.
+std::string position_of(const Vec3& metres, const SceneSource& source) {
+  return list_of(metres / static_cast<float>(source.metres_per_unit));
+}
+
+std::string facts_of_file(const SceneSource& source) {
+  std::string text = fmt::format("title = {}\nfile = {}\n", quoted(source.title),
+                                 quoted(source.file.filename().string()));
+  if (!source.described_sha256.empty()) {
+    text += fmt::format("sha256 = \"{}\"\n", source.described_sha256);
+  }
+  if (source.metres_per_unit != 1.0) {
+    text += fmt::format("metres_per_unit = {:.6g}\n", source.metres_per_unit);
+  }
+  if (source.light_units) {
+    text +=
+        fmt::format("light_units = \"{}\"\n",
+                    *source.light_units == LightUnits::photometric ? "photometric" : "radiometric");
+  }
+  return text;
+}
+
+std::string light_sizes_of(const SceneSource& source) {
+  std::string text;
+  if (source.light_radius_m) {
+    text += fmt::format("light_radius = {:.6g}\n", *source.light_radius_m / source.metres_per_unit);
+  }
+  if (source.sun_angular_radius_rad) {
+    text += fmt::format("sun_radius_deg = {:.6g}\n", degrees(*source.sun_angular_radius_rad));
+  }
+  return text;
+}
+
+/// But for the sky, which is a table and therefore comes last.
+std::string environment_of(const SceneSource& source) {
+  std::string text;
+  if (source.environment_radiance) {
+    text += fmt::format("environment_radiance = {}\n", list_of(*source.environment_radiance));
+  }
+  if (source.environment_file) {
+    text += fmt::format("environment_file = {}\n",
+                        quoted(source.environment_file->filename().string()));
+  }
+  if (source.environment_strength != 1.0) {
+    text += fmt::format("environment_strength = {:.6g}\n", source.environment_strength);
+  }
+  if (source.environment_rotation_rad != 0.0) {
+    text += fmt::format("environment_rotation_deg = {:.6g}\n",
+                        degrees(source.environment_rotation_rad));
+  }
+  return text;
+}
+
+std::string table_of(const SunAndSky& sky) {
+  return fmt::format(
+      "\n[sky]\nsun_azimuth_deg = {:.6g}\nsun_elevation_deg = {:.6g}\nturbidity = {:.6g}\n"
+      "ground_albedo = {:.6g}\n",
+      degrees(sky.sun.azimuth_rad), degrees(sky.sun.elevation_rad), sky.turbidity,
+      sky.ground_albedo);
+}
+
+std::string camera_of(const SceneSource& source) {
+  return fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {:.6g}\nelevation_deg = {:.6g}\n",
+                     position_of(*source.camera_position, source),
+                     degrees(source.heading.azimuth_rad), degrees(source.heading.elevation_rad));
+}
+
+}  // namespace
+
+std::string descriptor_text(const SceneSource& source, const std::vector<std::string>& remarks) {
+  assert(source.camera_position && (remarks.empty() || remarks.size() == source.objects.size()));
+  std::string text = facts_of_file(source);
+  if (source.exposure_stops) {
+    text += fmt::format("exposure_stops = {:.6g}\n", *source.exposure_stops);
+  }
+  text += light_sizes_of(source);
+  text += environment_of(source);
+  text += source.sky ? table_of(*source.sky) : "";
+  text += camera_of(source);
+  for (std::size_t i = 0; i < source.objects.size(); ++i) {
+    const ObjectOfInterest& object = source.objects[i];
+    const std::string remark = remarks.empty() ? "" : fmt::format("  # {}", printable(remarks[i]));
+    text +=
+        fmt::format("\n[[object]]{}\nname = {}\nposition = {}\nradius_deg = {:.3g}\n", remark,
+                    quoted(object.name), position_of(object.position, source), object.radius_deg);
+  }
+  return text;
+}
+
+}  // namespace foveola::scenes

@@ -1,0 +1,48 @@
+// The X server goes away under the window: one line, and what was recorded stays.
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/running_program.h"
+#include "tests/end_to_end/study_run.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+
+TEST(LostDisplay, EndsThePreviewWithOneLine) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("room.gltf", room_gltf()).string();
+  XServer server;
+  RunningProgram program({"preview", scene, "--size", "512x256", "--window", "200x160"});
+  XUser(server.display()).point_at("Foveola: " + scene, 100, 80);
+  const std::string before = program.said();
+  server.kill();
+  EXPECT_EQ(program.wait_for_end(), 1);
+  EXPECT_THAT(
+      program.said().substr(before.size()),
+      MatchesRegex("foveola: error: window: the connection to the display broke; [^\n]*\n"));
+}
+
+TEST_F(StudyRun, ALostDisplayEndsItWithOneLineAndItGoesOn) {
+  participant_.write_protocol(one_trial_keys, short_look);
+  participant_.begin({"--pilot"});
+  EXPECT_EQ(participant_.wait_for_page(), "choosing_object");
+  const std::string before = participant_.program().said();
+  participant_.take_display_away();
+  EXPECT_EQ(participant_.program().wait_for_end(), 1);
+  EXPECT_THAT(participant_.program().said().substr(before.size()),
+              AllOf(MatchesRegex("foveola: error: window: the connection to the display broke; "
+                                 "[^\n]*\n"),
+                    HasSubstr("what P1 did up to then is in " + participant_.database().string()),
+                    HasSubstr("--resume")));
+  EXPECT_THAT(participant_.ask("SELECT state FROM session"), ElementsAre("choosing_object"));
+  EXPECT_EQ(participant_.status().exit_code, 0);
+}
+
+}  // namespace
+}  // namespace foveola::test
