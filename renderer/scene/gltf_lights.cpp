@@ -34,6 +34,13 @@ std::optional<Version> parse_version(std::string_view text) {
   return version;
 }
 
+/// The version of Blender's exporter, if that wrote the file.
+std::optional<Version> blender_exporter_version(std::string_view generator) {
+  constexpr std::string_view exporter = "Khronos glTF Blender I/O v";
+  return generator.starts_with(exporter) ? parse_version(generator.substr(exporter.size()))
+                                         : std::nullopt;
+}
+
 PunctualLight::Kind kind_of(const tinygltf::Light& source) {
   if (source.type == "directional") {
     return PunctualLight::Kind::directional;
@@ -55,14 +62,17 @@ Rgb intensity_of(const tinygltf::Light& source, LightUnits units, const std::str
 }
 
 /// The extension: 0 <= inner < outer <= pi / 2.
-void read_cone(const tinygltf::SpotLight& source, const std::string& place, PunctualLight& light,
-               Warnings& warnings) {
+void read_cone(const tinygltf::SpotLight& source, PunctualLight::ConeEdge edge,
+               const std::string& place, PunctualLight& light, Warnings& warnings) {
   constexpr double widest = std::numbers::pi / 2.0;
   constexpr double narrowest = 1e-4;
   const double outer = std::clamp(source.outerConeAngle, narrowest, widest);
   const double inner = std::clamp(source.innerConeAngle, 0.0, outer);
   light.outer_cone_rad = static_cast<float>(outer);
-  light.inner_cone_rad = static_cast<float>(inner);
+  const bool is_cycles = edge != PunctualLight::ConeEdge::squared;
+  light.inner_cone_rad =
+      static_cast<float>(is_cycles ? cycles_inner_cone_rad(inner, outer) : inner);
+  light.cone_edge = edge;
   constexpr double rounding = 1e-5;  // exporters write pi / 2 with few digits
   if (std::abs(outer - source.outerConeAngle) > rounding ||
       std::abs(inner - source.innerConeAngle) > rounding) {
@@ -73,20 +83,32 @@ void read_cone(const tinygltf::SpotLight& source, const std::string& place, Punc
 }  // namespace
 
 LightUnits light_units_of(std::string_view generator) {
-  constexpr std::string_view exporter = "Khronos glTF Blender I/O v";
   constexpr Version first_photometric = {3, 4, 40};
-  if (!generator.starts_with(exporter)) {
-    return LightUnits::radiometric;
-  }
-  const std::optional<Version> version = parse_version(generator.substr(exporter.size()));
+  const std::optional<Version> version = blender_exporter_version(generator);
   return version && *version >= first_photometric ? LightUnits::photometric
                                                   : LightUnits::radiometric;
+}
+
+PunctualLight::ConeEdge cone_edge_of(std::string_view generator) {
+  constexpr Version first_without_cosine = {4, 0, 0};
+  const std::optional<Version> version = blender_exporter_version(generator);
+  if (!version) {
+    return PunctualLight::ConeEdge::squared;
+  }
+  return *version < first_without_cosine ? PunctualLight::ConeEdge::smooth_times_cosine
+                                         : PunctualLight::ConeEdge::smooth;
+}
+
+double cycles_inner_cone_rad(double inner_rad, double outer_rad) {
+  const double blend = 1.0 - inner_rad / outer_rad;
+  return std::acos(std::lerp(std::cos(outer_rad), 1.0, blend));
 }
 
 std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
                                        const std::vector<PlacedItem>& lights, const DVec3& origin,
                                        std::optional<LightUnits> units, Warnings& warnings) {
   const LightUnits meant = units.value_or(light_units_of(model.asset.generator));
+  const PunctualLight::ConeEdge edge = cone_edge_of(model.asset.generator);
   std::vector<PunctualLight> result;
   for (const PlacedItem& item : lights) {
     const tinygltf::Light& source = model.lights[item.index];
@@ -103,7 +125,7 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
                    place);
     }
     if (light.kind == PunctualLight::Kind::spot) {
-      read_cone(source.spot, place, light, warnings);
+      read_cone(source.spot, edge, place, light, warnings);
     }
     if (light.kind != PunctualLight::Kind::point) {
       const DVec3 direction = -DVec3(world_from_local[2]);

@@ -108,6 +108,13 @@ struct Environment {
 /// KHR_lights_punctual's lights, which have no geometry of their own.
 struct PunctualLight {
   enum class Kind : std::uint8_t { point, spot, directional };
+  /// How a spot's intensity rises from its outer to its inner cone, where t rises from 0 to 1 as
+  /// the cosine of the angle to its direction does.
+  enum class ConeEdge : std::uint8_t {
+    squared,              ///< t^2, as KHR_lights_punctual recommends
+    smooth,               ///< 3 t^2 - 2 t^3, as in Cycles
+    smooth_times_cosine,  ///< that times the cosine, within the inner cone too: Cycles before 4.0
+  };
 
   std::string name;
   Kind kind = Kind::point;
@@ -117,6 +124,7 @@ struct PunctualLight {
   Rgb intensity{1.0F};
   float inner_cone_rad = 0.0F;          ///< half angle of a spot's full intensity
   float outer_cone_rad = 0.785398163F;  ///< half angle beyond which a spot gives nothing
+  ConeEdge cone_edge = ConeEdge::squared;
   /// Points and spots are spheres of this size, which no ray sees; 0: they have no size.
   float radius_m = 0.0F;
   /// Directional lights are discs of this size in the sky, which rays see; 0: they have no size and

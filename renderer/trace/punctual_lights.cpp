@@ -40,8 +40,33 @@ float cone_factor(const PunctualLight& light, const Vec3& direction) {
   }
   const float cosine = glm::dot(light.direction, direction);
   const float share = (cosine - std::cos(light.outer_cone_rad)) / rim_of(light);
-  const float clamped = std::clamp(share, 0.0F, 1.0F);
-  return clamped * clamped;
+  const float t = std::clamp(share, 0.0F, 1.0F);
+  switch (light.cone_edge) {
+    case PunctualLight::ConeEdge::smooth:
+      return t * t * (3.0F - 2.0F * t);
+    case PunctualLight::ConeEdge::smooth_times_cosine:
+      return t * t * (3.0F - 2.0F * t) * std::max(0.0F, cosine);
+    case PunctualLight::ConeEdge::squared:
+      break;
+  }
+  return t * t;
+}
+
+/// The integral over the cosine of the angle to a spot's direction, and so over the solid angle
+/// but for a factor of 2 pi, of what the spot lets through.
+double cone_integral(const PunctualLight& light) {
+  const double rim = rim_of(light);
+  const double outer = std::cos(static_cast<double>(light.outer_cone_rad));
+  const double inside = std::max(0.0, 1.0 - outer - rim);
+  switch (light.cone_edge) {
+    case PunctualLight::ConeEdge::smooth:
+      return inside + rim / 2.0;
+    case PunctualLight::ConeEdge::smooth_times_cosine:
+      return inside * (1.0 + outer + rim) / 2.0 + rim * (outer / 2.0 + 0.35 * rim);
+    case PunctualLight::ConeEdge::squared:
+      break;
+  }
+  return inside + rim / 3.0;
 }
 
 /// A sample of a light's sphere, whose centre is at distance * to_centre. intensity: towards the
@@ -86,10 +111,7 @@ double PunctualLights::power(std::size_t light) const {
   if (source.kind == PunctualLight::Kind::point) {
     return 4.0 * std::numbers::pi * intensity;
   }
-  // The square of what rises from 0 to 1 over the rim is a third of it on average.
-  const double rim = rim_of(source);
-  const double inside = 1.0 - std::cos(static_cast<double>(source.outer_cone_rad)) - rim;
-  return 2.0 * std::numbers::pi * intensity * (std::max(0.0, inside) + rim / 3.0);
+  return 2.0 * std::numbers::pi * intensity * cone_integral(source);
 }
 
 LightBounds PunctualLights::bounds(std::size_t light) const {

@@ -15,7 +15,8 @@ namespace foveola {
 /// squared distance; a spot's also by
 ///   clamp((cos(angle to its direction) - cos(outer)) / max(0.001, cos(inner) - cos(outer)), 0,
 ///   1)^2
-/// which is that extension's recommendation.
+/// which is that extension's recommendation, or by what Cycles has in place of the square, if the
+/// light says so.
 ///
 /// One with a radius is a sphere that shines evenly with I / (pi r^2), so that its intensity is I
 /// from afar; the factor of a spot is that of its centre. A place inside the sphere sees that

@@ -151,6 +151,37 @@ TEST(GltfLightUnits, AreTheGenerators) {
   }
 }
 
+/// Blender's default spot: 45 degrees wide, a blend of 0.15.
+TEST_F(GltfLights, OfBlendersExportsHaveTheConesOfCycles) {
+  const Scene scene = load_gltf(blender_export("standard"));
+  const PunctualLight& light = scene.lights.at(2);
+  ASSERT_EQ(light.kind, PunctualLight::Kind::spot);
+  EXPECT_EQ(light.cone_edge, PunctualLight::ConeEdge::smooth_times_cosine);
+  const double outer = std::numbers::pi / 8.0;
+  EXPECT_NEAR(light.outer_cone_rad, outer, 1e-6);
+  EXPECT_NEAR(std::cos(light.inner_cone_rad) - std::cos(outer), 0.15 * (1.0 - std::cos(outer)),
+              1e-6);
+}
+
+TEST_F(GltfLights, ConesOfOtherFilesAreTheExtensions) {
+  const auto spot = lit({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}}}});
+  EXPECT_EQ(load(spot).lights.at(0).cone_edge, PunctualLight::ConeEdge::squared);
+}
+
+TEST(GltfConeEdges, AreTheGenerators) {
+  using Edge = PunctualLight::ConeEdge;
+  EXPECT_EQ(cone_edge_of("Khronos glTF Blender I/O v3.3.36"), Edge::smooth_times_cosine);
+  EXPECT_EQ(cone_edge_of("Khronos glTF Blender I/O v4.0.44"), Edge::smooth);
+  EXPECT_EQ(cone_edge_of("Khronos glTF Blender I/O"), Edge::squared);
+  EXPECT_EQ(cone_edge_of(""), Edge::squared);
+}
+
+TEST(GltfConeEdges, CyclesFadesOverAShareOfTheCone) {
+  EXPECT_NEAR(cycles_inner_cone_rad(0.0, 0.6), 0.0, 1e-7) << "a blend of 1";
+  EXPECT_NEAR(cycles_inner_cone_rad(0.6, 0.6), 0.6, 1e-12) << "a blend of 0";
+  EXPECT_NEAR(std::cos(cycles_inner_cone_rad(0.3, 0.6)), 0.5 * (std::cos(0.6) + 1.0), 1e-12);
+}
+
 TEST_F(GltfLights, OfAFileWithoutLightsNothingIsSaid) {
   GlbBuilder glb = one_triangle();
   glb.document["asset"]["generator"] = "Khronos glTF Blender I/O v4.2.60";

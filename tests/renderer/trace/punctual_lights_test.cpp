@@ -81,17 +81,58 @@ TEST(PunctualLightsTest, SpotHasTheExtensionsCone) {
   }
 }
 
+/// Cycles's kernel/light/spot.h, with the cosine that it had in Blender 3.4.
+double attenuation_in_cycles(double inner, double outer, double angle) {
+  const double rim = std::cos(inner) - std::cos(outer);
+  const double t = std::clamp((std::cos(angle) - std::cos(outer)) / rim, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t) * std::cos(angle);
+}
+
+TEST(PunctualLightsTest, SpotHasTheConeOfCyclesIfItSaysSo) {
+  PunctualLight light = spot(0.3F, 0.7F);
+  for (const double angle : {0.0, 0.2, 0.35, 0.5, 0.65, 0.75, 2.0}) {
+    const Vec3 place(std::sin(angle), 2.0 - std::cos(angle), 0.0);
+    const double expected = 5.0 * attenuation_in_cycles(0.3F, 0.7F, angle);
+    light.cone_edge = PunctualLight::ConeEdge::smooth_times_cosine;
+    const auto with_cosine = lights_of(light).sample(0, place, Vec2(0.5F));
+    EXPECT_NEAR(with_cosine ? with_cosine->radiance.g : 0.0, expected, 1e-4);
+    light.cone_edge = PunctualLight::ConeEdge::smooth;
+    const auto without = lights_of(light).sample(0, place, Vec2(0.5F));
+    EXPECT_NEAR(without ? without->radiance.g : 0.0, expected / std::cos(angle), 1e-4);
+  }
+}
+
+/// The integral of a spot's intensity over all directions, by the midpoint rule.
+template <typename Attenuation>
+double integral_of(const Attenuation& attenuation, double inner, double outer) {
+  constexpr int steps = 10000;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double angle = pi * (i + 0.5) / steps;
+    sum += 5.0 * attenuation(inner, outer, angle) * 2.0 * pi * std::sin(angle) * pi / steps;
+  }
+  return sum;
+}
+
 TEST(PunctualLightsTest, PowerIsTheIntegralOfTheIntensity) {
   EXPECT_NEAR(lights_of(point(3.0F)).power(0), 12.0 * pi, 1e-5);
   for (const auto& [inner, outer] :
        {std::pair(0.0F, 0.7853982F), std::pair(0.3F, 0.5F), std::pair(0.0F, 1.57F)}) {
-    constexpr int steps = 10000;
-    double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {
-      const double angle = pi * (i + 0.5) / steps;
-      sum += 5.0 * attenuation(inner, outer, angle) * 2.0 * pi * std::sin(angle) * pi / steps;
-    }
-    EXPECT_NEAR(lights_of(spot(inner, outer)).power(0), sum, 1e-4 * sum);
+    PunctualLight light = spot(inner, outer);
+    const double sum = integral_of(attenuation, inner, outer);
+    EXPECT_NEAR(lights_of(light).power(0), sum, 1e-4 * sum);
+    light.cone_edge = PunctualLight::ConeEdge::smooth_times_cosine;
+    const double with_cosine = integral_of(attenuation_in_cycles, inner, outer);
+    EXPECT_NEAR(lights_of(light).power(0), with_cosine, 1e-4 * with_cosine);
+    light.cone_edge = PunctualLight::ConeEdge::smooth;
+    const double smooth = integral_of(
+        [](double inner_rad, double outer_rad, double angle) {
+          return std::cos(angle) > 0.0
+                     ? attenuation_in_cycles(inner_rad, outer_rad, angle) / std::cos(angle)
+                     : 0.0;
+        },
+        inner, outer);
+    EXPECT_NEAR(lights_of(light).power(0), smooth, 1e-4 * smooth);
   }
 }
 
