@@ -53,6 +53,11 @@ std::vector<double> parse_finite(std::string_view text, std::size_t count) {
 
 }  // namespace
 
+std::optional<double> parse_finite_number(std::string_view text) {
+  const std::vector<double> numbers = parse_finite(text, 1);
+  return numbers.empty() ? std::nullopt : std::optional(numbers.front());
+}
+
 std::string size_text(const IVec2& size) { return fmt::format("{}x{}", size.x, size.y); }
 
 IVec2 parse_size(const std::string& option, const std::string& text) {
@@ -115,16 +120,14 @@ SunAndSky parse_sky(const std::string& option, const std::string& text) {
   return sky;
 }
 
-SampleAddress parse_sample(const std::string& option, const std::string& text, const IVec2& size) {
+SampleAddress parse_sample(const std::string& option, const std::string& text) {
   const std::vector<std::uint32_t> values = parse_numbers<std::uint32_t>(text, ',', 3);
-  if (values.empty() || values[0] >= static_cast<std::uint32_t>(size.x) ||
-      values[1] >= static_cast<std::uint32_t>(size.y)) {
-    throw UsageError(option,
-                     fmt::format("'{}' is no sample of a {}x{} image", text, size.x, size.y),
+  constexpr std::uint32_t largest = 65535;
+  if (values.empty() || values[0] > largest || values[1] > largest) {
+    throw UsageError(option, fmt::format("'{}' is no sample of an image", text),
                      "give x,y,sample as render lists them");
   }
-  return {.pixel = values[1] * static_cast<std::uint32_t>(size.x) + values[0],
-          .sample_number = values[2]};
+  return {.pixel = {values[0], values[1]}, .sample_number = values[2]};
 }
 
 AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "renderer/base/angles.h"
 #include "renderer/base/scene_source.h"
@@ -38,9 +39,11 @@ RadialLens parse_lens(const std::string& option, const std::string& text);
 
 /// The help text of --camera.
 inline constexpr const char* camera_help =
-    "Where the camera stands: x,y,z in metres (default: where the scene says, else in its middle "
-    "or "
-    "in front of a closed object)";
+    "Where the camera stands, x,y,z in metres, or the name of one of the file's cameras (default: "
+    "where the scene says, else in a room where it is widest, or in front of all there is)";
+
+/// The finite number that all of `text` is.
+std::optional<double> parse_finite_number(std::string_view text);
 
 /// "x,y,z", all finite.
 DVec3 parse_vec3(const std::string& option, const std::string& text);
@@ -48,8 +51,8 @@ DVec3 parse_vec3(const std::string& option, const std::string& text);
 /// "azimuth,elevation[,turbidity]" of a sun, angles in degrees.
 SunAndSky parse_sky(const std::string& option, const std::string& text);
 
-/// "x,y,sample" with a pixel of an image of `size`.
-SampleAddress parse_sample(const std::string& option, const std::string& text, const IVec2& size);
+/// "x,y,sample"; x and y are at most 65535.
+SampleAddress parse_sample(const std::string& option, const std::string& text);
 
 /// "azimuth,elevation" in degrees: finite, elevation in [-90, 90].
 AzimuthElevation parse_azimuth_elevation(const std::string& option, const std::string& text);

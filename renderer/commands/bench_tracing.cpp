@@ -318,7 +318,8 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Size of the film in pixels, WIDTHxHEIGHT")
       ->capture_default_str();
-  command->add_option("--camera", arguments->camera, camera_help);
+  command->add_option("--camera", arguments->camera,
+                      "Where the camera stands: x,y,z in metres (default: as in render)");
   command
       ->add_option("--threads", arguments->threads,
                    "Numbers of threads, each measured (default: 1 and all cores)")

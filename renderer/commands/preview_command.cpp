@@ -17,9 +17,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/commands/environment_option.h"
-#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/live_window.h"
+#include "renderer/commands/look_options.h"
 #include "renderer/commands/preview_report.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/gaze/gaze_source.h"
@@ -37,19 +36,16 @@ using Json = nlohmann::ordered_json;
 
 struct PreviewCommand {
   std::string scene;
+  LookArguments look;
   std::string method = "fv";
   std::string size = size_text(live_film_size);
   std::string display = "desktop";
   std::string tracker = "pointer";
   std::string gaze_file;
-  std::string camera;
-  std::string head;
   std::string head_file;
   std::string window = "1280x720";
   int monitor = 0;
   bool full_screen = false;
-  std::string environment;
-  double exposure_stops = 0.0;
   bool fill_unsampled = false;
   bool correct_gaze = false;
   std::vector<std::string> shown;
@@ -92,12 +88,6 @@ RenderSettings render_settings(const PreviewCommand& command) {
   settings.progressive.film_size = parse_size("--size", command.size);
   settings.progressive.trace = command.trace;
   settings.threads = command.threads;
-  if (!command.camera.empty()) {
-    settings.scene.camera = parse_vec3("--camera", command.camera);
-  }
-  if (!command.head.empty()) {
-    settings.scene.head = parse_azimuth_elevation("--head", command.head);
-  }
   return settings;
 }
 
@@ -113,6 +103,29 @@ WindowEyeTracker open_gaze_source(const PreviewCommand& command, const DisplayPr
 /// Prints on standard error: standard output holds the report alone, for JSON's readers.
 void print_notice(const std::string& line) { fmt::print(stderr, "{}\n", line); }
 
+/// What the window shows of the scene at first is a picture of its size.
+PictureChoices window_picture(const PreviewCommand& command, const IVec2& framebuffer) {
+  PictureChoices choices{.size = framebuffer};
+  if (const std::optional<FieldsOfView> fov = fields_of_view(command.look)) {
+    choices.horizontal_fov_deg = fov->horizontal_deg;
+    choices.vertical_fov_deg = fov->vertical_deg;
+  }
+  return choices;
+}
+
+/// Prints it if it is automatic.
+double exposure_stops_of(const PreviewCommand& command, const LoadedScene& loaded,
+                         const PictureChoices& picture, const Workers& workers) {
+  const Viewport first_view(loaded.camera.heading,
+                            picture_of(loaded.camera, picture).field_of_view);
+  const Exposure exposure =
+      chosen_exposure(exposure_choice(command.look), loaded, first_view, command.trace, workers);
+  if (exposure.is_automatic) {
+    print_notice("foveola: note: " + exposure_note(exposure));
+  }
+  return exposure.stops;
+}
+
 /// Loads the scene and shows it, in a thread of its own beside the window's.
 LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& source,
                              const DisplayProfile& display, Window& window, WindowEvents& events,
@@ -121,8 +134,12 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
   const RenderSettings settings = render_settings(command);
   Presenter presenter(window, clock);
   const Workers workers(settings.threads);
-  const LoadedScene loaded(source, workers, settings.scene);
+  const PictureChoices picture = window_picture(command, framebuffer);
+  SceneChoices choices = scene_choices(command.look);
+  choices.framed_for = picture_of({}, picture).field_of_view;
+  const LoadedScene loaded(source, workers, choices);
   print_warnings(loaded.warnings);
+  const double exposure_stops = exposure_stops_of(command, loaded, picture, workers);
   WindowEyeTracker gaze = open_gaze_source(command, display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
   SteeredHeadTracker steered_head(loaded.camera.heading);
@@ -131,10 +148,10 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
     replayed.emplace(replayed_head(read_head_file(command.head_file), clock.now()));
   }
   HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
-  Preview preview(loaded.tracer,
-                  {.render = loaded.rendered_with(settings.progressive),
-                   .exposure_stops = source.exposure_stops.value_or(0.0)},
-                  eye, head, workers);
+  Preview preview(
+      loaded.tracer,
+      {.render = loaded.rendered_with(settings.progressive), .exposure_stops = exposure_stops}, eye,
+      head, workers);
   Steering steering(steered_head, gaze.pointer);
   LivePreviewSettings live{.display = display,
                            .tracker = read_tracker_profile(command.tracker),
@@ -144,7 +161,7 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .keeps_last_picture = !command.screenshot.empty(),
                            .corrects_gaze = command.correct_gaze,
                            .notify = print_notice};
-  live.choices.look.exposure_stops = source.exposure_stops.value_or(0.0) + command.exposure_stops;
+  live.choices.look.exposure_stops = exposure_stops;
   if (command.frames > 0) {
     live.frames = command.frames;
   }
@@ -260,9 +277,7 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
 
 SceneSource scene_of(const PreviewCommand& command, const SceneFinder& find_scene) {
   SceneSource source = find_scene(command.scene);
-  if (!command.environment.empty()) {
-    replace_environment(command.environment, source);
-  }
+  apply_light(command.look, source);
   return source;
 }
 
@@ -324,15 +339,11 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->excludes(tracker);
   command->add_flag("--correct-gaze", arguments->correct_gaze,
                     "Correct the gaze by what each check of the tracker (key c) finds");
-  command->add_option("--camera", arguments->camera, camera_help);
-  CLI::Option* head = command->add_option(
-      "--head", arguments->head,
-      "Where the head points to begin with: azimuth,elevation in degrees (default: the "
-      "scene's heading)");
+  add_viewpoint_options(*command, arguments->look);
   command
       ->add_option("--head-file", arguments->head_file,
                    "Replay recorded head poses from this file instead")
-      ->excludes(head);
+      ->excludes(command->get_option("--head"));
   command->add_option("--window", arguments->window, "Size of the window, WIDTHxHEIGHT")
       ->capture_default_str();
   CLI::Option* full_screen = command->add_flag("--full-screen", arguments->full_screen,
@@ -341,10 +352,8 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->check(CLI::Range(0, 100))
       ->needs(full_screen)
       ->capture_default_str();
-  command->add_option("--environment", arguments->environment, environment_help);
-  command
-      ->add_option("--exposure", arguments->exposure_stops, "Brighten the picture by so many stops")
-      ->check(CLI::Range(-20.0, 20.0));
+  add_light_options(*command, arguments->look);
+  add_exposure_option(*command, arguments->look);
   command->add_flag(
       "--fill-unsampled", arguments->fill_unsampled,
       "Fill unsampled pixels from what is known around them; they are black otherwise");
@@ -373,9 +382,7 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the report as JSON");
   command->footer("Example: foveola preview arcade --method fv (? shows the keys)");
-  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
-    run_preview(*arguments, find, stop);
-  });
+  command->callback([arguments, find_scene, stop] { run_preview(*arguments, find_scene, stop); });
 }
 
 }  // namespace foveola

@@ -33,6 +33,19 @@ double adaptive_contrast(const RenderSettings& settings) {
   return settings.progressive.adaptive ? settings.progressive.adaptive->contrast : 0.0;
 }
 
+const char* projection(const RenderSettings& settings) {
+  return settings.picture ? "perspective" : "equirectangular";
+}
+
+/// Where the samples went.
+std::string method(const RenderSettings& settings) {
+  return settings.picture ? "picture" : settings.method;
+}
+
+double samples_per_pixel(const RenderReport& report) {
+  return static_cast<double>(report.samples) / (static_cast<double>(report.size.x) * report.size.y);
+}
+
 std::string text_of(const Vec3& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
@@ -48,51 +61,61 @@ nlohmann::json json_report(const RenderReport& report, const RenderSettings& set
   const nlohmann::json clamp = std::isfinite(settings.progressive.trace.largest_radiance)
                                    ? nlohmann::json(settings.progressive.trace.largest_radiance)
                                    : nlohmann::json(nullptr);
-  return {
-      {"scene", names.scene},
-      {"output", names.output},
-      {"clamp", clamp},
-      {"adaptive_contrast", adaptive_contrast(settings)},
-      {"method", settings.method},
-      {"width", settings.progressive.film_size.x},
-      {"height", settings.progressive.film_size.y},
-      {"seed", settings.progressive.trace.seed},
-      {"max_depth", settings.progressive.trace.max_depth},
-      {"threads", report.threads},
-      {"triangles", report.triangles},
-      {"camera", {report.camera.x, report.camera.y, report.camera.z}},
-      {"head_deg", json_angles(report.head)},
-      {"gaze_deg", json_angles(report.gaze)},
-      {"fov_deg", {settings.field_of_view.horizontal_deg, settings.field_of_view.vertical_deg}},
-      {"samples", report.samples},
-      {"seconds", report.seconds},
-      {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
-      {"rays", report.rays},
-      {"non_finite", report.non_finite.size()},
-      {"non_finite_samples", json_non_finite(report.non_finite, settings.progressive.film_size.x)},
-      {"peak_memory_bytes", peak_memory_bytes()},
-      {"load_seconds", report.load_seconds},
-      {"build_seconds", report.build_seconds},
-      {"stopped", report.stopped},
-      {"warnings", report.warnings}};
+  return {{"scene", names.scene},
+          {"output", names.output},
+          {"clamp", clamp},
+          {"adaptive_contrast", adaptive_contrast(settings)},
+          {"projection", projection(settings)},
+          {"method", method(settings)},
+          {"width", report.size.x},
+          {"height", report.size.y},
+          {"seed", settings.progressive.trace.seed},
+          {"max_depth", settings.progressive.trace.max_depth},
+          {"threads", report.threads},
+          {"triangles", report.triangles},
+          {"camera", {report.camera.x, report.camera.y, report.camera.z}},
+          {"head_deg", json_angles(report.head)},
+          {"gaze_deg", json_angles(report.gaze)},
+          {"roll_deg", degrees(report.roll_rad)},
+          {"fov_deg", {report.field_of_view.horizontal_deg, report.field_of_view.vertical_deg}},
+          {"exposure_stops", report.exposure.stops},
+          {"exposure_is_automatic", report.exposure.is_automatic},
+          {"samples", report.samples},
+          {"seconds", report.seconds},
+          {"samples_per_pixel", samples_per_pixel(report)},
+          {"samples_per_second", static_cast<double>(report.samples) / report.seconds},
+          {"rays", report.rays},
+          {"non_finite", report.non_finite.size()},
+          {"non_finite_samples", json_non_finite(report.non_finite, report.size.x)},
+          {"peak_memory_bytes", peak_memory_bytes()},
+          {"load_seconds", report.load_seconds},
+          {"build_seconds", report.build_seconds},
+          {"stopped", report.stopped},
+          {"warnings", report.warnings}};
 }
 
 void print_report(const RenderReport& report, const RenderSettings& settings,
                   const RenderNames& names) {
   print_warnings(report.warnings);
+  if (report.exposure.is_automatic) {
+    fmt::print(stderr, "foveola: note: {}\n", exposure_note(report.exposure));
+  }
   if (!report.non_finite.empty()) {
     const DroppedSample& first = report.non_finite.front();
-    const auto width = static_cast<unsigned>(settings.progressive.film_size.x);
+    const auto width = static_cast<unsigned>(report.size.x);
     fmt::print(stderr,
                "foveola: warning: {} samples were not finite and were dropped; --seed {} --replay "
                "{},{},{} traces the first of them again, --json lists more\n",
                report.non_finite.size(), settings.progressive.trace.seed, first.pixel % width,
                first.pixel / width, first.sample_number);
   }
-  fmt::print("{}: {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}\n", names.output,
-             report.samples, report.seconds, static_cast<double>(report.samples) / report.seconds,
-             static_cast<double>(report.rays) / static_cast<double>(report.samples),
-             report.stopped ? ", stopped early" : "");
+  fmt::print(
+      "{}: {} of {}x{}, {} samples in {:.2f} s ({:.0f} per second, {:.1f} rays each){}, {:.3g} "
+      "samples per pixel\n",
+      names.output, settings.picture ? "picture" : "360-degree image", report.size.x, report.size.y,
+      report.samples, report.seconds, static_cast<double>(report.samples) / report.seconds,
+      static_cast<double>(report.rays) / static_cast<double>(report.samples),
+      report.stopped ? ", stopped early" : "", samples_per_pixel(report));
 }
 
 nlohmann::json json_path(const ReplayedPath& path) {
@@ -137,17 +160,24 @@ void print_path(const ReplayedPath& path) {
 
 ImageFacts facts_of(const RenderReport& report, const RenderSettings& settings,
                     const std::string& scene) {
-  ImageFacts facts{{"foveola:version", build_info().version},
-                   {"foveola:instruction_set", build_info().instruction_set},
-                   {"foveola:scene", scene},
-                   {"foveola:method", settings.method},
-                   {"foveola:seed", std::to_string(settings.progressive.trace.seed)},
-                   {"foveola:samples", std::to_string(report.samples)},
-                   {"foveola:max_depth", std::to_string(settings.progressive.trace.max_depth)},
-                   {"foveola:camera_m", fmt::format("{:.9g},{:.9g},{:.9g}", report.camera.x,
-                                                    report.camera.y, report.camera.z)},
-                   {"foveola:head_deg", text_of(report.head)},
-                   {"foveola:gaze_deg", text_of(report.gaze)}};
+  ImageFacts facts{
+      {"foveola:version", build_info().version},
+      {"foveola:instruction_set", build_info().instruction_set},
+      {"foveola:scene", scene},
+      {"foveola:projection", projection(settings)},
+      {"foveola:method", method(settings)},
+      {"foveola:seed", std::to_string(settings.progressive.trace.seed)},
+      {"foveola:samples", std::to_string(report.samples)},
+      {"foveola:max_depth", std::to_string(settings.progressive.trace.max_depth)},
+      {"foveola:camera_m",
+       fmt::format("{:.9g},{:.9g},{:.9g}", report.camera.x, report.camera.y, report.camera.z)},
+      {"foveola:head_deg", text_of(report.head)},
+      {"foveola:gaze_deg", text_of(report.gaze)},
+      {"foveola:fov_deg", fmt::format("{:.9g}x{:.9g}", report.field_of_view.horizontal_deg,
+                                      report.field_of_view.vertical_deg)}};
+  if (report.roll_rad != 0.0) {
+    facts["foveola:roll_deg"] = fmt::format("{:.9g}", degrees(report.roll_rad));
+  }
   if (std::isfinite(settings.progressive.trace.largest_radiance)) {
     facts["foveola:clamp"] = fmt::format("{:.9g}", settings.progressive.trace.largest_radiance);
   }

@@ -1,7 +1,11 @@
 #include "renderer/commands/scene_info.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +15,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/progress.h"
 #include "renderer/base/utf8.h"
-#include "renderer/commands/light_units_option.h"
+#include "renderer/commands/look_options.h"
+#include "renderer/progressive/picture.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/trace/ray_scene.h"
@@ -26,7 +31,10 @@ struct LoadedFacts {
   double load_s = 0.0;
   std::size_t tracing_bytes = 0;  ///< see RayScene::memory_bytes
   SceneFacts facts;
-  DVec3 lower;  ///< lower corner of its bounds in metres, in the file's world, as --camera is
+  std::vector<PunctualLight> lights;
+  std::vector<CameraView> cameras;
+  DVec3 origin;  ///< see Scene::origin
+  DVec3 lower;   ///< lower corner of its bounds in metres, in the file's world, as --camera is
   DVec3 upper;
 };
 
@@ -42,11 +50,89 @@ LoadedFacts load_facts(const SceneSource& source) {
           .load_s = load_s,
           .tracing_bytes = RayScene(scene, Workers()).memory_bytes(),
           .facts = facts_of(scene),
+          .lights = scene.lights,
+          .cameras = scene.cameras,
+          .origin = scene.origin,
           .lower = DVec3(bounds.lower) + scene.origin,
           .upper = DVec3(bounds.upper) + scene.origin};
 }
 
 nlohmann::json json_of(const DVec3& v) { return {v.x, v.y, v.z}; }
+
+/// A kind of light without geometry, and what its intensity is in.
+struct LightKind {
+  PunctualLight::Kind kind;
+  const char* name;
+  const char* unit;
+};
+
+constexpr std::array<LightKind, 3> light_kinds = {
+    {{PunctualLight::Kind::point, "point", "W/sr"},
+     {PunctualLight::Kind::spot, "spot", "W/sr"},
+     {PunctualLight::Kind::directional, "directional", "W/m^2"}}};
+
+std::size_t count_of(PunctualLight::Kind kind, const std::vector<PunctualLight>& lights) {
+  return static_cast<std::size_t>(
+      std::count_if(lights.begin(), lights.end(),
+                    [kind](const PunctualLight& light) { return light.kind == kind; }));
+}
+
+nlohmann::ordered_json json_kinds(const std::vector<PunctualLight>& lights) {
+  nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
+  for (const LightKind& kind : light_kinds) {
+    if (const std::size_t count = count_of(kind.kind, lights); count > 0) {
+      kinds.push_back({{"kind", kind.name}, {"count", count}, {"unit", kind.unit}});
+    }
+  }
+  return kinds;
+}
+
+/// " (2 point in W/sr, 1 directional in W/m^2)"; empty without lights.
+std::string text_kinds(const std::vector<PunctualLight>& lights) {
+  std::vector<std::string> kinds;
+  for (const LightKind& kind : light_kinds) {
+    if (const std::size_t count = count_of(kind.kind, lights); count > 0) {
+      kinds.push_back(fmt::format("{} {} in {}", count, kind.name, kind.unit));
+    }
+  }
+  return kinds.empty() ? "" : fmt::format(" ({})", fmt::join(kinds, ", "));
+}
+
+nlohmann::ordered_json json_cameras(const LoadedFacts& loaded) {
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+  for (const CameraView& view : loaded.cameras) {
+    nlohmann::ordered_json camera = {
+        {"name", view.name},
+        {"position", json_of(DVec3(view.position) + loaded.origin)},
+        {"head_deg", {degrees(view.heading.azimuth_rad), degrees(view.heading.elevation_rad)}},
+        {"roll_deg", degrees(view.roll_rad)}};
+    camera["vertical_fov_deg"] = view.vertical_fov_rad
+                                     ? nlohmann::ordered_json(degrees(*view.vertical_fov_rad))
+                                     : nlohmann::ordered_json(nullptr);
+    camera["aspect_ratio"] = view.aspect_ratio ? nlohmann::ordered_json(*view.aspect_ratio)
+                                               : nlohmann::ordered_json(nullptr);
+    cameras.push_back(std::move(camera));
+  }
+  return cameras;
+}
+
+/// In degrees, rounded to hundredths, and never -0.
+double shown_deg(double angle_rad) {
+  constexpr double steps = 100.0;
+  return std::round(steps * degrees(angle_rad)) / steps + 0.0;
+}
+
+/// A line for each camera: its name, where it stands and looks, and how much it sees.
+void print_cameras(const LoadedFacts& loaded) {
+  for (const CameraView& view : loaded.cameras) {
+    const DVec3 place = DVec3(view.position) + loaded.origin;
+    const FieldOfView fov = picture_of(view, {}).field_of_view;
+    fmt::print(
+        "camera     '{}' at {:.6g},{:.6g},{:.6g} towards {:g},{:g}, {:.4g} x {:.4g} degrees\n",
+        printable(view.name), place.x, place.y, place.z, shown_deg(view.heading.azimuth_rad),
+        shown_deg(view.heading.elevation_rad), fov.horizontal_deg, fov.vertical_deg);
+  }
+}
 
 void print_json(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
@@ -62,6 +148,8 @@ void print_json(const LoadedFacts& loaded) {
                                        {"stored_triangles", facts.stored_triangles},
                                        {"emissive_triangles", facts.emissive_triangles},
                                        {"lights", facts.lights},
+                                       {"light_kinds", json_kinds(loaded.lights)},
+                                       {"cameras", json_cameras(loaded)},
                                        {"materials", facts.materials},
                                        {"textures", facts.textures},
                                        {"geometry_bytes", facts.geometry_bytes},
@@ -97,8 +185,9 @@ void print_text(const LoadedFacts& loaded) {
   fmt::print("triangles  {} ({} in memory) in {} objects, {} of them instances\n", facts.triangles,
              facts.stored_triangles, facts.objects, facts.instances);
   fmt::print("materials  {}, textures {}\n", facts.materials, facts.textures);
-  fmt::print("light      {} emissive triangles, {} lights without geometry\n",
-             facts.emissive_triangles, facts.lights);
+  fmt::print("light      {} emissive triangles, {} lights without geometry{}\n",
+             facts.emissive_triangles, facts.lights, text_kinds(loaded.lights));
+  print_cameras(loaded);
   fmt::print("bounds     ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m\n", loaded.lower.x,
              loaded.lower.y, loaded.lower.z, loaded.upper.x, loaded.upper.y, loaded.upper.z);
   if (loaded.source.metres_per_unit != 1.0) {
@@ -116,14 +205,18 @@ void print_text(const LoadedFacts& loaded) {
 
 void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
   const auto name = std::make_shared<std::string>();
+  const auto look = std::make_shared<LookArguments>();
   const auto as_json = std::make_shared<bool>(false);
   CLI::App* command =
       scene.add_subcommand("info", "What a scene contains, and the memory that it needs");
   command->add_option("SCENE", *name, "A scene's name, or a .glb, .gltf or .obj file")->required();
+  add_light_options(*command, *look);
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");
-  command->callback([name, as_json, find = with_light_units(*command, find_scene)] {
-    const LoadedFacts loaded = load_facts(find(*name));
+  command->callback([name, look, as_json, find_scene] {
+    SceneSource source = find_scene(*name);
+    apply_light(*look, source);
+    const LoadedFacts loaded = load_facts(source);
     *as_json ? print_json(loaded) : print_text(loaded);
   });
 }

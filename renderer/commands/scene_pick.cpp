@@ -11,6 +11,7 @@
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/light_units_option.h"
+#include "renderer/commands/look_options.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/progressive/headless_render.h"
 
@@ -20,7 +21,7 @@ namespace {
 struct PickArguments {
   std::string scene;
   std::string gaze;
-  std::string camera;
+  LookArguments look;
   bool json = false;
 };
 
@@ -37,9 +38,7 @@ std::optional<Answer> pick(const PickArguments& arguments, const SceneSource& so
   if (!arguments.gaze.empty()) {
     settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
   }
-  if (!arguments.camera.empty()) {
-    settings.scene.camera = parse_vec3("--camera", arguments.camera);
-  }
+  settings.scene = scene_choices(arguments.look);
   const Workers workers;
   const LoadedScene loaded(source, workers, settings.scene);
   print_warnings(loaded.warnings);
@@ -83,9 +82,9 @@ void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
       ->required();
   command->add_option(
       "--gaze", arguments->gaze,
-      "Where the eye looks: azimuth,elevation in degrees in the world (default: the "
-      "scene's heading)");
-  command->add_option("--camera", arguments->camera, camera_help);
+      "Where the eye looks: azimuth,elevation in degrees in the world (default: where the head "
+      "points)");
+  add_viewpoint_options(*command, arguments->look);
   command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");
   command->callback([arguments, find = with_light_units(*command, find_scene)] {

@@ -12,7 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/commands/light_units_option.h"
+#include "renderer/commands/look_options.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/image_file.h"
@@ -27,6 +27,7 @@ constexpr double view_extent_deg = 90.0;
 constexpr double margin_deg = 2.0;
 
 struct SheetArguments {
+  LookArguments look;
   std::vector<std::string> scenes;
   std::string output;
   std::string size = "1024x512";
@@ -56,16 +57,18 @@ SheetRow render_row(const SceneSource& source, RenderSettings settings,
   Rendering all_around = render(source, settings, stop);
   print_warnings(all_around.report.warnings);
   row.panorama = std::move(all_around.image.color);
+  const double stops = all_around.report.exposure.stops;
+  settings.exposure.reset();
   settings.method = "vp";
   const double fov_deg = view_extent_deg + 2.0 * margin_deg;
   settings.field_of_view = {.horizontal_deg = fov_deg, .vertical_deg = fov_deg};
   settings.progressive.film_size *= 2;
   const RgbImage film = render(source, settings, stop).image.color;
   const double fov_rad = radians(view_extent_deg);
-  row.view = viewport_image(film, Viewport(head_orientation(source.heading), fov_rad, fov_rad),
-                            height, height);
-  expose(row.panorama, source.exposure_stops.value_or(0.0));
-  expose(row.view, source.exposure_stops.value_or(0.0));
+  row.view = viewport_image(
+      film, Viewport(head_orientation(all_around.report.head), fov_rad, fov_rad), height, height);
+  expose(row.panorama, stops);
+  expose(row.view, stops);
   return row;
 }
 
@@ -114,6 +117,7 @@ RenderSettings settings_from(const SheetArguments& arguments) {
   RenderSettings settings;
   settings.progressive.film_size = parse_size("--size", arguments.size);
   settings.threads = arguments.threads;
+  settings.exposure = exposure_choice(arguments.look);
   settings.budget.samples = static_cast<std::uint64_t>(arguments.samples_per_pixel) *
                             static_cast<std::uint64_t>(settings.progressive.film_size.x) *
                             static_cast<std::uint64_t>(settings.progressive.film_size.y);
@@ -128,12 +132,13 @@ void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
   std::vector<SceneSource> sources;
   for (const std::string& name : arguments.scenes) {
     sources.push_back(find_scene(name));
+    apply_light(arguments.look, sources.back());
   }
   const std::vector<SheetRow> rows = render_rows(sources, settings, stop);
   if (rows.empty()) {
     throw Error(arguments.output, "is not written: no scene was finished", "let it run longer");
   }
-  write_image(arguments.output, contact_sheet(rows), 0.0);
+  write_image(arguments.output, contact_sheet(rows), 0.0, tone_curve(arguments.look));
   fmt::print("{}: {} of {} scenes\n", arguments.output, rows.size(), sources.size());
 }
 
@@ -159,10 +164,11 @@ void add_scene_sheet(CLI::App& scene, const std::vector<std::string>& scenes,
   command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  add_light_options(*command, arguments->look);
+  add_exposure_option(*command, arguments->look);
+  add_tone_option(*command, arguments->look);
   command->footer("Example: foveola scene sheet -o sheet.png --size 512x256 --spp 64");
-  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
-    make_sheet(*arguments, find, stop);
-  });
+  command->callback([arguments, find_scene, stop] { make_sheet(*arguments, find_scene, stop); });
 }
 
 }  // namespace foveola

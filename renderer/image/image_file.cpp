@@ -196,10 +196,12 @@ void require_image_extension(const fs::path& path) {
   }
 }
 
+bool holds_radiance(const fs::path& path) { return lower_extension(path) == ".exr"; }
+
 void write_film_image(const fs::path& path, const FilmImage& image, double exposure_stops,
                       const ImageFacts& facts, ToneCurve curve) {
   require_image_extension(path);
-  if (lower_extension(path) == ".exr") {
+  if (holds_radiance(path)) {
     write_exr(path, image.color, image.samples, image.variances, facts);
   } else {
     write_png(path, image.color, exposure_stops, curve);

@@ -14,6 +14,9 @@ namespace foveola {
 /// Throws UsageError unless the extension is .exr or .png.
 void require_image_extension(const std::filesystem::path& path);
 
+/// Whether a file of this name holds radiances, which no exposure changes: an .exr.
+bool holds_radiance(const std::filesystem::path& path);
+
 /// Names and values in the header of an .exr.
 using ImageFacts = std::map<std::string, std::string>;
 

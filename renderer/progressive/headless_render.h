@@ -1,4 +1,5 @@
-// A headless progressive render: one viewpoint, one head pose, one gaze, until the budget is spent.
+// A headless progressive render of a 360-degree image or a picture: one viewpoint, one head pose,
+// one gaze, until the budget is spent.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +10,32 @@
 
 #include "renderer/base/scene_source.h"
 #include "renderer/film/viewport_image.h"
+#include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/progressive/picture.h"
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/trace/path_tracer.h"
 
 namespace foveola {
 
-/// When a render is done: after a number of samples, or after a time.
+/// When a render is done: after a number of samples, or after a time. At least one is set.
 struct RenderBudget {
-  std::uint64_t samples = 0;  ///< samples in all; 0: no limit
-  double seconds = 0.0;       ///< seconds of tracing; 0: no limit. At least one of the two is set.
+  double samples_per_pixel = 0.0;  ///< of the image, on average; 0: no limit
+  std::uint64_t samples = 0;       ///< samples in all; 0: no limit
+  double seconds = 0.0;            ///< seconds of tracing; 0: no limit
 };
 
 struct RenderSettings {
+  /// An ordinary picture instead of a 360-degree image. Method, gaze, fields of view, film size and
+  /// the display's image are then of no account, and adaptive sampling is refused.
+  std::optional<PictureChoices> picture;
   std::string method = "od";  ///< as make_view_sampler reads it
   SceneChoices scene;
+  /// How bright it is to be shown; none: as the scene says, or 0.
+  std::optional<ExposureChoice> exposure;
   std::optional<AzimuthElevation> gaze;  ///< world; default: where the head points
   FieldOfView field_of_view;             ///< the viewport's
-  ProgressiveSettings progressive;       ///< its viewpoint and exposure are the scene's
+  ProgressiveSettings progressive;       ///< its viewpoint is the scene's
   std::optional<IVec2> view;             ///< make the display's image too, of so many pixels
   UnsampledPixels unsampled = UnsampledPixels::black;  ///< in that image
   RenderBudget budget;
@@ -41,8 +50,13 @@ struct RenderReport {
   double load_seconds = 0.0;
   double build_seconds = 0.0;
   std::size_t triangles = 0;
+  IVec2 size{0};              ///< of the image, in pixels
+  FieldOfView field_of_view;  ///< of the picture, or of the viewport
+  Exposure exposure;
   DVec3 camera{0.0};  ///< in the file's world
   AzimuthElevation head;
+  double roll_rad = 0.0;  ///< of a picture
+  bool is_lit = true;     ///< whether anything in the scene shines
   AzimuthElevation gaze;
   int threads = 0;
   std::vector<std::string> warnings;
@@ -63,7 +77,7 @@ Rendering render(const SceneSource& source, const RenderSettings& settings, std:
 
 /// One sample of one pixel of an image.
 struct SampleAddress {
-  std::uint32_t pixel = 0;  ///< y * width + x
+  IVec2 pixel{0};  ///< from the top left
   std::uint32_t sample_number = 0;
 };
 
@@ -74,8 +88,9 @@ struct ReplayedPath {
   std::vector<std::string> object_names;  ///< one for each vertex; empty where nothing was met
 };
 
-/// Finds sample `address` of the render with these settings, and traces it once more. Throws Error
-/// if that render does not take it, or if stopped.
+/// Finds sample `address` of the render with these settings, and traces it once more. Throws
+/// UsageError if the image has no such pixel, and Error if that render does not take the sample, or
+/// if stopped.
 ReplayedPath replay(const SceneSource& source, const RenderSettings& settings,
                     const SampleAddress& address, std::stop_token stop);
 

@@ -1,11 +1,15 @@
 #include "renderer/progressive/loaded_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "renderer/base/clock.h"
+#include "renderer/base/error.h"
+#include "renderer/progressive/picture.h"
 #include "renderer/progressive/standpoint.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene_facts.h"
@@ -32,6 +36,12 @@ Scene with_materials(Scene scene, bool diffuse) {
 
 std::vector<std::string> warnings_of(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
+  if (scene.object_count() == 0) {
+    warnings.emplace_back(
+        "there is nothing to see but what surrounds the scene; export its objects as meshes, and "
+        "not "
+        "only those that are selected");
+  }
   if (!has_light(scene)) {
     warnings.emplace_back(
         "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
@@ -40,36 +50,65 @@ std::vector<std::string> warnings_of(const Scene& scene) {
   return warnings;
 }
 
+/// In whole degrees, and never -0.
+double shown_deg(double angle_rad) { return std::round(degrees(angle_rad)) + 0.0; }
+
 /// The camera where nobody says where to stand. Adds a warning that says so.
 CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
-                                std::vector<std::string>& warnings) {
-  Standpoint standpoint = choose_standpoint(scene, rays);
+                                const SceneChoices& choices, std::vector<std::string>& warnings) {
+  const FieldOfView framed_for = choices.framed_for.value_or(picture_of({}, {}).field_of_view);
+  Standpoint standpoint = choose_standpoint(scene, rays, framed_for);
   const DVec3 place = DVec3(standpoint.position) + scene.origin;
   if (scene.object_count() > 0) {
     warnings.push_back(fmt::format(
-        "the file has no camera: it is seen from ({:.4g}, {:.4g}, {:.4g}), {}; --camera X,Y,Z "
-        "stands elsewhere",
-        place.x, place.y, place.z, standpoint.reason));
+        "the file has no camera: it is seen from ({:.4g}, {:.4g}, {:.4g}), {}; --camera X,Y,Z and "
+        "--head AZIMUTH,ELEVATION look otherwise (here {:g},{:g})",
+        place.x, place.y, place.z, standpoint.reason, shown_deg(standpoint.heading.azimuth_rad),
+        shown_deg(standpoint.heading.elevation_rad)));
   }
-  return {.name = "", .position = standpoint.position, .heading = standpoint.heading};
+  CameraView view;
+  view.position = standpoint.position;
+  view.heading = standpoint.heading;
+  return view;
+}
+
+/// The camera of the file that has this name. Throws UsageError.
+const CameraView& camera_named(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                                  [&](const CameraView& view) { return view.name == name; });
+  if (found == scene.cameras.end()) {
+    std::vector<std::string> names;
+    for (const CameraView& view : scene.cameras) {
+      names.push_back("'" + view.name + "'");
+    }
+    throw UsageError(
+        "--camera", fmt::format("the file has no camera '{}'", name),
+        names.empty() ? "it has none at all: give a place, X,Y,Z"
+                      : fmt::format("it has {}; or give a place, X,Y,Z", fmt::join(names, ", ")));
+  }
+  return *found;
 }
 
 CameraView choose_camera(const SceneSource& source, const Scene& scene, const RayScene& rays,
                          const SceneChoices& choices, std::vector<std::string>& warnings) {
   CameraView view;
-  if (source.camera_position) {
-    view = {.name = "",
-            .position = scene.from_file(*source.camera_position),
-            .heading = source.heading};
+  if (!choices.camera_name.empty()) {
+    view = camera_named(scene, choices.camera_name);
+  } else if (source.camera_position) {
+    view.position = scene.from_file(*source.camera_position);
+    view.heading = source.heading;
   } else if (!scene.cameras.empty()) {
     view = scene.cameras.front();
   } else if (!choices.camera) {
-    view = camera_at_standpoint(scene, rays, warnings);
+    view = camera_at_standpoint(scene, rays, choices, warnings);
   }
   if (choices.camera) {
     view.position = scene.from_file(*choices.camera);
   }
-  view.heading = choices.head.value_or(view.heading);
+  if (choices.head) {
+    view.heading = *choices.head;
+    view.roll_rad = 0.0;
+  }
   return view;
 }
 

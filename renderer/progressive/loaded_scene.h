@@ -11,13 +11,17 @@
 #include "renderer/progressive/progressive_render.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/path_tracer.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 
 /// What a user may choose otherwise than the scene has it.
 struct SceneChoices {
   std::optional<DVec3> camera;           ///< in the file's world; default: see LoadedScene::camera
-  std::optional<AzimuthElevation> head;  ///< world; default: the camera's
+  std::string camera_name;               ///< of one of the file's cameras; empty: no choice
+  std::optional<AzimuthElevation> head;  ///< world, with its horizon level; default: the camera's
+  /// The field of view of the picture that a place to stand is chosen for.
+  std::optional<FieldOfView> framed_for;  ///< default: the usual picture's
   bool diffuse = false;  ///< every material is Lambertian in its base colour, emission kept
 };
 
@@ -33,7 +37,7 @@ struct LoadedScene {
   /// Where the choices say, else the source, else the file's first, else by choose_standpoint.
   CameraView camera;
 
-  /// Throws Error for what is wrong with the scene.
+  /// Throws Error for what is wrong with the scene, and UsageError for a camera that it has not.
   LoadedScene(const SceneSource& source, const Workers& workers, const SceneChoices& choices = {});
   /// For a scene that comes from no file.
   LoadedScene(const SceneSource& source, Scene scene, const Workers& workers,

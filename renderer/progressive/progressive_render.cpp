@@ -37,7 +37,8 @@ ProgressiveRender::ProgressiveRender(const PathTracer& tracer, const Progressive
       settings_(settings),
       film_(settings.film_size.x, settings.film_size.y, statistics_for(settings)),
       pattern_seed_(mix(settings.trace.seed, view_stream)) {
-  settings_.trace.pixel_angle_rad = pixel_angle_rad(settings.film_size.x);
+  settings_.trace.pixel_angle_rad =
+      settings.pixel_angle_rad.value_or(pixel_angle_rad(settings.film_size.x));
 }
 
 void ProgressiveRender::restart(std::uint32_t seed) {

@@ -19,6 +19,8 @@ namespace foveola {
 struct ProgressiveSettings {
   Vec3 viewpoint{0.0F};
   IVec2 film_size{2048, 1024};  ///< pixels
+  /// The angle of the film's pixels; default: those of a 360-degree image.
+  std::optional<float> pixel_angle_rad;
   /// Its seed is that of the paths. Its pixel angle is that of the film, whatever stands here.
   TraceSettings trace;
   RandomNumbers numbers = RandomNumbers::low_discrepancy;

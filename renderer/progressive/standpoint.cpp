@@ -1,47 +1,34 @@
 #include "renderer/progressive/standpoint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
-#include "renderer/trace/triangle.h"
+#include "renderer/progressive/framing.h"
+#include "renderer/progressive/room.h"
+#include "renderer/progressive/surroundings.h"
 
 namespace foveola {
 namespace {
 
-/// Point `index` of `count` spherical Fibonacci points, which lie evenly on the unit sphere
-/// (Marques et al., Spherical Fibonacci Point Sets for Illumination Integrals, 2013).
-Vec3 fibonacci_direction(int index, int count) {
-  const double y = 1.0 - (2.0 * index + 1.0) / count;
-  const double azimuth_rad = 2.0 * std::numbers::pi * index / std::numbers::phi;
-  const double radius = std::sqrt(1.0 - y * y);
-  return {radius * std::cos(azimuth_rad), y, radius * std::sin(azimuth_rad)};
+constexpr float nowhere = std::numeric_limits<float>::infinity();
+
+void include(const Bounds& more, Bounds& bounds) {
+  bounds.lower = glm::min(bounds.lower, more.lower);
+  bounds.upper = glm::max(bounds.upper, more.upper);
 }
 
-bool is_light_in_sight(const Scene& scene, const RayScene& rays, const Vec3& from) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const PunctualLight& light) {
-    return light.kind != PunctualLight::Kind::directional &&
-           rays.closest_hit(Ray{.origin = from, .direction = light.position - from, .t_max = 1.0F})
-               .missed();
-  });
-}
-
-bool is_inside_closed_object(const Scene& scene, const RayScene& rays, const Vec3& from) {
-  constexpr int directions = 256;
-  constexpr double nearly_all = 0.8;
-  int hits = 0;
-  int backs = 0;
-  for (int i = 0; i < directions; ++i) {
-    const Vec3 direction = fibonacci_direction(i, directions);
-    const Hit hit = rays.closest_hit(from, direction);
-    if (!hit.missed()) {
-      const Vec3 normal = Triangle(scene, hit.object, hit.triangle).front_normal();
-      ++hits;
-      backs += glm::dot(normal, direction) > 0.0F ? 1 : 0;
-    }
+std::vector<Bounds> bounds_of_objects(const Scene& scene) {
+  std::vector<Bounds> all;
+  all.reserve(scene.object_count());
+  for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
+    all.push_back(scene.bounds_of(object));
   }
-  return hits >= nearly_all * directions && backs >= nearly_all * hits &&
-         !is_light_in_sight(scene, rays, from);
+  return all;
 }
 
 /// Extents of the bounds along the axes, as parts of the largest.
@@ -56,44 +43,148 @@ struct Shape {
 
   bool is_flat() const { return extents[thinnest_axis] < 1e-3F; }
 
-  /// The direction from the middle to where all of it is seen, and no slab or sheet edge-on.
+  /// The direction from the middle to where no slab or sheet is seen edge-on.
   Vec3 front() const {
-    constexpr float slab = 0.05F;
     Vec3 direction(0.0F, 0.0F, 1.0F);
-    if (extents[thinnest_axis] < slab) {
-      direction[thinnest_axis] = 1.0F;
-    }
+    direction[thinnest_axis] = 1.0F;
     return glm::normalize(direction);
   }
 };
 
-Standpoint in_front_of(const Bounds& bounds, const Vec3& front, std::string reason) {
-  const DVec3 lower(bounds.lower);
-  const DVec3 upper(bounds.upper);
-  const double distance = 0.5 * glm::distance(lower, upper) / std::sin(radians(30.0));
-  return {.position = Vec3(0.5 * (lower + upper) + distance * DVec3(front)),
-          .heading = azimuth_elevation(Vec3(0.0F) - front),
-          .reason = std::move(reason)};
+/// What the picture should have all of.
+struct Subject {
+  std::vector<std::uint32_t> objects;
+  Bounds bounds{.lower = Vec3(nowhere), .upper = Vec3(-nowhere)};
+  bool leaves_out_floor = false;
+};
+
+/// Whether it is a floor under all the rest, and reaches beyond it on all sides.
+bool is_floor_under(const Bounds& floor, const Bounds& rest) {
+  const Vec3 extent = floor.upper - floor.lower;
+  constexpr float flat = 0.01F;
+  const float room_for_feet = 0.1F * (rest.upper.y - rest.lower.y);
+  return extent.y <= flat * std::min(extent.x, extent.z) &&
+         floor.upper.y <= rest.lower.y + room_for_feet && floor.lower.x < rest.lower.x &&
+         floor.lower.z < rest.lower.z && floor.upper.x > rest.upper.x &&
+         floor.upper.z > rest.upper.z;
+}
+
+/// Everything, or all but the largest object if that is a floor.
+Subject subject_of(const std::vector<Bounds>& objects) {
+  const auto area = [](const Bounds& bounds) {
+    const Vec3 extent = bounds.upper - bounds.lower;
+    return extent.x * extent.z;
+  };
+  const auto largest =
+      std::max_element(objects.begin(), objects.end(),
+                       [&](const Bounds& a, const Bounds& b) { return area(a) < area(b); });
+  Subject all;
+  Subject rest{.objects = {}, .bounds = all.bounds, .leaves_out_floor = true};
+  for (std::uint32_t object = 0; object < objects.size(); ++object) {
+    if (objects[object].lower.x > objects[object].upper.x) {
+      continue;
+    }
+    all.objects.push_back(object);
+    include(objects[object], all.bounds);
+    if (object != static_cast<std::uint32_t>(largest - objects.begin())) {
+      rest.objects.push_back(object);
+      include(objects[object], rest.bounds);
+    }
+  }
+  const bool has_rest = !rest.objects.empty() && rest.bounds.lower != rest.bounds.upper;
+  return has_rest && is_floor_under(*largest, rest.bounds) ? rest : all;
+}
+
+/// How much a picture from outside shows: the share of its rays that meet fronts, and how deep
+/// behind the nearest point of the bounds they reach on average, as a part of the bounds' size.
+double shown_from(const Scene& scene, const RayScene& rays, const Subject& subject,
+                  const AzimuthElevation& heading, const FieldOfView& field_of_view) {
+  constexpr IVec2 grid{16, 9};
+  Framing framing(heading, field_of_view);
+  framing.include(subject.bounds);
+  const Vec3 from = framing.position();
+  const Vec3 nearest = glm::clamp(from, subject.bounds.lower, subject.bounds.upper);
+  const double before_m = glm::distance(DVec3(from), DVec3(nearest));
+  const double size_m = glm::distance(DVec3(subject.bounds.lower), DVec3(subject.bounds.upper));
+  const Viewport viewport(heading, field_of_view);
+  double shown = 0.0;
+  int hits = 0;
+  for (int y = 0; y < grid.y; ++y) {
+    for (int x = 0; x < grid.x; ++x) {
+      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(grid));
+      const Hit hit = rays.closest_hit(from, direction);
+      if (!hit.missed()) {
+        ++hits;
+        const double depth = std::clamp((hit.t - before_m) / size_m, 0.0, 1.0);
+        shown += is_front(scene, hit, direction) ? 1.0 + depth : 0.0;
+      }
+    }
+  }
+  return hits > 0 ? shown / hits : 0.0;
+}
+
+/// From the front and the right and slightly from above, unless another side shows much more.
+AzimuthElevation best_heading(const Scene& scene, const RayScene& rays, const Subject& subject,
+                              const FieldOfView& field_of_view) {
+  constexpr double much_more = 0.15;
+  AzimuthElevation best;
+  double most = -1.0;
+  for (const double below_deg : {20.0, 40.0}) {
+    for (const double azimuth_deg : {-30.0, 30.0, -150.0, 150.0}) {
+      const AzimuthElevation heading{.azimuth_rad = radians(azimuth_deg),
+                                     .elevation_rad = radians(-below_deg)};
+      const double shown = shown_from(scene, rays, subject, heading, field_of_view);
+      if (most < 0.0 || shown > most + much_more) {
+        best = heading;
+        most = shown;
+      }
+    }
+  }
+  return best;
+}
+
+Standpoint outside(const Scene& scene, const Subject& subject, const AzimuthElevation& heading,
+                   const FieldOfView& field_of_view, std::string reason) {
+  Framing framing(heading, field_of_view);
+  for (const std::uint32_t object : subject.objects) {
+    framing.include(scene, object);
+  }
+  return {.position = framing.position(), .heading = heading, .reason = std::move(reason)};
+}
+
+bool has_extent(const Bounds& bounds) {
+  constexpr float largest = 1e18F;  // beyond it Embree meets nothing
+  return bounds.lower.x <= bounds.upper.x && bounds.lower != bounds.upper &&
+         max_component(bounds.upper - bounds.lower) < largest;
 }
 
 }  // namespace
 
-Standpoint choose_standpoint(const Scene& scene, const RayScene& rays) {
-  const Bounds bounds = scene.bounds();
-  const Vec3 middle = 0.5F * bounds.lower + 0.5F * bounds.upper;
-  constexpr float largest = 1e18F;  // beyond it Embree meets nothing
-  if (bounds.lower != bounds.upper && max_component(bounds.upper - bounds.lower) < largest) {
-    const Shape shape(bounds);
-    if (shape.is_flat()) {
-      return in_front_of(bounds, shape.front(), "in front of all there is, since it is flat");
-    }
-    if (is_inside_closed_object(scene, rays, middle)) {
-      return in_front_of(bounds, shape.front(),
-                         "in front of all there is, since the middle of its bounds lies inside a "
-                         "closed object");
-    }
+Standpoint choose_standpoint(const Scene& scene, const RayScene& rays,
+                             const FieldOfView& field_of_view) {
+  const std::vector<Bounds> objects = bounds_of_objects(scene);
+  Bounds bounds{.lower = Vec3(nowhere), .upper = Vec3(-nowhere)};
+  for (const Bounds& object : objects) {
+    include(object, bounds);
   }
-  return {.position = middle, .heading = {}, .reason = "the middle of its bounds"};
+  if (!has_extent(bounds)) {
+    const bool is_somewhere = bounds.lower.x <= bounds.upper.x;
+    const Vec3 middle = is_somewhere ? 0.5F * bounds.lower + 0.5F * bounds.upper : Vec3(0.0F);
+    return {.position = middle, .heading = {}, .reason = "the middle of its bounds"};
+  }
+  const Subject subject = subject_of(objects);
+  const Shape shape(bounds);
+  if (shape.is_flat()) {
+    return outside(scene, subject, azimuth_elevation(-shape.front()), field_of_view,
+                   "in front of all there is, since it is flat");
+  }
+  if (std::optional<Standpoint> room = standpoint_in_room(scene, rays, bounds)) {
+    return *std::move(room);
+  }
+  return outside(scene, subject, best_heading(scene, rays, subject, field_of_view), field_of_view,
+                 subject.leaves_out_floor
+                     ? "from outside with all that stands on the floor in the picture"
+                     : "from outside with all of it in the picture");
 }
 
 }  // namespace foveola

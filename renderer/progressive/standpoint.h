@@ -6,6 +6,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/ray_scene.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 
@@ -15,17 +16,25 @@ struct Standpoint {
   std::string reason;  ///< in words that follow "seen from (x, y, z), "
 };
 
-/// The middle of the scene's bounds, looking along -Z, unless nothing is seen from there: in the
-/// inside of a closed object, or on a flat scene. Then in front of the bounds (towards +Z, where
-/// glTF's models look, and to the side of a flat scene's surface), looking at their middle, so far
-/// away that they fit into a cone of 60 degrees.
+/// In a room from within: 1.6 m above its floor, or at half its height if it is lower or higher
+/// than rooms for people are, where there is most space around, looking where there is most to see,
+/// in depth and in objects. Anything else from outside, from where a picture with `field_of_view`
+/// has all of it: from the front (+Z, where glTF's models look) and the right, slightly from above;
+/// from another side or from further above if that shows more fronts, or deeper; and a sheet or a
+/// plane from its front. A floor that is larger than what stands on it need not be in the picture
+/// as a whole.
 ///
-/// The middle counts as the inside of a closed object where at least four fifths of the rays from
-/// it, evenly in all directions, meet something, at least four fifths of these meet the back of a
-/// triangle by its winding, and no point or spot light is in sight. This is a guess. It takes an
-/// empty room whose walls face outwards and that is not lit from within for a closed object, and
-/// stays within an object whose triangles face inwards. In front of the bounds something may stand
-/// in the way of what was meant to be seen.
-Standpoint choose_standpoint(const Scene& scene, const RayScene& rays);
+/// A room is a place where at least three fifths of the rays, evenly in all directions, and three
+/// quarters of the level ones, meet something, and where one of these holds: a point or spot light
+/// is in sight; it is mostly fronts of triangles, by their winding, that are seen from within, and
+/// mostly backs from outside; or it is 1.9 to 100 m high, nearly all rays meet something, and from
+/// all over it at least a tenth of what rays meet are fronts, as of furniture. This is a guess: it
+/// takes a room whose walls face outwards for a closed object if it is empty and unlit, and a
+/// hollow object as large as a room for a room.
+///
+/// It is the same for the same scene. It takes two passes over the vertices and a few thousand
+/// rays.
+Standpoint choose_standpoint(const Scene& scene, const RayScene& rays,
+                             const FieldOfView& field_of_view);
 
 }  // namespace foveola

@@ -228,7 +228,10 @@ std::vector<CameraView> read_cameras(const tinygltf::Model& model,
                     .vertical_fov_rad = std::nullopt,
                     .aspect_ratio = std::nullopt};
     if (view.roll_rad != 0.0) {
-      warnings.add("the roll of a camera is ignored: its horizon stays level", place);
+      warnings.add(
+          "a camera is rolled: only pictures of render show that, elsewhere its horizon stays "
+          "level",
+          place);
     }
     read_lens(camera.perspective, view);
     views.push_back(std::move(view));

@@ -38,7 +38,7 @@ struct PlacedNodes {
 PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings);
 
 /// The perspective cameras, their positions seen from `origin`. A roll about the line of sight,
-/// which a CameraView has not, becomes a warning.
+/// which a head does not have, becomes a warning.
 std::vector<CameraView> read_cameras(const tinygltf::Model& model,
                                      const std::vector<PlacedItem>& cameras, const DVec3& origin,
                                      Warnings& warnings);

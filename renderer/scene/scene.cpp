@@ -1,6 +1,5 @@
 #include "renderer/scene/scene.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace foveola {
@@ -27,20 +26,28 @@ std::size_t Scene::triangle_count() const {
   return count;
 }
 
-Bounds Scene::bounds() const {
+Bounds Scene::bounds_of(std::uint32_t object) const {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Bounds bounds{.lower = Vec3(infinity), .upper = Vec3(-infinity)};
-  const auto include = [&](const Vec3& position) {
-    bounds.lower = glm::min(bounds.lower, position);
-    bounds.upper = glm::max(bounds.upper, position);
-  };
-  for (const Mesh& mesh : meshes) {
-    std::for_each(mesh.positions.begin(), mesh.positions.end(), include);
+  const Instance* instance = instance_of(object);
+  for (const Vec3& position : mesh_of(object).positions) {
+    const Vec3 in_world =
+        instance == nullptr ? position : Vec3(instance->world_from_local * Vec4(position, 1.0F));
+    bounds.lower = glm::min(bounds.lower, in_world);
+    bounds.upper = glm::max(bounds.upper, in_world);
   }
-  for (const Instance& instance : instances) {
-    for (const Vec3& position : prototypes[instance.prototype].positions) {
-      include(Vec3(instance.world_from_local * Vec4(position, 1.0F)));
-    }
+  return bounds;
+}
+
+Bounds Scene::bounds() const {
+  if (object_count() == 0) {
+    return {};
+  }
+  Bounds bounds = bounds_of(0);
+  for (std::uint32_t object = 1; object < object_count(); ++object) {
+    const Bounds more = bounds_of(object);
+    bounds.lower = glm::min(bounds.lower, more.lower);
+    bounds.upper = glm::max(bounds.upper, more.upper);
   }
   return bounds.lower.x <= bounds.upper.x ? bounds : Bounds{};
 }

@@ -178,6 +178,9 @@ struct Scene {
 
   /// The triangles of all objects, each instance counted.
   std::size_t triangle_count() const;
+  /// The bounds of an object's vertices in the world. Without vertices, the lower ones are above
+  /// the upper ones.
+  Bounds bounds_of(std::uint32_t object) const;
   /// The bounds of all objects' vertices; both zero for an empty scene.
   Bounds bounds() const;
 };

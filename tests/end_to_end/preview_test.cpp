@@ -95,9 +95,9 @@ double mean_green(const std::string& file) {
 TEST_F(PreviewCommand, StandsAndIsLitAsRenderIs) {
   const std::string file = folder_ / "last.png";
   const auto seen = [&](const std::string& stops) {
-    const ProgramResult result =
-        preview({"--frames", "10", "--screenshot", file, "--fill-unsampled", "--camera", "0,11,0",
-                 "--head", "0,89", "--environment", "0.125,0.125,0.125", "--exposure", stops});
+    const ProgramResult result = preview(
+        {"--frames", "10", "--screenshot", file, "--fill-unsampled", "--camera", "0,11,0", "--head",
+         "0,89", "--environment", "0.125,0.125,0.125", "--exposure", "fixed:" + stops});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_THAT(result.errors, Not(HasSubstr("camera")));
     return mean_green(file);
@@ -114,7 +114,7 @@ TEST_F(PreviewCommand, SaysWhereItStandsAndThatNothingShines) {
   EXPECT_THAT(empty.errors, HasSubstr("--environment 1,1,1"));
   write_file(scene_, room_gltf());
   EXPECT_THAT(preview({"--frames", "5"}).errors,
-              HasSubstr("it is seen from (0, 0, 0), the middle of its bounds"));
+              HasSubstr("1.6 m above the floor of a room where it is widest"));
   EXPECT_EQ(preview({"--frames", "5", "--camera", "0,0"}).exit_code, 2);
 }
 

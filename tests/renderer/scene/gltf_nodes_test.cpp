@@ -178,7 +178,9 @@ TEST_F(Nodes, CamerasThatLookStraightDownHaveTheirTopAhead) {
 }
 
 TEST_F(Nodes, WarnsOfCamerasThatRoll) {
-  const std::string warning = "the roll of a camera is ignored: its horizon stays level (nodes[1])";
+  const std::string warning =
+      "a camera is rolled: only pictures of render show that, elsewhere its horizon stays level "
+      "(nodes[1])";
   for (const Json& rolled : {turn(1, {0, 0, 1}), turn(-30, {0, 0, 1}), turn(180, {0, 0, 1})}) {
     const Scene scene = load(with_turned_camera(rolled));
     EXPECT_THAT(scene.warnings, ElementsAre(warning)) << rolled;

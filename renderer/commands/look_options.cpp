@@ -1,0 +1,166 @@
+#include "renderer/commands/look_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/commands/environment_option.h"
+#include "renderer/commands/light_units_option.h"
+
+namespace foveola {
+namespace {
+
+constexpr double most_stops = 40.0;
+
+/// Whether the text of --camera is meant as a place: names hardly begin like a number and have a
+/// comma.
+bool is_place(const std::string& camera) {
+  return camera.find(',') != std::string::npos &&
+         std::string_view("+-.0123456789").find(camera.front()) != std::string_view::npos;
+}
+
+/// A number of stops, with a sign or without.
+double parse_stops(const std::string& text, std::string_view number) {
+  if (number.starts_with('+')) {
+    number.remove_prefix(1);
+  }
+  const std::optional<double> stops = parse_finite_number(number);
+  if (!stops || std::abs(*stops) > most_stops) {
+    throw UsageError("--exposure", fmt::format("'{}' is no exposure", text),
+                     fmt::format("give stops from {:g} to {:g}, auto, auto+1, auto-1, or fixed:2",
+                                 -most_stops, most_stops));
+  }
+  return *stops;
+}
+
+}  // namespace
+
+void add_viewpoint_options(CLI::App& command, LookArguments& arguments) {
+  command.add_option("--camera", arguments.camera, camera_help);
+  command.add_option("--head", arguments.head,
+                     "Where the camera or the head points: azimuth,elevation in degrees, azimuth "
+                     "from -Z towards +X (default: the scene's heading)");
+}
+
+void add_fov_option(CLI::App& command, LookArguments& arguments, const std::string& otherwise) {
+  command.add_option(
+      "--fov", arguments.fov,
+      fmt::format("Field of view in degrees: WIDTH, or WIDTHxHEIGHT (default: {})", otherwise));
+}
+
+void add_light_options(CLI::App& command, LookArguments& arguments) {
+  command.add_option("--environment", arguments.environment, environment_help);
+  command.add_option("--environment-rotation", arguments.environment_rotation_deg,
+                     "Turn the environment by so many degrees, from -Z towards +X");
+  command.add_option("--environment-strength", arguments.environment_strength,
+                     "Multiply the environment's radiance by this");
+  add_light_units_option(command, arguments.light_units);
+  command.add_option("--light-radius", arguments.light_radius_m,
+                     "Turn the file's point and spot lights into spheres of this radius in metres");
+  command.add_option("--sun-radius", arguments.sun_radius_deg,
+                     "Turn directional lights into discs of this angular radius in degrees");
+}
+
+void add_exposure_option(CLI::App& command, LookArguments& arguments) {
+  command.add_option(
+      "--exposure", arguments.exposure,
+      "STOPS brighter than the scene's exposure, or than the automatic one where it has none; "
+      "auto, "
+      "auto+STOPS or auto-STOPS: by what is seen, whatever the scene says; fixed:STOPS: exactly "
+      "that. Radiances in an .exr stay what they are");
+}
+
+void add_tone_option(CLI::App& command, LookArguments& arguments) {
+  command
+      .add_option("--tone", arguments.tone,
+                  "How bright light is shown: plain (cut off at white) or filmic (rolling off "
+                  "towards it)")
+      ->check(CLI::IsMember({"plain", "filmic"}))
+      ->capture_default_str();
+}
+
+SceneChoices scene_choices(const LookArguments& arguments) {
+  SceneChoices choices;
+  if (!arguments.camera.empty()) {
+    if (is_place(arguments.camera)) {
+      choices.camera = parse_vec3("--camera", arguments.camera);
+    } else {
+      choices.camera_name = arguments.camera;
+    }
+  }
+  if (!arguments.head.empty()) {
+    choices.head = parse_azimuth_elevation("--head", arguments.head);
+  }
+  return choices;
+}
+
+std::optional<FieldsOfView> fields_of_view(const LookArguments& arguments) {
+  return arguments.fov.empty() ? std::nullopt
+                               : std::optional(parse_fields_of_view("--fov", arguments.fov));
+}
+
+void apply_light(const LookArguments& arguments, SceneSource& source) {
+  if (!arguments.environment.empty()) {
+    replace_environment(arguments.environment, source);
+  }
+  source.environment_rotation_rad += radians(arguments.environment_rotation_deg);
+  source.environment_strength *= arguments.environment_strength;
+  set_light_units(arguments.light_units, source);
+  if (arguments.light_radius_m) {
+    source.light_radius_m = static_cast<float>(*arguments.light_radius_m);
+  }
+  if (arguments.sun_radius_deg) {
+    source.sun_angular_radius_rad = static_cast<float>(radians(*arguments.sun_radius_deg));
+  }
+}
+
+ExposureChoice exposure_choice(const LookArguments& arguments) {
+  using Base = ExposureChoice::Base;
+  constexpr std::string_view automatic = "auto";
+  constexpr std::string_view fixed = "fixed:";
+  const std::string& text = arguments.exposure;
+  if (text.empty()) {
+    return {};
+  }
+  std::string_view rest = text;
+  if (text.starts_with(automatic)) {
+    rest.remove_prefix(automatic.size());
+    const bool has_sign = rest.starts_with('+') || rest.starts_with('-');
+    return {.base = Base::automatic,
+            .more_stops = rest.empty() ? 0.0 : parse_stops(text, has_sign ? rest : text)};
+  }
+  if (text.starts_with(fixed)) {
+    rest.remove_prefix(fixed.size());
+    return {.base = Base::none, .more_stops = parse_stops(text, rest)};
+  }
+  return {.base = Base::scene, .more_stops = parse_stops(text, rest)};
+}
+
+ToneCurve tone_curve(const LookArguments& arguments) {
+  return arguments.tone == "filmic" ? ToneCurve::filmic : ToneCurve::plain;
+}
+
+ImageFacts light_facts(const LookArguments& arguments) {
+  ImageFacts facts;
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) {
+      facts[fmt::format("foveola:{}", name)] = value;
+    }
+  };
+  const auto text_of = [](double value, double usual) {
+    return value == usual ? std::string() : fmt::format("{}", value);
+  };
+  add("environment", arguments.environment);
+  add("environment-rotation", text_of(arguments.environment_rotation_deg, 0.0));
+  add("environment-strength", text_of(arguments.environment_strength, 1.0));
+  add("light-units", arguments.light_units);
+  if (arguments.light_radius_m) {
+    add("light-radius", fmt::format("{}", *arguments.light_radius_m));
+  }
+  if (arguments.sun_radius_deg) {
+    add("sun-radius", fmt::format("{}", *arguments.sun_radius_deg));
+  }
+  return facts;
+}
+
+}  // namespace foveola

@@ -1,0 +1,64 @@
+// The options of every command that shows a scene: what is looked at, by what light, how bright.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/base/scene_source.h"
+#include "renderer/commands/arguments.h"
+#include "renderer/image/image_file.h"
+#include "renderer/image/tone_mapping.h"
+#include "renderer/progressive/exposure.h"
+#include "renderer/progressive/loaded_scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace foveola {
+
+/// As typed; empty or none where the option was not given.
+struct LookArguments {
+  std::string camera;
+  std::string head;
+  std::string fov;
+  std::string environment;
+  double environment_rotation_deg = 0.0;
+  double environment_strength = 1.0;
+  std::string light_units;
+  std::optional<double> light_radius_m;
+  std::optional<double> sun_radius_deg;
+  std::string exposure;
+  std::string tone = "plain";
+};
+
+/// --camera and --head.
+void add_viewpoint_options(CLI::App& command, LookArguments& arguments);
+/// --fov. otherwise: what holds without it, for the help.
+void add_fov_option(CLI::App& command, LookArguments& arguments, const std::string& otherwise);
+/// --environment, --environment-rotation, --environment-strength, --light-units, --light-radius and
+/// --sun-radius.
+void add_light_options(CLI::App& command, LookArguments& arguments);
+/// --exposure.
+void add_exposure_option(CLI::App& command, LookArguments& arguments);
+/// --tone.
+void add_tone_option(CLI::App& command, LookArguments& arguments);
+
+/// Where to stand and look, by --camera and --head. Throws UsageError.
+SceneChoices scene_choices(const LookArguments& arguments);
+
+/// None without --fov. Throws UsageError.
+std::optional<FieldsOfView> fields_of_view(const LookArguments& arguments);
+
+/// Gives the scene the light that the options say. Throws UsageError.
+void apply_light(const LookArguments& arguments, SceneSource& source);
+
+/// Throws UsageError.
+ExposureChoice exposure_choice(const LookArguments& arguments);
+
+ToneCurve tone_curve(const LookArguments& arguments);
+
+/// What was typed of the light, for the header of an image.
+ImageFacts light_facts(const LookArguments& arguments);
+
+}  // namespace foveola

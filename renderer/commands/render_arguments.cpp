@@ -1,0 +1,261 @@
+#include "renderer/commands/render_arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/commands/former_option.h"
+
+namespace foveola {
+namespace {
+
+constexpr double usual_samples_per_pixel = 32.0;
+constexpr double usual_samples_per_pixel_of_panorama = 16.0;
+
+/// Whether a 360-degree image was asked for: by name, or by an option that only that has.
+bool is_panorama(const CLI::App& command, const RenderArguments& arguments) {
+  constexpr std::array options = {"--method", "--gaze",      "--pointer",        "--lens",
+                                  "--view",   "--view-size", "--fill-unsampled", "--adaptive"};
+  return arguments.panorama || std::any_of(options.begin(), options.end(), [&](const char* name) {
+           return command.count(name) > 0;
+         });
+}
+
+RenderBudget budget_from(const RenderArguments& arguments, bool panorama) {
+  RenderBudget budget;
+  if (arguments.samples_per_pixel) {
+    constexpr double most = 1e7;
+    require(*arguments.samples_per_pixel > 0.0 && *arguments.samples_per_pixel <= most, "--spp",
+            fmt::format("must be above 0 and at most {:g}", most));
+    budget.samples_per_pixel = *arguments.samples_per_pixel;
+  } else if (arguments.samples) {
+    require(*arguments.samples >= 1, "--samples", "must be at least 1");
+    budget.samples = static_cast<std::uint64_t>(*arguments.samples);
+  } else if (arguments.seconds) {
+    require(*arguments.seconds > 0.0 && std::isfinite(*arguments.seconds), "--seconds",
+            "must be a positive number");
+    budget.seconds = *arguments.seconds;
+  } else {
+    budget.samples_per_pixel =
+        panorama ? usual_samples_per_pixel_of_panorama : usual_samples_per_pixel;
+  }
+  return budget;
+}
+
+/// The method, with its pointer held where --pointer says.
+std::string method_from(const RenderArguments& arguments) {
+  const std::string& typed = arguments.settings.method;
+  require_method(typed);
+  print_method_notes(typed);
+  if (arguments.pointer.empty()) {
+    return typed;
+  }
+  const std::string method =
+      with_pointer(typed, parse_azimuth_elevation("--pointer", arguments.pointer));
+  require(method != typed, "--pointer", "needs the method pointer, or a hybrid of it");
+  require_method(method);
+  return method;
+}
+
+/// What the display shows of the sphere, and how.
+void read_view(const RenderArguments& arguments, RenderSettings& settings) {
+  const FieldsOfView fov = fields_of_view(arguments.look)
+                               .value_or(FieldsOfView{settings.field_of_view.horizontal_deg, {}});
+  settings.field_of_view = {.horizontal_deg = fov.horizontal_deg,
+                            .vertical_deg = fov.vertical_deg.value_or(fov.horizontal_deg)};
+  if (!arguments.view.empty()) {
+    settings.view = parse_size("--view-size", arguments.view_size);
+    if (!fov.vertical_deg) {
+      const double half_width = std::tan(0.5 * radians(fov.horizontal_deg));
+      const double half_height = half_width * settings.view->y / settings.view->x;
+      settings.field_of_view.vertical_deg = degrees(2.0 * std::atan(half_height));
+    }
+  }
+  settings.unsampled = arguments.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;
+  if (!arguments.lens.empty()) {
+    settings.field_of_view.lens = parse_lens("--lens", arguments.lens);
+    try {
+      Viewport({}, settings.field_of_view);
+    } catch (const Error& error) {
+      throw UsageError("--lens", error.what());
+    }
+  }
+}
+
+void read_panorama(const RenderArguments& arguments, RenderSettings& settings) {
+  settings.method = method_from(arguments);
+  if (!arguments.size.empty()) {
+    settings.progressive.film_size = parse_size("--size", arguments.size);
+  }
+  if (!arguments.gaze.empty()) {
+    settings.gaze = parse_azimuth_elevation("--gaze", arguments.gaze);
+  }
+  read_view(arguments, settings);
+}
+
+PictureChoices picture_from(const RenderArguments& arguments) {
+  PictureChoices picture;
+  if (!arguments.size.empty()) {
+    picture.size = parse_size("--size", arguments.size);
+  }
+  if (const std::optional<FieldsOfView> fov = fields_of_view(arguments.look)) {
+    picture.horizontal_fov_deg = fov->horizontal_deg;
+    picture.vertical_fov_deg = fov->vertical_deg;
+  }
+  return picture;
+}
+
+void add_panorama_options(CLI::App& command, RenderArguments& arguments) {
+  command
+      .add_flag("--panorama", arguments.panorama,
+                "Make a 360-degree image instead of a picture, as each option of this group "
+                "does by itself")
+      ->group("360-degree image");
+  command
+      .add_option(
+          "--method", arguments.settings.method,
+          "Where the samples go: od, vp, vp-rect, fv, fv-paper, fv-map, mask, pointer, crop or a "
+          "hybrid such as hybrid:0.9*fv+0.1*od; with settings as in "
+          "fv:acuity=watson,cutoff=60 or mask:file=painted.png,floor=0.1")
+      ->capture_default_str()
+      ->group("360-degree image");
+  command
+      .add_option("--gaze", arguments.gaze,
+                  "Where the eye looks: azimuth,elevation in degrees in the world (default: where "
+                  "the head points)")
+      ->group("360-degree image");
+  command
+      .add_option("--pointer", arguments.pointer,
+                  "Where the method pointer points: azimuth,elevation in degrees in the world "
+                  "(default: the gaze)")
+      ->group("360-degree image");
+  command
+      .add_option("--lens", arguments.lens,
+                  "A headset's lens: AXIS_X,AXIS_Y,K1,K2 as in a protocol's [display.lens]")
+      ->group("360-degree image");
+  CLI::Option* view = command.add_option("--view", arguments.view,
+                                         "Also write what the display shows, as .exr or .png");
+  view->group("360-degree image");
+  command
+      .add_option("--view-size", arguments.view_size,
+                  "Size of the display's image in pixels, WIDTHxHEIGHT")
+      ->needs(view)
+      ->capture_default_str()
+      ->group("360-degree image");
+  command
+      .add_flag("--fill-unsampled", arguments.fill_unsampled,
+                "Fill unsampled pixels of the display's image from what is known around them; they "
+                "are black otherwise")
+      ->needs(view)
+      ->group("360-degree image");
+  CLI::Option* const adaptive = command.add_option(
+      "--adaptive", arguments.adaptive_contrast,
+      "Adaptive sampling: take no more samples of pixels whose noise is below this contrast, for "
+      "instance 0.01 at the gaze and more elsewhere, as acuity falls; 0: off");
+  adaptive->group("360-degree image");
+  accept_former_name(command, *adaptive, "--spare-done");
+}
+
+void add_budget_options(CLI::App& command, RenderArguments& arguments) {
+  CLI::Option_group* budget = command.add_option_group("budget", "How much to render");
+  budget->add_option("--spp", arguments.samples_per_pixel,
+                     fmt::format("Samples per pixel on average over the image (default: {}, or {} "
+                                 "of a 360-degree image)",
+                                 usual_samples_per_pixel, usual_samples_per_pixel_of_panorama));
+  budget->add_option("--samples", arguments.samples, "Number of samples over the whole image");
+  budget->add_option("--seconds", arguments.seconds, "Seconds of tracing");
+  budget->require_option(0, 1);
+}
+
+void add_tracing_options(CLI::App& command, RenderArguments& arguments) {
+  command.add_flag("--variance", arguments.settings.progressive.keep_variances,
+                   "Add to the .exr the variance of the luminance of each pixel's samples");
+  command
+      .add_option("--max-depth", arguments.settings.progressive.trace.max_depth,
+                  "The most surface vertices of a path; 1 is direct light alone")
+      ->capture_default_str();
+  command
+      .add_option("--seed", arguments.settings.progressive.trace.seed,
+                  "Seed of the random numbers; another seed gives other noise")
+      ->capture_default_str();
+  command
+      .add_option("--threads", arguments.settings.threads,
+                  "Number of threads; 0: one for each core")
+      ->capture_default_str();
+  command.add_flag("--diffuse", arguments.settings.scene.diffuse,
+                   "Show every material as Lambertian in its base colour, to compare renderers");
+  command.add_option("--clamp", arguments.largest_radiance,
+                     "Cut each sample's radiance to this: less noise, but too dark a picture");
+}
+
+}  // namespace
+
+void require(bool valid, const std::string& option, const std::string& what) {
+  if (!valid) {
+    throw UsageError(option, what, "see foveola render --help");
+  }
+}
+
+RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments) {
+  RenderSettings settings = arguments.settings;
+  ProgressiveSettings& progressive = settings.progressive;
+  const bool panorama = is_panorama(command, arguments);
+  const SceneChoices viewpoint = scene_choices(arguments.look);
+  settings.scene.camera = viewpoint.camera;
+  settings.scene.camera_name = viewpoint.camera_name;
+  settings.scene.head = viewpoint.head;
+  settings.exposure = exposure_choice(arguments.look);
+  if (panorama) {
+    read_panorama(arguments, settings);
+  } else {
+    settings.picture = picture_from(arguments);
+  }
+  settings.budget = budget_from(arguments, panorama);
+  require(progressive.trace.max_depth >= 1, "--max-depth", "must be at least 1");
+  require(settings.threads >= 0 && settings.threads <= 1024, "--threads",
+          "must lie between 0 (every core) and 1024");
+  require(arguments.largest_radiance > 0.0, "--clamp", "must be positive");
+  require(arguments.adaptive_contrast >= 0.0 && arguments.adaptive_contrast < 1.0, "--adaptive",
+          "must lie between 0 (off) and 1");
+  if (arguments.adaptive_contrast > 0.0) {
+    progressive.adaptive = VisibleNoise{.contrast = arguments.adaptive_contrast};
+  }
+  progressive.trace.largest_radiance = static_cast<float>(arguments.largest_radiance);
+  return settings;
+}
+
+void add_render_options(CLI::App& command, RenderArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "A scene's name, or a .glb, .gltf or .obj file")
+      ->required();
+  command.add_option("-o,--output", arguments.output,
+                     "The image to write, as .exr (R, G, B, samples) or .png");
+  command.add_option(
+      "--size", arguments.size,
+      fmt::format("Size of the image in pixels, WIDTHxHEIGHT (default: {}, cut to the "
+                  "camera's aspect ratio, or {} of a 360-degree image)",
+                  size_text(usual_picture_size),
+                  size_text(arguments.settings.progressive.film_size)));
+  add_viewpoint_options(command, arguments.look);
+  add_fov_option(
+      command, arguments.look,
+      fmt::format("the camera's own, else {} along the larger side; {} of the display in "
+                  "a 360-degree image",
+                  usual_picture_fov_deg, arguments.settings.field_of_view.horizontal_deg));
+  add_light_options(command, arguments.look);
+  add_exposure_option(command, arguments.look);
+  add_tone_option(command, arguments.look);
+  add_budget_options(command, arguments);
+  add_tracing_options(command, arguments);
+  add_panorama_options(command, arguments);
+  command.add_option(
+      "--replay", arguments.replay,
+      "Instead of rendering, trace one path of this render again and print its vertices: "
+      "x,y,sample");
+  command.add_flag("--json", arguments.json, "Print the result as JSON");
+}
+
+}  // namespace foveola

@@ -1,0 +1,49 @@
+// The options of `render`, and the settings that they stand for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "renderer/commands/look_options.h"
+#include "renderer/progressive/headless_render.h"
+
+namespace CLI {
+class App;
+}
+
+namespace foveola {
+
+/// As typed; empty or none where an option was not given.
+struct RenderArguments {
+  RenderSettings settings;  ///< whatever needs no notation of its own
+  LookArguments look;
+  std::string scene;
+  std::string output;
+  bool panorama = false;
+  std::string size;
+  std::string gaze;
+  std::string pointer;
+  std::string lens;
+  std::string view;
+  std::string view_size = size_text(usual_view_size);
+  bool fill_unsampled = false;
+  std::optional<double> samples_per_pixel;
+  std::optional<std::int64_t> samples;
+  std::optional<double> seconds;
+  double largest_radiance = settings.progressive.trace.largest_radiance;
+  double adaptive_contrast = 0.0;
+  std::string replay;
+  bool json = false;
+};
+
+/// Adds all options to `command`; `arguments` must outlive it.
+void add_render_options(CLI::App& command, RenderArguments& arguments);
+
+/// Throws UsageError for what makes no sense, whatever the scene.
+RenderSettings settings_from(const CLI::App& command, const RenderArguments& arguments);
+
+/// Throws UsageError unless `valid`.
+void require(bool valid, const std::string& option, const std::string& what);
+
+}  // namespace foveola

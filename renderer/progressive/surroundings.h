@@ -1,0 +1,33 @@
+// What there is around a point, as found by rays in all directions.
+#pragma once
+
+#include "renderer/scene/scene.h"
+#include "renderer/trace/ray_scene.h"
+
+namespace foveola {
+
+struct Surroundings {
+  double share_hit = 0.0;  ///< of the rays, in [0, 1]
+  double share_fronts =
+      0.0;  ///< of what was hit: seen from its front, by its winding; 0 if nothing
+  /// Geometric mean of the distances, of at most the largest that was asked for. Metres.
+  double space_m = 0.0;
+};
+
+/// rays_count: of rays, evenly in all directions. What is missed or further than `furthest_m`
+/// counts as being there.
+Surroundings look_around(const Scene& scene, const RayScene& rays, const Vec3& from, int rays_count,
+                         double furthest_m);
+
+/// The share of fronts among what is met first on the way to `target` from all around, from
+/// `distance_m` away; 1 if nothing is.
+double share_of_fronts_from_outside(const Scene& scene, const RayScene& rays, const Vec3& target,
+                                    double distance_m);
+
+/// Whether a point or spot light is in sight.
+bool is_light_in_sight(const Scene& scene, const RayScene& rays, const Vec3& from);
+
+/// Whether what a ray met was met on its front.
+bool is_front(const Scene& scene, const Hit& hit, const Vec3& direction);
+
+}  // namespace foveola

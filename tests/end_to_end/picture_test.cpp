@@ -1,0 +1,231 @@
+// Pictures by render, as a user who knows other renderers expects them.
+#include <algorithm>
+#include <csignal>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/base/files.h"
+#include "renderer/image/image_file.h"
+#include "tests/end_to_end/program.h"
+#include "tests/end_to_end/running_program.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+/// The room with two cameras in it: one looks at the back wall, one up at the lamp.
+Json room_with_cameras() {
+  Json room = Json::parse(room_gltf());
+  const double quarter = 0.70710678118654752;
+  room["cameras"] = {
+      {{"type", "perspective"},
+       {"name", "Ahead"},
+       {"perspective", {{"yfov", 0.8}, {"aspectRatio", 2.0}, {"znear", 0.1}}}},
+      {{"type", "perspective"}, {"name", "Up"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+  room["nodes"].push_back({{"camera", 0}, {"translation", {0.25, 0.5, 1}}});
+  room["nodes"].push_back({{"camera", 1}, {"rotation", {quarter, 0, 0, quarter}}});
+  room["scenes"][0]["nodes"] = {0, 1, 2};
+  return room;
+}
+
+class RenderPicture : public testing::Test {
+ protected:
+  void SetUp() override { write_room(room_with_cameras()); }
+
+  void write_room(const Json& room) { write_file(folder_ / "room.gltf", room.dump()); }
+
+  ProgramResult render(const std::string& output, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"render", (folder_ / "room.gltf").string(), "-o",
+                                          (folder_ / output).string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_foveola(arguments);
+  }
+
+  Json report(const std::string& output, std::vector<std::string> options) {
+    options.emplace_back("--json");
+    const ProgramResult result = render(output, options);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return Json::parse(result.output);
+  }
+
+  std::vector<Rgb> pixels(const std::string& output, const std::vector<std::string>& options) {
+    const ProgramResult result = render(output, options);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read_film_image(folder_ / output).color.pixels;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RenderPicture, IsThatOfTheFilesFirstCamera) {
+  const Json json = report("a.exr", {"--spp", "0.1", "--max-depth", "1"});
+  EXPECT_EQ(json.at("projection"), "perspective");
+  EXPECT_EQ(json.at("width"), 1280);
+  EXPECT_EQ(json.at("height"), 640);
+  EXPECT_NEAR(json.at("fov_deg")[1], 0.8 * 180.0 / 3.14159265358979, 1e-6);
+  EXPECT_NEAR(json.at("camera")[0], 0.25, 1e-6);
+  EXPECT_NEAR(json.at("samples_per_pixel"), 0.1, 1e-6);
+  const IVec2 size = image_size(folder_ / "a.exr");
+  EXPECT_EQ(size, IVec2(1280, 640));
+  const std::string bytes = read_file(folder_ / "a.exr");
+  for (const char* fact : {"foveola:projection", "perspective", "foveola:fov_deg",
+                           "foveola:camera_m", "foveola:head_deg"}) {
+    EXPECT_THAT(bytes, HasSubstr(fact));
+  }
+}
+
+TEST_F(RenderPicture, IsThatOfAnotherCameraByItsName) {
+  const Json up = report("a.exr", {"--camera", "Up", "--size", "64x64", "--spp", "1"});
+  EXPECT_NEAR(up.at("head_deg")[1], 90.0, 1e-3);
+  const RgbImage picture = read_film_image(folder_ / "a.exr").color;
+  EXPECT_GT(picture.at(32, 32).g, 9.0F) << "the lamp shines with 10 overhead";
+  expect_one_line(render("b.exr", {"--camera", "Down"}), 2,
+                  "the file has no camera 'Down'; it has 'Ahead', 'Up'; or give a place");
+}
+
+/// A ray's share of the plane: at an angle a off the middle of a picture that shows 90 degrees, tan
+/// a half pictures off.
+TEST_F(RenderPicture, IsFlat) {
+  const std::vector<Rgb> picture =
+      pixels("a.exr", {"--camera", "0,0,0", "--head", "0,90", "--fov", "90", "--size", "256x256",
+                       "--spp", "1", "--max-depth", "1"});
+  // The lamp, 1.9 m above, reaches 0.5 m to each side: 0.5 / 1.9 of the half picture.
+  int across = 0;
+  for (std::size_t x = 0; x < 256; ++x) {
+    across += picture[128 * 256 + x].g > 9.0F ? 1 : 0;
+  }
+  EXPECT_NEAR(across, 256.0 * 0.5 / 1.9, 1.5);
+}
+
+TEST_F(RenderPicture, IsEqualOnAnyNumberOfThreads) {
+  const std::vector<std::string> options = {"--size", "64x32", "--spp", "3", "--threads"};
+  const auto with = [&](const std::string& threads, const std::string& output) {
+    std::vector<std::string> all = options;
+    all.push_back(threads);
+    return pixels(output, all);
+  };
+  EXPECT_EQ(with("1", "1.exr"), with("3", "3.exr"));
+}
+
+TEST_F(RenderPicture, APathOfItIsTracedAgain) {
+  const std::vector<std::string> options = {"--size", "64x32", "--spp", "1"};
+  const std::vector<Rgb> picture = pixels("a.exr", options);
+  std::vector<std::string> replay = options;
+  replay.insert(replay.end(), {"--replay", "20,10,0", "--json"});
+  const ProgramResult result = render("b.exr", replay);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(Json::parse(result.output).at("radiance")[1], picture[10 * 64 + 20].g);
+  replay[replay.size() - 2] = "64,10,0";
+  EXPECT_EQ(render("b.exr", replay).exit_code, 2);
+}
+
+TEST_F(RenderPicture, A360DegreeImageIsMadeByNameOrByWhatOnlyThatHas) {
+  const std::vector<Rgb> named = pixels("a.exr", {"--panorama", "--size", "64x32", "--spp", "2"});
+  EXPECT_EQ(named, pixels("b.exr", {"--method", "od", "--size", "64x32", "--spp", "2"}));
+  EXPECT_NE(named, pixels("c.exr", {"--size", "64x32", "--spp", "2"}));
+  EXPECT_EQ(report("a.exr", {"--gaze", "0,0", "--size", "64x32", "--spp", "1"}).at("projection"),
+            "equirectangular");
+  EXPECT_EQ(report("a.exr", {"--adaptive", "0.1", "--size", "64x32"}).at("width"), 64);
+}
+
+TEST_F(RenderPicture, IsExposedByWhatIsSeen) {
+  Json room = room_with_cameras();
+  const std::vector<std::string> options = {"--size", "64x32", "--spp", "64"};
+  const Json dim = report("dim.png", options);
+  EXPECT_TRUE(dim.at("exposure_is_automatic"));
+  room["materials"][1]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 6830;
+  write_room(room);
+  const Json bright = report("bright.png", options);
+  EXPECT_NEAR(dim.at("exposure_stops").get<double>() - bright.at("exposure_stops").get<double>(),
+              std::log2(683.0), 0.02);
+  const std::vector<Rgb> shown = read_film_image(folder_ / "dim.png").color.pixels;
+  const std::vector<Rgb> shown_bright = read_film_image(folder_ / "bright.png").color.pixels;
+  double log_mean = 0.0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_NEAR(shown[i].g, shown_bright[i].g, 0.03F);
+    log_mean += std::log2(luminance(shown[i]) + 1e-4) / static_cast<double>(shown.size());
+  }
+  EXPECT_NEAR(log_mean, std::log2(0.18), 0.25);
+
+  const ProgramResult again =
+      render("again.png", {"--size", "64x32", "--spp", "64", "--exposure",
+                           "fixed:" + std::to_string(bright.at("exposure_stops").get<double>())});
+  EXPECT_THAT(again.errors, Not(HasSubstr("exposure")));
+  EXPECT_EQ(read_film_image(folder_ / "again.png").color.pixels, shown_bright);
+  EXPECT_THAT(render("a.png", options).errors, HasSubstr("--exposure fixed:"));
+}
+
+TEST_F(RenderPicture, AFilmicCurveKeepsBrightLightBelowWhite) {
+  const auto brightest = [&](const std::string& tone) {
+    const std::vector<Rgb> shown =
+        pixels("a.png", {"--size", "64x32", "--spp", "16", "--tone", tone, "--exposure", "fixed:1",
+                         "--camera", "0,0,1", "--head", "0,0"});
+    float most = 0.0F;
+    for (const Rgb& pixel : shown) {
+      most = std::max(most, pixel.g);
+    }
+    return most;
+  };
+  EXPECT_LT(brightest("filmic"), brightest("plain"));
+}
+
+TEST_F(RenderPicture, BlackAndWhitePicturesAreToldWithWhatMendsThem) {
+  const auto errors = [&](const std::string& stops) {
+    const ProgramResult result =
+        render("a.png", {"--size", "64x32", "--spp", "1", "--exposure", "fixed:" + stops});
+    EXPECT_EQ(result.exit_code, 0);
+    return result.errors;
+  };
+  EXPECT_THAT(errors("15"), HasSubstr("of the picture is white: --exposure auto"));
+  EXPECT_THAT(errors("-20"), HasSubstr("of the picture is black: --exposure auto"));
+  EXPECT_THAT(errors("0"), Not(HasSubstr("of the picture")));
+}
+
+TEST_F(RenderPicture, InterruptedItKeepsWhatThereIs) {
+  const std::string output = folder_ / "a.exr";
+  RunningProgram program({"render", (folder_ / "room.gltf").string(), "-o", output, "--size",
+                          "64x32", "--spp", "20000", "--max-depth", "1"});
+  program.wait_for("samples per pixel");
+  program.kill(SIGINT);
+  EXPECT_EQ(program.wait_for_end(), 130);
+  EXPECT_THAT(program.said(), HasSubstr("stopped early"));
+  const FilmImage image = read_film_image(output);
+  EXPECT_THAT(image.samples, testing::Each(testing::Gt(0U)));
+}
+
+TEST_F(RenderPicture, InfoListsCamerasAndLights) {
+  Json room = room_with_cameras();
+  room["extensionsUsed"].push_back("KHR_lights_punctual");
+  room["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 3}},
+                                                         {{"type", "directional"}}};
+  room["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  room["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+  room["scenes"][0]["nodes"].push_back(3);
+  write_room(room);
+  const std::string file = folder_ / "room.gltf";
+  const ProgramResult text = run_foveola({"scene", "info", file});
+  EXPECT_THAT(text.output, HasSubstr("camera     'Ahead' at 0.25,0.5,1 towards 0,0"));
+  EXPECT_THAT(text.output, HasSubstr("camera     'Up'"));
+  EXPECT_THAT(text.output, HasSubstr("1 point in W/sr, 1 directional in W/m^2"));
+  const Json json = Json::parse(run_foveola({"scene", "info", file, "--json"}).output);
+  EXPECT_EQ(json.at("cameras").at(0).at("name"), "Ahead");
+  EXPECT_NEAR(json.at("cameras").at(0).at("vertical_fov_deg"), 45.8366, 1e-3);
+  EXPECT_EQ(json.at("cameras").at(0).at("aspect_ratio"), 2.0);
+  EXPECT_EQ(json.at("cameras").at(1).at("aspect_ratio"), nullptr);
+  EXPECT_EQ(json.at("light_kinds").at(1).at("kind"), "directional");
+}
+
+TEST_F(RenderPicture, PickLooksFromANamedCamera) {
+  const ProgramResult result =
+      run_foveola({"scene", "pick", (folder_ / "room.gltf").string(), "--camera", "Up", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(Json::parse(result.output).at("material"), "lamp");
+}
+
+}  // namespace
+}  // namespace foveola::test

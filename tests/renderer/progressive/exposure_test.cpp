@@ -1,0 +1,105 @@
+#include "renderer/progressive/exposure.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "renderer/stability/shapes.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Base = ExposureChoice::Base;
+
+std::vector<float> many(std::size_t count, float value) { return std::vector(count, value); }
+
+std::vector<float> together(std::vector<float> a, const std::vector<float>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(AutomaticExposure, BringsTheLogarithmicMeanToMiddleGrey) {
+  EXPECT_NEAR(automatic_exposure_stops(many(10, 0.18F)), 0.0, 0.005);
+  EXPECT_NEAR(automatic_exposure_stops(many(10, 0.72F)), -2.0, 0.005);
+  // Half of 0.09 and half of 0.36: their geometric mean is 0.18.
+  EXPECT_NEAR(automatic_exposure_stops(together(many(50, 0.09F), many(50, 0.36F))), 0.0, 0.005);
+  EXPECT_NEAR(automatic_exposure_stops(many(10, 0.18F * 683.0F)), -std::log2(683.0), 0.005);
+}
+
+TEST(AutomaticExposure, BlackSurroundingsDoNotCount) {
+  EXPECT_NEAR(automatic_exposure_stops(together(many(10, 0.18F), many(990, 0.0F))), 0.0, 0.005);
+  // Nor those that are as good as black beside the rest: more than 8 stops darker.
+  EXPECT_NEAR(automatic_exposure_stops(together(many(100, 0.18F), many(900, 1e-5F))), 0.0, 0.005);
+  EXPECT_LT(automatic_exposure_stops(together(many(100, 0.18F), many(900, 0.18F / 64.0F))), 6.0);
+}
+
+/// Two of a hundred cells are a million times as bright: 0.02 log2(10^6) is 0.4 stops.
+TEST(AutomaticExposure, ASmallLampCountsLittle) {
+  EXPECT_NEAR(automatic_exposure_stops(together(many(98, 0.18F), many(2, 0.18e6F))), -0.4, 0.01);
+}
+
+TEST(AutomaticExposure, WithoutLightThereIsNone) {
+  EXPECT_EQ(automatic_exposure_stops({}), 0.0);
+  EXPECT_EQ(automatic_exposure_stops(many(10, 0.0F)), 0.0);
+  EXPECT_EQ(automatic_exposure_stops({std::nanf(""), -1.0F, 0.0F}), 0.0);
+}
+
+SceneSource named(std::optional<double> exposure_stops) {
+  SceneSource source;
+  source.exposure_stops = exposure_stops;
+  source.camera_position = Vec3(0.0F);
+  return source;
+}
+
+/// Nothing but surroundings of 0.72, which are two stops brighter than middle grey.
+Scene surroundings() {
+  Scene scene;
+  scene.environment = constant_environment(0.72F);
+  return scene;
+}
+
+Exposure chosen(const ExposureChoice& choice, std::optional<double> own, int threads = 1) {
+  const Workers workers(threads);
+  const LoadedScene loaded(named(own), surroundings(), workers);
+  const Viewport ahead({}, {.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}});
+  return chosen_exposure(choice, loaded, ahead, {}, workers);
+}
+
+TEST(ChosenExposure, IsTheScenesOrElseAutomatic) {
+  EXPECT_EQ(chosen({}, 1.5).stops, 1.5);
+  EXPECT_FALSE(chosen({}, 1.5).is_automatic);
+  EXPECT_NEAR(chosen({}, std::nullopt).stops, -2.0, 0.005);
+  EXPECT_TRUE(chosen({}, std::nullopt).is_automatic);
+}
+
+TEST(ChosenExposure, AddsWhatTheUserSays) {
+  EXPECT_EQ(chosen({.base = Base::scene, .more_stops = 2.0}, 1.5).stops, 3.5);
+  EXPECT_NEAR(chosen({.base = Base::scene, .more_stops = 2.0}, std::nullopt).stops, 0.0, 0.005);
+  EXPECT_NEAR(chosen({.base = Base::automatic, .more_stops = 1.0}, 1.5).stops, -1.0, 0.005);
+  EXPECT_EQ(chosen({.base = Base::none, .more_stops = -3.0}, 1.5).stops, -3.0);
+  EXPECT_FALSE(chosen({.base = Base::none, .more_stops = -3.0}, std::nullopt).is_automatic);
+}
+
+TEST(ChosenExposure, IsEqualOnAnyNumberOfThreadsAndForAnySeed) {
+  Scene room;
+  room.meshes = {inward_box(Vec3(0.0F), 2.0F, 0), quad({-1, 1.9F, -1}, {2, 0, 0}, {0, 0, 2}, 1)};
+  room.materials = {matte(Rgb(0.5F)), lamp(Rgb(5.0F), true)};
+  const Viewport ahead({}, {.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}});
+  const auto stops = [&](int threads, std::uint32_t seed) {
+    const Workers workers(threads);
+    const PathTracer tracer(room, workers);
+    return automatic_exposure_stops(tracer, {0.1F, 0.2F, 1.5F}, ahead, {.seed = seed}, workers);
+  };
+  EXPECT_NE(stops(1, 0), 0.0);
+  EXPECT_EQ(stops(1, 0), stops(3, 7));
+}
+
+TEST(ExposureNote, SaysHowToHaveItAgain) {
+  EXPECT_THAT(exposure_note({.stops = -3.21, .is_automatic = true}),
+              HasSubstr("--exposure fixed:-3.21"));
+}
+
+}  // namespace
+}  // namespace foveola::test
