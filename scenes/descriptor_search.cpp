@@ -33,9 +33,9 @@ std::optional<Descriptor> find_among(const fs::path& folder, const std::string& 
   return file ? std::optional(read_descriptor(*file)) : std::nullopt;
 }
 
-DescriptorList descriptors_in(const fs::path& folder) {
+DescriptorList descriptors_of(const fs::path& folder, const std::vector<std::string>& names) {
   DescriptorList list;
-  for (const std::string& name : toml_names_in(folder)) {
+  for (const std::string& name : names) {
     try {
       list.descriptors.push_back(read_descriptor(folder / (name + ".toml")));
     } catch (const Error& fault) {
@@ -43,11 +43,6 @@ DescriptorList descriptors_in(const fs::path& folder) {
     }
   }
   return list;
-}
-
-bool is_users_folder_there() {
-  std::error_code ignored;
-  return fs::is_directory(fetched_folder(), ignored);
 }
 
 /// The names of the TOML files, as many as can be read.
@@ -89,10 +84,12 @@ bool is_programs_own(const Descriptor& descriptor) {
   return fs::equivalent(fs::absolute(descriptor.path).parent_path(), programs_folder(), ignored);
 }
 
-DescriptorList all_descriptors() { return descriptors_in(programs_folder()); }
+DescriptorList all_descriptors() {
+  return descriptors_of(programs_folder(), toml_names_in(programs_folder()));
+}
 
 DescriptorList users_descriptors() {
-  return is_users_folder_there() ? descriptors_in(fetched_folder()) : DescriptorList{};
+  return descriptors_of(fetched_folder(), toml_names_if_any(fetched_folder()));
 }
 
 std::vector<std::string> known_scene_names() {

@@ -131,6 +131,11 @@ std::vector<std::string> toml_names_in(const fs::path& folder) {
   return names;
 }
 
+std::vector<std::string> toml_names_if_any(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder, ignored) ? toml_names_in(folder) : std::vector<std::string>();
+}
+
 TomlReader::TomlReader(std::string file, const toml::table& table, std::string name)
     : file_(std::move(file)),
       table_(&table),

@@ -29,6 +29,9 @@ toml::table parse_toml(const std::string& file, const std::string& text, const s
 /// order. Throws Error if it cannot be read.
 std::vector<std::string> toml_names_in(const std::filesystem::path& folder);
 
+/// The same; none where there is no such folder.
+std::vector<std::string> toml_names_if_any(const std::filesystem::path& folder);
+
 /// A text that may stand in a file, and what it stands for.
 template <typename Value>
 struct Word {

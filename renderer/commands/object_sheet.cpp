@@ -41,10 +41,16 @@ std::vector<SampleJob> jobs_of(const Viewport& view) {
   return jobs;
 }
 
-RgbImage picture_of(const LoadedScene& loaded, const Viewport& view, const Workers& workers) {
+/// What is brighter than white by this factor is cut: few samples leave bright specks otherwise.
+constexpr double largest_white = 4.0;
+
+RgbImage picture_of(const LoadedScene& loaded, const Viewport& view, double exposure_stops,
+                    const Workers& workers) {
   const std::vector<SampleJob> jobs = jobs_of(view);
   std::vector<Rgb> radiance(jobs.size());
-  const TraceSettings settings{.pixel_angle_rad = 2.0F * view.half_size().x / side_px};
+  const TraceSettings settings{
+      .pixel_angle_rad = 2.0F * view.half_size().x / side_px,
+      .largest_radiance = static_cast<float>(largest_white * std::exp2(-exposure_stops))};
   loaded.tracer.trace(loaded.camera.position, jobs, radiance, settings, workers);
   RgbImage picture(side_px, side_px);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -81,8 +87,8 @@ RgbImage object_sheet(const LoadedScene& loaded, const SceneSource& source, doub
   Progress progress("drawing the objects");
   for (std::size_t i = 0; i < count; ++i) {
     const IVec2 corner = corner_of(i);
-    paste_exposed(picture_of(loaded, view_of(loaded, source.objects[i]), workers), corner,
-                  exposure_stops, sheet);
+    const Viewport view = view_of(loaded, source.objects[i]);
+    paste_exposed(picture_of(loaded, view, exposure_stops, workers), corner, exposure_stops, sheet);
     labels.draw(fmt::format("{}  {}", i + 1, source.objects[i].name),
                 corner + IVec2(0, side_px + gap_px / 2), side_px, sheet);
     progress.update(static_cast<double>(i + 1) / static_cast<double>(count));

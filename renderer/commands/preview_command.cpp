@@ -17,9 +17,11 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/live_preview_json.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/commands/look_options.h"
 #include "renderer/commands/preview_report.h"
+#include "renderer/commands/preview_surroundings.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/gaze/recorded_eye_tracker.h"
@@ -46,6 +48,7 @@ struct PreviewCommand {
   std::string window = "1280x720";
   int monitor = 0;
   bool full_screen = false;
+  bool true_angles = false;
   bool fill_unsampled = false;
   bool correct_gaze = false;
   std::vector<std::string> shown;
@@ -73,7 +76,8 @@ PreviewChoices choices_from(const PreviewCommand& command) {
   const std::vector<std::pair<std::string, bool*>> overlays = {
       {"gaze", &choices.shows_gaze},       {"rings", &choices.shows_rings},
       {"density", &choices.shows_density}, {"times", &choices.shows_frame_times},
-      {"latency", &choices.shows_latency}, {"help", &choices.shows_help}};
+      {"latency", &choices.shows_latency}, {"view", &choices.shows_view},
+      {"help", &choices.shows_help}};
   for (const std::string& name : command.shown) {
     for (const auto& [overlay, choice] : overlays) {
       *choice = *choice || name == overlay;
@@ -148,11 +152,14 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
     replayed.emplace(replayed_head(read_head_file(command.head_file), clock.now()));
   }
   HeadTracker& head = replayed ? static_cast<HeadTracker&>(*replayed) : steered_head;
+  WidenedEyeTracker widened_eye(eye);
+  const bool knows_view = gaze.pointer != nullptr;
   Preview preview(
       loaded.tracer,
-      {.render = loaded.rendered_with(settings.progressive), .exposure_stops = exposure_stops}, eye,
-      head, workers);
+      {.render = loaded.rendered_with(settings.progressive), .exposure_stops = exposure_stops},
+      knows_view ? static_cast<EyeTracker&>(eye) : widened_eye, head, workers);
   Steering steering(steered_head, gaze.pointer);
+  FreeCamera camera(surroundings_of(loaded), steered_head);
   LivePreviewSettings live{.display = display,
                            .tracker = read_tracker_profile(command.tracker),
                            .choices = choices_from(command),
@@ -162,12 +169,19 @@ LivePreviewReport show_scene(const PreviewCommand& command, const SceneSource& s
                            .corrects_gaze = command.correct_gaze,
                            .notify = print_notice};
   live.choices.look.exposure_stops = exposure_stops;
+  live.choices.look.curve = tone_curve(command.look);
+  if (!command.true_angles) {
+    const FieldOfView first_view = picture_of(loaded.camera, picture).field_of_view;
+    live.larger_fov_deg = std::max(first_view.horizontal_deg, first_view.vertical_deg);
+  }
   if (command.frames > 0) {
     live.frames = command.frames;
   }
   LivePreview shown(live, {.preview = &preview,
                            .steering = &steering,
+                           .camera = &camera,
                            .eye = &eye,
+                           .widened_eye = knows_view ? nullptr : &widened_eye,
                            .window = &window,
                            .events = &events,
                            .presenter = &presenter,
@@ -205,52 +219,10 @@ void print_text(const LivePreviewReport& report, const PreviewCommand& command,
       fmt::print("  corrected since then: {}\n", gaze_correction_line(*check.correction));
     }
   }
+  fmt::print("The last view: {}\n", report.last_view);
   for (const std::string& monitor : report.lost_monitors) {
     fmt::print("The monitor {} was lost\n", monitor);
   }
-}
-
-/// Frames that were late, by their number from the first, and by how many refreshes.
-Json late_frames(const LivePreviewReport& report) {
-  Json late = Json::array();
-  const std::uint64_t first = report.frame_count - report.frames.size();
-  for (std::size_t i = 0; i < report.frames.size(); ++i) {
-    if (report.frames[i].is_late()) {
-      late.push_back({{"frame", first + i}, {"refreshes", report.frames[i].missed_refreshes}});
-    }
-  }
-  return late;
-}
-
-Json gaze_checks(const LivePreviewReport& report) {
-  Json checks = Json::array();
-  const auto row = [](const DVec3& weights) { return Json{weights.x, weights.y, weights.z}; };
-  for (const GazeCheck& check : report.gaze_checks) {
-    Json json = {{"data_loss", check.quality.data_loss}};
-    if (const auto& figures = check.quality.figures) {
-      json["accuracy_deg"] = figures->accuracy_deg;
-      json["precision_rms_deg"] = figures->precision_rms_deg;
-      json["precision_sd_deg"] = figures->precision_sd_deg;
-    }
-    if (check.correction) {
-      json["correction"] = {{"azimuth", row(check.correction->azimuth)},
-                            {"elevation", row(check.correction->elevation)}};
-    }
-    checks.push_back(std::move(json));
-  }
-  return checks;
-}
-
-/// Null unless drawing was found too slow for the window.
-Json slow_drawing(const LivePreviewReport& report) {
-  if (!report.slow_drawing) {
-    return nullptr;
-  }
-  constexpr double ms_per_s = 1e3;
-  const SlowDrawing& slow = *report.slow_drawing;
-  return {{"drawing_ms", ms_per_s * seconds(slow.drawing)},
-          {"refresh_interval_ms", ms_per_s * seconds(slow.interval)},
-          {"window", {slow.framebuffer.x, slow.framebuffer.y}}};
 }
 
 void print_json(const LivePreviewReport& report, const PreviewCommand& command,
@@ -264,6 +236,7 @@ void print_json(const LivePreviewReport& report, const PreviewCommand& command,
                {"tracker", command.tracker},
                {"methods", report.methods},
                {"final_window", {report.framebuffer.x, report.framebuffer.y}},
+               {"last_view", report.last_view},
                {"seconds_to_first_picture", seconds_to_first_picture(report)},
                {"refresh_is_measured", report.is_refresh_measured},
                {"frame_count", report.frame_count},
@@ -352,14 +325,22 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
       ->check(CLI::Range(0, 100))
       ->needs(full_screen)
       ->capture_default_str();
+  CLI::Option* true_angles = command->add_flag(
+      "--true-angles", arguments->true_angles,
+      "Show on a monitor what a pane of its size would let through, as the participants of a study "
+      "see it");
+  add_fov_option(*command, arguments->look,
+                 "a monitor's window shows what the scene's camera shows");
+  command->get_option("--fov")->excludes(true_angles);
   add_light_options(*command, arguments->look);
   add_exposure_option(*command, arguments->look);
+  add_tone_option(*command, arguments->look);
   command->add_flag(
       "--fill-unsampled", arguments->fill_unsampled,
       "Fill unsampled pixels from what is known around them; they are black otherwise");
   command->add_option("--show", arguments->shown, "Overlays to show to begin with")
       ->delimiter(',')
-      ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "help"}));
+      ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "view", "help"}));
   CLI::Option* frames =
       command
           ->add_option("--frames", arguments->frames,
@@ -367,7 +348,7 @@ void add_preview(CLI::App& app, const SceneFinder& find_scene, const std::stop_t
           ->check(CLI::Range(1, 1'000'000'000));
   command
       ->add_option("--screenshot", arguments->screenshot,
-                   "Write the last frame's picture, as .png or .exr")
+                   "Write the last frame's picture, with all that stands over it, as .png or .exr")
       ->needs(frames);
   command
       ->add_option("--max-depth", arguments->trace.max_depth, "The most surface vertices of a path")

@@ -156,7 +156,8 @@ std::string fault_text(const CLI::App& app, const CLI::ParseError& error) {
     return fmt::format("{}: which of {}? {}", typed_command(app), fmt::join(names, ", "),
                        see_help(app));
   }
-  return fmt::format("{}; {}", error.what(), see_help(app));
+  const std::string what = error.what();
+  return fmt::format("{}{} {}", what, what.ends_with('?') ? "" : ";", see_help(app));
 }
 
 }  // namespace foveola

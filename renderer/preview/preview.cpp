@@ -37,6 +37,12 @@ void Preview::restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed) 
   render_.restart(seed);
 }
 
+void Preview::stand_at(const Vec3& viewpoint) {
+  settings_.render.viewpoint = viewpoint;
+  next_frame_ = 0;
+  render_.stand_at(viewpoint);
+}
+
 FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
   FrameReport report = begin_frame(now);
   trace(samples, report);

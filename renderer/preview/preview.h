@@ -57,6 +57,13 @@ class Preview {
   /// Restarts with a sampler that was made before.
   void restart(std::unique_ptr<ViewSampler> sampler, std::uint32_t seed);
 
+  /// Clears the film and goes on from another place, in the scene's coordinates, with the same
+  /// sampler and seed.
+  void stand_at(const Vec3& viewpoint);
+
+  /// As ProgressiveRender::cut_samples.
+  void cut_samples(float largest_radiance) { render_.cut_samples(largest_radiance); }
+
   /// Polls head and gaze at `now` and traces `samples` samples; how many fit into a frame is for
   /// the caller to know (a budget, a model of a machine).
   FrameReport render_frame(Nanoseconds now, std::uint64_t samples);

@@ -49,6 +49,11 @@ void ProgressiveRender::restart(std::uint32_t seed) {
   film_.clear();
 }
 
+void ProgressiveRender::stand_at(const Vec3& viewpoint) {
+  settings_.viewpoint = viewpoint;
+  restart(settings_.trace.seed);
+}
+
 void ProgressiveRender::begin_pattern(std::uint32_t seed) {
   pattern_seed_ = seed;
   next_point_ = 0;

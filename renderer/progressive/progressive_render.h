@@ -49,6 +49,13 @@ class ProgressiveRender {
   /// Clears the film and draws paths and directions anew from `seed`.
   void restart(std::uint32_t seed);
 
+  /// Restarts with the same seed at another place, in the scene's coordinates.
+  void stand_at(const Vec3& viewpoint);
+
+  /// Cuts each channel of the samples from now on, as TraceSettings::largest_radiance. Those that
+  /// are in the film stay.
+  void cut_samples(float largest_radiance) { settings_.trace.largest_radiance = largest_radiance; }
+
   /// Draws directions from the first point of another pattern on, into the same film. Without it,
   /// the pattern's seed is made from the paths' seed.
   void begin_pattern(std::uint32_t seed);

@@ -193,8 +193,8 @@ std::optional<Candidate> candidate(const LoadedScene& loaded, const Group& group
 
 /// Whether a gaze could tell the two apart.
 bool are_apart(const Candidate& a, const Candidate& b) {
-  const double radius_deg = std::max(a.proposed.object.radius_deg, b.proposed.object.radius_deg);
-  return degrees(angle_between(a.direction, b.direction)) > radius_deg;
+  return degrees(angle_between(a.direction, b.direction)) >
+         a.proposed.object.radius_deg + b.proposed.object.radius_deg;
 }
 
 /// The best that lie apart, of candidates in the order of their scores.

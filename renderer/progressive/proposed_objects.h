@@ -34,9 +34,9 @@ struct ProposalRule {
 /// Proposes objects, the best first. An object is what bears one name in the file, or if it has no
 /// name one mesh; what shines by itself is none. Of those that keep to `rule`, the best have the
 /// largest product of visible share, filled share of the circle, and radius as far as 4 degrees. An
-/// object whose middle lies within the circle of a better one, or the other way round, is left out:
-/// a gaze could not tell them apart. 2^18 rays are traced in directions that lie evenly on the
-/// sphere, each through up to 64 surfaces.
+/// object whose circle overlaps that of a better one is left out: a gaze could not tell them apart.
+/// 2^18 rays are traced in directions that lie evenly on the sphere, each through up to 64
+/// surfaces.
 std::vector<ProposedObject> propose_objects(const LoadedScene& loaded, const Workers& workers,
                                             const ProposalRule& rule = {});
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"
 
@@ -20,6 +22,18 @@ void DisplayPictures::write(const std::filesystem::path& file, std::future<RgbIm
       std::async(std::launch::async, [file, picture = std::move(picture)]() mutable {
         write_display_picture(file, picture.get());
       }));
+}
+
+std::filesystem::path DisplayPictures::write_next(std::future<RgbImage> picture) {
+  const auto file = [this] {
+    return std::filesystem::path(fmt::format("foveola-{}.png", last_number_));
+  };
+  // One that was taken a moment ago may not be on the disk yet.
+  do {
+    ++last_number_;
+  } while (std::filesystem::exists(file()));
+  write(file(), std::move(picture));
+  return file();
 }
 
 void DisplayPictures::finish() {

@@ -18,10 +18,15 @@ class DisplayPictures {
   /// The picture becomes this file as soon as it is there.
   void write(const std::filesystem::path& file, std::future<RgbImage> picture);
 
+  /// The picture becomes the next of foveola-1.png, foveola-2.png, and so on that is not there yet.
+  /// Returns which.
+  std::filesystem::path write_next(std::future<RgbImage> picture);
+
   /// Waits for all; rethrows what kept the first one from being written.
   void finish();
 
  private:
+  int last_number_ = 0;
   std::vector<std::future<void>> being_written_;  ///< std::async's: they wait when they go
 };
 

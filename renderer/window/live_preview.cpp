@@ -22,8 +22,6 @@ constexpr std::array acuity_rings_deg = {reddy_knee_deg, 10.0, 20.0, 40.0};
 
 constexpr int gaze_check_targets = 5;
 
-fs::path picture_file(int number) { return fmt::format("foveola-{}.png", number); }
-
 /// Keeps about the last `most` of a list that grows at its end.
 template <typename Item>
 void forget_old(std::vector<Item>& list, std::size_t most) {
@@ -38,6 +36,7 @@ LivePreview::LivePreview(const LivePreviewSettings& settings, const Parts& parts
     : settings_(settings),
       parts_(parts),
       choices_(settings.choices),
+      view_(settings.display, settings.larger_fov_deg, settings.framebuffer),
       start_(parts.clock->now()),
       drawing_(parts.preview->film(), usual_drawer(parts.presenter->graphics()), *parts.workers) {
   show_in({.framebuffer = settings.framebuffer, .window = settings.framebuffer});
@@ -62,6 +61,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
   report_.is_refresh_measured = live.refresh().is_measured();
   report_.refresh_rate_hz = live.refresh().rate_hz();
   report_.framebuffer = area_.framebuffer;
+  report_.last_view = view_options(shown_now());
   report_.graphics = parts_.presenter->graphics();
   if (last_picture_) {
     report_.last_picture = last_picture_->get();
@@ -72,12 +72,26 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
 
 void LivePreview::answer_events() {
   for (const WindowEvent& event : parts_.events->take()) {
-    parts_.steering->follow(event);
-    answer(event);
+    if (!parts_.camera->follow(event)) {
+      parts_.steering->follow(event);
+      answer(event);
+    }
   }
+  move_camera();
   // Methods that follow the pointer follow it as the view of the last frame has it.
   if (const std::optional<Vec3> pointer = parts_.steering->pointer()) {
     parts_.preview->point_at(glm::normalize(parts_.preview->viewport().head() * *pointer));
+  }
+}
+
+/// What was rendered elsewhere holds no longer.
+void LivePreview::move_camera() {
+  parts_.camera->walk_until(parts_.clock->now());
+  if (parts_.camera->position() != parts_.preview->settings().render.viewpoint) {
+    parts_.preview->stand_at(parts_.camera->position());
+  }
+  if (const std::string note = parts_.camera->take_note(); !note.empty()) {
+    tell(note);
   }
 }
 
@@ -87,20 +101,33 @@ void LivePreview::answer(const WindowEvent& event) {
       act(*action);
     }
   } else if (const auto* key = std::get_if<KeyMoved>(&event.what)) {
-    if (const auto action = action_of(*key)) {
-      act(*action);
-    }
+    answer(*key);
+  } else if (const auto* wheel = std::get_if<WheelTurned>(&event.what)) {
+    zoom(wheel->away);
   } else if (const auto* size = std::get_if<WindowResized>(&event.what)) {
     show_in(*size);
   } else if (const auto* hidden = std::get_if<WindowHidden>(&event.what)) {
     area_.is_hidden = hidden->is_hidden;
   } else if (const auto* lost = std::get_if<MonitorLost>(&event.what)) {
-    message_ = "lost the monitor " + lost->name;
+    tell("lost the monitor " + lost->name, MessageStay::long_enough);
     report_.lost_monitors.push_back(lost->name);
   } else if (const auto* found = std::get_if<MonitorFound>(&event.what)) {
-    message_ = "found the monitor " + found->name;
+    tell("found the monitor " + found->name, MessageStay::long_enough);
   } else if (std::holds_alternative<CloseWanted>(event.what)) {
     is_done_ = true;
+  }
+}
+
+void LivePreview::answer(const KeyMoved& key) {
+  const std::optional<PreviewAction> action = action_of(key);
+  if (key.is_down) {
+    messages_.answer_key();
+  }
+  if (action == PreviewAction::close && gaze_check_) {
+    leave_check();
+    tell("the check was ended");
+  } else if (action) {
+    act(*action);
   }
 }
 
@@ -112,10 +139,30 @@ void LivePreview::act(PreviewAction action) {
     case PreviewAction::freeze_gaze:
       parts_.preview->hold_gaze(choices_.gaze_is_frozen);
       break;
+    case PreviewAction::fit_view:
+      parts_.camera->fit(parts_.clock->now());
+      break;
+    case PreviewAction::first_view:
+      parts_.camera->go_back(parts_.clock->now());
+      view_.show_first();
+      show_view();
+      break;
+    case PreviewAction::first_field_of_view:
+      view_.show_first();
+      show_view();
+      tell(view_.in_words());
+      break;
+    case PreviewAction::true_angles:
+      view_.show_true_angles();
+      show_view();
+      tell(view_.in_words());
+      break;
+    case PreviewAction::print_view:
+      print(view_options(shown_now()));
+      tell("printed the view as options");
+      break;
     case PreviewAction::check_gaze:
-      gaze_check_.emplace(calibration_targets(gaze_check_targets, geometry_.horizontal_fov_deg,
-                                              geometry_.vertical_fov_deg),
-                          settings_.gaze_check, parts_.clock->now());
+      begin_check();
       break;
     case PreviewAction::take_picture:
       wants_picture_ = true;
@@ -133,6 +180,7 @@ void LivePreview::act(PreviewAction action) {
 
 void LivePreview::restart() {
   const std::string method = method_text(choices_);
+  parts_.preview->cut_samples(largest_radiance(choices_));
   parts_.preview->restart(method, settings_.seed);
   report_.methods.push_back(method);
 }
@@ -142,17 +190,53 @@ void LivePreview::show_in(const WindowResized& size) {
   if (!area_.has_room()) {
     return;
   }
-  geometry_ = view_geometry(settings_.display, size.framebuffer);
-  parts_.preview->set_view({.horizontal_deg = geometry_.horizontal_fov_deg,
-                            .vertical_deg = geometry_.vertical_fov_deg,
-                            .lens = geometry_.lens});
-  parts_.steering->show(geometry_, size.framebuffer,
-                        static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x));
+  pixels_per_unit_ = static_cast<double>(size.framebuffer.x) / std::max(1, size.window.x);
+  view_.resize(size.framebuffer);
+  show_view();
+}
+
+void LivePreview::show_view() {
+  const ViewGeometry& geometry = view_.geometry();
+  parts_.preview->set_view({.horizontal_deg = geometry.horizontal_fov_deg,
+                            .vertical_deg = geometry.vertical_fov_deg,
+                            .lens = geometry.lens});
+  parts_.steering->show(geometry, area_.framebuffer, pixels_per_unit_);
+  parts_.camera->show(geometry, area_.framebuffer, pixels_per_unit_);
+  if (parts_.widened_eye != nullptr) {
+    parts_.widened_eye->widen(view_.times_true());
+  }
+}
+
+/// About the pointer: what lies below it stays there.
+void LivePreview::zoom(double steps) {
+  if (!view_.is_free() || gaze_check_) {
+    return;
+  }
+  const std::optional<Vec3> before = parts_.steering->pointer();
+  view_.zoom(steps);
+  show_view();
+  if (before) {
+    parts_.camera->bring(parts_.clock->now(), *before, *parts_.steering->pointer());
+  }
+  tell(view_.in_words());
+}
+
+void LivePreview::tell(const std::string& message, MessageStay stay) {
+  messages_.tell(parts_.clock->now(), message, stay);
+}
+
+void LivePreview::print(const std::string& line) const {
+  if (settings_.notify) {
+    settings_.notify(line);
+  }
 }
 
 void LivePreview::draw(const Preview& preview) {
-  ShownFrame frame = head_frame(area_, geometry_, preview.viewport().head(), choices_.look);
   go_on_checking(preview);
+  ViewLook look = choices_.look;
+  // What is seen for a moment only has few samples: dots would say little.
+  look.fill_unsampled = look.fill_unsampled || parts_.camera->is_moving();
+  ShownFrame frame = head_frame(area_, view_.geometry(), preview.viewport().head(), look);
   if (area_.is_seen()) {
     drawing_.bring_up_to_date(frame);
     frame.overlays = overlays(preview);
@@ -167,11 +251,20 @@ void LivePreview::take_picture(ShownFrame& frame) {
   if (is_last && settings_.keeps_last_picture) {
     last_picture_ = picture_of(frame);
   } else if (wants_picture_) {
-    const fs::path file = next_picture_file();
-    message_ = "picture: " + file.string();
-    pictures_.write(file, picture_of(frame));
+    frame.picture_is_bare = true;
+    const fs::path file = pictures_.write_next(picture_of(frame));
+    tell("picture of the film: " + file.string());
   }
   wants_picture_ = false;
+}
+
+void LivePreview::begin_check() {
+  view_.measure_eyes(true);
+  show_view();
+  const ViewGeometry& geometry = view_.geometry();
+  gaze_check_.emplace(calibration_targets(gaze_check_targets, geometry.horizontal_fov_deg,
+                                          geometry.vertical_fov_deg),
+                      settings_.gaze_check, parts_.clock->now());
 }
 
 void LivePreview::go_on_checking(const Preview& preview) {
@@ -186,12 +279,19 @@ void LivePreview::go_on_checking(const Preview& preview) {
 
 void LivePreview::end_check() {
   GazeCheck check = check_gaze(gaze_check_->watched(), settings_.corrects_gaze, *parts_.eye);
-  message_ = gaze_quality_line(check.quality);
+  std::string result = gaze_quality_line(check.quality);
   if (settings_.corrects_gaze) {
-    message_ += check.correction ? ", now corrected" : ", too little to correct it by";
+    result += check.correction ? ", now corrected" : ", too little to correct it by";
   }
+  tell(result, MessageStay::until_key);
   report_.gaze_checks.push_back(std::move(check));
+  leave_check();
+}
+
+void LivePreview::leave_check() {
   gaze_check_.reset();
+  view_.measure_eyes(false);
+  show_view();
 }
 
 std::optional<Nanoseconds> LivePreview::wait_until_shown() {
@@ -220,24 +320,18 @@ void LivePreview::tell_of_slow_drawing(const LiveFrames& live) {
                           .interval = live.refresh().interval(),
                           .framebuffer = area_.framebuffer,
                           .graphics = parts_.presenter->graphics()};
-  if (settings_.notify) {
-    settings_.notify(slow_drawing_line(*report_.slow_drawing));
-  }
-}
-
-fs::path LivePreview::next_picture_file() {
-  // One that was taken a moment ago may not be on the disk yet.
-  do {
-    ++last_picture_number_;
-  } while (fs::exists(picture_file(last_picture_number_)));
-  return picture_file(last_picture_number_);
+  print(slow_drawing_line(*report_.slow_drawing));
+  tell(slow_drawing_note(*report_.slow_drawing), MessageStay::long_enough);
 }
 
 ViewOverlays LivePreview::overlays(const Preview& preview) const {
   constexpr int density_cells = 48;
-  ViewOverlays overlays{.gaze = preview.gaze(), .shows_gaze = choices_.shows_gaze};
+  ViewOverlays overlays{.gaze = preview.gaze(), .shows_gaze = choices_.shows_gaze && !gaze_check_};
   if (gaze_check_) {
+    constexpr float easily_seen_px = 10.0F;
     overlays.target = preview.viewport().head() * *gaze_check_->target();
+    overlays.least_target_px = easily_seen_px;
+    return overlays;
   }
   if (choices_.shows_rings) {
     for (const double ring_deg : acuity_rings_deg) {
@@ -252,30 +346,33 @@ ViewOverlays LivePreview::overlays(const Preview& preview) const {
 }
 
 std::vector<TextPanel> LivePreview::panels() const {
-  std::vector<TextPanel> panels;
-  if (choices_.shows_help) {
-    panels.push_back({.place = PanelPlace::middle, .lines = help_lines()});
+  if (gaze_check_) {
+    return {check_panel(gaze_check_->watched().size() + 1, gaze_check_targets)};
   }
-  if (choices_.shows_frame_times) {
-    panels.push_back({.place = PanelPlace::top_left,
-                      .lines = frame_time_lines(report_.frames, method_text(choices_))});
+  std::vector<std::string> notes = messages_.lines(parts_.clock->now());
+  if (const std::string status = parts_.eye->status(); !status.empty()) {
+    notes.push_back(status);
   }
-  if (choices_.shows_latency) {
-    panels.push_back(
-        {.place = PanelPlace::top_right,
-         .lines = latency_lines(report_.frames, settings_.tracker, settings_.display)});
+  return preview_panels(choices_, {.notes = std::move(notes),
+                                   .frames = report_.frames,
+                                   .tracker = settings_.tracker,
+                                   .display = settings_.display,
+                                   .shown = shown_now()});
+}
+
+ShownNow LivePreview::shown_now() const {
+  const Quat& head = parts_.preview->viewport().head();
+  ShownNow shown{.view = view_.in_words(),
+                 .camera = parts_.camera->place(),
+                 .head = azimuth_elevation(head * Vec3(0.0F, 0.0F, -1.0F)),
+                 .speed_m_per_s = parts_.camera->speed_m_per_s(),
+                 .exposure_stops = choices_.look.exposure_stops,
+                 .curve = choices_.look.curve,
+                 .largest_radiance = largest_radiance(choices_)};
+  if (view_.is_free()) {
+    shown.horizontal_fov_deg = view_.geometry().horizontal_fov_deg;
   }
-  const std::string status = parts_.eye->status();
-  if (!message_.empty() || !status.empty()) {
-    TextPanel notes{.place = PanelPlace::bottom_left};
-    for (const std::string& note : {message_, status}) {
-      if (!note.empty()) {
-        notes.lines.push_back(note);
-      }
-    }
-    panels.push_back(std::move(notes));
-  }
-  return panels;
+  return shown;
 }
 
 }  // namespace foveola

@@ -17,13 +17,18 @@
 #include "renderer/preview/preview.h"
 #include "renderer/window/display_pictures.h"
 #include "renderer/window/film_drawing.h"
+#include "renderer/window/free_camera.h"
 #include "renderer/window/head_frame.h"
 #include "renderer/window/presenter.h"
 #include "renderer/window/preview_controls.h"
+#include "renderer/window/preview_messages.h"
+#include "renderer/window/preview_panels.h"
 #include "renderer/window/slow_drawing.h"
 #include "renderer/window/steering.h"
 #include "renderer/window/view_geometry.h"
+#include "renderer/window/widened_eye_tracker.h"
 #include "renderer/window/window.h"
+#include "renderer/window/window_view.h"
 
 namespace foveola {
 
@@ -32,7 +37,10 @@ struct LivePreviewSettings {
   TrackerProfile tracker;
   PreviewChoices choices;  ///< the choices to begin with
   std::uint32_t seed = 0;
-  IVec2 framebuffer{0};                 ///< the window's size, in pixels
+  IVec2 framebuffer{0};  ///< the window's size, in pixels
+  /// The field of view to begin with across the larger side of a monitor's window; empty: true
+  /// angles.
+  std::optional<double> larger_fov_deg;
   std::optional<std::uint64_t> frames;  ///< ends after so many; default: when the user does
   bool keeps_last_picture = false;      ///< whether the last frame's picture is kept
   bool corrects_gaze = false;           ///< whether the gaze is corrected by what each check finds
@@ -57,6 +65,8 @@ struct LivePreviewReport {
   std::vector<std::string> lost_monitors;   ///< names, in the order they were lost
   std::optional<SlowDrawing> slow_drawing;  ///< when it was first found too slow; else none
   std::optional<RgbImage> last_picture;     ///< sRGB in [0, 1]
+  /// The last view as options that show it again: --camera, --head, and a monitor's --fov.
+  std::string last_view;
   static constexpr std::size_t most_frames = 1 << 16;
 };
 
@@ -67,7 +77,10 @@ class LivePreview {
   struct Parts {
     Preview* preview;
     Steering* steering;
+    FreeCamera* camera;
     CorrectedEyeTracker* eye;
+    /// The same as the preview sees it if its view may be wider than it is seen; null: it knows.
+    WidenedEyeTracker* widened_eye;
     Window* window;
     WindowEvents* events;
     Presenter* presenter;
@@ -83,35 +96,43 @@ class LivePreview {
  private:
   void answer_events();
   void answer(const WindowEvent& event);
+  void answer(const KeyMoved& key);
   void act(PreviewAction action);
   void restart();
+  void move_camera();
   void show_in(const WindowResized& size);
+  void show_view();
+  void zoom(double steps);
+  void print(const std::string& line) const;
+  void tell(const std::string& message, MessageStay stay = MessageStay::briefly);
 
   void draw(const Preview& preview);
   std::optional<Nanoseconds> wait_until_shown();
   void keep(const LiveFrame& frame);
   void tell_of_slow_drawing(const LiveFrames& live);
+  void begin_check();
   void go_on_checking(const Preview& preview);
   void end_check();
+  void leave_check();
   void take_picture(ShownFrame& frame);
-  std::filesystem::path next_picture_file();
   ViewOverlays overlays(const Preview& preview) const;
   std::vector<TextPanel> panels() const;
+  ShownNow shown_now() const;
 
   LivePreviewSettings settings_;
   Parts parts_;
   PreviewChoices choices_;
   WindowArea area_;
-  ViewGeometry geometry_;
+  double pixels_per_unit_ = 1.0;  ///< of the window's coordinates
+  WindowView view_;
   Nanoseconds start_;
   FilmDrawing drawing_;
   LivePreviewReport report_;
   std::optional<CalibrationRoutine> gaze_check_;  ///< while it goes on
-  std::string message_;
+  PreviewMessages messages_;
   bool is_done_ = false;
   bool wants_picture_ = false;
   std::optional<std::future<RgbImage>> last_picture_;
-  int last_picture_number_ = 0;  ///< number of the last of foveola-1.png, foveola-2.png, ...
   DisplayPictures pictures_;
 };
 

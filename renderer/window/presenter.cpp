@@ -49,11 +49,14 @@ struct Presenter::Card {
       draw_film(frame);
     }
     glViewport(0, 0, frame.framebuffer.x, frame.framebuffer.y);
+    if (frame.picture && frame.picture_is_bare) {
+      frame.picture->set_value(read_picture(frame.framebuffer));
+    }
     text.draw(frame.framebuffer, frame.views,
               {.marks = shows_film ? &frame.overlays : nullptr,
                .screen = frame.screen ? &*frame.screen : nullptr,
                .panels = frame.panels});
-    if (frame.picture) {
+    if (frame.picture && !frame.picture_is_bare) {
       frame.picture->set_value(read_picture(frame.framebuffer));
     }
   }

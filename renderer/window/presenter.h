@@ -35,6 +35,8 @@ struct ShownFrame {
   std::optional<ScreenPage> screen;  ///< over the views, or instead of them
   /// Gets what was drawn, sRGB in [0, 1], top row first.
   std::shared_ptr<std::promise<RgbImage>> picture;
+  /// Whether that is the film alone, without what stands over it.
+  bool picture_is_bare = false;
 };
 
 /// Asks for the frame's picture; it is there once the frame is drawn, or throws if it never is.

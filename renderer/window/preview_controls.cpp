@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #define GLFW_INCLUDE_NONE
@@ -21,21 +23,38 @@ constexpr std::array letters = {
     LetterMeaning{'m', PreviewAction::next_method, "next method"},
     LetterMeaning{'r', PreviewAction::restart, "restart"},
     LetterMeaning{'f', PreviewAction::freeze_gaze, "freeze the gaze, or let it go"},
-    LetterMeaning{']', PreviewAction::more_of_the_first,
-                  "more of the hybrid's samples at the gaze"},
-    LetterMeaning{'[', PreviewAction::less_of_the_first, "fewer"},
+    LetterMeaning{']', PreviewAction::more_of_the_first, "more of the hybrid at the gaze"},
+    LetterMeaning{'[', PreviewAction::less_of_the_first, "less of it"},
     LetterMeaning{'h', PreviewAction::fill_unsampled, "fill unsampled pixels"},
+    LetterMeaning{'x', PreviewAction::cut_fireflies, "cut white specks (biased)"},
     LetterMeaning{'+', PreviewAction::brighter, "brighter"},
     LetterMeaning{'-', PreviewAction::darker, "darker"},
+    LetterMeaning{'k', PreviewAction::next_curve, "filmic tone curve, or plain"},
+    LetterMeaning{'z', PreviewAction::fit_view, "fit to view: the picked, or all"},
+    LetterMeaning{'0', PreviewAction::first_field_of_view, "the first field of view"},
+    LetterMeaning{'1', PreviewAction::true_angles, "true angles"},
+    LetterMeaning{'v', PreviewAction::show_view, "view: camera, angles, exposure"},
+    LetterMeaning{'o', PreviewAction::print_view, "print the view as options"},
     LetterMeaning{'g', PreviewAction::show_gaze, "gaze point"},
     LetterMeaning{'a', PreviewAction::show_rings, "acuity rings"},
     LetterMeaning{'d', PreviewAction::show_density, "sample density"},
     LetterMeaning{'t', PreviewAction::show_frame_times, "frame times"},
     LetterMeaning{'l', PreviewAction::show_latency, "latency"},
-    LetterMeaning{'c', PreviewAction::check_gaze, "check the tracker: five targets to look at"},
-    LetterMeaning{'p', PreviewAction::take_picture, "picture of the window, as a file"},
+    LetterMeaning{'c', PreviewAction::check_gaze, "check the tracker: five dots"},
+    LetterMeaning{'p', PreviewAction::take_picture, "picture of the film, as a file"},
     LetterMeaning{'q', PreviewAction::close, "quit, as Escape"},
     LetterMeaning{'?', PreviewAction::show_help, "this help, as F1"},
+};
+
+/// What is no letter.
+constexpr std::array other_help = {
+    std::string_view("Arrows, left drag, gamepad: look around"),
+    std::string_view("Click: look there, pick it, and say what it is"),
+    std::string_view("Middle or Alt+left drag: around what is picked"),
+    std::string_view("Shift+arrows, Page Up, Page Down: move"),
+    std::string_view("Right button held: fly by W A S D E Q"),
+    std::string_view("Wheel: field of view; with Ctrl: speed of moving"),
+    std::string_view("Home: back to the first place; F11: full screen"),
 };
 
 constexpr double exposure_step_stops = 0.5;
@@ -59,6 +78,8 @@ std::optional<PreviewAction> action_of(const KeyMoved& key) {
       return PreviewAction::close;
     case GLFW_KEY_F1:
       return PreviewAction::show_help;
+    case GLFW_KEY_HOME:
+      return PreviewAction::first_view;
     case GLFW_KEY_F11:
       return PreviewAction::toggle_full_screen;
     default:
@@ -67,12 +88,17 @@ std::optional<PreviewAction> action_of(const KeyMoved& key) {
 }
 
 std::vector<std::string> help_lines() {
-  std::vector<std::string> lines;
-  for (const LetterMeaning& one : letters) {
-    lines.push_back(fmt::format("{:<7}{}", static_cast<char>(one.letter), one.help));
+  constexpr std::size_t rows = (letters.size() + 1) / 2;
+  std::vector<std::string> lines(other_help.begin(), other_help.end());
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto words = [](const LetterMeaning& one) {
+      return fmt::format("{}  {}", static_cast<char>(one.letter), one.help);
+    };
+    const std::size_t second = row + rows;
+    lines.push_back(second < letters.size()
+                        ? fmt::format("{:<38}{}", words(letters[row]), words(letters[second]))
+                        : words(letters[row]));
   }
-  lines.emplace_back("F11    full screen");
-  lines.emplace_back("Arrows, left mouse button, gamepad: look around");
   return lines;
 }
 
@@ -81,6 +107,13 @@ std::string method_text(const PreviewChoices& choices) {
   return method == "hybrid" ? fmt::format("hybrid:{:.2f}*fv+{:.2f}*od", choices.hybrid_share,
                                           1.0 - choices.hybrid_share)
                             : method;
+}
+
+float largest_radiance(const PreviewChoices& choices) {
+  constexpr double whites = 4.0;
+  return choices.cuts_fireflies
+             ? static_cast<float>(whites * std::exp2(-choices.look.exposure_stops))
+             : std::numeric_limits<float>::infinity();
 }
 
 bool follow(PreviewAction action, PreviewChoices& choices) {
@@ -106,10 +139,17 @@ bool follow(PreviewAction action, PreviewChoices& choices) {
       break;
     case PreviewAction::brighter:
       choices.look.exposure_stops += exposure_step_stops;
-      break;
+      return choices.cuts_fireflies;
     case PreviewAction::darker:
       choices.look.exposure_stops -= exposure_step_stops;
+      return choices.cuts_fireflies;
+    case PreviewAction::next_curve:
+      choices.look.curve =
+          choices.look.curve == ToneCurve::plain ? ToneCurve::filmic : ToneCurve::plain;
       break;
+    case PreviewAction::cut_fireflies:
+      toggle(choices.cuts_fireflies);
+      return true;
     case PreviewAction::show_gaze:
       toggle(choices.shows_gaze);
       break;
@@ -125,9 +165,17 @@ bool follow(PreviewAction action, PreviewChoices& choices) {
     case PreviewAction::show_latency:
       toggle(choices.shows_latency);
       break;
+    case PreviewAction::show_view:
+      toggle(choices.shows_view);
+      break;
     case PreviewAction::show_help:
       toggle(choices.shows_help);
       break;
+    case PreviewAction::fit_view:
+    case PreviewAction::first_view:
+    case PreviewAction::first_field_of_view:
+    case PreviewAction::true_angles:
+    case PreviewAction::print_view:
     case PreviewAction::check_gaze:
     case PreviewAction::take_picture:
     case PreviewAction::toggle_full_screen:

@@ -25,7 +25,15 @@ enum class PreviewAction {
   show_density,
   show_frame_times,
   show_latency,
+  show_view,
   show_help,
+  cut_fireflies,
+  next_curve,
+  fit_view,
+  first_view,
+  first_field_of_view,
+  true_angles,
+  print_view,
   check_gaze,
   take_picture,
   toggle_full_screen,
@@ -36,7 +44,7 @@ enum class PreviewAction {
 std::optional<PreviewAction> action_of(const CharacterTyped& typed);
 std::optional<PreviewAction> action_of(const KeyMoved& key);
 
-/// A line for each key.
+/// What every key and the mouse do: two letters a line.
 std::vector<std::string> help_lines();
 
 /// What the user has chosen so far.
@@ -47,16 +55,22 @@ struct PreviewChoices {
   double hybrid_share = 0.9;
   bool gaze_is_frozen = false;
   ViewLook look;
+  /// Whether samples are cut so that few bright ones leave no specks: see largest_radiance.
+  bool cuts_fireflies = false;
   bool shows_gaze = false;
   bool shows_rings = false;
   bool shows_density = false;
   bool shows_frame_times = false;
   bool shows_latency = false;
+  bool shows_view = false;
   bool shows_help = false;
 };
 
 /// What is rendered: "hybrid" stands for a mixture with the chosen shares.
 std::string method_text(const PreviewChoices& choices);
+
+/// What samples are cut at: four times what is white at the present exposure, or infinity.
+float largest_radiance(const PreviewChoices& choices);
 
 /// Follows an action. Returns whether what was rendered so far no longer holds.
 bool follow(PreviewAction action, PreviewChoices& choices);

@@ -1,7 +1,10 @@
 #include "renderer/window/preview_panels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,7 +39,7 @@ std::string time_line(const std::string& name, std::span<const LiveFrame> frames
 }
 
 std::string latency_line(const LatencySpread& spread) {
-  return fmt::format("{:<22}{:6.1f}{:6.1f}{:6.1f} ms{}", spread.name, 1e3 * spread.best_s,
+  return fmt::format("{:<22}{:8.1f}{:8.1f}{:8.1f} ms{}", spread.name, 1e3 * spread.best_s,
                      1e3 * spread.median_s, 1e3 * spread.worst_s,
                      spread.provenance == Provenance::assumed ? "  assumed" : "");
 }
@@ -93,12 +96,87 @@ std::vector<std::string> latency_lines(std::span<const LiveFrame> frames,
   }
   const LatencyReport report = latency_report(latencies);
   std::vector<std::string> lines = {
-      fmt::format("{:<22}{:>6}{:>6}{:>6}", "", "best", "median", "worst")};
+      fmt::format("{:<22}{:>8}{:>8}{:>8}", "", "best", "median", "worst")};
   for (const LatencySpread& stage : report.stages) {
     lines.push_back(latency_line(stage));
   }
   lines.push_back(latency_line(report.total));
   return lines;
+}
+
+std::vector<std::string> density_lines(std::span<const LiveFrame> frames) {
+  constexpr double sphere_deg2 = 4.0 * 180.0 * 180.0 / std::numbers::pi;
+  const std::span<const LiveFrame> last = last_second(frames);
+  // The scale's ends and its three quarters, below density_map's decades.
+  std::vector<std::string> lines = {"1/100   1/10        1         10       100",
+                                    "times as many samples as evenly all around"};
+  const Nanoseconds took = last.empty() ? Nanoseconds(0) : last.back().shown - last.front().start;
+  if (took > Nanoseconds(0)) {
+    double samples = 0.0;
+    for (const LiveFrame& frame : last) {
+      samples += static_cast<double>(frame.report.samples);
+    }
+    lines.push_back(
+        fmt::format("1: {:.3g} a second and square degree", samples / seconds(took) / sphere_deg2));
+  }
+  return lines;
+}
+
+std::vector<std::string> view_lines(const ShownNow& shown) {
+  return {
+      shown.view,
+      fmt::format("camera {:.4g}, {:.4g}, {:.4g}; moves {:.3g} m a second", shown.camera.x,
+                  shown.camera.y, shown.camera.z, shown.speed_m_per_s),
+      fmt::format("head {:.1f}, {:.1f} degrees", degrees(shown.head.azimuth_rad),
+                  degrees(shown.head.elevation_rad)),
+      fmt::format("exposure {:+.1f} stops, {} tone curve", shown.exposure_stops,
+                  shown.curve == ToneCurve::filmic ? "filmic" : "plain"),
+      std::isfinite(shown.largest_radiance)
+          ? fmt::format("samples cut at {:.3g}: no specks, and too dark", shown.largest_radiance)
+          : "samples not cut"};
+}
+
+std::string view_options(const ShownNow& shown) {
+  const std::string options = fmt::format(
+      "--camera {:.6g},{:.6g},{:.6g} --head {:.5g},{:.5g}", shown.camera.x, shown.camera.y,
+      shown.camera.z, degrees(shown.head.azimuth_rad), degrees(shown.head.elevation_rad));
+  return shown.horizontal_fov_deg
+             ? fmt::format("{} --fov {:.4g}", options, *shown.horizontal_fov_deg)
+             : options;
+}
+
+TextPanel check_panel(std::size_t target, int targets) {
+  return {.place = PanelPlace::upper,
+          .lines = {fmt::format("Look at the dot: {} of {}", target, targets),
+                    "Escape ends the check"}};
+}
+
+std::vector<TextPanel> preview_panels(const PreviewChoices& choices,
+                                      const PanelContents& contents) {
+  std::vector<TextPanel> panels;
+  const auto show = [&](PanelPlace place, std::vector<std::string> lines) {
+    panels.push_back({.place = place, .lines = std::move(lines)});
+  };
+  if (!contents.notes.empty()) {
+    show(PanelPlace::bottom_left, contents.notes);
+  }
+  if (choices.shows_help) {
+    show(PanelPlace::middle, help_lines());
+  }
+  if (choices.shows_frame_times) {
+    show(PanelPlace::top_left, frame_time_lines(contents.frames, method_text(choices)));
+  }
+  if (choices.shows_latency) {
+    show(PanelPlace::top_right, latency_lines(contents.frames, contents.tracker, contents.display));
+  }
+  if (choices.shows_view) {
+    show(PanelPlace::top_left, view_lines(contents.shown));
+  }
+  if (choices.shows_density) {
+    show(PanelPlace::bottom_right, density_lines(contents.frames));
+    panels.back().has_density_scale = true;
+  }
+  return panels;
 }
 
 }  // namespace foveola

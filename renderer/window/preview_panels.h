@@ -1,14 +1,18 @@
 // The live preview's panels: text over the picture.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "renderer/base/angles.h"
 #include "renderer/gaze/gaze_correction.h"
 #include "renderer/gaze/gaze_quality.h"
 #include "renderer/gaze/profiles.h"
 #include "renderer/preview/live_frames.h"
+#include "renderer/window/panel_layout.h"
+#include "renderer/window/preview_controls.h"
 
 namespace foveola {
 
@@ -27,5 +31,39 @@ std::string gaze_correction_line(const GazeCorrection& correction);
 std::vector<std::string> latency_lines(std::span<const LiveFrame> frames,
                                        const TrackerProfile& tracker,
                                        const DisplayProfile& display);
+
+/// The scale below the colours of a density map, and what it means by the last second's frames.
+std::vector<std::string> density_lines(std::span<const LiveFrame> frames);
+
+/// What is shown, and how.
+struct ShownNow {
+  std::string view;                          ///< WindowView::in_words
+  std::optional<double> horizontal_fov_deg;  ///< empty where it cannot be chosen
+  DVec3 camera{0.0};                         ///< in the file's coordinates
+  AzimuthElevation head;                     ///< world
+  double speed_m_per_s = 0.0;                ///< of moving the camera
+  double exposure_stops = 0.0;
+  ToneCurve curve = ToneCurve::plain;
+  float largest_radiance = 0.0F;  ///< that samples are cut at; infinite: they are not
+};
+std::vector<std::string> view_lines(const ShownNow& shown);
+
+/// The options of render and preview that show the same: --camera, --head and --fov.
+std::string view_options(const ShownNow& shown);
+
+/// What to do while the tracker is checked with this one of `targets` targets, counted from 1.
+TextPanel check_panel(std::size_t target, int targets);
+
+/// What panels tell of.
+struct PanelContents {
+  std::vector<std::string> notes;  ///< what the user should read now
+  std::span<const LiveFrame> frames;
+  const TrackerProfile& tracker;
+  const DisplayProfile& display;
+  ShownNow shown;
+};
+
+/// Those that were chosen, the most important ones first: they have room before others.
+std::vector<TextPanel> preview_panels(const PreviewChoices& choices, const PanelContents& contents);
 
 }  // namespace foveola

@@ -14,4 +14,9 @@ std::string slow_drawing_line(const SlowDrawing& slow) {
       ms_per_s * seconds(slow.interval));
 }
 
+std::string slow_drawing_note(const SlowDrawing& slow) {
+  return fmt::format("drawing takes {:.0f} ms here, so frames stay longer",
+                     1e3 * seconds(slow.drawing));
+}
+
 }  // namespace foveola

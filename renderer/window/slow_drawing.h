@@ -19,4 +19,7 @@ struct SlowDrawing {
 /// One line, without its end: what is slow, what follows and what helps.
 std::string slow_drawing_line(const SlowDrawing& slow);
 
+/// The same in short, for the window itself.
+std::string slow_drawing_note(const SlowDrawing& slow);
+
 }  // namespace foveola

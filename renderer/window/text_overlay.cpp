@@ -1,48 +1,10 @@
 #include "renderer/window/text_overlay.h"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <fmt/format.h>
 #include <imgui.h>
 
 namespace foveola {
 namespace {
-
-constexpr ImGuiWindowFlags plain_panel =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
-    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
-
-/// The anchor of a panel, both in a part of the window of unit size and in the panel itself.
-ImVec2 anchor(PanelPlace place) {
-  switch (place) {
-    case PanelPlace::top_right:
-      return {1.0F, 0.0F};
-    case PanelPlace::middle:
-      return {0.5F, 0.5F};
-    case PanelPlace::bottom_left:
-      return {0.0F, 1.0F};
-    case PanelPlace::top_left:
-      break;
-  }
-  return {0.0F, 0.0F};
-}
-
-void draw_panel(const std::string& name, const TextPanel& panel, const WindowPart& part,
-                int framebuffer_height) {
-  constexpr float margin_px = 8.0F;
-  const ImVec2 at = anchor(panel.place);
-  const float top = static_cast<float>(framebuffer_height - part.origin.y - part.size.y);
-  const auto inner = [](int side) { return static_cast<float>(side) - 2.0F * margin_px; };
-  ImGui::SetNextWindowPos(
-      {static_cast<float>(part.origin.x) + margin_px + at.x * inner(part.size.x),
-       top + margin_px + at.y * inner(part.size.y)},
-      ImGuiCond_Always, at);
-  ImGui::SetNextWindowBgAlpha(0.6F);
-  ImGui::Begin(name.c_str(), nullptr, plain_panel);
-  for (const std::string& line : panel.lines) {
-    ImGui::TextUnformatted(line.c_str());
-  }
-  ImGui::End();
-}
 
 ImVec2 im(const Vec2& point) { return {point.x, point.y}; }
 
@@ -104,6 +66,44 @@ void paint(ImDrawList& list, const ScreenLayout& layout, const ScreenFonts& font
   }
 }
 
+/// From the least density to the greatest.
+void paint_density_scale(ImDrawList& list, const Vec2& low, const Vec2& size) {
+  constexpr int steps = 32;
+  const Vec2 step(size.x / steps, size.y);
+  const auto color = [](int at) {
+    const Rgb heat = density_color(static_cast<float>(at) / steps);
+    return ImGui::ColorConvertFloat4ToU32({heat.r, heat.g, heat.b, 1.0F});
+  };
+  for (int i = 0; i < steps; ++i) {
+    const Vec2 left = low + Vec2(static_cast<float>(i) * step.x, 0.0F);
+    list.AddRectFilledMultiColor(im(left), im(left + step), color(i), color(i + 1), color(i + 1),
+                                 color(i));
+  }
+}
+
+void paint(ImDrawList& list, const PlacedPanel& panel, const Vec2& letter_px) {
+  list.AddRectFilled(im(panel.rect.low), im(panel.rect.high), IM_COL32(15, 15, 15, 170));
+  Vec2 at = panel.rect.low + panel_padding_px;
+  if (panel.has_density_scale) {
+    const float width_px = panel.rect.size().x - 2.0F * panel_padding_px;
+    paint_density_scale(list, at, {width_px, letter_px.y - 2.0F});
+    at.y += letter_px.y;
+  }
+  for (const std::string& line : panel.lines) {
+    list.AddText(ImGui::GetFont(), letter_px.y, im(at), IM_COL32_WHITE, line.data(),
+                 line.data() + line.size());
+    at.y += letter_px.y;
+  }
+}
+
+/// The letters of panels, all of one width, twice as large where pixels are small.
+Vec2 panel_letter_px(const ScreenRect& view) {
+  constexpr float small_pixels_from = 1300.0F;  // in a view so many pixels high
+  const float scale = view.size().y >= small_pixels_from ? 2.0F : 1.0F;
+  const ImVec2 letter = ImGui::CalcTextSize("0");
+  return scale * Vec2(letter.x, letter.y);
+}
+
 std::vector<ScreenPlace> screen_places(std::span<const ShownView> views, int framebuffer_height) {
   const bool is_headset = views.size() > 1;
   std::vector<ScreenPlace> places;
@@ -161,10 +161,11 @@ void TextOverlay::draw(const IVec2& framebuffer, std::span<const ShownView> view
     };
     paint(list, lay_out(*overlaid.screen, place, width_of), *fonts_);
   }
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    for (std::size_t k = 0; k < overlaid.panels.size(); ++k) {
-      draw_panel(fmt::format("panel {} of view {}", k, i), overlaid.panels[k], views[i].part,
-                 framebuffer.y);
+  for (const ShownView& view : views) {
+    const ScreenRect pane = screen_place(view.part, framebuffer.y, false, Vec2(0.5F)).view;
+    const Vec2 letter_px = panel_letter_px(pane);
+    for (const PlacedPanel& panel : lay_out(overlaid.panels, pane, letter_px)) {
+      paint(list, panel, letter_px);
     }
   }
   end_frame();

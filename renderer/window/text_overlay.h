@@ -6,18 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "renderer/window/panel_layout.h"
 #include "renderer/window/screen_fonts.h"
 #include "renderer/window/screen_layout.h"
 #include "renderer/window/view_overlays.h"
 
 namespace foveola {
-
-enum class PanelPlace { top_left, top_right, middle, bottom_left };
-
-struct TextPanel {
-  PanelPlace place = PanelPlace::top_left;
-  std::vector<std::string> lines;
-};
 
 /// What a frame has over its views, from below to above.
 struct Overlaid {
@@ -35,9 +29,9 @@ class TextOverlay {
   TextOverlay(const TextOverlay&) = delete;
   TextOverlay& operator=(const TextOverlay&) = delete;
 
-  /// Draws into each view's part of a window of `framebuffer` pixels. A panel's first frame only
-  /// measures it. A screen's letters are made when their size changes, or when one is new that is
-  /// not of Europe's, which takes longer than a frame. Throws Error if the system lacks them.
+  /// Draws into each view's part of a window of `framebuffer` pixels. A screen's letters are made
+  /// when their size changes, or when one is new that is not of Europe's, which takes longer than a
+  /// frame. Throws Error if the system lacks them.
   void draw(const IVec2& framebuffer, std::span<const ShownView> views, const Overlaid& overlaid);
 
  private:

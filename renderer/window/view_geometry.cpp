@@ -15,6 +15,12 @@ ViewGeometry pane_at_a_distance(const DisplayProfile& display, const IVec2& fram
           .parts = {{.origin = IVec2(0), .size = framebuffer}}};
 }
 
+/// The field of view across one side of a window, where that across the other is known.
+double fov_across_deg(int side_px, double other_fov_deg, int other_px) {
+  const double half = std::tan(radians(0.5 * other_fov_deg)) * side_px / other_px;
+  return degrees(2.0 * std::atan(half));
+}
+
 ViewGeometry view_for_each_eye(const DisplayProfile& display, const IVec2& framebuffer) {
   const IVec2 half(framebuffer.x / 2, framebuffer.y);
   return {
@@ -29,6 +35,28 @@ ViewGeometry view_for_each_eye(const DisplayProfile& display, const IVec2& frame
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer) {
   return display.kind == DisplayKind::headset ? view_for_each_eye(display, framebuffer)
                                               : pane_at_a_distance(display, framebuffer);
+}
+
+ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer,
+                           double larger_fov_deg) {
+  ViewGeometry geometry = view_geometry(display, framebuffer);
+  if (display.kind == DisplayKind::monitor) {
+    const int larger_px = std::max(framebuffer.x, framebuffer.y);
+    geometry.horizontal_fov_deg = fov_across_deg(framebuffer.x, larger_fov_deg, larger_px);
+    geometry.vertical_fov_deg = fov_across_deg(framebuffer.y, larger_fov_deg, larger_px);
+  }
+  return geometry;
+}
+
+double larger_fov_deg(const ViewGeometry& geometry) {
+  return std::max(geometry.horizontal_fov_deg, geometry.vertical_fov_deg);
+}
+
+double widening(const ViewGeometry& geometry, const ViewGeometry& true_angles) {
+  const auto half_width = [](const ViewGeometry& one) {
+    return std::tan(radians(0.5 * one.horizontal_fov_deg));
+  };
+  return half_width(geometry) / half_width(true_angles);
 }
 
 std::vector<Viewport> viewports_of(const ViewGeometry& geometry, const Quat& head) {

@@ -21,6 +21,18 @@ struct ViewGeometry {
 /// framebuffer: pixels, at least 2x1.
 ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer);
 
+/// The same of a monitor's window whose larger side shows so many degrees, in (0, 180), however
+/// large it is and wherever the eye is. A headset's is view_geometry.
+ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuffer,
+                           double larger_fov_deg);
+
+/// The field of view across the larger side of the first part.
+double larger_fov_deg(const ViewGeometry& geometry);
+
+/// How many times wider a window's view is than its true angles: their widths on a plane at
+/// distance 1, compared.
+double widening(const ViewGeometry& geometry, const ViewGeometry& true_angles);
+
 /// The views of a head, one for each part.
 std::vector<Viewport> viewports_of(const ViewGeometry& geometry, const Quat& head);
 

@@ -209,10 +209,11 @@ void paint_offer(ImDrawList& list, const OfferRing& offer, const Pane& pane) {
 
 /// A bull's eye draws the gaze to its middle (Thaler et al. 2013, "What is the best fixation
 /// target?"): a disc of 0.6 degrees' diameter, in it one of 0.2; all else is grey meanwhile.
-void paint_target(ImDrawList& list, const Vec3& target, const Pane& pane) {
+void paint_target(ImDrawList& list, const Vec3& target, float least_px, const Pane& pane) {
+  const float radius_rad = std::max(static_cast<float>(radians(0.3)), least_px * pane.pixel_rad());
   list.AddRectFilled({pane.low.x, pane.low.y}, {pane.high().x, pane.high().y}, im(Rgb(0.5F)));
-  paint_disc(list, target, static_cast<float>(radians(0.3)), pane, im(Rgb(0.0F)));
-  paint_disc(list, target, static_cast<float>(radians(0.1)), pane, im(Rgb(1.0F)));
+  paint_disc(list, target, radius_rad, pane, im(Rgb(0.0F)));
+  paint_disc(list, target, radius_rad / 3.0F, pane, im(Rgb(1.0F)));
 }
 
 }  // namespace
@@ -233,7 +234,7 @@ void paint(ImDrawList& list, const ViewOverlays& overlays, const ShownView& view
     paint_disc(list, overlays.gaze, 5.0F * pane.pixel_rad(), pane, im(Rgb(1.0F, 0.1F, 0.2F), 0.9F));
   }
   if (overlays.target) {
-    paint_target(list, *overlays.target, pane);
+    paint_target(list, *overlays.target, overlays.least_target_px, pane);
   }
   list.PopClipRect();
 }

@@ -27,6 +27,7 @@ struct ViewOverlays {
   std::vector<float> rings_rad;  ///< eccentricities of rings around it, which say how many degrees
   std::optional<DensityMap> density;
   std::optional<Vec3> target;     ///< a point to look at instead of the film; unit length, world
+  float least_target_px = 0.0F;   ///< the radius that the target has at least
   std::vector<OfferRing> offers;  ///< of overlapping ones the last is on top
 };
 

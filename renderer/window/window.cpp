@@ -83,6 +83,9 @@ struct Window::Callbacks {
   static void mouse_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
     of(window).push(MouseButtonMoved{.button = button, .is_down = action == GLFW_PRESS});
   }
+  static void wheel(GLFWwindow* window, double /*right*/, double away) {
+    of(window).push(WheelTurned{.away = away});
+  }
   static void resized(GLFWwindow* window, int width, int height) {
     WindowResized resized{.framebuffer = {width, height}};
     glfwGetWindowSize(window, &resized.window.x, &resized.window.y);
@@ -136,6 +139,7 @@ Window::Window(const WindowSettings& settings, WindowEvents& events, const Clock
   glfwSetCursorPosCallback(window_, Callbacks::pointer);
   glfwSetCursorEnterCallback(window_, Callbacks::pointer_entered);
   glfwSetMouseButtonCallback(window_, Callbacks::mouse_button);
+  glfwSetScrollCallback(window_, Callbacks::wheel);
   glfwSetFramebufferSizeCallback(window_, Callbacks::resized);
   glfwSetWindowIconifyCallback(window_, Callbacks::hidden);
   glfwSetWindowFocusCallback(window_, Callbacks::focused);

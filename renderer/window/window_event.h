@@ -32,6 +32,10 @@ struct MouseButtonMoved {
   int button = 0;  ///< GLFW's number; 0 is the left one
   bool is_down = false;
 };
+/// The mouse's wheel, in its steps.
+struct WheelTurned {
+  double away = 0.0;  ///< away from the user; negative towards him
+};
 /// The first gamepad's sticks; at rest once it is gone.
 struct GamepadMoved {
   GamepadSticks sticks;
@@ -54,7 +58,7 @@ struct CloseWanted {};
 
 struct WindowEvent {
   Nanoseconds time{0};
-  std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, GamepadMoved,
+  std::variant<KeyMoved, CharacterTyped, PointerMoved, MouseButtonMoved, WheelTurned, GamepadMoved,
                WindowResized, WindowHidden, MonitorLost, MonitorFound, CloseWanted>
       what;
 };

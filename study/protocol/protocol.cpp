@@ -45,12 +45,6 @@ void refuse_old_tables(TomlReader& reader, const toml::table& table) {
 
 fs::path users_protocols() { return data_folder() / "protocols"; }
 
-/// None in a folder that does not exist.
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::is_directory(folder, ignored) ? toml_names_in(folder) : std::vector<std::string>();
-}
-
 }  // namespace
 
 fs::path find_protocol(const std::string& name_or_path) {
@@ -65,7 +59,7 @@ fs::path find_protocol(const std::string& name_or_path) {
         fs::is_regular_file(named, no_name_of_a_file)) {
       return named;
     }
-    const std::vector<std::string> there = names_in(folder);
+    const std::vector<std::string> there = toml_names_if_any(folder);
     names.insert(names.end(), there.begin(), there.end());
   }
   throw Error(name_or_path, "there is no such protocol",

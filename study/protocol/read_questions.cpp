@@ -226,9 +226,7 @@ fs::path questionnaire_file(const std::string& name_or_path, const fs::path& fol
   }
   std::vector<std::string> names;
   for (const fs::path& ready : questionnaire_folders(folder)) {
-    std::error_code ignored;
-    const std::vector<std::string> there =
-        fs::is_directory(ready, ignored) ? toml_names_in(ready) : std::vector<std::string>();
+    const std::vector<std::string> there = toml_names_if_any(ready);
     if (std::find(there.begin(), there.end(), name_or_path) != there.end()) {
       return ready / (name_or_path + ".toml");
     }

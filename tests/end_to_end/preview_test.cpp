@@ -1,7 +1,9 @@
 // The live preview, as its user runs it: on a display without a screen.
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -164,6 +166,90 @@ TEST_F(PreviewCommand, CorrectsTheGazeIfAsked) {
   EXPECT_GT(correction.at("elevation").at(2).get<double>(), 0.0) << "up stays up";
 }
 
+/// The numbers of "--camera X,Y,Z --head AZIMUTH,ELEVATION --fov WIDTH".
+struct LastView {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double azimuth_deg = 0.0;
+  double elevation_deg = 0.0;
+  double fov_deg = 0.0;
+};
+
+LastView last_view(const nlohmann::json& json) {
+  LastView view;
+  const auto text = json.at("last_view").get<std::string>();
+  EXPECT_EQ(std::sscanf(text.c_str(), "--camera %lf,%lf,%lf --head %lf,%lf --fov %lf", &view.x,
+                        &view.y, &view.z, &view.azimuth_deg, &view.elevation_deg, &view.fov_deg),
+            6)
+      << text;
+  return view;
+}
+
+TEST_F(PreviewCommand, BeginsAsWideAsAPictureUnlessTrueAnglesAreAskedFor) {
+  const auto view = [&](std::vector<std::string> options) {
+    options.insert(options.end(),
+                   {"--frames", "2", "--camera", "0.5,0.25,-0.5", "--head", "30,-5"});
+    return last_view(nlohmann::json::parse(preview(options).output));
+  };
+  const LastView usual = view({});
+  EXPECT_EQ(std::tuple(usual.x, usual.y, usual.z), std::tuple(0.5, 0.25, -0.5));
+  EXPECT_EQ(std::tuple(usual.azimuth_deg, usual.elevation_deg), std::tuple(30.0, -5.0));
+  EXPECT_EQ(usual.fov_deg, 60.0);
+  // 200 pixels of this display are 55 mm, 0.6 m away.
+  EXPECT_NEAR(view({"--true-angles"}).fov_deg, 5.28, 0.05);
+}
+
+TEST_F(PreviewCommand, IsMovedThroughAndZoomed) {
+  constexpr unsigned wheel_away = 4;
+  const auto json = preview_while(
+      [](XUser& user) {
+        user.hold("Prior");
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        user.let_go("Prior");
+        user.press_button(wheel_away);
+        user.release_button(wheel_away);
+        user.type("q");
+      },
+      {"--camera", "0,0,0", "--head", "0,0"});
+  const LastView view = last_view(json);
+  EXPECT_GT(view.y, 0.0);
+  EXPECT_EQ(std::tuple(view.x, view.z), std::tuple(0.0, 0.0));
+  EXPECT_LT(view.fov_deg, 60.0);
+  EXPECT_GT(view.fov_deg, 50.0);
+  EXPECT_THAT(json.at("methods"), ElementsAre("fv")) << "moving restarts no method";
+}
+
+TEST_F(PreviewCommand, SurvivesFullScreenWhileOrbitingAndTinyWindows) {
+  constexpr unsigned middle_button = 2;
+  const auto json = preview_while(
+      [this](XUser& user) {
+        user.press_button(middle_button);
+        user.type("F11");
+        wait_until("full screen", [&] { return user.place_of(title_).width == 1280; });
+        user.point_at(title_, 700, 500);
+        user.type("F11");
+        wait_until("the window", [&] { return user.place_of(title_).width == 200; });
+        user.release_button(middle_button);
+        user.resize(title_, 100, 60);
+        user.type("z");
+        user.ask_to_close(title_);
+      },
+      {"--show", "gaze,rings,density,times,latency,view,help"});
+  EXPECT_GT(json.at("frame_count"), 1);
+}
+
+TEST_F(PreviewCommand, ACheckEndsWithEscape) {
+  const auto json = preview_while([this](XUser& user) {
+    user.type("c");
+    wait_for_target(user, 100, 80);
+    user.type("Escape");
+    wait_for_target(user, 100, 80, false);
+    user.type("Escape");
+  });
+  EXPECT_THAT(json.at("gaze_checks"), ::testing::IsEmpty());
+}
+
 TEST_F(PreviewCommand, FollowsItsWindowsSize) {
   const auto json = preview_while([this](XUser& user) {
     user.resize(title_, 320, 100);
@@ -190,7 +276,7 @@ TEST_F(PreviewCommand, ShowsEveryOverlay) {
   ASSERT_EQ(preview({"--frames", "3", "--screenshot", plain}).exit_code, 0);
   const ProgramResult result =
       preview({"--frames", "3", "--screenshot", overlaid, "--show",
-               "gaze,rings,density,times,latency,help", "--display", "fove0"});
+               "gaze,rings,density,times,latency,view,help", "--display", "fove0"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_NE(read_film_image(plain).color.pixels, read_film_image(overlaid).color.pixels);
 }

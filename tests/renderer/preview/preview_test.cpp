@@ -72,6 +72,39 @@ TEST_F(PreviewTest, CountsFramesAndSamples) {
   EXPECT_TRUE(preview.dropped().empty());
 }
 
+TEST_F(PreviewTest, StandsElsewhereAsIfItHadBeenThereFromTheStart) {
+  const Vec3 elsewhere(0.5F, 0.25F, -0.5F);
+  Preview moved(tracer_, small_settings(), ahead_, still_, workers_);
+  moved.restart("fv", 7);
+  moved.render_frame(Nanoseconds(0), 2000);
+  moved.stand_at(elsewhere);
+  EXPECT_EQ(moved.film().total_samples(), 0U);
+  EXPECT_EQ(moved.render_frame(Nanoseconds(0), 2000).frame, 0U);
+
+  PreviewSettings settings = small_settings();
+  settings.render.viewpoint = elsewhere;
+  Preview there(tracer_, settings, ahead_, still_, workers_);
+  there.restart("fv", 7);
+  there.render_frame(Nanoseconds(0), 2000);
+  EXPECT_EQ(moved.film().resolve().color.pixels, there.film().resolve().color.pixels);
+}
+
+TEST_F(PreviewTest, CutsSamples) {
+  Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
+  const auto brightest = [&](float largest) {
+    preview.cut_samples(largest);
+    preview.restart("od", 1);
+    preview.render_frame(Nanoseconds(0), 5000);
+    float most = 0.0F;
+    for (const Rgb& color : preview.film().resolve().color.pixels) {
+      most = std::max(most, max_component(color));
+    }
+    return most;
+  };
+  EXPECT_GT(brightest(std::numeric_limits<float>::infinity()), 0.1F);
+  EXPECT_LE(brightest(0.1F), 0.1F);
+}
+
 TEST_F(PreviewTest, AFrameWithoutSamplesStillPollsAndReports) {
   Preview preview(tracer_, small_settings(), ahead_, still_, workers_);
   preview.restart("fv", 1);

@@ -17,8 +17,8 @@ constexpr FieldOfView wide{.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens =
 /// are outside.
 Vec2 extent_of(const std::vector<Vec3>& points, const Vec3& camera) {
   const Viewport view(askew, {.horizontal_deg = 120.0, .vertical_deg = 120.0, .lens = {}});
-  const Vec2 scale = Vec2(std::tan(0.5 * radians(120.0))) /
-                     Vec2(std::tan(0.5 * radians(60.0)), std::tan(0.5 * radians(36.0)));
+  const Vec2 scale(std::tan(radians(60.0)) / std::tan(radians(30.0)),
+                   std::tan(radians(60.0)) / std::tan(radians(18.0)));
   Vec2 largest(0.0F);
   Vec2 smallest(1e9F);
   for (const Vec3& point : points) {

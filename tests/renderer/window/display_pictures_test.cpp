@@ -47,5 +47,18 @@ TEST(DisplayPicturesTest, WhatCannotBeWrittenIsReportedAndTheOthersAreWritten) {
   EXPECT_NO_THROW(pictures.finish()) << "reported once";
 }
 
+TEST(DisplayPicturesTest, NumbersGoOnAfterThoseThatAreThere) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  folder.write("foveola-1.png", "");
+  DisplayPictures pictures;
+  EXPECT_EQ(pictures.write_next(grey_picture()), "foveola-2.png");
+  EXPECT_EQ(pictures.write_next(grey_picture()), "foveola-3.png");
+  pictures.finish();
+  EXPECT_TRUE(std::filesystem::exists("foveola-2.png") && std::filesystem::exists("foveola-3.png"));
+  std::filesystem::current_path(before);
+}
+
 }  // namespace
 }  // namespace foveola

@@ -216,7 +216,6 @@ TEST_F(PresenterTest, WritesText) {
   const ShownView view = whole_window({});
   const RgbImage plain = picture({view}, {});
   const std::vector<TextPanel> panels = {{.lines = {"How it goes"}}};
-  picture({view}, {}, {}, panels);
   const RgbImage shown = picture({view}, {}, {}, panels);
   int changed = 0;
   int white = 0;
@@ -229,6 +228,19 @@ TEST_F(PresenterTest, WritesText) {
   EXPECT_GT(changed, 1000);
   EXPECT_GT(white, 30);
   EXPECT_EQ(shown.at(250, 200), plain.at(250, 200));
+}
+
+TEST_F(PresenterTest, PicturesOfTheFilmAreBare) {
+  const ShownView view = whole_window({});
+  ShownFrame frame{.framebuffer = window_.framebuffer_size(),
+                   .update = mirror_.collect(film_, std::vector{view.viewport}, film_.levels()),
+                   .views = {view},
+                   .overlays = {.shows_gaze = true, .rings_rad = {0.3F}},
+                   .panels = {{.lines = {"How it goes"}}},
+                   .picture_is_bare = true};
+  std::future<RgbImage> bare = picture_of(frame);
+  presenter_.draw(std::move(frame));
+  EXPECT_EQ(bare.get().pixels, picture({view}, {}).pixels);
 }
 
 TEST_F(PresenterTest, FollowsTheFilm) {

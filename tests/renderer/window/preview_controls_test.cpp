@@ -1,7 +1,9 @@
 #include "renderer/window/preview_controls.h"
 
+#include <cmath>
 #include <set>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #define GLFW_INCLUDE_NONE
@@ -10,6 +12,7 @@
 namespace foveola {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::Optional;
 using ::testing::SizeIs;
 
@@ -25,7 +28,40 @@ TEST(PreviewControlsTest, EveryLetterDoesSomethingElse) {
     }
   }
   EXPECT_THAT(actions, SizeIs(letters));
-  EXPECT_THAT(help_lines(), SizeIs(letters + 2));
+  const std::string help = fmt::format("{}", fmt::join(help_lines(), "\n"));
+  for (char32_t c = '!'; c < 127; ++c) {
+    if (action_of(CharacterTyped{c})) {
+      EXPECT_THAT(help, HasSubstr(fmt::format("{}  ", static_cast<char>(c))));
+    }
+  }
+}
+
+TEST(PreviewControlsTest, TheHelpFitsASmallWindow) {
+  // 800x450, in letters of 7x13 pixels.
+  EXPECT_LE(help_lines().size(), 31U);
+  for (const std::string& line : help_lines()) {
+    EXPECT_LE(line.size(), 108U) << line;
+  }
+}
+
+TEST(PreviewControlsTest, SamplesAreCutAtAMultipleOfWhite) {
+  PreviewChoices choices = four_methods();
+  EXPECT_TRUE(std::isinf(largest_radiance(choices)));
+  EXPECT_FALSE(follow(PreviewAction::brighter, choices));
+  EXPECT_TRUE(follow(PreviewAction::cut_fireflies, choices));
+  EXPECT_NEAR(largest_radiance(choices), 4.0 / std::sqrt(2.0), 1e-5) << "half a stop brighter";
+  EXPECT_TRUE(follow(PreviewAction::darker, choices)) << "the limit is another one";
+  EXPECT_NEAR(largest_radiance(choices), 4.0, 1e-6);
+  EXPECT_TRUE(follow(PreviewAction::cut_fireflies, choices));
+  EXPECT_TRUE(std::isinf(largest_radiance(choices)));
+}
+
+TEST(PreviewControlsTest, TheToneCurveChanges) {
+  PreviewChoices choices = four_methods();
+  EXPECT_FALSE(follow(PreviewAction::next_curve, choices));
+  EXPECT_EQ(choices.look.curve, ToneCurve::filmic);
+  follow(PreviewAction::next_curve, choices);
+  EXPECT_EQ(choices.look.curve, ToneCurve::plain);
 }
 
 TEST(PreviewControlsTest, KeysActWhenTheyGoDown) {

@@ -16,6 +16,7 @@ TEST(SlowDrawing, SaysWhatIsSlowAndWhatHelps) {
       "bits)), where the display refreshes every 16.7 ms. So that most of the time is left for "
       "tracing, frames stay for more than one refresh; a smaller window or a graphics card makes "
       "them faster.");
+  EXPECT_EQ(slow_drawing_note(slow), "drawing takes 38 ms here, so frames stay longer");
 }
 
 }  // namespace

@@ -38,6 +38,19 @@ TEST(ViewGeometryTest, AMonitorIsAPaneAtItsDistance) {
   EXPECT_EQ(window.parts[0].size, IVec2(500, 1000));
 }
 
+TEST(ViewGeometryTest, AMonitorShowsWhatIsAskedAcrossItsLargerSide) {
+  const ViewGeometry wide = view_geometry(monitor(), {1000, 500}, 90.0);
+  EXPECT_NEAR(wide.horizontal_fov_deg, 90.0, 1e-9);
+  EXPECT_NEAR(wide.vertical_fov_deg, 53.130, 1e-3);  // 2 atan(0.5)
+  EXPECT_NEAR(larger_fov_deg(wide), 90.0, 1e-9);
+  const ViewGeometry high = view_geometry(monitor(), {500, 1000}, 90.0);
+  EXPECT_NEAR(high.horizontal_fov_deg, 53.130, 1e-3);
+  EXPECT_NEAR(high.vertical_fov_deg, 90.0, 1e-9);
+  EXPECT_EQ(view_geometry(headset(), {1280, 720}, 60.0).horizontal_fov_deg, 100.0);
+  // On this monitor 1000 pixels are 0.3 m, half a metre away.
+  EXPECT_NEAR(widening(wide, view_geometry(monitor(), {1000, 500})), 0.5 / 0.15, 1e-9);
+}
+
 TEST(ViewGeometryTest, AHeadsetShowsItsWholeViewToEachEye) {
   const ViewGeometry geometry = view_geometry(headset(), {1281, 720});
   EXPECT_EQ(geometry.horizontal_fov_deg, 100.0);

@@ -1,7 +1,8 @@
 // What is drawn over the film, as it is seen: in views 100 degrees wide and high, over white.
 #include "renderer/window/view_overlays.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/renderer/window/screen_capture.h"
@@ -91,6 +92,18 @@ TEST(ViewOverlaysTest, EachEyeSeesTheSame) {
   EXPECT_LT(picture.at(at.x, at.y).g, 0.3F);
   EXPECT_LT(picture.at(400 + at.x, at.y).g, 0.3F);
   EXPECT_EQ(marked(picture, {0, 0}, {400, 450}), marked(picture, {400, 0}, {800, 450}));
+}
+
+TEST(ViewOverlaysTest, ATargetIsAsLargeAsAsked) {
+  test::ScreenCapture capture(one_view);
+  const auto black = [&](float least_px) {
+    const RgbImage picture =
+        capture.capture({.target = Vec3(0.0F, 0.0F, -1.0F), .least_target_px = least_px});
+    return std::count_if(picture.pixels.begin(), picture.pixels.end(),
+                         [](const Rgb& color) { return max_component(color) < 0.1F; });
+  };
+  EXPECT_LT(black(0.0F), 20) << "0.6 degrees";
+  EXPECT_GT(black(10.0F), 100) << "20 pixels across";
 }
 
 TEST(ViewOverlaysTest, WhatLiesBehindIsNotDrawn) {

@@ -1,0 +1,37 @@
+#include "renderer/window/camera_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/view/viewport.h"
+
+namespace foveola {
+
+Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn) {
+  constexpr double zenith_rad = 0.5 * std::numbers::pi;
+  const AzimuthElevation heading{
+      .azimuth_rad = wrapped_angle(standing.heading.azimuth_rad + turn.right_rad),
+      .elevation_rad =
+          std::clamp(standing.heading.elevation_rad + turn.up_rad, -zenith_rad, zenith_rad)};
+  const Vec3 in_head =
+      glm::conjugate(head_orientation(standing.heading)) * (pivot - standing.position);
+  return {.position = pivot - head_orientation(heading) * in_head, .heading = heading};
+}
+
+Standing framing(const Bounds& bounds, const AzimuthElevation& heading, double fov_deg) {
+  const DVec3 lower(bounds.lower);
+  const DVec3 upper(bounds.upper);
+  const double radius = 0.5 * glm::distance(lower, upper);
+  const double distance = radius / std::sin(radians(0.5 * fov_deg));
+  return {.position = Vec3(0.5 * (lower + upper) - distance * DVec3(direction_from(heading))),
+          .heading = heading};
+}
+
+double walking_speed(const Bounds& scene) {
+  constexpr double crossing_s = 10.0;
+  const double diagonal = glm::distance(DVec3(scene.lower), DVec3(scene.upper));
+  return diagonal > 0.0 ? diagonal / crossing_s : 1.0;
+}
+
+}  // namespace foveola

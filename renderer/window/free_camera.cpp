@@ -1,0 +1,237 @@
+#include "renderer/window/free_camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "renderer/view/viewport.h"
+
+namespace foveola {
+namespace {
+
+struct MovingKey {
+  int key;
+  enum class When { always, with_shift, in_flight } when;
+  Vec3 way;  ///< right, up, and forward
+};
+
+constexpr std::array moving_keys = {
+    MovingKey{GLFW_KEY_UP, MovingKey::When::with_shift, {0, 0, 1}},
+    MovingKey{GLFW_KEY_DOWN, MovingKey::When::with_shift, {0, 0, -1}},
+    MovingKey{GLFW_KEY_RIGHT, MovingKey::When::with_shift, {1, 0, 0}},
+    MovingKey{GLFW_KEY_LEFT, MovingKey::When::with_shift, {-1, 0, 0}},
+    MovingKey{GLFW_KEY_PAGE_UP, MovingKey::When::always, {0, 1, 0}},
+    MovingKey{GLFW_KEY_PAGE_DOWN, MovingKey::When::always, {0, -1, 0}},
+    MovingKey{GLFW_KEY_W, MovingKey::When::in_flight, {0, 0, 1}},
+    MovingKey{GLFW_KEY_S, MovingKey::When::in_flight, {0, 0, -1}},
+    MovingKey{GLFW_KEY_D, MovingKey::When::in_flight, {1, 0, 0}},
+    MovingKey{GLFW_KEY_A, MovingKey::When::in_flight, {-1, 0, 0}},
+    MovingKey{GLFW_KEY_E, MovingKey::When::in_flight, {0, 1, 0}},
+    MovingKey{GLFW_KEY_Q, MovingKey::When::in_flight, {0, -1, 0}},
+};
+
+constexpr std::array modifier_keys = {GLFW_KEY_LEFT_SHIFT,   GLFW_KEY_RIGHT_SHIFT,
+                                      GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL,
+                                      GLFW_KEY_LEFT_ALT,     GLFW_KEY_RIGHT_ALT};
+
+const MovingKey* moving_key(int key) {
+  const auto found = std::find_if(moving_keys.begin(), moving_keys.end(),
+                                  [key](const MovingKey& one) { return one.key == key; });
+  return found != moving_keys.end() ? &*found : nullptr;
+}
+
+bool holds(const std::set<int>& held, int left, int right) {
+  return held.contains(left) || held.contains(right);
+}
+
+std::string words_of(const std::optional<Sighted>& seen) {
+  return seen ? fmt::format("'{}' of '{}', {:.3g} m away", seen->object, seen->material,
+                            seen->distance_m)
+              : "nothing is there";
+}
+
+}  // namespace
+
+FreeCamera::FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head)
+    : surroundings_(std::move(surroundings)),
+      head_(&head),
+      position_(surroundings_.start.position),
+      speed_m_per_s_(walking_speed(surroundings_.bounds)) {}
+
+void FreeCamera::show(const ViewGeometry& geometry, const IVec2& framebuffer,
+                      double pixels_per_unit) {
+  geometry_ = geometry;
+  framebuffer_ = framebuffer;
+  mouse_.show(pixels_per_unit);
+}
+
+bool FreeCamera::follow(const WindowEvent& event) {
+  return std::visit(
+      [&](const auto& what) {
+        if constexpr (requires { this->steer(event.time, what); }) {
+          return this->steer(event.time, what);
+        }
+        return false;
+      },
+      event.what);
+}
+
+bool FreeCamera::moves_while_held(int key) const {
+  const MovingKey* const moving = moving_key(key);
+  if (moving == nullptr) {
+    return false;
+  }
+  switch (moving->when) {
+    case MovingKey::When::with_shift:
+      return holds(modifiers_, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    case MovingKey::When::in_flight:
+      return mouse_.drag() == Drag::fly;
+    case MovingKey::When::always:
+      break;
+  }
+  return true;
+}
+
+bool FreeCamera::steer(Nanoseconds time, const KeyMoved& key) {
+  if (std::find(modifier_keys.begin(), modifier_keys.end(), key.key) != modifier_keys.end()) {
+    key.is_down ? void(modifiers_.insert(key.key)) : void(modifiers_.erase(key.key));
+    return false;
+  }
+  if (key.is_down && moves_while_held(key.key)) {
+    walk_until(time);
+    held_.insert(key.key);
+    return true;
+  }
+  if (!key.is_down && held_.contains(key.key)) {
+    walk_until(time);
+    held_.erase(key.key);
+  }
+  return false;
+}
+
+/// In flight letters move the camera, and do nothing else.
+bool FreeCamera::steer(Nanoseconds /*time*/, const CharacterTyped& /*typed*/) const {
+  return mouse_.drag() == Drag::fly;
+}
+
+bool FreeCamera::steer(Nanoseconds time, const WheelTurned& wheel) {
+  constexpr double step = 1.25;
+  if (!holds(modifiers_, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) {
+    return false;
+  }
+  walk_until(time);
+  speed_m_per_s_ *= std::pow(step, wheel.away);
+  note_ = fmt::format("speed {:.3g} m/s", speed_m_per_s_);
+  return true;
+}
+
+bool FreeCamera::steer(Nanoseconds time, const MouseButtonMoved& button) {
+  const bool holds_alt = holds(modifiers_, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  const Drag before = mouse_.drag();
+  if (const std::optional<DVec2> click = mouse_.follow(button, holds_alt)) {
+    look_at(time, *click);
+  }
+  if (before == Drag::fly && mouse_.drag() == Drag::none) {
+    walk_until(time);
+    std::erase_if(held_,
+                  [](int key) { return moving_key(key)->when == MovingKey::When::in_flight; });
+  }
+  if (before == Drag::none && mouse_.drag() == Drag::orbit) {
+    const Standing now = standing(time);
+    const std::optional<Sighted> ahead =
+        picked_ ? picked_ : surroundings_.look(now.position, direction_from(now.heading));
+    pivot_ =
+        ahead ? ahead->position : 0.5F * (surroundings_.bounds.lower + surroundings_.bounds.upper);
+  }
+  return mouse_.drag() == Drag::orbit || before == Drag::orbit;
+}
+
+bool FreeCamera::steer(Nanoseconds time, const PointerMoved& moved) {
+  const DVec2 way_px = mouse_.follow(moved);
+  const double rad_per_pixel =
+      radians(geometry_.horizontal_fov_deg) / geometry_.parts.front().size.x;
+  if (mouse_.drag() == Drag::orbit) {
+    orbit(time, way_px);
+  } else if (mouse_.drag() == Drag::fly) {
+    head_->turn(time, {.right_rad = -rad_per_pixel * way_px.x, .up_rad = rad_per_pixel * way_px.y});
+  }
+  return false;
+}
+
+void FreeCamera::look_at(Nanoseconds time, const DVec2& place_px) {
+  const Standing now = standing(time);
+  const Vec3 direction = glm::normalize(head_orientation(now.heading) *
+                                        direction_below(geometry_, place_px, framebuffer_.y));
+  const std::optional<Sighted> seen = surroundings_.look(now.position, direction);
+  picked_ = seen ? seen : picked_;
+  note_ = words_of(seen);
+  stand(time, {.position = now.position, .heading = azimuth_elevation(direction)});
+}
+
+void FreeCamera::orbit(Nanoseconds time, const DVec2& way_px) {
+  constexpr double across_rad = radians(180.0);  // of a drag across the window
+  const double rad_per_pixel = across_rad / std::max(1, framebuffer_.x);
+  stand(time,
+        orbited(standing(time), pivot_,
+                {.right_rad = rad_per_pixel * way_px.x, .up_rad = -rad_per_pixel * way_px.y}));
+}
+
+void FreeCamera::fit(Nanoseconds now) {
+  const Bounds& bounds = picked_ ? picked_->bounds : surroundings_.bounds;
+  if (bounds.lower == bounds.upper) {
+    note_ = "there is nothing to fit to the view";
+    return;
+  }
+  const double smaller_fov_deg = std::min(geometry_.horizontal_fov_deg, geometry_.vertical_fov_deg);
+  stand(now, framing(bounds, standing(now).heading, smaller_fov_deg));
+  note_ = picked_ ? fmt::format("'{}' fits the view", picked_->object) : "all fits the view";
+}
+
+void FreeCamera::go_back(Nanoseconds now) {
+  picked_.reset();
+  stand(now, surroundings_.start);
+}
+
+void FreeCamera::bring(Nanoseconds now, const Vec3& from, const Vec3& to) {
+  const Quat head = head_orientation(head_->pose(now).heading);
+  const AzimuthElevation seen = azimuth_elevation(head * from);
+  const AzimuthElevation wanted = azimuth_elevation(head * to);
+  head_->turn(now, {.right_rad = wrapped_angle(seen.azimuth_rad - wanted.azimuth_rad),
+                    .up_rad = seen.elevation_rad - wanted.elevation_rad});
+}
+
+Standing FreeCamera::standing(Nanoseconds time) {
+  walk_until(time);
+  return {.position = position_, .heading = head_->pose(time).heading};
+}
+
+void FreeCamera::stand(Nanoseconds time, const Standing& standing) {
+  const AzimuthElevation before = head_->pose(time).heading;
+  position_ = standing.position;
+  head_->turn(time, {.right_rad = standing.heading.azimuth_rad - before.azimuth_rad,
+                     .up_rad = standing.heading.elevation_rad - before.elevation_rad});
+}
+
+void FreeCamera::walk_until(Nanoseconds now) {
+  const Nanoseconds took = std::max(Nanoseconds(0), now - since_);
+  since_ = std::max(since_, now);
+  if (!held_.empty()) {
+    const Quat head = head_orientation(head_->pose(now).heading);
+    position_ += static_cast<float>(seconds(took)) * velocity(head);
+  }
+}
+
+Vec3 FreeCamera::velocity(const Quat& head) const {
+  Vec3 way(0.0F);
+  for (const int key : held_) {
+    way += moving_key(key)->way;
+  }
+  const Vec3 world = head * Vec3(way.x, 0.0F, -way.z) + Vec3(0.0F, way.y, 0.0F);
+  return static_cast<float>(speed_m_per_s_) * world;
+}
+
+}  // namespace foveola

@@ -1,0 +1,99 @@
+// A camera that its user moves: walking and flying by keys, around what was picked by the mouse, to
+// what is clicked on.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "renderer/scene/scene.h"
+#include "renderer/window/camera_moves.h"
+#include "renderer/window/mouse_drags.h"
+#include "renderer/window/view_geometry.h"
+#include "renderer/window/window_event.h"
+
+namespace foveola {
+
+/// What a line of sight meets first.
+struct Sighted {
+  std::string object;    ///< its name
+  std::string material;  ///< its name
+  Vec3 position{0.0F};   ///< in the scene's coordinates
+  double distance_m = 0.0;
+  Bounds bounds;  ///< of the object
+};
+
+/// What a camera needs to know of the scene in which it moves.
+struct CameraSurroundings {
+  Bounds bounds;      ///< of all there is
+  DVec3 origin{0.0};  ///< Scene::origin: what is said in words is in the file's coordinates
+  Standing start;     ///< where it stands to begin with
+  /// What is seen from a place (in the scene's coordinates) in a direction of unit length.
+  std::function<std::optional<Sighted>(const Vec3& from, const Vec3& direction)> look;
+};
+
+class FreeCamera {
+ public:
+  /// head: the one that keys and mouse turn; must outlive it.
+  FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head);
+
+  /// How large the window is, and what it shows from now on.
+  void show(const ViewGeometry& geometry, const IVec2& framebuffer, double pixels_per_unit);
+
+  /// Follows what steers the camera. Returns whether the event means nothing else.
+  bool follow(const WindowEvent& event);
+
+  /// Goes on to `now` at the speed that held keys give it. Times may not go backwards.
+  void walk_until(Nanoseconds now);
+
+  /// Shows what was picked last, or all there is, from a distance.
+  void fit(Nanoseconds now);
+  /// Back to where it stood to begin with.
+  void go_back(Nanoseconds now);
+
+  /// Turns the head so that what was seen in one direction is seen in another. Unit length, in the
+  /// head's axes. Exact on the horizon.
+  void bring(Nanoseconds now, const Vec3& from, const Vec3& to);
+
+  const Vec3& position() const { return position_; }
+  /// As --camera takes it: in the file's coordinates.
+  DVec3 place() const { return DVec3(position_) + surroundings_.origin; }
+  double speed_m_per_s() const { return speed_m_per_s_; }
+  /// Whether it is being moved, so that what is seen does not stay.
+  bool is_moving() const { return !held_.empty() || mouse_.drag() == Drag::orbit; }
+
+  /// What it has to say since the last call, for the user; empty if nothing.
+  std::string take_note() { return std::exchange(note_, {}); }
+
+ private:
+  bool steer(Nanoseconds time, const KeyMoved& key);
+  bool steer(Nanoseconds time, const CharacterTyped& typed) const;
+  bool steer(Nanoseconds time, const WheelTurned& wheel);
+  bool steer(Nanoseconds time, const MouseButtonMoved& button);
+  bool steer(Nanoseconds time, const PointerMoved& moved);
+  bool moves_while_held(int key) const;
+  void look_at(Nanoseconds time, const DVec2& place_px);
+  void orbit(Nanoseconds time, const DVec2& way_px);
+  void stand(Nanoseconds time, const Standing& standing);
+  Standing standing(Nanoseconds time);
+  /// The way that held keys go in a second, in the world.
+  Vec3 velocity(const Quat& head) const;
+
+  CameraSurroundings surroundings_;
+  SteeredHeadTracker* head_;
+  Vec3 position_;
+  double speed_m_per_s_;
+  ViewGeometry geometry_;
+  IVec2 framebuffer_{1};
+  MouseDrags mouse_;
+  std::set<int> modifiers_;  ///< Shift, Control and Alt, as they are held
+  std::set<int> held_;       ///< the keys that move it
+  Nanoseconds since_{0};     ///< up to when it has moved
+  std::optional<Sighted> picked_;
+  Vec3 pivot_{0.0F};  ///< what the mouse's orbit goes around
+  std::string note_;
+};
+
+}  // namespace foveola

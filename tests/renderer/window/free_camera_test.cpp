@@ -1,0 +1,187 @@
+#include "renderer/window/free_camera.h"
+
+#include <gmock/gmock.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::HasSubstr;
+
+/// A window of 1000x500 pixels that shows 90 degrees across, in a scene whose diagonal is 10 m: one
+/// walks it at 1 m/s. All that is seen is a wall 4 m ahead of the origin, towards -Z.
+class FreeCameraTest : public ::testing::Test {
+ protected:
+  FreeCameraTest() { camera_.show(geometry_, {1000, 500}, 1.0); }
+
+  bool at(int time_ms, decltype(WindowEvent::what) what) {
+    return camera_.follow({.time = milliseconds(time_ms), .what = std::move(what)});
+  }
+  bool press(int time_ms, int key) { return at(time_ms, KeyMoved{.key = key, .is_down = true}); }
+  bool release(int time_ms, int key) { return at(time_ms, KeyMoved{.key = key, .is_down = false}); }
+  void button(int time_ms, int button, bool is_down) {
+    at(time_ms, MouseButtonMoved{.button = button, .is_down = is_down});
+  }
+  void point(int time_ms, double x, double y) {
+    at(time_ms, PointerMoved{.is_inside = true, .position = {x, y}});
+  }
+  Vec3 position(int time_ms) {
+    camera_.walk_until(milliseconds(time_ms));
+    return camera_.position();
+  }
+  AzimuthElevation heading(int time_ms) { return head_.pose(milliseconds(time_ms)).heading; }
+  void expect_near(const Vec3& actual, const Vec3& expected) {
+    EXPECT_NEAR(glm::length(actual - expected), 0.0, 1e-4)
+        << actual.x << ", " << actual.y << ", " << actual.z;
+  }
+
+  static std::optional<Sighted> wall(const Vec3& from, const Vec3& direction) {
+    if (direction.z >= 0.0F) {
+      return std::nullopt;
+    }
+    const float distance_m = (-4.0F - from.z) / direction.z;
+    return Sighted{.object = "Wall",
+                   .material = "Plaster",
+                   .position = from + distance_m * direction,
+                   .distance_m = distance_m,
+                   .bounds = {.lower = {-1.0F, -1.0F, -4.0F}, .upper = {1.0F, 1.0F, -4.0F}}};
+  }
+
+  ViewGeometry geometry_{.horizontal_fov_deg = 90.0,
+                         .vertical_fov_deg = 53.13,
+                         .parts = {{.origin = IVec2(0), .size = {1000, 500}}}};
+  SteeredHeadTracker head_{AzimuthElevation{}};
+  FreeCamera camera_{{.bounds = {.lower = Vec3(0.0F), .upper = Vec3(6.0F, 0.0F, 8.0F)},
+                      .origin = {100.0, 0.0, 0.0},
+                      .look = wall},
+                     head_};
+};
+
+TEST_F(FreeCameraTest, ShiftMakesArrowsMove) {
+  EXPECT_FALSE(press(0, GLFW_KEY_UP)) << "arrows alone turn the head";
+  release(0, GLFW_KEY_UP);
+  press(0, GLFW_KEY_LEFT_SHIFT);
+  EXPECT_TRUE(press(1000, GLFW_KEY_UP));
+  EXPECT_TRUE(camera_.is_moving());
+  expect_near(position(1500), {0.0F, 0.0F, -0.5F});
+  release(3000, GLFW_KEY_UP);
+  EXPECT_FALSE(camera_.is_moving());
+  expect_near(position(9000), {0.0F, 0.0F, -2.0F});
+  EXPECT_EQ(camera_.place(), DVec3(100.0, 0.0, -2.0)) << "in the file's coordinates";
+}
+
+TEST_F(FreeCameraTest, MovesAsTheHeadLooksAndUpIsUp) {
+  head_.turn(milliseconds(0), {.right_rad = radians(90.0), .up_rad = radians(-90.0)});
+  press(0, GLFW_KEY_PAGE_UP);
+  release(1000, GLFW_KEY_PAGE_UP);
+  expect_near(position(1000), {0.0F, 1.0F, 0.0F});
+  press(1000, GLFW_KEY_RIGHT_SHIFT);
+  press(1000, GLFW_KEY_UP);
+  expect_near(position(2000), {0.0F, 0.0F, 0.0F});
+}
+
+TEST_F(FreeCameraTest, LettersFlyWhileTheRightButtonIsHeld) {
+  EXPECT_FALSE(press(0, GLFW_KEY_W));
+  EXPECT_FALSE(at(0, CharacterTyped{'d'}));
+  button(0, GLFW_MOUSE_BUTTON_RIGHT, true);
+  EXPECT_TRUE(press(0, GLFW_KEY_D));
+  EXPECT_TRUE(at(0, CharacterTyped{'d'})) << "it must not show densities";
+  expect_near(position(1000), {1.0F, 0.0F, 0.0F});
+  point(1000, 500, 250);
+  point(1000, 400, 250);
+  EXPECT_NEAR(degrees(heading(1000).azimuth_rad), 9.0, 1e-9);
+  button(1000, GLFW_MOUSE_BUTTON_RIGHT, false);
+  expect_near(position(2000), {1.0F, 0.0F, 0.0F});
+}
+
+TEST_F(FreeCameraTest, TheWheelChangesTheSpeedWithControl) {
+  EXPECT_FALSE(at(0, WheelTurned{.away = 1.0})) << "alone it changes the field of view";
+  press(0, GLFW_KEY_LEFT_CONTROL);
+  EXPECT_TRUE(at(0, WheelTurned{.away = 1.0}));
+  EXPECT_NEAR(camera_.speed_m_per_s(), 1.25, 1e-9);
+  EXPECT_THAT(camera_.take_note(), HasSubstr("1.25 m/s"));
+  EXPECT_EQ(camera_.take_note(), "");
+}
+
+TEST_F(FreeCameraTest, AClickLooksThereAndSaysWhatItIs) {
+  point(0, 1000, 250);
+  button(1, GLFW_MOUSE_BUTTON_LEFT, true);
+  button(2, GLFW_MOUSE_BUTTON_LEFT, false);
+  EXPECT_NEAR(degrees(heading(3).azimuth_rad), 45.0, 1e-4);
+  EXPECT_EQ(camera_.take_note(), "'Wall' of 'Plaster', 5.66 m away");
+  expect_near(position(3), Vec3(0.0F));
+}
+
+TEST_F(FreeCameraTest, NothingIsPickedWhereNothingIs) {
+  head_.turn(milliseconds(0), {.right_rad = radians(180.0)});
+  point(0, 500, 250);
+  button(1, GLFW_MOUSE_BUTTON_LEFT, true);
+  button(2, GLFW_MOUSE_BUTTON_LEFT, false);
+  EXPECT_EQ(camera_.take_note(), "nothing is there");
+  EXPECT_NEAR(std::abs(degrees(heading(3).azimuth_rad)), 180.0, 1e-4);
+}
+
+TEST_F(FreeCameraTest, OrbitsAroundWhatIsAhead) {
+  point(0, 500, 250);
+  button(1, GLFW_MOUSE_BUTTON_MIDDLE, true);
+  point(2, 1000, 250);
+  button(3, GLFW_MOUSE_BUTTON_MIDDLE, false);
+  EXPECT_NEAR(degrees(heading(4).azimuth_rad), 90.0, 1e-4);
+  expect_near(position(4), {-4.0F, 0.0F, -4.0F});
+}
+
+TEST_F(FreeCameraTest, AltMakesTheLeftButtonOrbitAndTurnNothingElse) {
+  press(0, GLFW_KEY_LEFT_ALT);
+  EXPECT_TRUE(at(1, MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = true}));
+  EXPECT_TRUE(at(2, MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = false}));
+  release(3, GLFW_KEY_LEFT_ALT);
+  EXPECT_FALSE(at(4, MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = true}));
+}
+
+TEST_F(FreeCameraTest, ANewSizeWhileOrbitingIsHarmless) {
+  point(0, 500, 250);
+  button(1, GLFW_MOUSE_BUTTON_MIDDLE, true);
+  geometry_.parts.front().size = {100, 60};
+  camera_.show(geometry_, {100, 60}, 1.0);
+  point(2, 50, 30);
+  button(3, GLFW_MOUSE_BUTTON_MIDDLE, false);
+  EXPECT_TRUE(is_finite(position(4)));
+}
+
+TEST_F(FreeCameraTest, FitsWhatWasPickedOrAll) {
+  camera_.fit(milliseconds(0));
+  EXPECT_THAT(camera_.take_note(), HasSubstr("all fits"));
+  // Around (3, 0, 4) there are 5 m, seen under half of 53.13 degrees.
+  expect_near(position(0), {3.0F, 0.0F, 4.0F + 11.1803F});
+  camera_.go_back(milliseconds(0));
+  expect_near(position(0), Vec3(0.0F));
+  point(0, 500, 250);
+  button(1, GLFW_MOUSE_BUTTON_LEFT, true);
+  button(2, GLFW_MOUSE_BUTTON_LEFT, false);
+  camera_.take_note();
+  camera_.fit(milliseconds(3));
+  EXPECT_THAT(camera_.take_note(), HasSubstr("'Wall' fits"));
+  expect_near(position(3), {0.0F, 0.0F, -4.0F + 1.41421F * 2.23607F});
+}
+
+TEST_F(FreeCameraTest, AnEmptySceneHasNothingToFitOrPick) {
+  FreeCamera camera({.look = [](const Vec3&, const Vec3&) { return std::optional<Sighted>(); }},
+                    head_);
+  camera.show(geometry_, {1000, 500}, 1.0);
+  camera.fit(milliseconds(0));
+  EXPECT_THAT(camera.take_note(), HasSubstr("nothing to fit"));
+  EXPECT_EQ(camera.speed_m_per_s(), 1.0);
+  EXPECT_EQ(camera.position(), Vec3(0.0F));
+}
+
+TEST_F(FreeCameraTest, BringsWhatIsSeenElsewhere) {
+  const Vec3 right = direction_below(geometry_, {1000.0, 250.0}, 500);
+  camera_.bring(milliseconds(0), right, Vec3(0.0F, 0.0F, -1.0F));
+  EXPECT_NEAR(degrees(heading(0).azimuth_rad), 45.0, 1e-4);
+}
+
+}  // namespace
+}  // namespace foveola

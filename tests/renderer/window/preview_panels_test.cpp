@@ -1,0 +1,106 @@
+#include "renderer/window/preview_panels.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+
+namespace foveola {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// Ten frames of 41 253 samples in a second: as many as a sphere has square degrees.
+std::vector<LiveFrame> frames() {
+  std::vector<LiveFrame> frames;
+  for (int i = 0; i < 10; ++i) {
+    LiveFrame frame{.start = milliseconds(100 * i), .shown = milliseconds(100 * i + 100)};
+    frame.report.time = frame.start;
+    frame.report.gaze_valid = true;
+    frame.report.samples = 41'253;
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+ShownNow shown() {
+  return {.view = "view 60.0 x 36.0 degrees, true angles",
+          .horizontal_fov_deg = 60.0,
+          .camera = {1.5, 1.6, -3.25},
+          .head = {radians(-30.0), radians(5.0)},
+          .speed_m_per_s = 1.5,
+          .exposure_stops = -0.5,
+          .largest_radiance = std::numeric_limits<float>::infinity()};
+}
+
+TEST(PreviewPanelsTest, LatenciesStandBelowTheirHeadings) {
+  const std::vector<std::string> lines = latency_lines(frames(), {}, {});
+  ASSERT_GT(lines.size(), 2U);
+  EXPECT_THAT(lines[0], HasSubstr("  best  median   worst"));
+  const std::size_t unit = lines[1].find(" ms");
+  EXPECT_EQ(unit, lines[0].size()) << lines[1];
+}
+
+TEST(PreviewPanelsTest, DensitiesSayWhatTheyMean) {
+  const std::vector<std::string> lines = density_lines(frames());
+  ASSERT_THAT(lines, SizeIs(3));
+  EXPECT_EQ(lines[0].size(), lines[1].size()) << "the scale is as wide as the panel";
+  EXPECT_THAT(lines[2], HasSubstr("1: 10 a second and square degree"));
+  EXPECT_THAT(density_lines({}), SizeIs(2)) << "nothing is known yet";
+}
+
+TEST(PreviewPanelsTest, SaysWhatIsShownAndHow) {
+  ShownNow now = shown();
+  EXPECT_THAT(view_lines(now),
+              ElementsAre(now.view, "camera 1.5, 1.6, -3.25; moves 1.5 m a second",
+                          "head -30.0, 5.0 degrees", "exposure -0.5 stops, plain tone curve",
+                          "samples not cut"));
+  now.curve = ToneCurve::filmic;
+  now.largest_radiance = 5.66F;
+  EXPECT_THAT(view_lines(now)[3], HasSubstr("filmic"));
+  EXPECT_THAT(view_lines(now)[4], HasSubstr("cut at 5.66"));
+}
+
+TEST(PreviewPanelsTest, AViewIsOptionsOfTheCommandLine) {
+  ShownNow now = shown();
+  EXPECT_EQ(view_options(now), "--camera 1.5,1.6,-3.25 --head -30,5 --fov 60");
+  now.horizontal_fov_deg.reset();
+  EXPECT_EQ(view_options(now), "--camera 1.5,1.6,-3.25 --head -30,5");
+}
+
+TEST(PreviewPanelsTest, ThoseThatWereChosenAreShown) {
+  const std::vector<LiveFrame> rendered = frames();
+  const TrackerProfile tracker;
+  const DisplayProfile display;
+  const PanelContents contents{
+      .frames = rendered, .tracker = tracker, .display = display, .shown = shown()};
+  PreviewChoices choices{.methods = {"fv"}};
+  EXPECT_THAT(preview_panels(choices, contents), IsEmpty());
+  choices.shows_density = true;
+  choices.shows_help = true;
+  const std::vector<TextPanel> panels = preview_panels(choices, contents);
+  ASSERT_THAT(panels, SizeIs(2));
+  EXPECT_EQ(panels[0].lines, help_lines());
+  EXPECT_TRUE(panels[1].has_density_scale);
+}
+
+TEST(PreviewPanelsTest, NotesAreTheMostImportant) {
+  const TrackerProfile tracker;
+  const DisplayProfile display;
+  const std::vector<TextPanel> panels =
+      preview_panels({.methods = {"fv"}, .shows_frame_times = true},
+                     {.notes = {"no tracker"}, .tracker = tracker, .display = display});
+  ASSERT_THAT(panels, SizeIs(2));
+  EXPECT_THAT(panels[0].lines, ElementsAre("no tracker"));
+}
+
+TEST(PreviewPanelsTest, ACheckIsExplained) {
+  EXPECT_THAT(check_panel(2, 5).lines,
+              ElementsAre("Look at the dot: 2 of 5", "Escape ends the check"));
+}
+
+}  // namespace
+}  // namespace foveola
