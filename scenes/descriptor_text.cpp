@@ -83,9 +83,11 @@ std::string table_of(const SunAndSky& sky) {
 }
 
 std::string camera_of(const SceneSource& source) {
+  const auto in_degrees = [](double angle_rad) { return degrees(angle_rad) + 0.0; };  // no "-0"
   return fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {:.6g}\nelevation_deg = {:.6g}\n",
                      position_of(*source.camera_position, source),
-                     degrees(source.heading.azimuth_rad), degrees(source.heading.elevation_rad));
+                     in_degrees(source.heading.azimuth_rad),
+                     in_degrees(source.heading.elevation_rad));
 }
 
 }  // namespace

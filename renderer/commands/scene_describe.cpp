@@ -11,13 +11,13 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/utf8.h"
-#include "renderer/commands/arguments.h"
-#include "renderer/commands/environment_option.h"
-#include "renderer/commands/light_units_option.h"
+#include "renderer/commands/look_options.h"
 #include "renderer/commands/object_sheet.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/image/image_file.h"
+#include "renderer/progressive/exposure.h"
 #include "renderer/progressive/loaded_scene.h"
+#include "renderer/progressive/picture.h"
 #include "renderer/progressive/proposed_objects.h"
 
 namespace fs = std::filesystem;
@@ -30,9 +30,7 @@ struct DescribeArguments {
   std::string file;
   std::string output;
   std::string contact_sheet;
-  std::string camera;
-  std::string head;
-  std::string environment;
+  LookArguments look;
   bool may_replace = false;
   int threads = 0;
 };
@@ -79,17 +77,6 @@ SceneSource source_of_file(const std::string& file) {
   return source;
 }
 
-SceneChoices choices_of(const DescribeArguments& arguments) {
-  SceneChoices choices;
-  if (!arguments.camera.empty()) {
-    choices.camera = parse_vec3("--camera", arguments.camera);
-  }
-  if (!arguments.head.empty()) {
-    choices.head = parse_azimuth_elevation("--head", arguments.head);
-  }
-  return choices;
-}
-
 /// An object's remark in the descriptor, and its line on the terminal.
 std::string remark_on(const ProposedObject& proposed) {
   return fmt::format("{:.0f} % of it visible, {:.3g} m away", 100.0 * proposed.visible_share,
@@ -111,12 +98,16 @@ void print_result(const Outputs& outputs, const std::vector<ProposedObject>& obj
   }
 }
 
-/// Where the camera stands and looks is the descriptor's, whoever chose it.
-void describe_view(const LoadedScene& loaded, SceneSource& source) {
+/// Where the camera stands and looks, and how bright it is, is the descriptor's, whoever chose it.
+void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
+                   const Workers& workers, SceneSource& source) {
   source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
   source.heading = loaded.camera.heading;
   source.described_sha256 = loaded.scene.sha256;
-  source.exposure_stops = source.exposure_stops.value_or(0.0);
+  const FieldOfView field_of_view = picture_of(loaded.camera, {}).field_of_view;
+  source.exposure_stops =
+      chosen_exposure(exposure, loaded, Viewport(loaded.camera.heading, field_of_view), {}, workers)
+          .stops;
 }
 
 /// What a descriptor names lies in its own folder.
@@ -139,13 +130,11 @@ void describe(const DescribeArguments& arguments, SceneSource source,
               const DescriptorText& descriptor_text, const std::stop_token& stop) {
   const Outputs outputs = outputs_of(arguments);
   require_free(outputs, arguments.may_replace);
-  if (!arguments.environment.empty()) {
-    replace_environment(arguments.environment, source);
-  }
+  apply_light(arguments.look, source);
   const Workers workers(arguments.threads);
-  const LoadedScene loaded(source, workers, choices_of(arguments));
+  const LoadedScene loaded(source, workers, scene_choices(arguments.look));
   print_warnings(loaded.warnings);
-  describe_view(loaded, source);
+  describe_view(loaded, exposure_choice(arguments.look), workers, source);
   const std::vector<ProposedObject> objects = propose_objects(loaded, workers);
   std::vector<std::string> remarks;
   for (const ProposedObject& proposed : objects) {
@@ -178,17 +167,16 @@ void add_scene_describe(CLI::App& scene, const DescriptorText& descriptor_text,
                       "The .png with a picture of each object (default: beside the descriptor, "
                       "NAME-objects.png)");
   command->add_flag("--force", arguments->may_replace, "Replace files that are there already");
-  command->add_option("--camera", arguments->camera, camera_help);
-  command->add_option("--head", arguments->head,
-                      "Where one looks at first: azimuth,elevation in degrees (default: as the "
-                      "file's camera)");
-  command->add_option("--environment", arguments->environment, environment_help);
+  add_viewpoint_options(*command, arguments->look);
+  add_light_options(*command, arguments->look);
+  add_exposure_option(*command, arguments->look);
   command->add_option("--threads", arguments->threads, "Number of threads; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->footer("Example: foveola scene describe kitchen.glb");
-  command->callback([arguments, find = with_light_units(*command, source_of_file), descriptor_text,
-                     stop] { describe(*arguments, find(arguments->file), descriptor_text, stop); });
+  command->callback([arguments, descriptor_text, stop] {
+    describe(*arguments, source_of_file(arguments->file), descriptor_text, stop);
+  });
 }
 
 }  // namespace foveola

@@ -114,8 +114,10 @@ std::string error_of(const std::function<void()>& action) {
 }
 
 TEST(Profiles, AnUnknownNameSaysWhichThereAre) {
+  EXPECT_THAT(error_of([] { read_display_profile("projector"); }),
+              AllOf(HasSubstr("'projector'"), HasSubstr("desktop, fove0")));
   EXPECT_THAT(error_of([] { read_display_profile("fove1"); }),
-              AllOf(HasSubstr("'fove1'"), HasSubstr("desktop, fove0")));
+              AllOf(HasSubstr("'fove1'"), HasSubstr("did you mean 'fove0'?")));
   EXPECT_THAT(error_of([] { read_tracker_profile(""); }), HasSubstr("open-gaze"));
   EXPECT_THAT(error_of([] { read_tracker_profile("."); }), HasSubstr("open-gaze"));
   EXPECT_THAT(error_of([] { read_tracker_profile("./nowhere.toml"); }),

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "renderer/base/build_info.h"
@@ -106,7 +107,7 @@ class ReplayTest : public ::testing::Test {
   ReplayReport replay(std::optional<std::size_t> trial = {}) {
     return replay_session(
         {.database = path_, .participant = "P1", .trial = trial, .folder = folder_.path()},
-        [this](const std::string& name) {
+        [this](const std::string& name, const auto& /*folder*/) {
           loaded_.push_back(name);
           return source_of(name);
         },
@@ -264,8 +265,9 @@ class ChangedRecord : public ReplayTest {
     fs::remove(changed_);
     store_.back_up(changed_);
     tamper(changed_, fmt::format("UPDATE event SET {} WHERE sequence = {}", set, number_of(type)));
-    report_ = replay_session({.database = changed_, .participant = "P1", .folder = folder_.path()},
-                             [this](const std::string& name) { return source_of(name); }, {});
+    report_ = replay_session(
+        {.database = changed_, .participant = "P1", .folder = folder_.path()},
+        [this](const std::string& name, const auto& /*folder*/) { return source_of(name); }, {});
     EXPECT_THAT(report_.difference, StartsWith(fmt::format("event {} ", number_of(type))));
     EXPECT_THAT(report_.difference, testing::Not(HasSubstr("\n")));
     return report_.difference;

@@ -36,7 +36,8 @@ class SimulateStudyTest : public testing::Test {
 
   SimulateReport simulate(const SimulateSettings& settings) const {
     return simulate_study(
-        settings, [this](const std::string&) { return wall_with_a_square(folder_); },
+        settings,
+        [this](const std::string&, const auto& /*folder*/) { return wall_with_a_square(folder_); },
         stop_.get_token());
   }
 
