@@ -37,7 +37,8 @@ ShownNow shown() {
 }
 
 TEST(PreviewPanelsTest, LatenciesStandBelowTheirHeadings) {
-  const std::vector<std::string> lines = latency_lines(frames(), {}, {});
+  const std::vector<std::string> lines =
+      latency_lines(frames(), {.rate_hz = 70.0}, {.refresh_rate_hz = 60.0});
   ASSERT_GT(lines.size(), 2U);
   EXPECT_THAT(lines[0], HasSubstr("  best  median   worst"));
   const std::size_t unit = lines[1].find(" ms");
@@ -73,8 +74,8 @@ TEST(PreviewPanelsTest, AViewIsOptionsOfTheCommandLine) {
 
 TEST(PreviewPanelsTest, ThoseThatWereChosenAreShown) {
   const std::vector<LiveFrame> rendered = frames();
-  const TrackerProfile tracker;
-  const DisplayProfile display;
+  const TrackerProfile tracker{.rate_hz = 70.0};
+  const DisplayProfile display{.refresh_rate_hz = 60.0};
   const PanelContents contents{
       .frames = rendered, .tracker = tracker, .display = display, .shown = shown()};
   PreviewChoices choices{.methods = {"fv"}};
@@ -88,8 +89,8 @@ TEST(PreviewPanelsTest, ThoseThatWereChosenAreShown) {
 }
 
 TEST(PreviewPanelsTest, NotesAreTheMostImportant) {
-  const TrackerProfile tracker;
-  const DisplayProfile display;
+  const TrackerProfile tracker{.rate_hz = 70.0};
+  const DisplayProfile display{.refresh_rate_hz = 60.0};
   const std::vector<TextPanel> panels =
       preview_panels({.methods = {"fv"}, .shows_frame_times = true},
                      {.notes = {"no tracker"}, .tracker = tracker, .display = display});
