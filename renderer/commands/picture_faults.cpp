@@ -42,13 +42,16 @@ int percent(double share) { return static_cast<int>(100.0 * share); }
 
 }  // namespace
 
-std::vector<std::string> picture_faults(const FilmImage& image, double exposure_stops) {
+std::vector<std::string> picture_faults(const FilmImage& image, double exposure_stops,
+                                        bool is_enclosed) {
   const Shares shares = shares_of(image, exposure_scale(exposure_stops));
   if (shares.black >= nearly_all) {
     return {fmt::format(
-        "{} % of the picture is black: --exposure auto or a higher number brightens it, "
-        "--environment 1,1,1 lights the scene evenly, and --camera looks from elsewhere",
-        percent(shares.black))};
+        "{} % of the picture is black: --exposure auto or a higher number brightens it, {}, and "
+        "--camera looks from elsewhere",
+        percent(shares.black),
+        is_enclosed ? "the scene, which is closed around the camera, needs lights within"
+                    : "--environment 1,1,1 lights the scene evenly")};
   }
   if (shares.white >= mostly) {
     return {fmt::format(

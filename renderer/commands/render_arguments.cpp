@@ -70,9 +70,8 @@ void read_view(const RenderArguments& arguments, RenderSettings& settings) {
   if (!arguments.view.empty()) {
     settings.view = parse_size("--view-size", arguments.view_size);
     if (!fov.vertical_deg) {
-      const double half_width = std::tan(0.5 * radians(fov.horizontal_deg));
-      const double half_height = half_width * settings.view->y / settings.view->x;
-      settings.field_of_view.vertical_deg = degrees(2.0 * std::atan(half_height));
+      const double height_by_width = static_cast<double>(settings.view->y) / settings.view->x;
+      settings.field_of_view.vertical_deg = fov_across_deg(height_by_width, fov.horizontal_deg);
     }
   }
   settings.unsampled = arguments.fill_unsampled ? UnsampledPixels::filled : UnsampledPixels::black;

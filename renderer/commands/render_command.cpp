@@ -83,7 +83,8 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   }
   write(rendering, settings, arguments);
   if (is_shown(arguments.output) && report.is_lit) {
-    const std::vector<std::string> faults = picture_faults(rendering.image, report.exposure.stops);
+    const std::vector<std::string> faults =
+        picture_faults(rendering.image, report.exposure.stops, report.is_enclosed);
     report.warnings.insert(report.warnings.end(), faults.begin(), faults.end());
   }
   const RenderNames names{.scene = arguments.scene, .output = arguments.output};

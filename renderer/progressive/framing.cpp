@@ -33,10 +33,8 @@ void Framing::include(const Vec3& position) {
 }
 
 void Framing::include(const Scene& scene, std::uint32_t object) {
-  const Instance* instance = scene.instance_of(object);
   for (const Vec3& position : scene.mesh_of(object).positions) {
-    include(instance == nullptr ? position
-                                : Vec3(instance->world_from_local * Vec4(position, 1.0F)));
+    include(scene.in_world(object, position));
   }
 }
 

@@ -165,6 +165,7 @@ RenderReport report_on(const StillRender& still, const RenderSettings& settings)
   report.roll_rad = settings.picture ? loaded.camera.roll_rad : 0.0;
   report.gaze = settings.picture ? loaded.camera.heading : gaze_of(settings, loaded);
   report.is_lit = has_light(loaded.scene);
+  report.is_enclosed = loaded.camera_is_enclosed;
   report.size = still.shot.size;
   report.field_of_view = still.shot.field_of_view;
   report.exposure = still.exposure;

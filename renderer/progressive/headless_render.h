@@ -55,8 +55,9 @@ struct RenderReport {
   Exposure exposure;
   DVec3 camera{0.0};  ///< in the file's world
   AzimuthElevation head;
-  double roll_rad = 0.0;  ///< of a picture
-  bool is_lit = true;     ///< whether anything in the scene shines
+  double roll_rad = 0.0;     ///< of a picture
+  bool is_lit = true;        ///< whether anything in the scene shines
+  bool is_enclosed = false;  ///< whether no light comes to the camera from outside the scene
   AzimuthElevation gaze;
   int threads = 0;
   std::vector<std::string> warnings;

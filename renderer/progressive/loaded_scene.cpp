@@ -9,10 +9,11 @@
 
 #include "renderer/base/clock.h"
 #include "renderer/base/error.h"
+#include "renderer/progressive/first_look.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/progressive/standpoint.h"
+#include "renderer/progressive/surroundings.h"
 #include "renderer/scene/load_scene.h"
-#include "renderer/scene/scene_facts.h"
 
 namespace foveola {
 namespace {
@@ -34,37 +35,13 @@ Scene with_materials(Scene scene, bool diffuse) {
   return scene;
 }
 
-std::vector<std::string> warnings_of(const Scene& scene) {
-  std::vector<std::string> warnings = scene.warnings;
-  if (scene.object_count() == 0) {
-    warnings.emplace_back(
-        "there is nothing to see but what surrounds the scene; export its objects as meshes, and "
-        "not "
-        "only those that are selected");
-  }
-  if (!has_light(scene)) {
-    warnings.emplace_back(
-        "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
-        "render and preview lights it evenly, and see their --help for daylight and images");
-  }
-  return warnings;
-}
-
-/// In whole degrees, and never -0.
-double shown_deg(double angle_rad) { return std::round(degrees(angle_rad)) + 0.0; }
-
-/// The camera where nobody says where to stand. Adds a warning that says so.
+/// The camera where nobody says where to stand. Adds notes that say so.
 CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
                                 const SceneChoices& choices, std::vector<std::string>& warnings) {
   const FieldOfView framed_for = choices.framed_for.value_or(picture_of({}, {}).field_of_view);
-  Standpoint standpoint = choose_standpoint(scene, rays, framed_for);
-  const DVec3 place = DVec3(standpoint.position) + scene.origin;
-  if (scene.object_count() > 0) {
-    warnings.push_back(fmt::format(
-        "the file has no camera: it is seen from ({:.4g}, {:.4g}, {:.4g}), {}; --camera X,Y,Z and "
-        "--head AZIMUTH,ELEVATION look otherwise (here {:g},{:g})",
-        place.x, place.y, place.z, standpoint.reason, shown_deg(standpoint.heading.azimuth_rad),
-        shown_deg(standpoint.heading.elevation_rad)));
+  const Standpoint standpoint = choose_standpoint(scene, rays, framed_for);
+  for (std::string& note : notes_on_standpoint(scene, rays, standpoint, framed_for)) {
+    warnings.push_back(std::move(note));
   }
   CameraView view;
   view.position = standpoint.position;
@@ -144,8 +121,13 @@ LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, doubl
       load_seconds(timed_scene.second),
       scene(with_materials(std::move(timed_scene.first), choices.diffuse)),
       tracer(build(scene, workers, build_seconds)),
-      warnings(warnings_of(scene)),
-      camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)) {}
+      warnings(scene.warnings),
+      camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)),
+      camera_is_enclosed(is_enclosed(tracer.ray_scene(), camera.position)) {
+  for (std::string& lack : lacks_of(scene, camera_is_enclosed)) {
+    warnings.push_back(std::move(lack));
+  }
+}
 
 ProgressiveSettings LoadedScene::rendered_with(ProgressiveSettings settings) const {
   settings.viewpoint = camera.position;

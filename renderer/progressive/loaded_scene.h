@@ -32,10 +32,12 @@ struct LoadedScene {
   Scene scene;
   PathTracer tracer;
   /// One line each: what loading warned of, where one stands if neither the scene nor the choices
-  /// say so (see choose_standpoint), and that nothing shines.
+  /// say so (see choose_standpoint), and what the scene lacks.
   std::vector<std::string> warnings;
   /// Where the choices say, else the source, else the file's first, else by choose_standpoint.
   CameraView camera;
+  /// Whether no light comes to the camera's place from outside the scene.
+  bool camera_is_enclosed = false;
 
   /// Throws Error for what is wrong with the scene, and UsageError for a camera that it has not.
   LoadedScene(const SceneSource& source, const Workers& workers, const SceneChoices& choices = {});

@@ -13,11 +13,6 @@ IVec2 fitted_size(double aspect_ratio) {
   return glm::max(IVec2(width, height), IVec2(1));
 }
 
-/// The field of view of a side that is `ratio` times as long as one that shows `fov_deg`.
-double fov_of_side_deg(double fov_deg, double ratio) {
-  return degrees(2.0 * std::atan(ratio * std::tan(0.5 * radians(fov_deg))));
-}
-
 }  // namespace
 
 Picture picture_of(const CameraView& camera, const PictureChoices& choices) {
@@ -29,13 +24,13 @@ Picture picture_of(const CameraView& camera, const PictureChoices& choices) {
   if (choices.horizontal_fov_deg) {
     fov.horizontal_deg = *choices.horizontal_fov_deg;
   } else if (camera.vertical_fov_rad) {
-    fov.horizontal_deg = fov_of_side_deg(degrees(*camera.vertical_fov_rad), 1.0 / height_by_width);
+    fov.horizontal_deg = fov_across_deg(1.0 / height_by_width, degrees(*camera.vertical_fov_rad));
   } else {
     fov.horizontal_deg =
-        fov_of_side_deg(usual_picture_fov_deg, std::min(1.0, 1.0 / height_by_width));
+        fov_across_deg(std::min(1.0, 1.0 / height_by_width), usual_picture_fov_deg);
   }
   fov.vertical_deg =
-      choices.vertical_fov_deg.value_or(fov_of_side_deg(fov.horizontal_deg, height_by_width));
+      choices.vertical_fov_deg.value_or(fov_across_deg(height_by_width, fov.horizontal_deg));
   return picture;
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "renderer/progressive/surroundings.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 namespace {
@@ -209,10 +211,56 @@ double best_azimuth_rad(const RayScene& rays, const Vec3& eye, double furthest_m
   return wrapped_angle(level_azimuth_rad(static_cast<int>(best)));
 }
 
+/// How much stands in a picture: the length of the outlines in it, where of two rays beside one
+/// another one goes much further.
+int outlines_in(const RayScene& rays, const Vec3& eye, const Viewport& viewport) {
+  constexpr IVec2 grid{48, 27};
+  constexpr float much_further = 1.2F;
+  std::vector<float> distances_m;
+  for (int y = 0; y < grid.y; ++y) {
+    for (int x = 0; x < grid.x; ++x) {
+      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(grid));
+      distances_m.push_back(distance_along(rays, eye, direction));
+    }
+  }
+  const auto is_outline = [&](std::size_t one, std::size_t other) {
+    const auto [nearer, further] = std::minmax(distances_m[one], distances_m[other]);
+    return further > much_further * nearer;
+  };
+  int outlines = 0;
+  for (int y = 0; y < grid.y; ++y) {
+    for (int x = 0; x < grid.x; ++x) {
+      const auto at = static_cast<std::size_t>(y * grid.x + x);
+      outlines += x + 1 < grid.x && is_outline(at, at + 1) ? 1 : 0;
+      outlines += y + 1 < grid.y && is_outline(at, at + grid.x) ? 1 : 0;
+    }
+  }
+  return outlines;
+}
+
+/// Straight ahead, or downwards if much more stands there.
+double best_elevation_rad(const RayScene& rays, const Vec3& eye, double azimuth_rad,
+                          const FieldOfView& field_of_view) {
+  constexpr double much_more = 1.2;
+  double best_rad = 0.0;
+  double most = 0.0;
+  for (const double below_deg : {0.0, 10.0, 20.0}) {
+    const AzimuthElevation heading{.azimuth_rad = azimuth_rad,
+                                   .elevation_rad = -radians(below_deg) + 0.0};
+    const int outlines = outlines_in(rays, eye, Viewport(heading, field_of_view));
+    if (outlines > much_more * most) {
+      best_rad = heading.elevation_rad;
+      most = outlines;
+    }
+  }
+  return best_rad;
+}
+
 }  // namespace
 
 std::optional<Standpoint> standpoint_in_room(const Scene& scene, const RayScene& rays,
-                                             const Bounds& bounds) {
+                                             const Bounds& bounds,
+                                             const FieldOfView& field_of_view) {
   const double furthest_m = glm::distance(DVec3(bounds.lower), DVec3(bounds.upper));
   const std::optional<Enclosure> enclosure =
       enclosure_of(scene, rays, places_in(rays, bounds), furthest_m);
@@ -220,15 +268,15 @@ std::optional<Standpoint> standpoint_in_room(const Scene& scene, const RayScene&
     return std::nullopt;
   }
   const Place& place = enclosure->widest;
-  return Standpoint{
-      .position = place.eye,
-      .heading = {.azimuth_rad = best_azimuth_rad(rays, place.eye, furthest_m),
-                  .elevation_rad = 0.0},
-      .reason = place.is_at_eye_height
-                    ? "1.6 m above the floor of a room where it is widest, looking where there "
-                      "is most to see"
-                    : "at half the height of a room where it is widest, looking where there "
-                      "is most to see"};
+  const double azimuth_rad = best_azimuth_rad(rays, place.eye, furthest_m);
+  const double elevation_rad = best_elevation_rad(rays, place.eye, azimuth_rad, field_of_view);
+  return Standpoint{.position = place.eye,
+                    .heading = {.azimuth_rad = azimuth_rad, .elevation_rad = elevation_rad},
+                    .reason = place.is_at_eye_height
+                                  ? "from 1.6 m above the floor of a room where it is widest, "
+                                    "looking where there is most to see"
+                                  : "from half the height of a room where it is widest, looking "
+                                    "where there is most to see"};
 }
 
 }  // namespace foveola

@@ -9,6 +9,7 @@ namespace foveola {
 
 /// The place in a room that choose_standpoint describes; none if the scene is no room.
 std::optional<Standpoint> standpoint_in_room(const Scene& scene, const RayScene& rays,
-                                             const Bounds& bounds);
+                                             const Bounds& bounds,
+                                             const FieldOfView& field_of_view);
 
 }  // namespace foveola

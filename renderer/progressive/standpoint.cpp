@@ -95,8 +95,10 @@ Subject subject_of(const std::vector<Bounds>& objects) {
   return has_rest && is_floor_under(*largest, rest.bounds) ? rest : all;
 }
 
-/// How much a picture from outside shows: the share of its rays that meet fronts, and how deep
-/// behind the nearest point of the bounds they reach on average, as a part of the bounds' size.
+/// How much a picture from outside shows: the mean over what its rays meet. A front counts 1, and
+/// the depth in which it is met behind the nearest point of the bounds, as a part of the bounds'
+/// size. A back counts twice its depth: near by it is the wrong side of something, and deep within
+/// it is the inside of something open, like a helmet seen from the front.
 double shown_from(const Scene& scene, const RayScene& rays, const Subject& subject,
                   const AzimuthElevation& heading, const FieldOfView& field_of_view) {
   constexpr IVec2 grid{16, 9};
@@ -116,7 +118,7 @@ double shown_from(const Scene& scene, const RayScene& rays, const Subject& subje
       if (!hit.missed()) {
         ++hits;
         const double depth = std::clamp((hit.t - before_m) / size_m, 0.0, 1.0);
-        shown += is_front(scene, hit, direction) ? 1.0 + depth : 0.0;
+        shown += is_front(scene, hit, direction) ? 1.0 + depth : 2.0 * depth;
       }
     }
   }
@@ -126,7 +128,7 @@ double shown_from(const Scene& scene, const RayScene& rays, const Subject& subje
 /// From the front and the right and slightly from above, unless another side shows much more.
 AzimuthElevation best_heading(const Scene& scene, const RayScene& rays, const Subject& subject,
                               const FieldOfView& field_of_view) {
-  constexpr double much_more = 0.15;
+  constexpr double much_more = 0.3;
   AzimuthElevation best;
   double most = -1.0;
   for (const double below_deg : {20.0, 40.0}) {
@@ -170,15 +172,15 @@ Standpoint choose_standpoint(const Scene& scene, const RayScene& rays,
   if (!has_extent(bounds)) {
     const bool is_somewhere = bounds.lower.x <= bounds.upper.x;
     const Vec3 middle = is_somewhere ? 0.5F * bounds.lower + 0.5F * bounds.upper : Vec3(0.0F);
-    return {.position = middle, .heading = {}, .reason = "the middle of its bounds"};
+    return {.position = middle, .heading = {}, .reason = "from the middle of its bounds"};
   }
   const Subject subject = subject_of(objects);
   const Shape shape(bounds);
   if (shape.is_flat()) {
     return outside(scene, subject, azimuth_elevation(-shape.front()), field_of_view,
-                   "in front of all there is, since it is flat");
+                   "from in front of all there is, since it is flat");
   }
-  if (std::optional<Standpoint> room = standpoint_in_room(scene, rays, bounds)) {
+  if (std::optional<Standpoint> room = standpoint_in_room(scene, rays, bounds, field_of_view)) {
     return *std::move(room);
   }
   return outside(scene, subject, best_heading(scene, rays, subject, field_of_view), field_of_view,

@@ -13,16 +13,16 @@ namespace foveola {
 struct Standpoint {
   Vec3 position{0.0F};  ///< in the scene's world
   AzimuthElevation heading;
-  std::string reason;  ///< in words that follow "seen from (x, y, z), "
+  std::string reason;  ///< in words that follow "it is seen "
 };
 
 /// In a room from within: 1.6 m above its floor, or at half its height if it is lower or higher
 /// than rooms for people are, where there is most space around, looking where there is most to see,
-/// in depth and in objects. Anything else from outside, from where a picture with `field_of_view`
-/// has all of it: from the front (+Z, where glTF's models look) and the right, slightly from above;
-/// from another side or from further above if that shows more fronts, or deeper; and a sheet or a
-/// plane from its front. A floor that is larger than what stands on it need not be in the picture
-/// as a whole.
+/// in depth and in objects, and downwards if there is more to see than straight ahead. Anything
+/// else from outside, from where a picture with `field_of_view` has all of it: from the front (+Z,
+/// where glTF's models look) and the right, slightly from above; from another side or from further
+/// above if that shows more fronts, or deeper; and a sheet or a plane from its front. A floor that
+/// is larger than what stands on it need not be in the picture as a whole.
 ///
 /// A room is a place where at least three fifths of the rays, evenly in all directions, and three
 /// quarters of the level ones, meet something, and where one of these holds: a point or spot light

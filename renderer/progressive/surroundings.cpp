@@ -63,6 +63,15 @@ double share_of_fronts_from_outside(const Scene& scene, const RayScene& rays, co
   return hits > 0 ? static_cast<double>(fronts) / hits : 1.0;
 }
 
+bool is_enclosed(const RayScene& rays, const Vec3& from) {
+  constexpr int directions = 256;
+  int i = 0;
+  while (i < directions && !rays.closest_hit(from, fibonacci_direction(i, directions)).missed()) {
+    ++i;
+  }
+  return i == directions;
+}
+
 bool is_light_in_sight(const Scene& scene, const RayScene& rays, const Vec3& from) {
   return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const PunctualLight& light) {
     return light.kind != PunctualLight::Kind::directional &&

@@ -24,6 +24,9 @@ Surroundings look_around(const Scene& scene, const RayScene& rays, const Vec3& f
 double share_of_fronts_from_outside(const Scene& scene, const RayScene& rays, const Vec3& target,
                                     double distance_m);
 
+/// Whether something is in the way in all directions, as far as 256 rays can tell.
+bool is_enclosed(const RayScene& rays, const Vec3& from);
+
 /// Whether a point or spot light is in sight.
 bool is_light_in_sight(const Scene& scene, const RayScene& rays, const Vec3& from);
 

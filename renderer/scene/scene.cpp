@@ -18,6 +18,11 @@ const std::string& Scene::object_name(std::uint32_t object) const {
   return instance == nullptr ? meshes[object].name : instance->name;
 }
 
+Vec3 Scene::in_world(std::uint32_t object, const Vec3& position) const {
+  const Instance* instance = instance_of(object);
+  return instance == nullptr ? position : Vec3(instance->world_from_local * Vec4(position, 1.0F));
+}
+
 std::size_t Scene::triangle_count() const {
   std::size_t count = 0;
   for (std::uint32_t object = 0; object < object_count(); ++object) {
@@ -29,12 +34,10 @@ std::size_t Scene::triangle_count() const {
 Bounds Scene::bounds_of(std::uint32_t object) const {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Bounds bounds{.lower = Vec3(infinity), .upper = Vec3(-infinity)};
-  const Instance* instance = instance_of(object);
   for (const Vec3& position : mesh_of(object).positions) {
-    const Vec3 in_world =
-        instance == nullptr ? position : Vec3(instance->world_from_local * Vec4(position, 1.0F));
-    bounds.lower = glm::min(bounds.lower, in_world);
-    bounds.upper = glm::max(bounds.upper, in_world);
+    const Vec3 placed = in_world(object, position);
+    bounds.lower = glm::min(bounds.lower, placed);
+    bounds.upper = glm::max(bounds.upper, placed);
   }
   return bounds;
 }

@@ -175,6 +175,8 @@ struct Scene {
   /// Null for an object that is a mesh in world space.
   const Instance* instance_of(std::uint32_t object) const;
   const std::string& object_name(std::uint32_t object) const;
+  /// Where a position of an object's geometry lies in the world.
+  Vec3 in_world(std::uint32_t object, const Vec3& position) const;
 
   /// The triangles of all objects, each instance counted.
   std::size_t triangle_count() const;

@@ -70,6 +70,10 @@ double on_display(const RadialLens& lens, double distance, double furthest) {
 
 }  // namespace
 
+double fov_across_deg(double ratio, double fov_deg) {
+  return degrees(2.0 * std::atan(ratio * std::tan(0.5 * radians(fov_deg))));
+}
+
 Quat head_orientation(const AzimuthElevation& heading) {
   // Positive azimuth turns from -Z towards +X, which about +Y is a negative rotation.
   const Quat turn = glm::angleAxis(static_cast<float>(-heading.azimuth_rad), Vec3(0, 1, 0));

@@ -16,6 +16,10 @@ Quat head_orientation(const AzimuthElevation& heading);
 /// A gaze (unit length, world) in the axes of a head that looks along `heading`; unit length.
 Vec3 gaze_in_head(const AzimuthElevation& heading, const Vec3& gaze);
 
+/// The field of view across one side of a flat picture that is `ratio` times as long as a side
+/// which spans fov_deg. Degrees, in (0, 180).
+double fov_across_deg(double ratio, double fov_deg);
+
 /// What of a view stays the same while the head turns.
 struct FieldOfView {
   double horizontal_deg = 100.0;  ///< in (0, 180), without the lens

@@ -15,12 +15,6 @@ ViewGeometry pane_at_a_distance(const DisplayProfile& display, const IVec2& fram
           .parts = {{.origin = IVec2(0), .size = framebuffer}}};
 }
 
-/// The field of view across one side of a window, where that across the other is known.
-double fov_across_deg(int side_px, double other_fov_deg, int other_px) {
-  const double half = std::tan(radians(0.5 * other_fov_deg)) * side_px / other_px;
-  return degrees(2.0 * std::atan(half));
-}
-
 ViewGeometry view_for_each_eye(const DisplayProfile& display, const IVec2& framebuffer) {
   const IVec2 half(framebuffer.x / 2, framebuffer.y);
   return {
@@ -41,9 +35,9 @@ ViewGeometry view_geometry(const DisplayProfile& display, const IVec2& framebuff
                            double larger_fov_deg) {
   ViewGeometry geometry = view_geometry(display, framebuffer);
   if (display.kind == DisplayKind::monitor) {
-    const int larger_px = std::max(framebuffer.x, framebuffer.y);
-    geometry.horizontal_fov_deg = fov_across_deg(framebuffer.x, larger_fov_deg, larger_px);
-    geometry.vertical_fov_deg = fov_across_deg(framebuffer.y, larger_fov_deg, larger_px);
+    const double larger_px = std::max(framebuffer.x, framebuffer.y);
+    geometry.horizontal_fov_deg = fov_across_deg(framebuffer.x / larger_px, larger_fov_deg);
+    geometry.vertical_fov_deg = fov_across_deg(framebuffer.y / larger_px, larger_fov_deg);
   }
   return geometry;
 }

@@ -25,8 +25,8 @@ void WindowView::resize(const IVec2& framebuffer) {
 
 void WindowView::zoom(double steps) {
   constexpr double step = 1.1;
-  const double half = std::tan(radians(0.5 * larger_fov_deg(geometry_))) * std::pow(step, -steps);
-  larger_fov_deg_ = std::clamp(degrees(2.0 * std::atan(half)), narrowest_fov_deg, widest_fov_deg);
+  const double zoomed = fov_across_deg(std::pow(step, -steps), larger_fov_deg(geometry_));
+  larger_fov_deg_ = std::clamp(zoomed, narrowest_fov_deg, widest_fov_deg);
   update();
 }
 

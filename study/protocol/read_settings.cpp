@@ -91,8 +91,7 @@ void read_fields_of_view(TomlReader& reader, DisplaySettings& display) {
   display.vertical_fov_deg = display.horizontal_fov_deg;
   if (display.view_width != display.view_height) {
     const double aspect = static_cast<double>(display.view_height) / display.view_width;
-    const double half_width = std::tan(0.5 * radians(display.horizontal_fov_deg));
-    display.vertical_fov_deg = degrees(2.0 * std::atan(half_width * aspect));
+    display.vertical_fov_deg = fov_across_deg(aspect, display.horizontal_fov_deg);
   }
 }
 

@@ -1,0 +1,101 @@
+#include "renderer/progressive/first_look.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "renderer/progressive/framing.h"
+#include "renderer/scene/scene_facts.h"
+
+namespace foveola {
+namespace {
+
+/// As --camera and --head take them, in the file's world.
+std::string as_options(const Scene& scene, const Vec3& position, const AzimuthElevation& heading) {
+  const DVec3 place = DVec3(position) + scene.origin;
+  const auto whole_deg = [](double angle_rad) { return std::round(degrees(angle_rad)) + 0.0; };
+  return fmt::format("--camera {:.4g},{:.4g},{:.4g} --head {:g},{:g}", place.x, place.y, place.z,
+                     whole_deg(heading.azimuth_rad), whole_deg(heading.elevation_rad));
+}
+
+/// The share of a picture's rays that meet something.
+double share_covered(const RayScene& rays, const Vec3& from, const Viewport& viewport) {
+  constexpr IVec2 grid{64, 36};
+  int hits = 0;
+  for (int y = 0; y < grid.y; ++y) {
+    for (int x = 0; x < grid.x; ++x) {
+      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(grid));
+      hits += rays.closest_hit(from, direction).missed() ? 0 : 1;
+    }
+  }
+  return static_cast<double>(hits) / (grid.x * grid.y);
+}
+
+/// A camera before what lies around the first vertex, in a hundredth of the scene's size.
+Vec3 place_near_a_part(const Scene& scene, const Standpoint& standpoint,
+                       const FieldOfView& field_of_view) {
+  constexpr float nearby = 0.01F;
+  const Bounds all = scene.bounds();
+  const float radius = nearby * glm::distance(all.lower, all.upper);
+  Framing framing(standpoint.heading, field_of_view);
+  std::optional<Vec3> first;
+  for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
+    for (const Vec3& position : scene.mesh_of(object).positions) {
+      const Vec3 vertex = scene.in_world(object, position);
+      first = first.value_or(vertex);
+      if (glm::distance(vertex, *first) <= radius) {
+        framing.include(vertex);
+      }
+    }
+  }
+  return framing.position();
+}
+
+}  // namespace
+
+std::vector<std::string> lacks_of(const Scene& scene, bool camera_is_enclosed) {
+  std::vector<std::string> lacks;
+  if (scene.object_count() == 0) {
+    lacks.emplace_back(
+        "there is nothing to see but what surrounds the scene; export its objects as meshes, and "
+        "not only those that are selected");
+  }
+  if (has_light(scene)) {
+    return lacks;
+  }
+  lacks.emplace_back(
+      camera_is_enclosed
+          ? "nothing in the scene shines, so that pictures of it are black; it is closed around "
+            "the "
+            "camera, where no light comes in from outside: export lights in it, or a material that "
+            "emits, or see it from outside by --camera X,Y,Z and --environment 1,1,1"
+          : "nothing in the scene shines, so that pictures of it are black; --environment 1,1,1 of "
+            "render and preview lights it evenly, and see their --help for daylight and images");
+  return lacks;
+}
+
+std::vector<std::string> notes_on_standpoint(const Scene& scene, const RayScene& rays,
+                                             const Standpoint& standpoint,
+                                             const FieldOfView& field_of_view) {
+  std::vector<std::string> notes;
+  if (scene.object_count() == 0) {
+    return notes;
+  }
+  notes.push_back(
+      fmt::format("the file has no camera: it is seen {}; that is {}, and others look from "
+                  "elsewhere",
+                  standpoint.reason, as_options(scene, standpoint.position, standpoint.heading)));
+  constexpr double least_covered = 0.002;
+  const Viewport viewport(standpoint.heading, field_of_view);
+  if (share_covered(rays, standpoint.position, viewport) < least_covered) {
+    notes.push_back(fmt::format(
+        "nearly all of the picture is empty, as the scene's parts are small and far apart; {} is "
+        "before one of them",
+        as_options(scene, place_near_a_part(scene, standpoint, field_of_view),
+                   standpoint.heading)));
+  }
+  return notes;
+}
+
+}  // namespace foveola
