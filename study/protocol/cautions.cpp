@@ -116,6 +116,23 @@ void add_same_scenes(const Protocol& protocol, const std::vector<SceneSource>& s
   }
 }
 
+/// A study's exposure is never chosen by what is seen, which changes with every look.
+void add_unsaid_exposures(const Protocol& protocol, const std::vector<SceneSource>& scenes,
+                          std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const SceneEntry& entry = protocol.scenes[i];
+    if (!scenes[i].exposure_stops) {
+      warnings.emplace_back(
+          Error(fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column),
+                fmt::format("nothing says how bright the scene '{}' is shown: it is shown as it "
+                            "is, at 0 stops",
+                            entry.name),
+                "write exposure_stops into its descriptor, as foveola scene describe does")
+              .what());
+    }
+  }
+}
+
 void add_few_scenes(const Protocol& protocol, const ProtocolPlaces& places,
                     std::vector<std::string>& warnings) {
   const bool are_random = protocol.analysis.scenes == SceneEffects::random;
@@ -162,6 +179,7 @@ std::vector<std::string> cautions(const Protocol& protocol,
   add_same_methods(protocol, places, warnings);
   add_method_notes(protocol, places, warnings);
   add_same_scenes(protocol, scenes, warnings);
+  add_unsaid_exposures(protocol, scenes, warnings);
   add_few_scenes(protocol, places, warnings);
   add_untranslated(protocol, places, warnings);
   return warnings;

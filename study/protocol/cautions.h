@@ -15,9 +15,9 @@ namespace foveola::study {
 inline constexpr std::size_t fewest_random_scenes = 5;
 
 /// Warnings, each as "FILE:LINE:COLUMN: WHAT; WHAT TO DO", of methods that choose the same samples
-/// with the same settings, of hybrids whose weights do not add up to 1, of a scene under two names,
-/// of few scenes for a plan that takes them for random, and of screens whose words stay English.
-/// `scenes` are the protocol's, in its order.
+/// with the same settings, of hybrids whose weights do not add up to 1, of a scene under two names
+/// or without an exposure, of few scenes for a plan that takes them for random, and of screens
+/// whose words stay English. `scenes` are the protocol's, in its order.
 std::vector<std::string> cautions(const Protocol& protocol, const std::vector<SceneSource>& scenes);
 
 }  // namespace foveola::study

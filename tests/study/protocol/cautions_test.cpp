@@ -24,6 +24,7 @@ class Cautions : public ProtocolFolder {
     std::vector<SceneSource> scenes;
     for (const SceneEntry& scene : protocol.scenes) {
       scenes.push_back({.name = scene.name, .file = folder_ / (scene.name + ".glb")});
+      scenes.back().exposure_stops = 0.0;
     }
     return cautions(protocol, scenes);
   }
@@ -39,6 +40,7 @@ TEST_F(Cautions, AreNotNeededForTheProtocolsOfFoveola) {
     std::vector<SceneSource> scenes;
     for (const SceneEntry& scene : protocol.scenes) {
       scenes.push_back({.name = scene.name, .file = scene.name});
+      scenes.back().exposure_stops = 0.0;
     }
     EXPECT_THAT(cautions(protocol, scenes), IsEmpty()) << name;
   }
@@ -89,12 +91,24 @@ TEST_F(Cautions, OneSceneUnderTwoNames) {
   std::vector<SceneSource> scenes = {
       {.name = "s", .file = file, .camera_position = Vec3(1.0F)},
       {.name = "t", .file = folder_ / "link.glb", .camera_position = Vec3(1.0F)}};
+  scenes[0].exposure_stops = 0.0;
+  scenes[1].exposure_stops = 1.0;
   EXPECT_THAT(cautions(protocol, scenes),
               ElementsAre(AllOf(
                   StartsWith(path_.string() + ":3:16: the scene 't' is 's' under another name"),
                   HasSubstr("link.glb; leave one out"))));
   scenes[1].camera_position = Vec3(2.0F);
   EXPECT_THAT(cautions(protocol, scenes), IsEmpty()) << "another place in it";
+}
+
+TEST_F(Cautions, ScenesWithoutAnExposure) {
+  const Protocol protocol = load(with_methods("\"od\""));
+  std::vector<SceneSource> scenes = {{.name = "s", .file = "s.glb"},
+                                     {.name = "t", .file = "t.glb"}};
+  scenes[0].exposure_stops = -3.0;
+  EXPECT_THAT(cautions(protocol, scenes),
+              ElementsAre(AllOf(StartsWith(path_.string() + ":3:16: nothing says how bright"),
+                                HasSubstr("exposure_stops"))));
 }
 
 TEST_F(Cautions, TextsThatStayEnglish) {
