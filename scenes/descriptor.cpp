@@ -217,7 +217,8 @@ void read_viewpoint(TomlReader& table, SceneSource& source) {
   table.require("camera");
   read_camera(table.table("camera"), source);
   if (table.has("exposure_stops")) {
-    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -20.0, 20.0);
+    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -most_exposure_stops,
+               most_exposure_stops);
   }
   for (const TomlReader& light : table.tables("light")) {
     source.lights.push_back(read_light(light, source.metres_per_unit));

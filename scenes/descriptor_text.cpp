@@ -17,8 +17,11 @@ std::string quoted(const std::string& text) {
       .dump(on_one_line, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// To six digits; adding 0 leaves no -0.
+std::string number(double value) { return fmt::format("{:.6g}", value + 0.0); }
+
 std::string list_of(const Vec3& v) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x, v.y, v.z);
+  return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
 }
 
 /// In the file's units.
@@ -33,7 +36,7 @@ std::string facts_of_file(const SceneSource& source) {
     text += fmt::format("sha256 = \"{}\"\n", source.described_sha256);
   }
   if (source.metres_per_unit != 1.0) {
-    text += fmt::format("metres_per_unit = {:.6g}\n", source.metres_per_unit);
+    text += fmt::format("metres_per_unit = {}\n", number(source.metres_per_unit));
   }
   if (source.light_units) {
     text +=
@@ -46,10 +49,11 @@ std::string facts_of_file(const SceneSource& source) {
 std::string light_sizes_of(const SceneSource& source) {
   std::string text;
   if (source.light_radius_m) {
-    text += fmt::format("light_radius = {:.6g}\n", *source.light_radius_m / source.metres_per_unit);
+    text +=
+        fmt::format("light_radius = {}\n", number(*source.light_radius_m / source.metres_per_unit));
   }
   if (source.sun_angular_radius_rad) {
-    text += fmt::format("sun_radius_deg = {:.6g}\n", degrees(*source.sun_angular_radius_rad));
+    text += fmt::format("sun_radius_deg = {}\n", number(degrees(*source.sun_angular_radius_rad)));
   }
   return text;
 }
@@ -65,29 +69,27 @@ std::string environment_of(const SceneSource& source) {
                         quoted(source.environment_file->filename().string()));
   }
   if (source.environment_strength != 1.0) {
-    text += fmt::format("environment_strength = {:.6g}\n", source.environment_strength);
+    text += fmt::format("environment_strength = {}\n", number(source.environment_strength));
   }
   if (source.environment_rotation_rad != 0.0) {
-    text += fmt::format("environment_rotation_deg = {:.6g}\n",
-                        degrees(source.environment_rotation_rad));
+    text += fmt::format("environment_rotation_deg = {}\n",
+                        number(degrees(source.environment_rotation_rad)));
   }
   return text;
 }
 
 std::string table_of(const SunAndSky& sky) {
   return fmt::format(
-      "\n[sky]\nsun_azimuth_deg = {:.6g}\nsun_elevation_deg = {:.6g}\nturbidity = {:.6g}\n"
-      "ground_albedo = {:.6g}\n",
-      degrees(sky.sun.azimuth_rad), degrees(sky.sun.elevation_rad), sky.turbidity,
-      sky.ground_albedo);
+      "\n[sky]\nsun_azimuth_deg = {}\nsun_elevation_deg = {}\nturbidity = {}\nground_albedo = {}\n",
+      number(degrees(sky.sun.azimuth_rad)), number(degrees(sky.sun.elevation_rad)),
+      number(sky.turbidity), number(sky.ground_albedo));
 }
 
 std::string camera_of(const SceneSource& source) {
-  const auto in_degrees = [](double angle_rad) { return degrees(angle_rad) + 0.0; };  // no "-0"
-  return fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {:.6g}\nelevation_deg = {:.6g}\n",
+  return fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {}\nelevation_deg = {}\n",
                      position_of(*source.camera_position, source),
-                     in_degrees(source.heading.azimuth_rad),
-                     in_degrees(source.heading.elevation_rad));
+                     number(degrees(source.heading.azimuth_rad)),
+                     number(degrees(source.heading.elevation_rad)));
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ std::string descriptor_text(const SceneSource& source, const std::vector<std::st
   assert(source.camera_position && (remarks.empty() || remarks.size() == source.objects.size()));
   std::string text = facts_of_file(source);
   if (source.exposure_stops) {
-    text += fmt::format("exposure_stops = {:.6g}\n", *source.exposure_stops);
+    text += fmt::format("exposure_stops = {}\n", number(*source.exposure_stops));
   }
   text += light_sizes_of(source);
   text += environment_of(source);

@@ -43,8 +43,7 @@ struct SunAndSky {
 enum class LightUnits : std::uint8_t {
   /// Lux and candela, as the extension says. Divided by 683 lm/W they become irradiances and
   /// radiant intensities: Blender's exporter multiplies every colour by this luminous efficacy,
-  /// which the
-  /// SI's definition of the candela gives to light of 540 THz.
+  /// which the SI's definition of the candela gives to light of 540 THz.
   photometric,
   /// Irradiances and radiant intensities: taken as they are.
   radiometric
@@ -56,6 +55,9 @@ struct ObjectOfInterest {
   Vec3 position{0.0F};      ///< world, metres; its direction is seen from the camera
   float radius_deg = 4.0F;  ///< angular radius that covers it, seen from the camera
 };
+
+/// Exposures are chosen and described from minus to plus so many stops.
+inline constexpr double most_exposure_stops = 40.0;
 
 struct SceneSource {
   std::string name;  ///< what the user called it

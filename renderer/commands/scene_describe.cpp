@@ -1,5 +1,6 @@
 #include "renderer/commands/scene_describe.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -84,7 +85,8 @@ std::string remark_on(const ProposedObject& proposed) {
 }
 
 void print_result(const Outputs& outputs, const std::vector<ProposedObject>& objects) {
-  fmt::print("{}: {} objects to choose from\n", outputs.descriptor.string(), objects.size());
+  fmt::print("{}: {} {} to choose from\n", outputs.descriptor.string(), objects.size(),
+             objects.size() == 1 ? "object" : "objects");
   for (std::size_t i = 0; i < objects.size(); ++i) {
     fmt::print("{:>3}  {}: radius {:.1f} degrees, {}\n", i + 1, printable(objects[i].object.name),
                objects[i].object.radius_deg, remark_on(objects[i]));
@@ -98,16 +100,16 @@ void print_result(const Outputs& outputs, const std::vector<ProposedObject>& obj
   }
 }
 
-/// Where the camera stands and looks, and how bright it is, is the descriptor's, whoever chose it.
+/// Where the camera stands and looks, and how bright what it sees is shown, is the descriptor's,
+/// whoever chose it.
 void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
                    const Workers& workers, SceneSource& source) {
   source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
   source.heading = loaded.camera.heading;
   source.described_sha256 = loaded.scene.sha256;
-  const FieldOfView field_of_view = picture_of(loaded.camera, {}).field_of_view;
-  source.exposure_stops =
-      chosen_exposure(exposure, loaded, Viewport(loaded.camera.heading, field_of_view), {}, workers)
-          .stops;
+  const Viewport view(loaded.camera.heading, picture_of(loaded.camera, {}).field_of_view);
+  source.exposure_stops = std::clamp(chosen_exposure(exposure, loaded, view, {}, workers).stops,
+                                     -most_exposure_stops, most_exposure_stops);
 }
 
 /// What a descriptor names lies in its own folder.

@@ -54,7 +54,6 @@ double automatic_exposure_stops(std::vector<float> luminances) {
   constexpr double middle_grey = 0.18;
   constexpr double share_below_bright = 0.95;
   constexpr float darkest_of_bright = 1.0F / 256.0F;
-  constexpr double most_stops = 40.0;
   std::erase_if(luminances, [](float value) { return !(value > 0.0F) || !std::isfinite(value); });
   if (luminances.empty()) {
     return 0.0;
@@ -74,7 +73,7 @@ double automatic_exposure_stops(std::vector<float> luminances) {
   const double stops = std::log2(middle_grey) - sum / static_cast<double>(counted);
   constexpr double steps_per_stop = 100.0;
   const double rounded = std::round(steps_per_stop * stops) / steps_per_stop;
-  return std::clamp(rounded, -most_stops, most_stops) + 0.0;  // and never -0
+  return std::clamp(rounded, -most_exposure_stops, most_exposure_stops) + 0.0;  // and never -0
 }
 
 double automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,

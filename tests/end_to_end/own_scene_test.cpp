@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -87,26 +86,29 @@ TEST_F(OwnScene, WithoutObjectsIsToldHowToGetThem) {
   EXPECT_THAT(result.errors, HasSubstr("foveola scene describe"));
 }
 
-/// The room, in which a crate and a chest stand before the camera.
-std::string furnished_room() {
+/// The room, in which small boxes of these names stand before the camera, in a row from the left.
+std::string room_with(const std::vector<std::string>& names) {
   auto room = nlohmann::json::parse(room_gltf());
   room["meshes"].push_back({{"primitives", {room["meshes"][0]["primitives"][0]}}});
   room["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
   room["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 1.5}}});
-  for (const auto& [name, x] : {std::pair("Crate", -0.6), std::pair("Chest", 0.6)}) {
+  room["scenes"][0]["nodes"] = {0, 1};
+  double x = -0.6;
+  for (const std::string& name : names) {
+    room["scenes"][0]["nodes"].push_back(room["nodes"].size());
     room["nodes"].push_back({{"name", name},
                              {"mesh", 1},
                              {"translation", {x, -0.3, -1.0}},
                              {"scale", {0.12, 0.1, 0.1}}});
+    x += 1.2;
   }
-  room["scenes"][0]["nodes"] = {0, 1, 2, 3};
   return glb_container(room.dump(), "");
 }
 
 class DescribedScene : public OwnScene {
  protected:
   DescribedScene() {
-    write("kitchen.glb", furnished_room());
+    write("kitchen.glb", room_with({"Crate", "Chest"}));
     std::filesystem::remove(path("kitchen.toml"));
   }
   ProgramResult describe(std::vector<std::string> options = {}) const {
@@ -128,6 +130,20 @@ TEST_F(DescribedScene, HasObjectsForAStudy) {
   EXPECT_EQ(run({"study", "check", path("study.toml")}).exit_code, 0);
   const ProgramResult simulated = simulate();
   EXPECT_EQ(simulated.exit_code, 0) << simulated.errors;
+}
+
+TEST_F(DescribedScene, MayHaveOneObject) {
+  write("kitchen.glb", room_with({"Crate"}));
+  EXPECT_THAT(describe().output, HasSubstr("kitchen.toml: 1 object to choose from"));
+}
+
+TEST_F(DescribedScene, IsAcceptedHoweverBrightItIsShown) {
+  for (const std::string sign : {"-", "+"}) {
+    const ProgramResult described = describe({"--force", "--exposure", "auto" + sign + "40"});
+    ASSERT_EQ(described.exit_code, 0) << described.errors;
+    const ProgramResult info = run({"scene", "info", path("kitchen.toml")});
+    EXPECT_EQ(info.exit_code, 0) << info.errors;
+  }
 }
 
 TEST_F(DescribedScene, ComesWithAPictureOfEachObject) {

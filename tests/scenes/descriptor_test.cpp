@@ -66,6 +66,19 @@ TEST(Descriptor, LeavesTheExposureOpenWhereItSaysNone) {
   EXPECT_FALSE(read_descriptor(folder.write("hall.toml", text)).source.exposure_stops);
 }
 
+/// As far as whoever chooses one goes.
+TEST(Descriptor, HasExposuresOfUpTo40Stops) {
+  const auto text = [](const char* stops) { return with(good, "-1.5", stops); };
+  const TemporaryFolder folder;
+  for (const double stops : {-40.0, 40.0}) {
+    EXPECT_EQ(read_descriptor(folder.write("hall.toml", text(fmt::format("{}", stops).c_str())))
+                  .source.exposure_stops,
+              stops);
+  }
+  EXPECT_THAT(error_of(text("40.1")), HasSubstr("exposure_stops is out of range"));
+  EXPECT_THAT(error_of(text("-41")), HasSubstr("exposure_stops is out of range"));
+}
+
 TEST(Descriptor, ReadsEveryKey) {
   const TemporaryFolder folder;
   const Descriptor hall = read_descriptor(folder.write("hall.toml", good));

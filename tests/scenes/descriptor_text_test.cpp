@@ -55,6 +55,14 @@ TEST(DescriptorText, IsInTheFilesUnits) {
   EXPECT_NEAR(written_and_read(source).camera_position->x, 1.25F, 1e-5F);
 }
 
+TEST(DescriptorText, HasNoNegativeZeros) {
+  SceneSource source = kitchen();
+  source.camera_position = Vec3(-0.0F);
+  source.heading = {.azimuth_rad = -0.0, .elevation_rad = -0.0};
+  EXPECT_THAT(descriptor_text(source, {}),
+              HasSubstr("position = [0, 0, 0]\nazimuth_deg = 0\nelevation_deg = 0\n"));
+}
+
 TEST(DescriptorText, HasTheEnvironment) {
   SceneSource source = kitchen();
   source.sky = SunAndSky{.sun = {.azimuth_rad = 1.0, .elevation_rad = 0.5}, .turbidity = 4.0};
