@@ -123,9 +123,26 @@ void require_choosable(const TomlReader& table, const SceneSource& source) {
                                     least_distance * source.metres_per_unit) {
     table.fail(table.source("position"), "the object is where the camera is",
                "give a place to look at");
+/// What only an ordinary picture of the camera has, and no head.
+void read_picture(TomlReader& table, SceneSource& source) {
+  double roll_deg = 0.0;
+  table.read("roll_deg", roll_deg, -180.0, 180.0);
+  source.camera_roll_rad = radians(roll_deg);
+  if (table.has("vertical_fov_deg")) {
+    double fov_deg = 0.0;
+    table.read("vertical_fov_deg", fov_deg, narrowest_camera_fov_deg, widest_camera_fov_deg);
+    source.camera_vertical_fov_rad = radians(fov_deg);
+  }
+  if (table.has("aspect_ratio")) {
+    table.read("aspect_ratio", source.camera_aspect_ratio.emplace(1.0), least_camera_aspect_ratio,
+               largest_camera_aspect_ratio);
   }
 }
 
+  }
+}
+
+  read_picture(table, source);
 void read_camera(TomlReader table, SceneSource& source) {
   source.camera_position = read_position(table, "position", source.metres_per_unit);
   source.heading = read_angles(table, "azimuth_deg", "elevation_deg");

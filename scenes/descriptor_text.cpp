@@ -1,11 +1,10 @@
-#include "scenes/descriptor_text.h"
-
 #include <cassert>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/utf8.h"
+#include "scenes/descriptor_text.h"
 
 namespace foveola::scenes {
 namespace {
@@ -17,8 +16,11 @@ std::string quoted(const std::string& text) {
       .dump(on_one_line, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// To six digits; adding 0 leaves no -0.
-std::string number(double value) { return fmt::format("{:.6g}", value + 0.0); }
+/// To twelve digits, which hide the rounding of angles; adding 0 leaves no -0.
+std::string number(double value) { return fmt::format("{:.12g}", value + 0.0); }
+
+/// By as many digits as distinguish it from any other float.
+std::string number(float value) { return fmt::format("{}", value + 0.0F); }
 
 std::string list_of(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
@@ -50,10 +52,12 @@ std::string light_sizes_of(const SceneSource& source) {
   std::string text;
   if (source.light_radius_m) {
     text +=
-        fmt::format("light_radius = {}\n", number(*source.light_radius_m / source.metres_per_unit));
+        fmt::format("light_radius = {}\n",
+                    number(static_cast<float>(*source.light_radius_m / source.metres_per_unit)));
   }
   if (source.sun_angular_radius_rad) {
-    text += fmt::format("sun_radius_deg = {}\n", number(degrees(*source.sun_angular_radius_rad)));
+    text += fmt::format("sun_radius_deg = {}\n",
+                        number(static_cast<float>(degrees(*source.sun_angular_radius_rad))));
   }
   return text;
 }
@@ -86,10 +90,21 @@ std::string table_of(const SunAndSky& sky) {
 }
 
 std::string camera_of(const SceneSource& source) {
-  return fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {}\nelevation_deg = {}\n",
-                     position_of(*source.camera_position, source),
-                     number(degrees(source.heading.azimuth_rad)),
-                     number(degrees(source.heading.elevation_rad)));
+  std::string text = fmt::format(
+      "\n[camera]\nposition = {}\nazimuth_deg = {}\nelevation_deg = {}\n",
+      position_of(*source.camera_position, source), number(degrees(source.heading.azimuth_rad)),
+      number(degrees(source.heading.elevation_rad)));
+  if (source.camera_roll_rad != 0.0) {
+    text += fmt::format("roll_deg = {}\n", number(degrees(source.camera_roll_rad)));
+  }
+  if (source.camera_vertical_fov_rad) {
+    text +=
+        fmt::format("vertical_fov_deg = {}\n", number(degrees(*source.camera_vertical_fov_rad)));
+  }
+  if (source.camera_aspect_ratio) {
+    text += fmt::format("aspect_ratio = {}\n", number(*source.camera_aspect_ratio));
+  }
+  return text;
 }
 
 }  // namespace

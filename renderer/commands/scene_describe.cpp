@@ -100,14 +100,29 @@ void print_result(const Outputs& outputs, const std::vector<ProposedObject>& obj
   }
 }
 
-/// Where the camera stands and looks, and how bright what it sees is shown, is the descriptor's,
-/// whoever chose it.
+/// What only an ordinary picture of the camera has, as far as a descriptor can say it.
+void describe_picture(const CameraView& camera, SceneSource& source) {
+  source.camera_roll_rad = camera.roll_rad;
+  if (camera.vertical_fov_rad) {
+    source.camera_vertical_fov_rad =
+        std::clamp(*camera.vertical_fov_rad, radians(narrowest_camera_fov_deg),
+                   radians(widest_camera_fov_deg));
+  }
+  if (camera.aspect_ratio) {
+    source.camera_aspect_ratio =
+        std::clamp(*camera.aspect_ratio, least_camera_aspect_ratio, largest_camera_aspect_ratio);
+  }
+}
+
+/// Where the camera stands and looks, what it sees, and how bright that is shown, is the
+/// descriptor's, whoever chose it.
 void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
                    const Workers& workers, SceneSource& source) {
   source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
+  describe_picture(loaded.camera, source);
   source.heading = loaded.camera.heading;
   source.described_sha256 = loaded.scene.sha256;
-  const Viewport view(loaded.camera.heading, picture_of(loaded.camera, {}).field_of_view);
+  const Viewport view = viewport_of(loaded.camera, picture_of(loaded.camera, {}).field_of_view);
   source.exposure_stops = std::clamp(chosen_exposure(exposure, loaded, view, {}, workers).stops,
                                      -most_exposure_stops, most_exposure_stops);
 }

@@ -94,6 +94,9 @@ CameraView choose_camera(const SceneSource& source, const Scene& scene, const Ra
   CameraView view;
   if (!choices.camera_name.empty()) {
     view = camera_named(scene, choices.camera_name);
+    view.roll_rad = source.camera_roll_rad;
+    view.vertical_fov_rad = source.camera_vertical_fov_rad;
+    view.aspect_ratio = source.camera_aspect_ratio;
   } else if (source.camera_position) {
     view.position = scene.from_file(*source.camera_position);
     view.heading = source.heading;

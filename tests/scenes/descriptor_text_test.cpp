@@ -49,6 +49,36 @@ TEST(DescriptorText, IsReadAsItWasMeant) {
 }
 
 TEST(DescriptorText, IsInTheFilesUnits) {
+TEST(DescriptorText, KeepsTheCameraToTheBit) {
+  SceneSource source = kitchen();
+  source.camera_position = Vec3(0.1F, -1.0F / 3.0F, 12345.678F);
+  source.heading = {.azimuth_rad = radians(-123.456), .elevation_rad = radians(0.1)};
+  source.camera_roll_rad = radians(-20.0);
+  source.camera_vertical_fov_rad = radians(40.0);
+  source.camera_aspect_ratio = 1.5;
+  EXPECT_THAT(descriptor_text(source, {}),
+              HasSubstr("position = [0.1, -0.33333334, 12345.678]\n"
+                        "azimuth_deg = -123.456\nelevation_deg = 0.1\n"
+                        "roll_deg = -20\nvertical_fov_deg = 40\naspect_ratio = 1.5\n"));
+  const SceneSource read = written_and_read(source);
+  EXPECT_EQ(read.camera_position, source.camera_position);
+  EXPECT_EQ(read.heading.azimuth_rad, source.heading.azimuth_rad);
+  EXPECT_EQ(read.heading.elevation_rad, source.heading.elevation_rad);
+  EXPECT_EQ(read.camera_roll_rad, source.camera_roll_rad);
+  EXPECT_EQ(read.camera_vertical_fov_rad, source.camera_vertical_fov_rad);
+  EXPECT_EQ(read.camera_aspect_ratio, 1.5);
+}
+
+TEST(DescriptorText, SaysOfThePictureWhatTheCameraHas) {
+  EXPECT_THAT(
+      descriptor_text(kitchen(), {}),
+      testing::Not(testing::AnyOf(HasSubstr("roll"), HasSubstr("fov"), HasSubstr("aspect"))));
+  const SceneSource read = written_and_read(kitchen());
+  EXPECT_EQ(read.camera_roll_rad, 0.0);
+  EXPECT_FALSE(read.camera_vertical_fov_rad);
+  EXPECT_FALSE(read.camera_aspect_ratio);
+}
+
   SceneSource source = kitchen();
   source.metres_per_unit = 0.01;
   EXPECT_THAT(descriptor_text(source, {}), HasSubstr("position = [125, -250, 0.1]"));
