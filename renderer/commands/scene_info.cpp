@@ -18,6 +18,7 @@
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/scene/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/trace/ray_scene.h"
 
@@ -100,9 +101,11 @@ std::string text_kinds(const std::vector<PunctualLight>& lights) {
 
 nlohmann::ordered_json json_cameras(const LoadedFacts& loaded) {
   nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
-  for (const CameraView& view : loaded.cameras) {
+  const std::vector<std::string> names = camera_names(loaded.cameras);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const CameraView& view = loaded.cameras[i];
     nlohmann::ordered_json camera = {
-        {"name", view.name},
+        {"name", names[i]},
         {"position", json_of(DVec3(view.position) + loaded.origin)},
         {"head_deg", {degrees(view.heading.azimuth_rad), degrees(view.heading.elevation_rad)}},
         {"roll_deg", degrees(view.roll_rad)}};
@@ -124,12 +127,14 @@ double shown_deg(double angle_rad) {
 
 /// A line for each camera: its name, where it stands and looks, and how much it sees.
 void print_cameras(const LoadedFacts& loaded) {
-  for (const CameraView& view : loaded.cameras) {
+  const std::vector<std::string> names = camera_names(loaded.cameras);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const CameraView& view = loaded.cameras[i];
     const DVec3 place = DVec3(view.position) + loaded.origin;
     const FieldOfView fov = picture_of(view, {}).field_of_view;
     fmt::print(
         "camera     '{}' at {:.6g},{:.6g},{:.6g} towards {:g},{:g}, {:.4g} x {:.4g} degrees\n",
-        printable(view.name), place.x, place.y, place.z, shown_deg(view.heading.azimuth_rad),
+        names[i], place.x, place.y, place.z, shown_deg(view.heading.azimuth_rad),
         shown_deg(view.heading.elevation_rad), fov.horizontal_deg, fov.vertical_deg);
   }
 }
