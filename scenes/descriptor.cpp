@@ -15,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/toml_reader.h"
 #include "scenes/builtin_files.h"
+#include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
 
@@ -40,11 +41,7 @@ bool is_builtin_name(const std::string& name) {
 }
 
 /// Without any folder: nobody can be made to read or write elsewhere.
-bool is_plain_name(const std::string& name, std::initializer_list<const char*> extensions) {
-  const fs::path path(name);
-  return path.filename() == path &&
-         std::find(extensions.begin(), extensions.end(), path.extension()) != extensions.end();
-}
+bool is_plain_name(const fs::path& path) { return path.filename() == path; }
 
 void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
@@ -255,7 +252,9 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   std::int64_t size_bytes = 0;
   table.read("size_bytes", size_bytes, 1, std::numeric_limits<std::int64_t>::max());
   descriptor.size_bytes = static_cast<std::uint64_t>(size_bytes);
-  if (table.has("file") && !is_plain_name(descriptor.file_name, {".glb", ".gltf", ".obj"})) {
+  const bool is_name_of_scene =
+      is_plain_name(descriptor.file_name) && is_called_like_scene(descriptor.file_name);
+  if (table.has("file") && !is_name_of_scene) {
     table.fail(table.source("file"), "file must be the plain name of a .glb, .gltf or .obj",
                "for instance file = \"NAME.glb\"");
   }

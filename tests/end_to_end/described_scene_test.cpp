@@ -116,6 +116,17 @@ TEST_F(DescribedScene, HasTheCameraThatIsChosen) {
               AllOf(HasSubstr("vertical_fov_deg = 40"), Not(HasSubstr("roll_deg"))));
 }
 
+TEST_F(DescribedScene, MayHaveItsExtensionInCapitals) {
+  write("K\"che.GLB", room_with({"Crate"}));
+  const std::string file = path("K\"che.GLB");
+  const ProgramResult described = run({"scene", "describe", file});
+  ASSERT_EQ(described.exit_code, 0) << described.errors;
+  const ProgramResult render =
+      run({"render", file, "-o", path("x.png"), "--size", "16x8", "--spp", "1"});
+  EXPECT_EQ(render.exit_code, 0) << render.errors;
+  EXPECT_THAT(render.errors, HasSubstr("is shown as K\"che.toml beside it says"));
+}
+
 TEST_F(DescribedScene, MayHaveOneObject) {
   write("kitchen.glb", room_with({"Crate"}));
   EXPECT_THAT(describe().output, HasSubstr("kitchen.toml: 1 object to choose from"));

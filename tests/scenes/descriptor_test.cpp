@@ -256,7 +256,7 @@ TEST(Descriptor, FilesAreNamesOfScenesWithoutFolders) {
   const auto text = [](const char* name) {
     return with(good, "file = \"hall.glb\"", fmt::format("file = \"{}\"", name));
   };
-  for (const char* const name : {"hall.glb", "hall.gltf", "hall.obj"}) {
+  for (const char* const name : {"hall.glb", "hall.gltf", "hall.obj", "Hall.GLB"}) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_descriptor(folder.write("hall.toml", text(name))).file_name, name);
   }
