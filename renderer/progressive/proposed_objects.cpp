@@ -6,13 +6,13 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "renderer/base/angles.h"
 #include "renderer/progressive/surroundings.h"
+#include "renderer/scene/made_up_names.h"
 
 namespace foveola {
 namespace {
@@ -37,12 +37,16 @@ struct Groups {
 };
 
 Groups groups_of(const Scene& scene) {
+  std::set<std::string> taken;
+  for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
+    taken.insert(scene.object_name(object));
+  }
   Groups groups;
   std::map<std::string, std::uint32_t> known;
   for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
     std::string name = scene.object_name(object);
     if (name.empty()) {
-      name = fmt::format("object {}", object + 1);
+      name = made_up_name("object", object + 1, taken);
     }
     const auto [entry, is_new] =
         known.emplace(name, static_cast<std::uint32_t>(groups.list.size()));
