@@ -58,5 +58,20 @@ TEST_F(Render, PickTellsWhatTheGazeMeets) {
   EXPECT_EQ(pick("9,0,0", "90,0"), nullptr);
 }
 
+TEST_F(Render, InfoSaysNothingOfWhatIsNotThere) {
+  write_file(folder_ / "room.gltf", R"({"asset":{"version":"2.0"}})");
+  const ProgramResult result = run_foveola({"scene", "info", (folder_ / "room.gltf").string()});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, testing::HasSubstr("\nhas no     textures"));
+  EXPECT_THAT(result.output, testing::Not(testing::HasSubstr("has        ")));
+}
+
+TEST_F(Render, InfoOfAFileWhoseNameIsNoUnicodeIsJson) {
+  const std::string file = folder_.write("r\xffm.gltf", room_gltf()).string();
+  const ProgramResult result = run_foveola({"scene", "info", file, "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(nlohmann::json::parse(result.output).at("title"), "r\uFFFDm");
+}
+
 }  // namespace
 }  // namespace foveola::test
