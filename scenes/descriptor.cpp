@@ -120,6 +120,9 @@ void require_choosable(const TomlReader& table, const SceneSource& source) {
                                     least_distance * source.metres_per_unit) {
     table.fail(table.source("position"), "the object is where the camera is",
                "give a place to look at");
+  }
+}
+
 /// What only an ordinary picture of the camera has, and no head.
 void read_picture(TomlReader& table, SceneSource& source) {
   double roll_deg = 0.0;
@@ -136,13 +139,10 @@ void read_picture(TomlReader& table, SceneSource& source) {
   }
 }
 
-  }
-}
-
-  read_picture(table, source);
 void read_camera(TomlReader table, SceneSource& source) {
   source.camera_position = read_position(table, "position", source.metres_per_unit);
   source.heading = read_angles(table, "azimuth_deg", "elevation_deg");
+  read_picture(table, source);
   table.reject_unknown_keys();
 }
 
@@ -226,14 +226,15 @@ void read_light_sizes(TomlReader& table, SceneSource& source) {
 }
 
 void read_viewpoint(TomlReader& table, SceneSource& source) {
-  table.read("metres_per_unit", source.metres_per_unit, 1e-6, 1e6);
-  read_light_sizes(table, source);
   table.require("camera");
   read_camera(table.table("camera"), source);
   if (table.has("exposure_stops")) {
     table.read("exposure_stops", source.exposure_stops.emplace(0.0), -most_exposure_stops,
                most_exposure_stops);
   }
+}
+
+void read_lights_and_objects(TomlReader& table, SceneSource& source) {
   for (const TomlReader& light : table.tables("light")) {
     source.lights.push_back(read_light(light, source.metres_per_unit));
   }
@@ -297,25 +298,32 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
                "give one of builtin = true and file = \"NAME.glb\"");
   }
   require_known_builtins(table, descriptor);
+  table.read("metres_per_unit", descriptor.source.metres_per_unit, 1e-6, 1e6);
   read_light_units(table, descriptor.source);
+  read_light_sizes(table, descriptor.source);
   read_light_from_outside(table, file.parent_path(), descriptor.source);
   read_viewpoint(table, descriptor.source);
+  read_lights_and_objects(table, descriptor.source);
   table.reject_unknown_keys();
   return descriptor;
 }
 
-toml::table parse_descriptor(const fs::path& file) {
-  return parse_toml(file.string(), read_toml_file(file), "see scenes/arcade.toml for an example");
+toml::table parse_descriptor(const fs::path& file, const std::string& text) {
+  return parse_toml(file.string(), text, "see scenes/arcade.toml for an example");
 }
 
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  return descriptor_from(file, parse_descriptor(file));
+  return descriptor_of_text(file, read_toml_file(file));
+}
+
+Descriptor descriptor_of_text(const fs::path& file, const std::string& text) {
+  return descriptor_from(file, parse_descriptor(file, text));
 }
 
 bool is_descriptor(const fs::path& file) {
-  const toml::table table = parse_descriptor(file);
+  const toml::table table = parse_descriptor(file, read_toml_file(file));
   return table.contains("file") || table.contains("builtin") || table.contains("camera");
 }
 

@@ -46,6 +46,8 @@ Outputs outputs_of(const DescribeArguments& arguments) {
   Outputs outputs{.descriptor = arguments.output, .sheet = arguments.contact_sheet};
   if (outputs.descriptor.empty()) {
     outputs.descriptor = fs::path(arguments.file).replace_extension(".toml");
+  } else if (outputs.descriptor.extension() != ".toml") {
+    throw UsageError("--output", "a descriptor's name ends in .toml", "name it so");
   }
   if (outputs.sheet.empty()) {
     outputs.sheet = outputs.descriptor;
@@ -56,9 +58,6 @@ Outputs outputs_of(const DescribeArguments& arguments) {
 
 /// Before the work: throws what would be in the way of writing.
 void require_free(const Outputs& outputs, bool may_replace) {
-  if (outputs.descriptor.extension() != ".toml") {
-    throw UsageError("--output", "a descriptor's name ends in .toml", "name it so");
-  }
   require_image_extension(outputs.sheet);
   for (const fs::path& file : {outputs.descriptor, outputs.sheet}) {
     std::error_code ignored;
@@ -119,8 +118,8 @@ void describe_picture(const CameraView& camera, SceneSource& source) {
 void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
                    const Workers& workers, SceneSource& source) {
   source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
-  describe_picture(loaded.camera, source);
   source.heading = loaded.camera.heading;
+  describe_picture(loaded.camera, source);
   source.described_sha256 = loaded.scene.sha256;
   const Viewport view = viewport_of(loaded.camera, picture_of(loaded.camera, {}).field_of_view);
   source.exposure_stops = std::clamp(chosen_exposure(exposure, loaded, view, {}, workers).stops,
@@ -158,11 +157,12 @@ void describe(const DescribeArguments& arguments, SceneSource source,
     source.objects.push_back(proposed.object);
     remarks.push_back(remark_on(proposed));
   }
+  const std::string text = descriptor_text(source, remarks);
   if (!objects.empty()) {
     write_image(outputs.sheet, object_sheet(loaded, source, *source.exposure_stops, workers, stop),
                 0.0);
   }
-  write_file(outputs.descriptor, descriptor_text(source, remarks));
+  write_file(outputs.descriptor, text);
   print_result(outputs, objects);
   print_what_belongs_beside(outputs.descriptor, source);
 }

@@ -127,6 +127,15 @@ TEST_F(DescribedScene, MayHaveItsExtensionInCapitals) {
   EXPECT_THAT(render.errors, HasSubstr("is shown as K\"che.toml beside it says"));
 }
 
+TEST_F(DescribedScene, IsNotWrittenIfNobodyCouldReadIt) {
+  const ProgramResult result =
+      describe({"--environment", "1,1,1", "--environment-strength", "1e9"});
+  expect_one_line(result, 1, "environment_strength is out of range");
+  EXPECT_FALSE(std::filesystem::exists(path("kitchen.toml")));
+  EXPECT_FALSE(std::filesystem::exists(path("kitchen-objects.png")));
+  expect_one_line(run({"scene", "describe", ""}), 1, "no such file");
+}
+
 TEST_F(DescribedScene, MayHaveOneObject) {
   write("kitchen.glb", room_with({"Crate"}));
   EXPECT_THAT(describe().output, HasSubstr("kitchen.toml: 1 object to choose from"));
