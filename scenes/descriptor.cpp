@@ -15,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/toml_reader.h"
 #include "scenes/builtin_files.h"
+#include "scenes/file_search.h"
 
 namespace fs = std::filesystem;
 
@@ -40,11 +41,7 @@ bool is_builtin_name(const std::string& name) {
 }
 
 /// Without any folder: nobody can be made to read or write elsewhere.
-bool is_plain_name(const std::string& name, std::initializer_list<const char*> extensions) {
-  const fs::path path(name);
-  return path.filename() == path &&
-         std::find(extensions.begin(), extensions.end(), path.extension()) != extensions.end();
-}
+bool is_plain_name(const fs::path& path) { return path.filename() == path; }
 
 void require(const TomlReader& table, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
@@ -126,9 +123,26 @@ void require_choosable(const TomlReader& table, const SceneSource& source) {
   }
 }
 
+/// What only an ordinary picture of the camera has, and no head.
+void read_picture(TomlReader& table, SceneSource& source) {
+  double roll_deg = 0.0;
+  table.read("roll_deg", roll_deg, -180.0, 180.0);
+  source.camera_roll_rad = radians(roll_deg);
+  if (table.has("vertical_fov_deg")) {
+    double fov_deg = 0.0;
+    table.read("vertical_fov_deg", fov_deg, narrowest_camera_fov_deg, widest_camera_fov_deg);
+    source.camera_vertical_fov_rad = radians(fov_deg);
+  }
+  if (table.has("aspect_ratio")) {
+    table.read("aspect_ratio", source.camera_aspect_ratio.emplace(1.0), least_camera_aspect_ratio,
+               largest_camera_aspect_ratio);
+  }
+}
+
 void read_camera(TomlReader table, SceneSource& source) {
   source.camera_position = read_position(table, "position", source.metres_per_unit);
   source.heading = read_angles(table, "azimuth_deg", "elevation_deg");
+  read_picture(table, source);
   table.reject_unknown_keys();
 }
 
@@ -212,13 +226,15 @@ void read_light_sizes(TomlReader& table, SceneSource& source) {
 }
 
 void read_viewpoint(TomlReader& table, SceneSource& source) {
-  table.read("metres_per_unit", source.metres_per_unit, 1e-6, 1e6);
-  read_light_sizes(table, source);
   table.require("camera");
   read_camera(table.table("camera"), source);
   if (table.has("exposure_stops")) {
-    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -20.0, 20.0);
+    table.read("exposure_stops", source.exposure_stops.emplace(0.0), -most_exposure_stops,
+               most_exposure_stops);
   }
+}
+
+void read_lights_and_objects(TomlReader& table, SceneSource& source) {
   for (const TomlReader& light : table.tables("light")) {
     source.lights.push_back(read_light(light, source.metres_per_unit));
   }
@@ -237,7 +253,9 @@ void read_file_facts(TomlReader& table, Descriptor& descriptor) {
   std::int64_t size_bytes = 0;
   table.read("size_bytes", size_bytes, 1, std::numeric_limits<std::int64_t>::max());
   descriptor.size_bytes = static_cast<std::uint64_t>(size_bytes);
-  if (table.has("file") && !is_plain_name(descriptor.file_name, {".glb", ".gltf", ".obj"})) {
+  const bool is_name_of_scene =
+      is_plain_name(descriptor.file_name) && is_called_like_scene(descriptor.file_name);
+  if (table.has("file") && !is_name_of_scene) {
     table.fail(table.source("file"), "file must be the plain name of a .glb, .gltf or .obj",
                "for instance file = \"NAME.glb\"");
   }
@@ -280,25 +298,32 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
                "give one of builtin = true and file = \"NAME.glb\"");
   }
   require_known_builtins(table, descriptor);
+  table.read("metres_per_unit", descriptor.source.metres_per_unit, 1e-6, 1e6);
   read_light_units(table, descriptor.source);
+  read_light_sizes(table, descriptor.source);
   read_light_from_outside(table, file.parent_path(), descriptor.source);
   read_viewpoint(table, descriptor.source);
+  read_lights_and_objects(table, descriptor.source);
   table.reject_unknown_keys();
   return descriptor;
 }
 
-toml::table parse_descriptor(const fs::path& file) {
-  return parse_toml(file.string(), read_toml_file(file), "see scenes/arcade.toml for an example");
+toml::table parse_descriptor(const fs::path& file, const std::string& text) {
+  return parse_toml(file.string(), text, "see scenes/arcade.toml for an example");
 }
 
 }  // namespace
 
 Descriptor read_descriptor(const fs::path& file) {
-  return descriptor_from(file, parse_descriptor(file));
+  return descriptor_of_text(file, read_toml_file(file));
+}
+
+Descriptor descriptor_of_text(const fs::path& file, const std::string& text) {
+  return descriptor_from(file, parse_descriptor(file, text));
 }
 
 bool is_descriptor(const fs::path& file) {
-  const toml::table table = parse_descriptor(file);
+  const toml::table table = parse_descriptor(file, read_toml_file(file));
   return table.contains("file") || table.contains("builtin") || table.contains("camera");
 }
 

@@ -31,6 +31,9 @@ struct Descriptor {
 /// type, a value out of range or what makes no sense.
 Descriptor read_descriptor(const std::filesystem::path& file);
 
+/// The same of the text of a descriptor that is to be written to `file`.
+Descriptor descriptor_of_text(const std::filesystem::path& file, const std::string& text);
+
 /// Whether the TOML file has a key that only descriptors have. Throws Error as read_descriptor does
 /// for bad TOML.
 bool is_descriptor(const std::filesystem::path& file);

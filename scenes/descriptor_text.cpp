@@ -1,11 +1,17 @@
 #include "scenes/descriptor_text.h"
 
 #include <cassert>
+#include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/error.h"
 #include "renderer/base/utf8.h"
+#include "scenes/descriptor.h"
+
+namespace fs = std::filesystem;
 
 namespace foveola::scenes {
 namespace {
@@ -17,8 +23,28 @@ std::string quoted(const std::string& text) {
       .dump(on_one_line, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// The name of a file, by which it must be found again. Throws Error.
+std::string quoted_name(const fs::path& file) {
+  const std::string name = file.filename().string();
+  std::string text = quoted(name);
+  if (nlohmann::json::parse(text).get<std::string>() != name) {
+    throw Error(file.string(), "has a name of other characters than a descriptor can hold",
+                "give it a name in UTF-8 without control characters");
+  }
+  return text;
+}
+
+/// To twelve digits, which hide the rounding of angles; adding 0 leaves no -0.
+std::string number(double value) { return fmt::format("{:.12g}", value + 0.0); }
+
+/// By as many digits as distinguish it from any other float.
+std::string number(float value) { return fmt::format("{}", value + 0.0F); }
+
+/// The azimuth of a direction, in degrees from -180 to 180.
+std::string azimuth(double angle_rad) { return number(std::remainder(degrees(angle_rad), 360.0)); }
+
 std::string list_of(const Vec3& v) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x, v.y, v.z);
+  return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
 }
 
 /// In the file's units.
@@ -27,13 +53,13 @@ std::string position_of(const Vec3& metres, const SceneSource& source) {
 }
 
 std::string facts_of_file(const SceneSource& source) {
-  std::string text = fmt::format("title = {}\nfile = {}\n", quoted(source.title),
-                                 quoted(source.file.filename().string()));
+  std::string text =
+      fmt::format("title = {}\nfile = {}\n", quoted(source.title), quoted_name(source.file));
   if (!source.described_sha256.empty()) {
     text += fmt::format("sha256 = \"{}\"\n", source.described_sha256);
   }
   if (source.metres_per_unit != 1.0) {
-    text += fmt::format("metres_per_unit = {:.6g}\n", source.metres_per_unit);
+    text += fmt::format("metres_per_unit = {}\n", number(source.metres_per_unit));
   }
   if (source.light_units) {
     text +=
@@ -46,10 +72,13 @@ std::string facts_of_file(const SceneSource& source) {
 std::string light_sizes_of(const SceneSource& source) {
   std::string text;
   if (source.light_radius_m) {
-    text += fmt::format("light_radius = {:.6g}\n", *source.light_radius_m / source.metres_per_unit);
+    text +=
+        fmt::format("light_radius = {}\n",
+                    number(static_cast<float>(*source.light_radius_m / source.metres_per_unit)));
   }
   if (source.sun_angular_radius_rad) {
-    text += fmt::format("sun_radius_deg = {:.6g}\n", degrees(*source.sun_angular_radius_rad));
+    text += fmt::format("sun_radius_deg = {}\n",
+                        number(static_cast<float>(degrees(*source.sun_angular_radius_rad))));
   }
   return text;
 }
@@ -61,42 +90,47 @@ std::string environment_of(const SceneSource& source) {
     text += fmt::format("environment_radiance = {}\n", list_of(*source.environment_radiance));
   }
   if (source.environment_file) {
-    text += fmt::format("environment_file = {}\n",
-                        quoted(source.environment_file->filename().string()));
+    text += fmt::format("environment_file = {}\n", quoted_name(*source.environment_file));
   }
   if (source.environment_strength != 1.0) {
-    text += fmt::format("environment_strength = {:.6g}\n", source.environment_strength);
+    text += fmt::format("environment_strength = {}\n", number(source.environment_strength));
   }
   if (source.environment_rotation_rad != 0.0) {
-    text += fmt::format("environment_rotation_deg = {:.6g}\n",
-                        degrees(source.environment_rotation_rad));
+    text += fmt::format("environment_rotation_deg = {}\n",
+                        number(std::fmod(degrees(source.environment_rotation_rad), 360.0)));
   }
   return text;
 }
 
 std::string table_of(const SunAndSky& sky) {
   return fmt::format(
-      "\n[sky]\nsun_azimuth_deg = {:.6g}\nsun_elevation_deg = {:.6g}\nturbidity = {:.6g}\n"
-      "ground_albedo = {:.6g}\n",
-      degrees(sky.sun.azimuth_rad), degrees(sky.sun.elevation_rad), sky.turbidity,
-      sky.ground_albedo);
+      "\n[sky]\nsun_azimuth_deg = {}\nsun_elevation_deg = {}\nturbidity = {}\nground_albedo = {}\n",
+      azimuth(sky.sun.azimuth_rad), number(degrees(sky.sun.elevation_rad)), number(sky.turbidity),
+      number(sky.ground_albedo));
 }
 
 std::string camera_of(const SceneSource& source) {
-  const auto in_degrees = [](double angle_rad) { return degrees(angle_rad) + 0.0; };  // no "-0"
-  return fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {:.6g}\nelevation_deg = {:.6g}\n",
-                     position_of(*source.camera_position, source),
-                     in_degrees(source.heading.azimuth_rad),
-                     in_degrees(source.heading.elevation_rad));
+  std::string text =
+      fmt::format("\n[camera]\nposition = {}\nazimuth_deg = {}\nelevation_deg = {}\n",
+                  position_of(*source.camera_position, source), azimuth(source.heading.azimuth_rad),
+                  number(degrees(source.heading.elevation_rad)));
+  if (source.camera_roll_rad != 0.0) {
+    text += fmt::format("roll_deg = {}\n", number(degrees(source.camera_roll_rad)));
+  }
+  if (source.camera_vertical_fov_rad) {
+    text +=
+        fmt::format("vertical_fov_deg = {}\n", number(degrees(*source.camera_vertical_fov_rad)));
+  }
+  if (source.camera_aspect_ratio) {
+    text += fmt::format("aspect_ratio = {}\n", number(*source.camera_aspect_ratio));
+  }
+  return text;
 }
 
-}  // namespace
-
-std::string descriptor_text(const SceneSource& source, const std::vector<std::string>& remarks) {
-  assert(source.camera_position && (remarks.empty() || remarks.size() == source.objects.size()));
+std::string text_of(const SceneSource& source, const std::vector<std::string>& remarks) {
   std::string text = facts_of_file(source);
   if (source.exposure_stops) {
-    text += fmt::format("exposure_stops = {:.6g}\n", *source.exposure_stops);
+    text += fmt::format("exposure_stops = {}\n", number(*source.exposure_stops));
   }
   text += light_sizes_of(source);
   text += environment_of(source);
@@ -110,6 +144,21 @@ std::string descriptor_text(const SceneSource& source, const std::vector<std::st
                     quoted(object.name), position_of(object.position, source), object.radius_deg);
   }
   return text;
+}
+
+/// Throws Error for what read_descriptor() refuses, but for an image that may yet be put beside the
+/// descriptor.
+void require_accepted(SceneSource source) {
+  source.environment_file.reset();
+  descriptor_of_text(source.file.filename().replace_extension(".toml"), text_of(source, {}));
+}
+
+}  // namespace
+
+std::string descriptor_text(const SceneSource& source, const std::vector<std::string>& remarks) {
+  assert(source.camera_position && (remarks.empty() || remarks.size() == source.objects.size()));
+  require_accepted(source);
+  return text_of(source, remarks);
 }
 
 }  // namespace foveola::scenes

@@ -33,15 +33,15 @@ class Searcher {
  public:
   explicit Searcher(std::string file_name) : file_name_(std::move(file_name)) {}
 
-  /// Looks into `folder`, then into its subfolders in order of their names, until the file is
-  /// found.
+  /// Looks into `folder`, then into its subfolders in order of their names, unless the file is
+  /// found already.
   void search(const fs::path& folder) {
-    std::vector<fs::path> candidates = subfolders(folder);
-    candidates.insert(candidates.begin(), folder);
-    for (const fs::path& candidate : candidates) {
-      if (!found_.file) {
-        look_into(candidate);
-      }
+    look_into(folder);
+    if (found_.file) {
+      return;
+    }
+    for (const fs::path& subfolder : subfolders(folder)) {
+      look_into(subfolder);
     }
   }
 
@@ -83,6 +83,9 @@ class Searcher {
   }
 
   void look_into(const fs::path& folder) {
+    if (found_.file) {
+      return;
+    }
     const fs::path file = folder / file_name_;
     std::error_code failure;
     const fs::file_status status = fs::status(file, failure);
@@ -105,6 +108,11 @@ class Searcher {
 };
 
 }  // namespace
+
+bool is_called_like_scene(const fs::path& file) {
+  return std::find(scene_extensions.begin(), scene_extensions.end(), lower_case_extension(file)) !=
+         scene_extensions.end();
+}
 
 FileSearch search_folder(const fs::path& folder, const std::string& file_name) {
   Searcher searcher(file_name);

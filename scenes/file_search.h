@@ -1,12 +1,19 @@
 // Where the files of real scenes are looked for.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace foveola::scenes {
+
+/// The extensions of scenes' files, in the order in which a name is tried with them.
+inline constexpr std::array scene_extensions{".glb", ".gltf", ".obj"};
+
+/// Whether the file is called like one of a scene, in whatever case its extension is.
+bool is_called_like_scene(const std::filesystem::path& file);
 
 struct FileSearch {
   std::optional<std::filesystem::path> file;

@@ -143,15 +143,19 @@ void require_scene_file(const fs::path& path) {
 /// The file of a scene, or a descriptor.
 SceneSource source_at(const fs::path& path) {
   require_scene_file(path);
-  return path.extension() == ".toml" ? source_of(read_descriptor(path)) : source_of_file(path);
+  return lower_case_extension(path) == ".toml" ? source_of(read_descriptor(path))
+                                               : source_of_file(path);
 }
 
 /// NAME.glb, NAME.gltf or NAME.obj in `folder`, the first of them that is there.
 std::optional<fs::path> named_scene_file(const fs::path& folder, const std::string& name) {
-  for (const char* const extension : {".glb", ".gltf", ".obj"}) {
+  if (!is_scene_name(name)) {
+    return std::nullopt;
+  }
+  for (const char* const extension : scene_extensions) {
     fs::path file = folder / (name + extension);
     std::error_code ignored;
-    if (is_scene_name(name) && fs::is_regular_file(file, ignored)) {
+    if (fs::is_regular_file(file, ignored)) {
       return file;
     }
   }
@@ -168,9 +172,8 @@ std::optional<SceneSource> find_in(const fs::path& folder, const std::string& na
 }
 
 bool is_path(const std::string& name_or_path) {
-  const fs::path extension = fs::path(name_or_path).extension();
-  return !is_scene_name(name_or_path) || extension == ".glb" || extension == ".gltf" ||
-         extension == ".obj" || extension == ".toml";
+  return !is_scene_name(name_or_path) || is_called_like_scene(name_or_path) ||
+         lower_case_extension(name_or_path) == ".toml";
 }
 
 bool is_programs_protocols(const fs::path& folder) {

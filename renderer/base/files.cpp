@@ -1,5 +1,6 @@
 #include "renderer/base/files.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -132,6 +133,14 @@ std::string read_file(const fs::path& path, std::size_t most_bytes, const std::s
   }
   content.resize(size);
   return content;
+}
+
+std::string lower_case_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return extension;
 }
 
 void require_writable(const fs::path& path) {

@@ -30,6 +30,10 @@ std::string read_file(const std::filesystem::path& path);
 std::string read_file(const std::filesystem::path& path, std::size_t most_bytes,
                       const std::string& remedy);
 
+/// The extension of a file's name with its dot, its ASCII letters in lower case: formats are told
+/// apart by it.
+std::string lower_case_extension(const std::filesystem::path& file);
+
 /// Throws Error unless a file at `path` could be written: its folder exists and is writable, and
 /// it is no folder itself. For refusing a bad output before the work instead of after it.
 void require_writable(const std::filesystem::path& path);

@@ -43,8 +43,7 @@ struct SunAndSky {
 enum class LightUnits : std::uint8_t {
   /// Lux and candela, as the extension says. Divided by 683 lm/W they become irradiances and
   /// radiant intensities: Blender's exporter multiplies every colour by this luminous efficacy,
-  /// which the
-  /// SI's definition of the candela gives to light of 540 THz.
+  /// which the SI's definition of the candela gives to light of 540 THz.
   photometric,
   /// Irradiances and radiant intensities: taken as they are.
   radiometric
@@ -56,6 +55,16 @@ struct ObjectOfInterest {
   Vec3 position{0.0F};      ///< world, metres; its direction is seen from the camera
   float radius_deg = 4.0F;  ///< angular radius that covers it, seen from the camera
 };
+
+/// Exposures are chosen and described from minus to plus so many stops.
+inline constexpr double most_exposure_stops = 40.0;
+
+/// The lens of a camera, as far as it can be described.
+inline constexpr double narrowest_camera_fov_deg = 1e-3;
+inline constexpr double widest_camera_fov_deg = 179.99;
+/// Beyond these, pictures of the usual size are one pixel wide or high anyway.
+inline constexpr double least_camera_aspect_ratio = 1e-3;
+inline constexpr double largest_camera_aspect_ratio = 1e3;
 
 struct SceneSource {
   std::string name;  ///< what the user called it
@@ -73,6 +82,11 @@ struct SceneSource {
   std::optional<LightUnits> light_units;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
+  /// What only an ordinary picture from that position has, see CameraView: a study and a head have
+  /// neither.
+  double camera_roll_rad = 0.0;
+  std::optional<double> camera_vertical_fov_rad;
+  std::optional<double> camera_aspect_ratio;
   /// Brightens what is shown by a power of two. None: whoever shows the scene chooses it; a study
   /// and whatever measures take 0.
   std::optional<double> exposure_stops;

@@ -10,8 +10,6 @@
 namespace foveola {
 namespace {
 
-constexpr double most_stops = 40.0;
-
 /// Whether the text of --camera is meant as a place: names hardly begin like a number and have a
 /// comma.
 bool is_place(const std::string& camera) {
@@ -25,10 +23,10 @@ double parse_stops(const std::string& text, std::string_view number) {
     number.remove_prefix(1);
   }
   const std::optional<double> stops = parse_finite_number(number);
-  if (!stops || std::abs(*stops) > most_stops) {
+  if (!stops || std::abs(*stops) > most_exposure_stops) {
     throw UsageError("--exposure", fmt::format("'{}' is no exposure", text),
                      fmt::format("give stops from {:g} to {:g}, auto, auto+1, auto-1, or fixed:2",
-                                 -most_stops, most_stops));
+                                 -most_exposure_stops, most_exposure_stops));
   }
   return *stops;
 }

@@ -1,16 +1,15 @@
 #include "renderer/commands/object_sheet.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
 #include "renderer/base/progress.h"
-#include "renderer/base/random.h"
 #include "renderer/commands/drawn_text.h"
+#include "renderer/image/tone_mapping.h"
+#include "renderer/progressive/small_picture.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
@@ -20,7 +19,6 @@ constexpr int columns = 4;
 constexpr int side_px = 192;
 constexpr int gap_px = 8;
 constexpr int label_px = 20;
-constexpr int samples_per_pixel = 16;
 
 Viewport view_of(const LoadedScene& loaded, const ObjectOfInterest& object) {
   const Vec3 towards = loaded.scene.from_file(DVec3(object.position)) - loaded.camera.position;
@@ -28,44 +26,27 @@ Viewport view_of(const LoadedScene& loaded, const ObjectOfInterest& object) {
   return {azimuth_elevation(towards), {.horizontal_deg = fov_deg, .vertical_deg = fov_deg}};
 }
 
-/// The samples of a square picture, pixel after pixel.
-std::vector<SampleJob> jobs_of(const Viewport& view) {
-  std::vector<SampleJob> jobs;
-  for (std::uint32_t pixel = 0; pixel < side_px * side_px; ++pixel) {
-    const Vec2 corner(pixel % side_px, pixel / side_px);
-    for (std::uint32_t sample = 0; sample < samples_per_pixel; ++sample) {
-      const Vec2 plane = (corner + sobol_2d(sample, mix(pixel))) / static_cast<float>(side_px);
-      jobs.push_back({.direction = view.direction(plane), .pixel = pixel, .sample_number = sample});
-    }
-  }
-  return jobs;
-}
-
 /// What is brighter than white by this factor is cut: few samples leave bright specks otherwise.
-constexpr double largest_white = 4.0;
+constexpr float largest_white = 4.0F;
 
 RgbImage picture_of(const LoadedScene& loaded, const Viewport& view, double exposure_stops,
                     const Workers& workers) {
-  const std::vector<SampleJob> jobs = jobs_of(view);
-  std::vector<Rgb> radiance(jobs.size());
-  const TraceSettings settings{
-      .pixel_angle_rad = 2.0F * view.half_size().x / side_px,
-      .largest_radiance = static_cast<float>(largest_white * std::exp2(-exposure_stops))};
-  loaded.tracer.trace(loaded.camera.position, jobs, radiance, settings, workers);
+  const SmallPictureSettings settings{
+      .size = IVec2(side_px),
+      .trace = {.largest_radiance = largest_white / exposure_scale(exposure_stops)}};
+  const std::vector<DVec3> radiance =
+      small_picture(loaded.tracer, loaded.camera.position, view, settings, workers);
   RgbImage picture(side_px, side_px);
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (is_finite(radiance[i])) {
-      picture.pixels[jobs[i].pixel] += radiance[i] / static_cast<float>(samples_per_pixel);
-    }
-  }
+  std::transform(radiance.begin(), radiance.end(), picture.pixels.begin(),
+                 [](const DVec3& mean) { return Rgb(mean); });
   return picture;
 }
 
 void paste_exposed(const RgbImage& from, const IVec2& corner, double stops, RgbImage& to) {
-  const auto factor = static_cast<float>(std::exp2(stops));
+  const float scale = exposure_scale(stops);
   for (int y = 0; y < from.height; ++y) {
     for (int x = 0; x < from.width; ++x) {
-      to.at(corner.x + x, corner.y + y) = factor * from.at(x, y);
+      to.at(corner.x + x, corner.y + y) = scale * from.at(x, y);
     }
   }
 }

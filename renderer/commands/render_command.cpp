@@ -39,9 +39,12 @@ void run_replay(const RenderArguments& arguments, const RenderSettings& settings
 /// Whether a file is written as a display shows it.
 bool is_shown(const std::string& file) { return !file.empty() && !holds_radiance(file); }
 
-/// Radiances have no exposure, unless adaptive sampling asks what is seen of them.
+/// Radiances have no exposure, and neither has a single path, unless adaptive sampling asks what is
+/// seen of them.
 bool needs_exposure(const RenderArguments& arguments, const RenderSettings& settings) {
-  return is_shown(arguments.output) || is_shown(arguments.view) || settings.progressive.adaptive;
+  const bool is_replay = !arguments.replay.empty();
+  return settings.progressive.adaptive ||
+         (!is_replay && (is_shown(arguments.output) || is_shown(arguments.view)));
 }
 
 void require_writable_image(const std::string& file) {
@@ -64,6 +67,9 @@ void write(const Rendering& rendering, const RenderSettings& settings,
 void run_render(const CLI::App& command, const RenderArguments& arguments,
                 const SceneFinder& find_scene, const std::stop_token& stop) {
   RenderSettings settings = settings_from(command, arguments);
+  if (!needs_exposure(arguments, settings)) {
+    settings.exposure.reset();
+  }
   if (!arguments.replay.empty()) {
     run_replay(arguments, settings, find_scene, stop);
     return;
@@ -72,9 +78,6 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   require_writable_image(arguments.output);
   if (!arguments.view.empty()) {
     require_writable_image(arguments.view);
-  }
-  if (!needs_exposure(arguments, settings)) {
-    settings.exposure.reset();
   }
   Rendering rendering = render(lit_scene(arguments, find_scene), settings, stop);
   RenderReport& report = rendering.report;

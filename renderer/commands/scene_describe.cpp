@@ -1,5 +1,6 @@
 #include "renderer/commands/scene_describe.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -45,6 +46,8 @@ Outputs outputs_of(const DescribeArguments& arguments) {
   Outputs outputs{.descriptor = arguments.output, .sheet = arguments.contact_sheet};
   if (outputs.descriptor.empty()) {
     outputs.descriptor = fs::path(arguments.file).replace_extension(".toml");
+  } else if (outputs.descriptor.extension() != ".toml") {
+    throw UsageError("--output", "a descriptor's name ends in .toml", "name it so");
   }
   if (outputs.sheet.empty()) {
     outputs.sheet = outputs.descriptor;
@@ -55,9 +58,6 @@ Outputs outputs_of(const DescribeArguments& arguments) {
 
 /// Before the work: throws what would be in the way of writing.
 void require_free(const Outputs& outputs, bool may_replace) {
-  if (outputs.descriptor.extension() != ".toml") {
-    throw UsageError("--output", "a descriptor's name ends in .toml", "name it so");
-  }
   require_image_extension(outputs.sheet);
   for (const fs::path& file : {outputs.descriptor, outputs.sheet}) {
     std::error_code ignored;
@@ -84,7 +84,8 @@ std::string remark_on(const ProposedObject& proposed) {
 }
 
 void print_result(const Outputs& outputs, const std::vector<ProposedObject>& objects) {
-  fmt::print("{}: {} objects to choose from\n", outputs.descriptor.string(), objects.size());
+  fmt::print("{}: {} {} to choose from\n", outputs.descriptor.string(), objects.size(),
+             objects.size() == 1 ? "object" : "objects");
   for (std::size_t i = 0; i < objects.size(); ++i) {
     fmt::print("{:>3}  {}: radius {:.1f} degrees, {}\n", i + 1, printable(objects[i].object.name),
                objects[i].object.radius_deg, remark_on(objects[i]));
@@ -98,16 +99,31 @@ void print_result(const Outputs& outputs, const std::vector<ProposedObject>& obj
   }
 }
 
-/// Where the camera stands and looks, and how bright it is, is the descriptor's, whoever chose it.
+/// What only an ordinary picture of the camera has, as far as a descriptor can say it.
+void describe_picture(const CameraView& camera, SceneSource& source) {
+  source.camera_roll_rad = camera.roll_rad;
+  if (camera.vertical_fov_rad) {
+    source.camera_vertical_fov_rad =
+        std::clamp(*camera.vertical_fov_rad, radians(narrowest_camera_fov_deg),
+                   radians(widest_camera_fov_deg));
+  }
+  if (camera.aspect_ratio) {
+    source.camera_aspect_ratio =
+        std::clamp(*camera.aspect_ratio, least_camera_aspect_ratio, largest_camera_aspect_ratio);
+  }
+}
+
+/// Where the camera stands and looks, what it sees, and how bright that is shown, is the
+/// descriptor's, whoever chose it.
 void describe_view(const LoadedScene& loaded, const ExposureChoice& exposure,
                    const Workers& workers, SceneSource& source) {
   source.camera_position = Vec3(DVec3(loaded.camera.position) + loaded.scene.origin);
   source.heading = loaded.camera.heading;
+  describe_picture(loaded.camera, source);
   source.described_sha256 = loaded.scene.sha256;
-  const FieldOfView field_of_view = picture_of(loaded.camera, {}).field_of_view;
-  source.exposure_stops =
-      chosen_exposure(exposure, loaded, Viewport(loaded.camera.heading, field_of_view), {}, workers)
-          .stops;
+  const Viewport view = viewport_of(loaded.camera, picture_of(loaded.camera, {}).field_of_view);
+  source.exposure_stops = std::clamp(chosen_exposure(exposure, loaded, view, {}, workers).stops,
+                                     -most_exposure_stops, most_exposure_stops);
 }
 
 /// What a descriptor names lies in its own folder.
@@ -141,11 +157,12 @@ void describe(const DescribeArguments& arguments, SceneSource source,
     source.objects.push_back(proposed.object);
     remarks.push_back(remark_on(proposed));
   }
+  const std::string text = descriptor_text(source, remarks);
   if (!objects.empty()) {
     write_image(outputs.sheet, object_sheet(loaded, source, *source.exposure_stops, workers, stop),
                 0.0);
   }
-  write_file(outputs.descriptor, descriptor_text(source, remarks));
+  write_file(outputs.descriptor, text);
   print_result(outputs, objects);
   print_what_belongs_beside(outputs.descriptor, source);
 }

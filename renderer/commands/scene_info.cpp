@@ -18,6 +18,7 @@
 #include "renderer/commands/look_options.h"
 #include "renderer/progressive/picture.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/scene/made_up_names.h"
 #include "renderer/scene/scene_facts.h"
 #include "renderer/trace/ray_scene.h"
 
@@ -100,9 +101,11 @@ std::string text_kinds(const std::vector<PunctualLight>& lights) {
 
 nlohmann::ordered_json json_cameras(const LoadedFacts& loaded) {
   nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
-  for (const CameraView& view : loaded.cameras) {
+  const std::vector<std::string> names = camera_names(loaded.cameras);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const CameraView& view = loaded.cameras[i];
     nlohmann::ordered_json camera = {
-        {"name", view.name},
+        {"name", names[i]},
         {"position", json_of(DVec3(view.position) + loaded.origin)},
         {"head_deg", {degrees(view.heading.azimuth_rad), degrees(view.heading.elevation_rad)}},
         {"roll_deg", degrees(view.roll_rad)}};
@@ -122,18 +125,22 @@ double shown_deg(double angle_rad) {
   return std::round(steps * degrees(angle_rad)) / steps + 0.0;
 }
 
-/// A line for each camera: its name, where it stands and looks, and how much it sees.
+/// A line for each camera: its name as --camera takes it, where it stands and looks, and how much
+/// it sees.
 void print_cameras(const LoadedFacts& loaded) {
-  for (const CameraView& view : loaded.cameras) {
+  const std::vector<std::string> names = camera_names(loaded.cameras);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const CameraView& view = loaded.cameras[i];
     const DVec3 place = DVec3(view.position) + loaded.origin;
     const FieldOfView fov = picture_of(view, {}).field_of_view;
     fmt::print(
         "camera     '{}' at {:.6g},{:.6g},{:.6g} towards {:g},{:g}, {:.4g} x {:.4g} degrees\n",
-        printable(view.name), place.x, place.y, place.z, shown_deg(view.heading.azimuth_rad),
+        names[i], place.x, place.y, place.z, shown_deg(view.heading.azimuth_rad),
         shown_deg(view.heading.elevation_rad), fov.horizontal_deg, fov.vertical_deg);
   }
 }
 
+/// Paths may hold what is no Unicode.
 void print_json(const LoadedFacts& loaded) {
   const SceneFacts& facts = loaded.facts;
   const nlohmann::ordered_json json = {{"name", loaded.source.name},
@@ -160,7 +167,8 @@ void print_json(const LoadedFacts& loaded) {
                                        {"features", facts.features},
                                        {"absent_features", facts.absent_features},
                                        {"warnings", loaded.warnings}};
-  fmt::print("{}\n", json.dump(2));
+  constexpr int indentation = 2;
+  fmt::print("{}\n", json.dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 double mib(std::size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
@@ -174,6 +182,13 @@ void print_memory(const SceneFacts& facts, std::size_t tracing_bytes) {
       "textures {:.1f} MiB\n",
       mib(facts.geometry_bytes), mib(tracing_bytes), bytes_a_triangle,
       mib(facts.texture_bytes + facts.environment_bytes));
+}
+
+/// A line, unless there is nothing to say.
+void print_list(const char* label, const std::vector<std::string>& items) {
+  if (!items.empty()) {
+    fmt::print("{}{}\n", label, fmt::join(items, ", "));
+  }
 }
 
 void print_text(const LoadedFacts& loaded) {
@@ -194,8 +209,8 @@ void print_text(const LoadedFacts& loaded) {
     fmt::print("scale      the file's unit is {:g} m\n", loaded.source.metres_per_unit);
   }
   print_memory(facts, loaded.tracing_bytes);
-  fmt::print("has        {}\n", fmt::join(facts.features, ", "));
-  fmt::print("has no     {}\n", fmt::join(facts.absent_features, ", "));
+  print_list("has        ", facts.features);
+  print_list("has no     ", facts.absent_features);
   for (const std::string& warning : loaded.warnings) {
     fmt::print("warning    {}\n", printable(warning));
   }

@@ -1,7 +1,6 @@
 #include "renderer/commands/scene_sheet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "renderer/commands/warnings.h"
 #include "renderer/film/viewport_image.h"
 #include "renderer/image/image_file.h"
+#include "renderer/image/tone_mapping.h"
 #include "renderer/progressive/headless_render.h"
 
 namespace foveola {
@@ -42,9 +42,9 @@ struct SheetRow {
 };
 
 void expose(RgbImage& image, double stops) {
-  const auto factor = static_cast<float>(std::exp2(stops));
+  const float scale = exposure_scale(stops);
   for (Rgb& pixel : image.pixels) {
-    pixel *= factor;
+    pixel *= scale;
   }
 }
 

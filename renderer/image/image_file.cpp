@@ -24,13 +24,6 @@ constexpr int largest_side = 65536;
 constexpr std::uintmax_t most_pixels_per_byte = 4096;
 constexpr std::uintmax_t always_allowed_pixels = 1U << 20;
 
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 /// Writes the image, which takes the place of an older file in one step.
 void write_pixels(const fs::path& path, const EncodableImage& image) {
   const ImageCodec& codec = image_codec();
@@ -188,7 +181,7 @@ std::unique_ptr<ImageReader> open_image(const fs::path& path) {
 }  // namespace
 
 void require_image_extension(const fs::path& path) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = lower_case_extension(path);
   if (extension != ".exr" && extension != ".png") {
     throw UsageError(path.string(),
                      fmt::format("'{}' is no image format to write", path.extension().string()),
@@ -196,7 +189,7 @@ void require_image_extension(const fs::path& path) {
   }
 }
 
-bool holds_radiance(const fs::path& path) { return lower_extension(path) == ".exr"; }
+bool holds_radiance(const fs::path& path) { return lower_case_extension(path) == ".exr"; }
 
 void write_film_image(const fs::path& path, const FilmImage& image, double exposure_stops,
                       const ImageFacts& facts, ToneCurve curve) {

@@ -3,50 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "renderer/base/random.h"
+#include "renderer/progressive/small_picture.h"
 
 namespace foveola {
 namespace {
 
-/// Cells of the small picture, each way, and the samples of each: a fraction of a second of work.
-constexpr IVec2 cells{48, 27};
-constexpr std::uint32_t samples_per_cell = 16;
+/// A fraction of a second of work.
+constexpr IVec2 metered_pixels{48, 27};
 
-/// The seed of its paths and of its samples' places.
+/// The seed of the paths that are metered.
 constexpr std::uint32_t metering_seed = 0x6d657465U;
-
-std::vector<SampleJob> jobs_through(const Viewport& viewport) {
-  std::vector<SampleJob> jobs;
-  jobs.reserve(static_cast<std::size_t>(cells.x) * cells.y * samples_per_cell);
-  for (int y = 0; y < cells.y; ++y) {
-    for (int x = 0; x < cells.x; ++x) {
-      const auto cell = static_cast<std::uint32_t>(y * cells.x + x);
-      for (std::uint32_t sample = 0; sample < samples_per_cell; ++sample) {
-        const Vec2 place = sobol_2d(sample, mix(metering_seed, cell));
-        jobs.push_back({.direction = viewport.direction((Vec2(x, y) + place) / Vec2(cells)),
-                        .pixel = cell,
-                        .sample_number = sample});
-      }
-    }
-  }
-  return jobs;
-}
-
-/// The mean luminance of each cell, of the samples that are finite.
-std::vector<float> means_of_cells(const std::vector<Rgb>& radiance) {
-  std::vector<float> means;
-  for (std::size_t first = 0; first < radiance.size(); first += samples_per_cell) {
-    double sum = 0.0;
-    for (std::size_t i = first; i < first + samples_per_cell; ++i) {
-      sum += is_finite(radiance[i]) ? luminance(DVec3(radiance[i])) : 0.0;
-    }
-    means.push_back(static_cast<float>(sum / samples_per_cell));
-  }
-  return means;
-}
 
 }  // namespace
 
@@ -54,7 +24,6 @@ double automatic_exposure_stops(std::vector<float> luminances) {
   constexpr double middle_grey = 0.18;
   constexpr double share_below_bright = 0.95;
   constexpr float darkest_of_bright = 1.0F / 256.0F;
-  constexpr double most_stops = 40.0;
   std::erase_if(luminances, [](float value) { return !(value > 0.0F) || !std::isfinite(value); });
   if (luminances.empty()) {
     return 0.0;
@@ -74,18 +43,19 @@ double automatic_exposure_stops(std::vector<float> luminances) {
   const double stops = std::log2(middle_grey) - sum / static_cast<double>(counted);
   constexpr double steps_per_stop = 100.0;
   const double rounded = std::round(steps_per_stop * stops) / steps_per_stop;
-  return std::clamp(rounded, -most_stops, most_stops) + 0.0;  // and never -0
+  return std::clamp(rounded, -most_exposure_stops, most_exposure_stops) + 0.0;  // and never -0
 }
 
 double automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
                                 const Viewport& viewport, TraceSettings trace,
                                 const Workers& workers) {
   trace.seed = metering_seed;
-  trace.pixel_angle_rad = static_cast<float>(2.0 * viewport.half_size().x / cells.x);
-  const std::vector<SampleJob> jobs = jobs_through(viewport);
-  std::vector<Rgb> radiance(jobs.size());
-  tracer.trace(viewpoint, jobs, radiance, trace, workers);
-  return automatic_exposure_stops(means_of_cells(radiance));
+  std::vector<float> luminances;
+  for (const DVec3& radiance : small_picture(tracer, viewpoint, viewport,
+                                             {.size = metered_pixels, .trace = trace}, workers)) {
+    luminances.push_back(static_cast<float>(luminance(radiance)));
+  }
+  return automatic_exposure_stops(std::move(luminances));
 }
 
 Exposure chosen_exposure(const ExposureChoice& choice, const LoadedScene& loaded,

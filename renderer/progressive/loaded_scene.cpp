@@ -14,6 +14,7 @@
 #include "renderer/progressive/standpoint.h"
 #include "renderer/progressive/surroundings.h"
 #include "renderer/scene/load_scene.h"
+#include "renderer/scene/made_up_names.h"
 
 namespace foveola {
 namespace {
@@ -49,21 +50,17 @@ CameraView camera_at_standpoint(const Scene& scene, const RayScene& rays,
   return view;
 }
 
-/// The camera of the file that has this name. Throws UsageError.
+/// The camera of the file that is called so, see camera_names. Throws UsageError.
 const CameraView& camera_named(const Scene& scene, const std::string& name) {
-  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
-                                  [&](const CameraView& view) { return view.name == name; });
-  if (found == scene.cameras.end()) {
-    std::vector<std::string> names;
-    for (const CameraView& view : scene.cameras) {
-      names.push_back("'" + view.name + "'");
-    }
-    throw UsageError(
-        "--camera", fmt::format("the file has no camera '{}'", name),
-        names.empty() ? "it has none at all: give a place, X,Y,Z"
-                      : fmt::format("it has {}; or give a place, X,Y,Z", fmt::join(names, ", ")));
+  const std::vector<std::string> names = camera_names(scene.cameras);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    throw UsageError("--camera", fmt::format("the file has no camera '{}'", name),
+                     names.empty() ? "it has none at all: give a place, X,Y,Z"
+                                   : fmt::format("it has '{}'; or give a place, X,Y,Z",
+                                                 fmt::join(names, "', '")));
   }
-  return *found;
+  return scene.cameras[static_cast<std::size_t>(found - names.begin())];
 }
 
 CameraView choose_camera(const SceneSource& source, const Scene& scene, const RayScene& rays,
@@ -74,6 +71,9 @@ CameraView choose_camera(const SceneSource& source, const Scene& scene, const Ra
   } else if (source.camera_position) {
     view.position = scene.from_file(*source.camera_position);
     view.heading = source.heading;
+    view.roll_rad = source.camera_roll_rad;
+    view.vertical_fov_rad = source.camera_vertical_fov_rad;
+    view.aspect_ratio = source.camera_aspect_ratio;
   } else if (!scene.cameras.empty()) {
     view = scene.cameras.front();
   } else if (!choices.camera) {

@@ -18,7 +18,7 @@ namespace foveola {
 /// What a user may choose otherwise than the scene has it.
 struct SceneChoices {
   std::optional<DVec3> camera;           ///< in the file's world; default: see LoadedScene::camera
-  std::string camera_name;               ///< of one of the file's cameras; empty: no choice
+  std::string camera_name;               ///< see camera_names(); empty: no choice
   std::optional<AzimuthElevation> head;  ///< world, with its horizon level; default: the camera's
   /// The field of view of the picture that a place to stand is chosen for.
   std::optional<FieldOfView> framed_for;  ///< default: the usual picture's

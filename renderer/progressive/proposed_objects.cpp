@@ -6,12 +6,13 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "renderer/base/angles.h"
+#include "renderer/progressive/surroundings.h"
+#include "renderer/scene/made_up_names.h"
 
 namespace foveola {
 namespace {
@@ -19,14 +20,8 @@ namespace {
 constexpr std::size_t rays = std::size_t{1} << 18;
 constexpr double solid_angle_of_ray = 4.0 * std::numbers::pi / static_cast<double>(rays);
 
-/// Spherical Fibonacci points, which lie evenly on the unit sphere (Marques et al., Spherical
-/// Fibonacci Point Sets for Illumination Integrals, 2013).
 Vec3 direction_of_ray(std::size_t ray) {
-  const double y = 1.0 - (2.0 * static_cast<double>(ray) + 1.0) / static_cast<double>(rays);
-  const double azimuth_rad =
-      2.0 * std::numbers::pi * std::fmod(static_cast<double>(ray) / std::numbers::phi, 1.0);
-  const double radius = std::sqrt(1.0 - y * y);
-  return {radius * std::cos(azimuth_rad), y, radius * std::sin(azimuth_rad)};
+  return fibonacci_direction(static_cast<int>(ray), static_cast<int>(rays));
 }
 
 /// The meshes and instances that bear one name.
@@ -42,12 +37,16 @@ struct Groups {
 };
 
 Groups groups_of(const Scene& scene) {
+  std::set<std::string> taken;
+  for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
+    taken.insert(scene.object_name(object));
+  }
   Groups groups;
   std::map<std::string, std::uint32_t> known;
   for (std::uint32_t object = 0; object < scene.object_count(); ++object) {
     std::string name = scene.object_name(object);
     if (name.empty()) {
-      name = fmt::format("object {}", object + 1);
+      name = made_up_name("object", object + 1, taken);
     }
     const auto [entry, is_new] =
         known.emplace(name, static_cast<std::uint32_t>(groups.list.size()));

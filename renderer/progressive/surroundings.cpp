@@ -7,18 +7,13 @@
 #include "renderer/trace/triangle.h"
 
 namespace foveola {
-namespace {
 
-/// Point `index` of `count` spherical Fibonacci points, which lie evenly on the unit sphere
-/// (Marques et al., Spherical Fibonacci Point Sets for Illumination Integrals, 2013).
 Vec3 fibonacci_direction(int index, int count) {
   const double y = 1.0 - (2.0 * index + 1.0) / count;
   const double azimuth_rad = 2.0 * std::numbers::pi * index / std::numbers::phi;
   const double radius = std::sqrt(1.0 - y * y);
   return {radius * std::cos(azimuth_rad), y, radius * std::sin(azimuth_rad)};
 }
-
-}  // namespace
 
 bool is_front(const Scene& scene, const Hit& hit, const Vec3& direction) {
   return glm::dot(Triangle(scene, hit.object, hit.triangle).front_normal(), direction) < 0.0F;

@@ -6,6 +6,10 @@
 
 namespace foveola {
 
+/// Point `index` of `count` spherical Fibonacci points, which lie evenly on the unit sphere
+/// (Marques et al., Spherical Fibonacci Point Sets for Illumination Integrals, 2013).
+Vec3 fibonacci_direction(int index, int count);
+
 struct Surroundings {
   double share_hit = 0.0;  ///< of the rays, in [0, 1]
   double share_fronts =

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 
 namespace fs = std::filesystem;
 
@@ -81,13 +81,6 @@ const ForeignFormat* format_of(const fs::path& path) {
 }
 
 }  // namespace
-
-std::string lower_case_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 void require_readable_format(const fs::path& file) {
   if (const ForeignFormat* const format = format_of(file)) {

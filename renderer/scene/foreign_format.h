@@ -2,12 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 namespace foveola {
-
-/// The file name's extension with its dot, in lower case, by which scene files are told apart.
-std::string lower_case_extension(const std::filesystem::path& file);
 
 /// Throws Error, with the way to a glTF file, for a file that is known by its first bytes or by its
 /// extension to be in another format: Blender's own, FBX, USD and others. A glTF binary is never

@@ -165,7 +165,7 @@ bool keep_encoded_image(tinygltf::Image* image, const int /*index*/, std::string
 GltfFile read_gltf_file(const std::filesystem::path& path) {
   const std::string content = read_file(path);
   const bool binary = is_glb(content);
-  if (!binary && path.extension() == ".glb") {
+  if (!binary && lower_case_extension(path) == ".glb") {
     throw GltfFault("", "is not a glTF binary: it does not begin with \"glTF\"");
   }
   const std::string_view json = binary ? json_chunk(content) : std::string_view(content);

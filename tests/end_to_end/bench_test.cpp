@@ -138,5 +138,55 @@ TEST(BenchPreview, TellsWhichFramesAreLate) {
   EXPECT_GT(json.at("figures").at(2).at("median"), 0.0) << "the view is resampled";
 }
 
+// 2^23 samples over Reddy's 1091.85 square degrees (the paper's normaliser) in the fovea.
+TEST(BenchSampling, CountsWhereSamplesFall) {
+  const ProgramResult result = run_foveola({"bench", "sampling", "--density", "fv", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json rings = nlohmann::json::parse(result.output).at("rings");
+  const nlohmann::json& ring = rings.at(1);
+  EXPECT_EQ(ring.at("to_deg"), 1.0);
+  EXPECT_NEAR(ring.at("samples_per_square_degree").get<double>(), 8388608.0 / 1091.85, 76.0);
+  EXPECT_NEAR(ring.at("stated_per_square_degree").get<double>(), 8388608.0 / 1091.85, 2.0);
+}
+
+TEST(Bench, TracingIsMeasuredAgainstEmbreeAlone) {
+  const ProgramResult result =
+      run_foveola({"bench", "tracing", "studio-car", "--paths", "20000", "--repetitions", "6",
+                   "--threads", "1,2", "--size", "256x128", "--no-fast-path", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  ASSERT_EQ(json["runs"].size(), 2U);
+  for (const auto& run : json["runs"]) {
+    EXPECT_GT(run["general_path"]["gain"]["median"], 0.0);
+    EXPECT_LT(run["general_path"]["share_of_pixels_that_differ"], 0.1);
+    EXPECT_NEAR(run["general_path"]["relative_mean"], 1.0, 0.01);
+    EXPECT_EQ(run["rays"], json["runs"][0]["rays"]);
+    EXPECT_GE(run["rays"]["primary"], 20000);
+    EXPECT_GT(run["rays_per_second"]["shadow"], 0.0);
+    for (const char* figure :
+         {"seconds", "paths_per_second", "embree_seconds", "ratio_to_embree"}) {
+      const auto& median = run[figure];
+      EXPECT_GT(median["low"], 0.0) << figure;
+      EXPECT_LE(median["low"], median["median"]) << figure;
+      EXPECT_LE(median["median"], median["high"]) << figure;
+    }
+    for (const char* kind : {"primary", "bounce", "shadow"}) {
+      EXPECT_EQ(run["embree"][kind]["seconds"].size(), 5U) << kind;
+      EXPECT_TRUE(run["embree"][kind]["seconds"].contains(run["embree"][kind]["fastest"])) << kind;
+    }
+  }
+}
+
+TEST(Bench, SamplingMeasuresEveryMethodAskedFor) {
+  const ProgramResult result = run_foveola({"bench", "sampling", "od", "fv:cutoff=40", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json figures = nlohmann::json::parse(result.output).at("figures");
+  ASSERT_EQ(figures.size(), 8U);  // six of the film
+  EXPECT_EQ(figures[1].at("name"), "fv:cutoff=40");
+  for (const nlohmann::json& figure : figures) {
+    EXPECT_GT(figure.at("median"), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace foveola::test

@@ -1,61 +1,15 @@
-// A study of a user's own scene, whose descriptor lies beside its file and beside the protocol.
-#include <algorithm>
-#include <filesystem>
+// A study of a user's own scene.
+#include "tests/end_to_end/own_scene.h"
+
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "renderer/base/files.h"
-#include "renderer/glb/glb_document.h"
-#include "renderer/image/image_file.h"
-#include "tests/end_to_end/hall.h"
 
 namespace foveola::test {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-class OwnScene : public testing::Test {
- protected:
-  OwnScene() {
-    write("kitchen.glb", room_glb());
-    write("kitchen.toml", descriptor("Stove"));
-    write("study.toml",
-          "name = \"cooking\"\ntitle = \"A study\"\nscenes = [\"kitchen\"]\n"
-          "methods = [\"od\"]\n[timing]\nmark_timeout_s = 5\n" +
-              std::string(small_tables));
-  }
-
-  static std::string descriptor(const std::string& object) {
-    return "title = \"A kitchen\"\nfile = \"kitchen.glb\"\nexposure_stops = 1.5\n"
-           "[camera]\nposition = [0, 1, 0]\nazimuth_deg = 0\nelevation_deg = 0\n"
-           "[[object]]\nname = \"" +
-           object + "\"\nposition = [0, 1, -1]\nradius_deg = 5\n";
-  }
-
-  void write(const std::string& name, const std::string& content) {
-    folder_.write("mine/" + name, content);
-  }
-  std::string path(const std::string& name) const { return folder_ / ("mine/" + name); }
-
-  ProgramResult run(const std::vector<std::string>& arguments) const {
-    return run_foveola(arguments, {{"XDG_DATA_HOME", (folder_ / "data").string()},
-                                   {"XDG_CACHE_HOME", (folder_ / "cache").string()}});
-  }
-
-  ProgramResult simulate() const {
-    return run({"study", "simulate", path("study.toml"), "--db", path("study.sqlite"),
-                "--participants", "1"});
-  }
-
- private:
-  TemporaryFolder folder_;
-};
 
 TEST_F(OwnScene, IsShownAsTheDescriptorBesideItSays) {
   const ProgramResult result =
@@ -85,94 +39,6 @@ TEST_F(OwnScene, WithoutObjectsIsToldHowToGetThem) {
   const ProgramResult result = run({"study", "check", path("study.toml")});
   expect_one_line(result, 1, "study.toml:3:11");
   EXPECT_THAT(result.errors, HasSubstr("foveola scene describe"));
-}
-
-/// The room, in which a crate and a chest stand before the camera.
-std::string furnished_room() {
-  auto room = nlohmann::json::parse(room_gltf());
-  room["meshes"].push_back({{"primitives", {room["meshes"][0]["primitives"][0]}}});
-  room["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
-  room["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 1.5}}});
-  for (const auto& [name, x] : {std::pair("Crate", -0.6), std::pair("Chest", 0.6)}) {
-    room["nodes"].push_back({{"name", name},
-                             {"mesh", 1},
-                             {"translation", {x, -0.3, -1.0}},
-                             {"scale", {0.12, 0.1, 0.1}}});
-  }
-  room["scenes"][0]["nodes"] = {0, 1, 2, 3};
-  return glb_container(room.dump(), "");
-}
-
-class DescribedScene : public OwnScene {
- protected:
-  DescribedScene() {
-    write("kitchen.glb", furnished_room());
-    std::filesystem::remove(path("kitchen.toml"));
-  }
-  ProgramResult describe(std::vector<std::string> options = {}) const {
-    std::vector<std::string> arguments{"scene", "describe", path("kitchen.glb")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run(arguments);
-  }
-};
-
-TEST_F(DescribedScene, HasObjectsForAStudy) {
-  const ProgramResult described = describe();
-  ASSERT_EQ(described.exit_code, 0) << described.errors;
-  EXPECT_THAT(described.output, AllOf(HasSubstr("kitchen.toml: 2 objects to choose from"),
-                                      HasSubstr("Crate: radius"), HasSubstr("Chest: radius")));
-  const std::string descriptor = read_file(path("kitchen.toml"));
-  EXPECT_THAT(descriptor, AllOf(HasSubstr("position = [0, 0, 1.5]"), HasSubstr("azimuth_deg = 0"),
-                                HasSubstr("name = \"Crate\""), HasSubstr("sha256 = \"")));
-  EXPECT_THAT(descriptor, testing::Not(HasSubstr("\"room\"")));
-  EXPECT_EQ(run({"study", "check", path("study.toml")}).exit_code, 0);
-  const ProgramResult simulated = simulate();
-  EXPECT_EQ(simulated.exit_code, 0) << simulated.errors;
-}
-
-TEST_F(DescribedScene, ComesWithAPictureOfEachObject) {
-  ASSERT_EQ(describe({"--contact-sheet", path("sheet.png")}).exit_code, 0);
-  const FilmImage sheet = read_film_image(path("sheet.png"));
-  constexpr int gap = 8;
-  constexpr int side = 192;
-  constexpr int label = 20;
-  EXPECT_EQ(sheet.color.width, 3 * gap + 2 * side);
-  EXPECT_EQ(sheet.color.height, 2 * gap + side + label);
-  const auto is_lit = [](const Rgb& pixel) { return pixel.g > 0.01F; };
-  const auto row = [&](int y) { return sheet.color.pixels.begin() + y * sheet.color.width; };
-  EXPECT_TRUE(std::any_of(row(gap + side / 2), row(gap + side / 2 + 1), is_lit));
-  EXPECT_TRUE(std::any_of(row(gap + side), row(gap + side + label), is_lit)) << "the labels";
-  EXPECT_FALSE(std::any_of(row(0), row(gap), is_lit));
-}
-
-TEST_F(DescribedScene, IsNotDescribedOverWhatIsThere) {
-  write("kitchen.toml", "# mine\n");
-  expect_one_line(describe(), 1, "kitchen.toml: is there already; add --force");
-  EXPECT_EQ(read_file(path("kitchen.toml")), "# mine\n");
-  EXPECT_EQ(describe({"--force"}).exit_code, 0);
-  EXPECT_THAT(read_file(path("kitchen.toml")), HasSubstr("Crate"));
-}
-
-TEST_F(DescribedScene, TakesOptionsAndOtherPlaces) {
-  const ProgramResult result =
-      describe({"-o", path("night.toml"), "--camera", "0,0,1", "--head", "5,-2", "--environment",
-                "0.1,0.1,0.2", "--light-units", "radiometric"});
-  ASSERT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(
-      read_file(path("night.toml")),
-      AllOf(HasSubstr("position = [0, 0, 1]"), HasSubstr("azimuth_deg = 5"),
-            HasSubstr("elevation_deg = -2"), HasSubstr("environment_radiance = [0.1, 0.1, 0.2]"),
-            HasSubstr("light_units = \"radiometric\"")));
-  EXPECT_EQ(run({"scene", "info", path("night.toml")}).exit_code, 0);
-  expect_one_line(describe({"-o", path("night.txt")}), 2, "ends in .toml");
-}
-
-TEST_F(DescribedScene, WithoutObjectsSaysHowToFindThem) {
-  write("kitchen.glb", room_glb());
-  const ProgramResult result = describe();
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.output, AllOf(HasSubstr("0 objects"), HasSubstr("foveola scene pick")));
-  EXPECT_FALSE(std::filesystem::exists(path("kitchen-objects.png")));
 }
 
 }  // namespace

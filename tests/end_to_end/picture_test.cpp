@@ -220,6 +220,22 @@ TEST_F(RenderPicture, InfoListsCamerasAndLights) {
   EXPECT_EQ(json.at("light_kinds").at(1).at("kind"), "directional");
 }
 
+TEST_F(RenderPicture, CamerasWithoutANameAreChosenAsInfoListsThem) {
+  Json room = room_with_cameras();
+  room["cameras"][1].erase("name");
+  write_room(room);
+  const std::string file = folder_ / "room.gltf";
+  const ProgramResult text = run_foveola({"scene", "info", file});
+  EXPECT_THAT(text.output, HasSubstr("camera     'camera 2' at 0,0,0 towards"));
+  const Json json = Json::parse(run_foveola({"scene", "info", file, "--json"}).output);
+  EXPECT_EQ(json.at("cameras").at(1).at("name"), "camera 2");
+  const ProgramResult up = run_foveola({"scene", "pick", file, "--camera", "camera 2", "--json"});
+  ASSERT_EQ(up.exit_code, 0) << up.errors;
+  EXPECT_EQ(Json::parse(up.output).at("material"), "lamp");
+  const ProgramResult none = run_foveola({"scene", "pick", file, "--camera", "camera 1"});
+  expect_one_line(none, 2, "the file has no camera 'camera 1'; it has 'Ahead', 'camera 2'; or");
+}
+
 TEST_F(RenderPicture, PickLooksFromANamedCamera) {
   const ProgramResult result =
       run_foveola({"scene", "pick", (folder_ / "room.gltf").string(), "--camera", "Up", "--json"});

@@ -66,6 +66,19 @@ TEST(Descriptor, LeavesTheExposureOpenWhereItSaysNone) {
   EXPECT_FALSE(read_descriptor(folder.write("hall.toml", text)).source.exposure_stops);
 }
 
+/// As far as whoever chooses one goes.
+TEST(Descriptor, HasExposuresOfUpTo40Stops) {
+  const auto text = [](const char* stops) { return with(good, "-1.5", stops); };
+  const TemporaryFolder folder;
+  for (const double stops : {-40.0, 40.0}) {
+    EXPECT_EQ(read_descriptor(folder.write("hall.toml", text(fmt::format("{}", stops).c_str())))
+                  .source.exposure_stops,
+              stops);
+  }
+  EXPECT_THAT(error_of(text("40.1")), HasSubstr("exposure_stops is out of range"));
+  EXPECT_THAT(error_of(text("-41")), HasSubstr("exposure_stops is out of range"));
+}
+
 TEST(Descriptor, ReadsEveryKey) {
   const TemporaryFolder folder;
   const Descriptor hall = read_descriptor(folder.write("hall.toml", good));
@@ -92,6 +105,29 @@ TEST(Descriptor, ReadsEveryKey) {
   EXPECT_EQ(hall.source.objects[0].name, "Organ");
   EXPECT_EQ(hall.source.objects[0].position, Vec3(4.0F, 2.0F, -3.0F));
   EXPECT_EQ(hall.source.objects[0].radius_deg, 6.5F);
+}
+
+TEST(Descriptor, MayHaveWhatOnlyAPictureHas) {
+  const auto text = [](const char* lines) {
+    return with(good, "elevation_deg = -10.0\n", fmt::format("elevation_deg = -10.0\n{}\n", lines));
+  };
+  const TemporaryFolder folder;
+  const SceneSource source =
+      read_descriptor(folder.write("hall.toml", text("roll_deg = 180\nvertical_fov_deg = 90\n"
+                                                     "aspect_ratio = 0.5")))
+          .source;
+  EXPECT_NEAR(source.camera_roll_rad, 3.14159265358979, 1e-12);
+  EXPECT_NEAR(source.camera_vertical_fov_rad.value(), 1.5707963267948966, 1e-15);
+  EXPECT_EQ(source.camera_aspect_ratio, 0.5);
+  for (const auto* const refused :
+       {"roll_deg = 180.1", "roll_deg = \"left\"", "vertical_fov_deg = 0", "vertical_fov_deg = 180",
+        "vertical_fov_deg = nan", "aspect_ratio = 0", "aspect_ratio = -1.5",
+        "aspect_ratio = inf"}) {
+    EXPECT_THAT(error_of(text(refused)),
+                AllOf(HasSubstr("hall.toml:14:"), HasSubstr("out of range")))
+        << refused;
+  }
+  EXPECT_THAT(error_of(text("horizontal_fov_deg = 90")), HasSubstr("unknown key"));
 }
 
 /// All places and sizes, so that its numbers are those that a modelling program shows.
@@ -220,7 +256,7 @@ TEST(Descriptor, FilesAreNamesOfScenesWithoutFolders) {
   const auto text = [](const char* name) {
     return with(good, "file = \"hall.glb\"", fmt::format("file = \"{}\"", name));
   };
-  for (const char* const name : {"hall.glb", "hall.gltf", "hall.obj"}) {
+  for (const char* const name : {"hall.glb", "hall.gltf", "hall.obj", "Hall.GLB"}) {
     const TemporaryFolder folder;
     EXPECT_EQ(read_descriptor(folder.write("hall.toml", text(name))).file_name, name);
   }

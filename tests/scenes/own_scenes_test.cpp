@@ -148,6 +148,13 @@ TEST_F(OwnScenes, AProtocolsPathsBeginInItsFolder) {
               HasSubstr((study / "kitchen.glb").string() + ": no such scene or file"));
 }
 
+TEST_F(OwnScenes, ExtensionsAreKnownInAnyCase) {
+  const fs::path file = folder.write("study/Kitchen.GLB", "x");
+  EXPECT_EQ(find_scene_beside("Kitchen.GLB", study).file, file);
+  folder.write("study/Kitchen.TOML", describing("Kitchen.GLB", "Mine"));
+  EXPECT_EQ(find_scene_beside("Kitchen.TOML", study).title, "Mine");
+}
+
 TEST_F(OwnScenes, AnotherViewOfABuiltInSceneNeedsNoFile) {
   folder.write("study/meeting-room.toml",
                "title = \"From the door\"\nbuiltin = true\n[camera]\nposition = [1, 2, 3]\n"

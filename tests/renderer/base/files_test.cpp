@@ -108,6 +108,13 @@ TEST_F(Files, TheTemporaryFileKeepsTheExtension) {
   EXPECT_EQ(read_file(folder_ / "x.exr"), "image");
 }
 
+TEST(LowerCaseExtension, ChangesNothingButAsciiLetters) {
+  EXPECT_EQ(lower_case_extension("a.b/Scene.GlB"), ".glb");
+  EXPECT_EQ(lower_case_extension("Scene.\u00C4B"), ".\u00C4b");
+  EXPECT_EQ(lower_case_extension("Scene"), "");
+  EXPECT_EQ(lower_case_extension(".GLB"), "") << "the name of a hidden file";
+}
+
 TEST(ErrorText, IsOneLine) {
   const Error error("a\nb", "wrong\r\n", "mend it");
   EXPECT_STREQ(error.what(), "a b: wrong  ; mend it");

@@ -115,6 +115,9 @@ TEST(ProposedObjects, AreSeveralMeshesOfOneName) {
 TEST(ProposedObjects, WithoutANameAreNumbered) {
   EXPECT_THAT(names_of(proposed_in({walls(), box("", {0.0F, 0.0F, -5.0F}, 0.5F)})),
               ElementsAre("object 2"));
+  EXPECT_THAT(names_of(proposed_in({walls(), box("", {0.0F, 0.0F, -5.0F}, 0.5F),
+                                    box("object 2", {0.0F, 0.0F, 5.0F}, 0.5F)})),
+              UnorderedElementsAre("another object 2", "object 2"));
 }
 
 TEST(ProposedObjects, AreTheBestFirstAndNotTooMany) {

@@ -43,6 +43,15 @@ TEST(ShownScene, WithoutAnExposureOfItsOwnASceneIsShownAsItIs) {
   EXPECT_THAT(shown_as(plain), testing::HasSubstr(R"("exposure_stops":0.0,)"));
 }
 
+/// Its view is the display's. What was recorded before cameras were described stays the same.
+TEST(ShownScene, AStudyIsShownWithoutWhatOnlyAPictureHas) {
+  SceneSource picture = hall();
+  picture.camera_roll_rad = 0.5;
+  picture.camera_vertical_fov_rad = 0.75;
+  picture.camera_aspect_ratio = 1.5;
+  EXPECT_EQ(shown_as(picture), shown_as(hall()));
+}
+
 TEST(ShownScene, SaysAllThatTheSourceSaysBeyondItsFile) {
   EXPECT_EQ(
       shown_as(hall()),

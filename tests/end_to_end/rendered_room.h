@@ -1,0 +1,36 @@
+// The render command on a small room, as a user types it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/files.h"
+#include "renderer/image/image_file.h"
+#include "tests/end_to_end/program.h"
+
+namespace foveola::test {
+
+class Render : public testing::Test {
+ protected:
+  void SetUp() override { write_file(folder_ / "room.gltf", room_gltf()); }
+
+  ProgramResult render(const std::string& output, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"render", (folder_ / "room.gltf").string(), "-o",
+                                          (folder_ / output).string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_foveola(arguments);
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// The fraction of an image's pixels that are black.
+inline double black_share(const RgbImage& image) {
+  const auto black = std::count(image.pixels.begin(), image.pixels.end(), Rgb(0.0F));
+  return static_cast<double>(black) / static_cast<double>(image.pixels.size());
+}
+
+}  // namespace foveola::test

@@ -1,0 +1,31 @@
+#include "renderer/scene/made_up_names.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace foveola {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<std::string>& in_the_file) {
+  std::vector<CameraView> cameras;
+  for (const std::string& name : in_the_file) {
+    cameras.emplace_back().name = name;
+  }
+  return camera_names(cameras);
+}
+
+TEST(CameraNames, AreTheFilesOrNumbers) {
+  EXPECT_THAT(names_of({"Left", "", "Right", ""}),
+              testing::ElementsAre("Left", "camera 2", "Right", "camera 4"));
+  EXPECT_THAT(names_of({}), testing::IsEmpty());
+}
+
+TEST(CameraNames, BelongToOneCameraEach) {
+  EXPECT_THAT(names_of({"Left", "Left"}), testing::ElementsAre("Left", "camera 2"));
+  EXPECT_THAT(names_of({"", "camera 1"}), testing::ElementsAre("another camera 1", "camera 1"));
+  EXPECT_THAT(names_of({"", "camera 1", "another camera 1"}),
+              testing::ElementsAre("another another camera 1", "camera 1", "another camera 1"));
+}
+
+}  // namespace
+}  // namespace foveola
