@@ -18,20 +18,39 @@ constexpr IVec2 metered_pixels{48, 27};
 /// The seed of the paths that are metered.
 constexpr std::uint32_t metering_seed = 0x6d657465U;
 
+/// Which of the metered pixels show the scene, by a ray through the middle of each; all, if these
+/// are too few to be what the picture is of.
+std::vector<bool> metered(const RayScene& rays, const Vec3& viewpoint, const Viewport& viewport) {
+  constexpr double least_share = 0.05;
+  std::vector<bool> shows_scene;
+  for (int y = 0; y < metered_pixels.y; ++y) {
+    for (int x = 0; x < metered_pixels.x; ++x) {
+      const Vec2 middle = (Vec2(x, y) + 0.5F) / Vec2(metered_pixels);
+      shows_scene.push_back(!rays.closest_hit(viewpoint, viewport.direction(middle)).missed());
+    }
+  }
+  const auto pixels = static_cast<double>(shows_scene.size());
+  const auto count = std::count(shows_scene.begin(), shows_scene.end(), true);
+  return static_cast<double>(count) >= least_share * pixels
+             ? shows_scene
+             : std::vector<bool>(shows_scene.size(), true);
+}
+
 }  // namespace
 
-double automatic_exposure_stops(std::vector<float> luminances) {
+std::optional<double> automatic_exposure_stops(std::vector<float> luminances) {
   constexpr double middle_grey = 0.18;
   constexpr double share_below_bright = 0.95;
   constexpr float darkest_of_bright = 1.0F / 256.0F;
+  constexpr double most_for_bright = 2.0;
   std::erase_if(luminances, [](float value) { return !(value > 0.0F) || !std::isfinite(value); });
   if (luminances.empty()) {
-    return 0.0;
+    return std::nullopt;
   }
   std::sort(luminances.begin(), luminances.end());
-  const auto bright =
-      static_cast<std::size_t>(share_below_bright * static_cast<double>(luminances.size() - 1));
-  const float darkest = darkest_of_bright * luminances[bright];
+  const float bright = luminances[static_cast<std::size_t>(
+      share_below_bright * static_cast<double>(luminances.size() - 1))];
+  const float darkest = darkest_of_bright * bright;
   double sum = 0.0;
   std::size_t counted = 0;
   for (const float value : luminances) {
@@ -40,20 +59,26 @@ double automatic_exposure_stops(std::vector<float> luminances) {
       ++counted;
     }
   }
-  const double stops = std::log2(middle_grey) - sum / static_cast<double>(counted);
+  const double by_mean = std::log2(middle_grey) - sum / static_cast<double>(counted);
+  const double bright_is_white = -std::log2(static_cast<double>(bright));
+  const double stops = std::max(std::min(by_mean, bright_is_white), by_mean - most_for_bright);
   constexpr double steps_per_stop = 100.0;
   const double rounded = std::round(steps_per_stop * stops) / steps_per_stop;
   return std::clamp(rounded, -most_exposure_stops, most_exposure_stops) + 0.0;  // and never -0
 }
 
-double automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
-                                const Viewport& viewport, TraceSettings trace,
-                                const Workers& workers) {
+std::optional<double> automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
+                                               const Viewport& viewport, TraceSettings trace,
+                                               const Workers& workers) {
   trace.seed = metering_seed;
+  const std::vector<DVec3> radiances =
+      small_picture(tracer, viewpoint, viewport, {.size = metered_pixels, .trace = trace}, workers);
+  const std::vector<bool> is_metered = metered(tracer.ray_scene(), viewpoint, viewport);
   std::vector<float> luminances;
-  for (const DVec3& radiance : small_picture(tracer, viewpoint, viewport,
-                                             {.size = metered_pixels, .trace = trace}, workers)) {
-    luminances.push_back(static_cast<float>(luminance(radiance)));
+  for (std::size_t i = 0; i < radiances.size(); ++i) {
+    if (is_metered[i]) {
+      luminances.push_back(static_cast<float>(luminance(radiances[i])));
+    }
   }
   return automatic_exposure_stops(std::move(luminances));
 }
@@ -68,9 +93,10 @@ Exposure chosen_exposure(const ExposureChoice& choice, const LoadedScene& loaded
   if (choice.base == ExposureChoice::Base::scene && own) {
     return {.stops = *own + choice.more_stops};
   }
-  const double automatic =
+  const std::optional<double> automatic =
       automatic_exposure_stops(loaded.tracer, loaded.camera.position, viewport, trace, workers);
-  return {.stops = automatic + choice.more_stops, .is_automatic = true};
+  return {.stops = automatic.value_or(0.0) + choice.more_stops,
+          .is_automatic = automatic.has_value()};
 }
 
 std::string exposure_note(const Exposure& exposure) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,16 +33,19 @@ struct Exposure {
 /// the middle key, rounded to hundredths. What is black does not count, such as the surroundings of
 /// an object where there is no environment; nor does what is over 8 stops darker than all but 5 %
 /// of what counts, and would be shown as black beside it. A small lamp counts as little as its part
-/// of the picture. 0 stops if nothing shines.
-double automatic_exposure_stops(std::vector<float> luminances);
+/// of the picture. Up to two stops darker if more than 5 % were white otherwise, such as a pale
+/// object on dark ground. None if nothing shines.
+std::optional<double> automatic_exposure_stops(std::vector<float> luminances);
 
 /// The same of what is seen through `viewport` from `viewpoint`: of a small picture, which is equal
-/// on any number of threads and whatever the seed of `trace`.
-double automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
-                                const Viewport& viewport, TraceSettings trace,
-                                const Workers& workers);
+/// on any number of threads and whatever the seed of `trace`. What surrounds the scene counts only
+/// if the scene has less than a twentieth of the picture.
+std::optional<double> automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
+                                               const Viewport& viewport, TraceSettings trace,
+                                               const Workers& workers);
 
-/// Looks at the scene only if nobody says how bright it is shown.
+/// Looks at the scene only if nobody says how bright it is shown; 0 stops, and not automatic, if it
+/// is black.
 Exposure chosen_exposure(const ExposureChoice& choice, const LoadedScene& loaded,
                          const Viewport& viewport, const TraceSettings& trace,
                          const Workers& workers);

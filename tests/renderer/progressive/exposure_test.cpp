@@ -21,29 +21,37 @@ std::vector<float> together(std::vector<float> a, const std::vector<float>& b) {
 }
 
 TEST(AutomaticExposure, BringsTheLogarithmicMeanToMiddleGrey) {
-  EXPECT_NEAR(automatic_exposure_stops(many(10, 0.18F)), 0.0, 0.005);
-  EXPECT_NEAR(automatic_exposure_stops(many(10, 0.72F)), -2.0, 0.005);
+  EXPECT_NEAR(*automatic_exposure_stops(many(10, 0.18F)), 0.0, 0.005);
+  EXPECT_NEAR(*automatic_exposure_stops(many(10, 0.72F)), -2.0, 0.005);
   // Half of 0.09 and half of 0.36: their geometric mean is 0.18.
-  EXPECT_NEAR(automatic_exposure_stops(together(many(50, 0.09F), many(50, 0.36F))), 0.0, 0.005);
-  EXPECT_NEAR(automatic_exposure_stops(many(10, 0.18F * 683.0F)), -std::log2(683.0), 0.005);
+  EXPECT_NEAR(*automatic_exposure_stops(together(many(50, 0.09F), many(50, 0.36F))), 0.0, 0.005);
+  EXPECT_NEAR(*automatic_exposure_stops(many(10, 0.18F * 683.0F)), -std::log2(683.0), 0.005);
 }
 
 TEST(AutomaticExposure, BlackSurroundingsDoNotCount) {
-  EXPECT_NEAR(automatic_exposure_stops(together(many(10, 0.18F), many(990, 0.0F))), 0.0, 0.005);
+  EXPECT_NEAR(*automatic_exposure_stops(together(many(10, 0.18F), many(990, 0.0F))), 0.0, 0.005);
   // Nor those that are as good as black beside the rest: more than 8 stops darker.
-  EXPECT_NEAR(automatic_exposure_stops(together(many(100, 0.18F), many(900, 1e-5F))), 0.0, 0.005);
-  EXPECT_LT(automatic_exposure_stops(together(many(100, 0.18F), many(900, 0.18F / 64.0F))), 6.0);
+  EXPECT_NEAR(*automatic_exposure_stops(together(many(100, 0.18F), many(900, 1e-5F))), 0.0, 0.005);
+  EXPECT_LT(*automatic_exposure_stops(together(many(100, 0.18F), many(900, 0.18F / 64.0F))), 6.0);
 }
 
 /// Two of a hundred cells are a million times as bright: 0.02 log2(10^6) is 0.4 stops.
 TEST(AutomaticExposure, ASmallLampCountsLittle) {
-  EXPECT_NEAR(automatic_exposure_stops(together(many(98, 0.18F), many(2, 0.18e6F))), -0.4, 0.01);
+  EXPECT_NEAR(*automatic_exposure_stops(together(many(98, 0.18F), many(2, 0.18e6F))), -0.4, 0.01);
+}
+
+/// A pale object, a tenth of the picture, on ground that reflects a hundredth: white, and not cut.
+TEST(AutomaticExposure, PaleThingsOnDarkGroundStayBelowWhite) {
+  EXPECT_NEAR(*automatic_exposure_stops(together(many(90, 0.06F), many(10, 2.0F))), -1.0, 0.005);
+  // But a window does not make the room before it black: two stops at most.
+  EXPECT_NEAR(*automatic_exposure_stops(together(many(90, 0.18F), many(10, 0.18e3F))),
+              -0.1 * std::log2(1e3) - 2.0, 0.005);
 }
 
 TEST(AutomaticExposure, WithoutLightThereIsNone) {
-  EXPECT_EQ(automatic_exposure_stops({}), 0.0);
-  EXPECT_EQ(automatic_exposure_stops(many(10, 0.0F)), 0.0);
-  EXPECT_EQ(automatic_exposure_stops({std::nanf(""), -1.0F, 0.0F}), 0.0);
+  EXPECT_EQ(automatic_exposure_stops({}), std::nullopt);
+  EXPECT_EQ(automatic_exposure_stops(many(10, 0.0F)), std::nullopt);
+  EXPECT_EQ(automatic_exposure_stops({std::nanf(""), -1.0F, 0.0F}), std::nullopt);
 }
 
 SceneSource named(std::optional<double> exposure_stops) {
@@ -82,6 +90,32 @@ TEST(ChosenExposure, AddsWhatTheUserSays) {
   EXPECT_FALSE(chosen({.base = Base::none, .more_stops = -3.0}, std::nullopt).is_automatic);
 }
 
+TEST(ChosenExposure, OfABlackSceneIsNone) {
+  const Workers workers(1);
+  const LoadedScene loaded(named(std::nullopt), Scene{}, workers);
+  const Exposure exposure =
+      chosen_exposure({.more_stops = 1.0}, loaded, Viewport({}, {}), {}, workers);
+  EXPECT_EQ(exposure.stops, 1.0);
+  EXPECT_FALSE(exposure.is_automatic);
+}
+
+/// A wall of 0.18 before surroundings that are a hundred times as bright or as dark.
+TEST(ChosenExposure, IsThatOfTheSceneAndNotOfWhatSurroundsIt) {
+  const Viewport ahead({}, {.horizontal_deg = 60.0, .vertical_deg = 36.0, .lens = {}});
+  const auto stops = [&](float half_width, float around) {
+    Scene scene;
+    scene.environment = constant_environment(around);
+    scene.meshes = {
+        quad({-half_width, -half_width, -1}, {2 * half_width, 0, 0}, {0, 2 * half_width, 0}, 0)};
+    scene.materials = {lamp(Rgb(0.18F), true)};
+    const Workers workers(1);
+    return *automatic_exposure_stops(PathTracer(scene, workers), Vec3(0.0F), ahead, {}, workers);
+  };
+  EXPECT_NEAR(stops(0.25F, 18.0F), 0.0, 0.05);
+  EXPECT_NEAR(stops(0.25F, 0.0018F), 0.0, 0.05);
+  EXPECT_LT(stops(0.05F, 18.0F), -5.0) << "too small to be what the picture is of";
+}
+
 TEST(ChosenExposure, IsEqualOnAnyNumberOfThreadsAndForAnySeed) {
   Scene room;
   room.meshes = {inward_box(Vec3(0.0F), 2.0F, 0), quad({-1, 1.9F, -1}, {2, 0, 0}, {0, 0, 2}, 1)};
@@ -90,7 +124,7 @@ TEST(ChosenExposure, IsEqualOnAnyNumberOfThreadsAndForAnySeed) {
   const auto stops = [&](int threads, std::uint32_t seed) {
     const Workers workers(threads);
     const PathTracer tracer(room, workers);
-    return automatic_exposure_stops(tracer, {0.1F, 0.2F, 1.5F}, ahead, {.seed = seed}, workers);
+    return *automatic_exposure_stops(tracer, {0.1F, 0.2F, 1.5F}, ahead, {.seed = seed}, workers);
   };
   EXPECT_NE(stops(1, 0), 0.0);
   EXPECT_EQ(stops(1, 0), stops(3, 7));
