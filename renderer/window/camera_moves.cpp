@@ -1,7 +1,6 @@
 #include "renderer/window/camera_moves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "renderer/view/viewport.h"
@@ -17,15 +16,6 @@ Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn) 
   const Vec3 in_head =
       glm::conjugate(head_orientation(standing.heading)) * (pivot - standing.position);
   return {.position = pivot - head_orientation(heading) * in_head, .heading = heading};
-}
-
-Standing framing(const Bounds& bounds, const AzimuthElevation& heading, double fov_deg) {
-  const DVec3 lower(bounds.lower);
-  const DVec3 upper(bounds.upper);
-  const double radius = 0.5 * glm::distance(lower, upper);
-  const double distance = radius / std::sin(radians(0.5 * fov_deg));
-  return {.position = Vec3(0.5 * (lower + upper) - distance * DVec3(direction_from(heading))),
-          .heading = heading};
 }
 
 double walking_speed(const Bounds& scene) {

@@ -1,4 +1,4 @@
-// Where a camera comes to stand: around what it looks at, and in front of what it is to show.
+// Where a camera comes to stand around what it looks at, and how fast it goes.
 #pragma once
 
 #include "renderer/base/angles.h"
@@ -16,10 +16,6 @@ struct Standing {
 /// Turns the camera, and moves it so that `pivot` stays in its place in the view and at its
 /// distance. The elevation stops at the zenith and at the nadir.
 Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
-
-/// Looks along the same heading from where a view of so many degrees, in (0, 180), just shows the
-/// sphere around `bounds`.
-Standing framing(const Bounds& bounds, const AzimuthElevation& heading, double fov_deg);
 
 /// The speed at which such a scene is walked through in ten seconds, in metres a second; 1 if it
 /// has no size.

@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "renderer/progressive/framing.h"
 #include "renderer/view/viewport.h"
 
 namespace foveola {
@@ -186,8 +187,11 @@ void FreeCamera::fit(Nanoseconds now) {
     note_ = "there is nothing to fit to the view";
     return;
   }
-  const double smaller_fov_deg = std::min(geometry_.horizontal_fov_deg, geometry_.vertical_fov_deg);
-  stand(now, framing(bounds, standing(now).heading, smaller_fov_deg));
+  const AzimuthElevation heading = standing(now).heading;
+  Framing framing(heading, {.horizontal_deg = geometry_.horizontal_fov_deg,
+                            .vertical_deg = geometry_.vertical_fov_deg});
+  framing.include(bounds);
+  stand(now, {.position = framing.position(), .heading = heading});
   note_ = picked_ ? fmt::format("'{}' fits the view", picked_->object) : "all fits the view";
 }
 

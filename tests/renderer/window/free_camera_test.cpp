@@ -154,8 +154,8 @@ TEST_F(FreeCameraTest, ANewSizeWhileOrbitingIsHarmless) {
 TEST_F(FreeCameraTest, FitsWhatWasPickedOrAll) {
   camera_.fit(milliseconds(0));
   EXPECT_THAT(camera_.take_note(), HasSubstr("all fits"));
-  // Around (3, 0, 4) there are 5 m, seen under half of 53.13 degrees.
-  expect_near(position(0), {3.0F, 0.0F, 4.0F + 11.1803F});
+  // The near side's 6 m are nine tenths of the view's width: as wide as they are far away.
+  expect_near(position(0), {3.0F, 0.0F, 8.0F + 3.0F / 0.9F});
   camera_.go_back(milliseconds(0));
   expect_near(position(0), Vec3(0.0F));
   point(0, 500, 250);
@@ -164,7 +164,8 @@ TEST_F(FreeCameraTest, FitsWhatWasPickedOrAll) {
   camera_.take_note();
   camera_.fit(milliseconds(3));
   EXPECT_THAT(camera_.take_note(), HasSubstr("'Wall' fits"));
-  expect_near(position(3), {0.0F, 0.0F, -4.0F + 1.41421F * 2.23607F});
+  // The view is half as high as wide, and the wall's 2 m are nine tenths of that.
+  expect_near(position(3), {0.0F, 0.0F, -4.0F + 1.0F / 0.45F});
 }
 
 TEST_F(FreeCameraTest, AnEmptySceneHasNothingToFitOrPick) {
