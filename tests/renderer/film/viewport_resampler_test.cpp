@@ -114,11 +114,11 @@ TEST_P(Resampler, FollowsTheFieldOfView) {
 TEST_P(Resampler, FollowsTheLook) {
   const Viewport& viewport = GetParam().viewport;
   ViewImage look{.width = shown_width, .height = shown_height};
-  for (int frame = 0; frame < 36; ++frame) {
+  for (int frame = 0; frame < 18; ++frame) {
     add_frame();
     if (frame % 3 == 0) {
       look.unsampled = frame % 2 == 0 ? UnsampledPixels::filled : UnsampledPixels::black;
-      look.exposure_stops = 0.1 * frame;
+      look.exposure_stops = 0.2 * frame;
       look.curve = frame % 4 < 2 ? ToneCurve::plain : ToneCurve::filmic;
       resampler_.change_look(look);
     }
