@@ -8,8 +8,10 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "renderer/gaze/gamepad_steering.h"
 #include "renderer/progressive/framing.h"
 #include "renderer/view/viewport.h"
+#include "renderer/window/steering.h"
 
 namespace foveola {
 namespace {
@@ -57,9 +59,11 @@ std::string words_of(const std::optional<Sighted>& seen) {
 
 }  // namespace
 
-FreeCamera::FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head)
+FreeCamera::FreeCamera(CameraSurroundings surroundings, HeadTracker& shown,
+                       SteeredHeadTracker* steered)
     : surroundings_(std::move(surroundings)),
-      head_(&head),
+      head_(&shown),
+      steered_head_(steered),
       position_(surroundings_.start.position),
       speed_m_per_s_(walking_speed(surroundings_.bounds)) {}
 
@@ -111,7 +115,7 @@ bool FreeCamera::steer(Nanoseconds time, const KeyMoved& key) {
     walk_until(time);
     held_.erase(key.key);
   }
-  return false;
+  return key.is_down && TurnKeys().follow(key) && !can_turn();
 }
 
 /// In flight letters move the camera, and do nothing else.
@@ -121,11 +125,14 @@ bool FreeCamera::steer(Nanoseconds /*time*/, const CharacterTyped& /*typed*/) co
 
 bool FreeCamera::steer(Nanoseconds time, const WheelTurned& wheel) {
   constexpr double step = 1.25;
+  constexpr double most_times = 1000.0;  // as fast or as slow as to begin with
   if (!holds(modifiers_, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) {
     return false;
   }
   walk_until(time);
-  speed_m_per_s_ *= std::pow(step, wheel.away);
+  const double walking_m_per_s = walking_speed(surroundings_.bounds);
+  speed_m_per_s_ = std::clamp(speed_m_per_s_ * std::pow(step, wheel.away),
+                              walking_m_per_s / most_times, walking_m_per_s * most_times);
   note_ = fmt::format("speed {:.3g} m/s", speed_m_per_s_);
   return true;
 }
@@ -141,7 +148,7 @@ bool FreeCamera::steer(Nanoseconds time, const MouseButtonMoved& button) {
     std::erase_if(held_,
                   [](int key) { return moving_key(key)->when == MovingKey::When::in_flight; });
   }
-  if (before == Drag::none && mouse_.drag() == Drag::orbit) {
+  if (before == Drag::none && mouse_.drag() == Drag::orbit && can_turn()) {
     const Standing now = standing(time);
     const std::optional<Sighted> ahead =
         picked_ ? picked_ : surroundings_.look(now.position, direction_from(now.heading));
@@ -153,14 +160,27 @@ bool FreeCamera::steer(Nanoseconds time, const MouseButtonMoved& button) {
 
 bool FreeCamera::steer(Nanoseconds time, const PointerMoved& moved) {
   const DVec2 way_px = mouse_.follow(moved);
-  const double rad_per_pixel =
-      radians(geometry_.horizontal_fov_deg) / geometry_.parts.front().size.x;
+  if (way_px == DVec2(0.0) || !can_turn()) {
+    return false;
+  }
   if (mouse_.drag() == Drag::orbit) {
     orbit(time, way_px);
   } else if (mouse_.drag() == Drag::fly) {
-    head_->turn(time, {.right_rad = -rad_per_pixel * way_px.x, .up_rad = rad_per_pixel * way_px.y});
+    steered_head_->turn(time, turn_of_drag(geometry_, way_px));
   }
   return false;
+}
+
+bool FreeCamera::steer(Nanoseconds /*time*/, const GamepadMoved& gamepad) {
+  const TurnSpeed speed = turn_speed(gamepad.sticks, StickResponse{});
+  return (speed.right_rad_per_s != 0.0 || speed.up_rad_per_s != 0.0) && !can_turn();
+}
+
+bool FreeCamera::can_turn() {
+  if (steered_head_ == nullptr) {
+    note_ = "a recording turns the head: keys and mouse only move the camera";
+  }
+  return steered_head_ != nullptr;
 }
 
 void FreeCamera::look_at(Nanoseconds time, const DVec2& place_px) {
@@ -201,11 +221,14 @@ void FreeCamera::go_back(Nanoseconds now) {
 }
 
 void FreeCamera::bring(Nanoseconds now, const Vec3& from, const Vec3& to) {
+  if (steered_head_ == nullptr) {
+    return;
+  }
   const Quat head = head_orientation(head_->pose(now).heading);
   const AzimuthElevation seen = azimuth_elevation(head * from);
   const AzimuthElevation wanted = azimuth_elevation(head * to);
-  head_->turn(now, {.right_rad = wrapped_angle(seen.azimuth_rad - wanted.azimuth_rad),
-                    .up_rad = seen.elevation_rad - wanted.elevation_rad});
+  steered_head_->turn(now, {.right_rad = wrapped_angle(seen.azimuth_rad - wanted.azimuth_rad),
+                            .up_rad = seen.elevation_rad - wanted.elevation_rad});
 }
 
 Standing FreeCamera::standing(Nanoseconds time) {
@@ -214,10 +237,12 @@ Standing FreeCamera::standing(Nanoseconds time) {
 }
 
 void FreeCamera::stand(Nanoseconds time, const Standing& standing) {
-  const AzimuthElevation before = head_->pose(time).heading;
   position_ = standing.position;
-  head_->turn(time, {.right_rad = standing.heading.azimuth_rad - before.azimuth_rad,
-                     .up_rad = standing.heading.elevation_rad - before.elevation_rad});
+  if (steered_head_ != nullptr) {
+    const AzimuthElevation before = head_->pose(time).heading;
+    steered_head_->turn(time, {.right_rad = standing.heading.azimuth_rad - before.azimuth_rad,
+                               .up_rad = standing.heading.elevation_rad - before.elevation_rad});
+  }
 }
 
 void FreeCamera::walk_until(Nanoseconds now) {
