@@ -18,10 +18,9 @@ Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn) 
   return {.position = pivot - head_orientation(heading) * in_head, .heading = heading};
 }
 
-double walking_speed(const Bounds& scene) {
+double walking_speed(double width_m) {
   constexpr double crossing_s = 10.0;
-  const double diagonal = glm::distance(DVec3(scene.lower), DVec3(scene.upper));
-  return diagonal > 0.0 ? diagonal / crossing_s : 1.0;
+  return width_m > 0.0 ? width_m / crossing_s : 1.0;
 }
 
 }  // namespace foveola

@@ -17,8 +17,8 @@ struct Standing {
 /// distance. The elevation stops at the zenith and at the nadir.
 Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
 
-/// The speed at which such a scene is walked through in ten seconds, in metres a second; 1 if it
-/// has no size.
-double walking_speed(const Bounds& scene);
+/// The speed at which a space so many metres wide is walked through in ten seconds, in metres a
+/// second; 1 if it has no size.
+double walking_speed(double width_m);
 
 }  // namespace foveola

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -51,6 +53,28 @@ bool holds(const std::set<int>& held, int left, int right) {
   return held.contains(left) || held.contains(right);
 }
 
+/// How wide the space is in which the camera stands: twice the median distance seen in the
+/// directions of a cube's sides, edges and corners. At most the scene's diagonal, as where most of
+/// them meet nothing: a room is walked through as a room, whatever lies outside.
+double width_around(const CameraSurroundings& surroundings) {
+  std::vector<double> distances_m;
+  for (const int x : {-1, 0, 1}) {
+    for (const int y : {-1, 0, 1}) {
+      for (const int z : {-1, 0, 1}) {
+        if (x != 0 || y != 0 || z != 0) {
+          const std::optional<Sighted> seen =
+              surroundings.look(surroundings.start.position, glm::normalize(Vec3(x, y, z)));
+          distances_m.push_back(seen ? seen->distance_m : std::numeric_limits<double>::infinity());
+        }
+      }
+    }
+  }
+  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
+  std::nth_element(distances_m.begin(), middle, distances_m.end());
+  const Bounds& all = surroundings.bounds;
+  return std::min(2.0 * *middle, glm::distance(DVec3(all.lower), DVec3(all.upper)));
+}
+
 std::string words_of(const std::optional<Sighted>& seen) {
   return seen ? fmt::format("'{}' of '{}', {:.3g} m away", seen->object, seen->material,
                             seen->distance_m)
@@ -65,7 +89,8 @@ FreeCamera::FreeCamera(CameraSurroundings surroundings, HeadTracker& shown,
       head_(&shown),
       steered_head_(steered),
       position_(surroundings_.start.position),
-      speed_m_per_s_(walking_speed(surroundings_.bounds)) {}
+      first_speed_m_per_s_(walking_speed(width_around(surroundings_))),
+      speed_m_per_s_(first_speed_m_per_s_) {}
 
 void FreeCamera::show(const ViewGeometry& geometry, const IVec2& framebuffer,
                       double pixels_per_unit) {
@@ -130,9 +155,8 @@ bool FreeCamera::steer(Nanoseconds time, const WheelTurned& wheel) {
     return false;
   }
   walk_until(time);
-  const double walking_m_per_s = walking_speed(surroundings_.bounds);
   speed_m_per_s_ = std::clamp(speed_m_per_s_ * std::pow(step, wheel.away),
-                              walking_m_per_s / most_times, walking_m_per_s * most_times);
+                              first_speed_m_per_s_ / most_times, first_speed_m_per_s_ * most_times);
   note_ = fmt::format("speed {:.3g} m/s", speed_m_per_s_);
   return true;
 }

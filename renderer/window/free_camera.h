@@ -98,6 +98,7 @@ class FreeCamera {
   HeadTracker* head_;                 ///< the one that is shown
   SteeredHeadTracker* steered_head_;  ///< the same if it can be turned; else null
   Vec3 position_;
+  double first_speed_m_per_s_;
   double speed_m_per_s_;
   ViewGeometry geometry_;
   IVec2 framebuffer_{1};

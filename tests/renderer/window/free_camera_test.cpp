@@ -110,6 +110,15 @@ TEST_F(FreeCameraTest, TheWheelChangesTheSpeedWithControl) {
   EXPECT_EQ(camera_.speed_m_per_s(), 0.001);
 }
 
+TEST_F(FreeCameraTest, ARoomIsWalkedThroughAsARoomWhateverLiesOutside) {
+  const auto walls_all_around = [](const Vec3&, const Vec3&) {
+    return std::optional(Sighted{.distance_m = 2.0});
+  };
+  const FreeCamera camera(
+      {.bounds = {.lower = Vec3(-500.0F), .upper = Vec3(500.0F)}, .look = walls_all_around}, head_);
+  EXPECT_NEAR(camera.speed_m_per_s(), 0.4, 1e-9);
+}
+
 TEST_F(FreeCameraTest, AClickLooksThereAndSaysWhatItIs) {
   point(0, 1000, 250);
   button(1, GLFW_MOUSE_BUTTON_LEFT, true);
