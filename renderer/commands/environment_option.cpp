@@ -1,6 +1,7 @@
 #include "renderer/commands/environment_option.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "renderer/base/error.h"
@@ -25,6 +26,9 @@ void replace_environment(const std::string& text, SceneSource& source) {
                        "give r,g,b of 0 or more, for instance 1,1,1");
     }
     source.environment_radiance = radiance;
+  } else if (!std::filesystem::exists(text)) {
+    throw Error(text, "does not exist",
+                "give --environment r,g,b, sky:AZIMUTH,ELEVATION or a lat-long image file");
   } else {
     source.environment_file = text;
   }

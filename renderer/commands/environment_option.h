@@ -14,7 +14,8 @@ inline constexpr const char* environment_help =
 
 /// Gives `source` the environment that `text` names in place of its own: "r,g,b" is a constant
 /// radiance, "sky:..." daylight, anything else a file, which is not read yet. What a descriptor
-/// says of its own environment does not hold for another. Throws UsageError.
+/// says of its own environment does not hold for another. Throws UsageError, and Error for a file
+/// that does not exist.
 void replace_environment(const std::string& text, SceneSource& source);
 
 }  // namespace foveola

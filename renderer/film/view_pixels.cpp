@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
+#include "renderer/film/rounded_log2.h"
+#include "renderer/view/display_plane.h"
 #include "renderer/view/equirect.h"
 
 namespace foveola {
 namespace {
+
+/// How many cells of level 0 a patch of `sr` steradians is wide.
+double cells_across(double sr, int image_height) {
+  const double cell_rad = std::numbers::pi / image_height;
+  return std::sqrt(sr) / cell_rad;
+}
 
 std::size_t whole_lanes(int width, int height) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -28,8 +37,7 @@ Floats pick(const std::vector<float>& numbers, const EightPixels& at) {
 }  // namespace
 
 float level_for(double sr, int image_height) {
-  const double cell_rad = std::numbers::pi / image_height;
-  return static_cast<float>(std::max(0.0, std::log2(std::sqrt(sr) / cell_rad)));
+  return static_cast<float>(std::max(0.0, std::log2(cells_across(sr, image_height))));
 }
 
 ViewPixels::ViewPixels(int width, int height)
@@ -59,15 +67,32 @@ void ViewPixels::place(const Viewport& viewport, int begin, int end) {
 
 void ViewPixels::choose_levels(const Viewport& viewport, int image_height, int last_level,
                                int begin, int end) {
+  const Vec2 half_size = viewport.half_size();
+  const RadialLens lens = viewport.lens();
+  const double pixels = count();
+  std::vector<double> widths(static_cast<std::size_t>(width_));
   for (int y = begin; y < end; ++y) {
     for (int x = 0; x < width_; ++x) {
-      const double sr = viewport.sr_per_area(middle_of(x, y)) / count();
-      level_[row(y) + x] = std::min(level_for(sr, image_height), static_cast<float>(last_level));
+      widths[x] =
+          cells_across(sr_per_area(half_size, lens, middle_of(x, y)) / pixels, image_height);
+    }
+    const std::span<float> levels(&level_[row(y)], widths.size());
+    rounded_log2(widths, levels);
+    for (float& level : levels) {
+      level = std::clamp(level, 0.0F, static_cast<float>(last_level));
     }
   }
 }
 
-float ViewPixels::highest_level() const { return *std::max_element(level_.begin(), level_.end()); }
+float ViewPixels::highest_level() const {
+  Floats highest{};
+  for (std::size_t first = 0; first < level_.size(); first += lane_count) {
+    highest = larger(highest, load_eight(&level_[first]));
+  }
+  FloatLanes lanes;
+  lanes.store(highest);
+  return *std::max_element(lanes.begin(), lanes.end());
+}
 
 ViewPoints ViewPixels::points(const EightPixels& pixels) const {
   return {.image = {pick(u_, pixels), pick(v_, pixels)}, .level = pick(level_, pixels)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -51,18 +52,29 @@ EightPixels eight_from(std::size_t first) {
 template <typename Image>
 FilmResampler<Image>::FilmResampler(const EquirectFilm& film, const ViewImage& settings)
     : film_(&film),
-      unsampled_(settings.unsampled),
-      exposure_(linear_exposure(settings.exposure_stops)),
-      curve_(settings.curve),
       copy_(film),
       pixels_(settings.width, settings.height),
       tiles_in_view_(film),
-      image_(settings.width, settings.height) {}
+      image_(settings.width, settings.height) {
+  change_look(settings);
+}
+
+template <typename Image>
+void FilmResampler<Image>::change_look(const ViewImage& settings) {
+  assert(settings.width == image_.width && settings.height == image_.height);
+  unsampled_ = settings.unsampled;
+  exposure_ = linear_exposure(settings.exposure_stops);
+  curve_ = settings.curve;
+  has_new_look_ = true;
+  if (viewport_) {
+    note_levels();
+  }
+}
 
 template <typename Image>
 const Image& FilmResampler<Image>::show(const Viewport& viewport, const Workers& workers) {
   const bool has_moved = viewport_ != viewport;
-  if (!has_moved && film_->revision() == shown_at_) {
+  if (!has_moved && !has_new_look_ && film_->revision() == shown_at_) {
     return image_;
   }
   if (has_moved) {
@@ -72,7 +84,7 @@ const Image& FilmResampler<Image>::show(const Viewport& viewport, const Workers&
   if (reads_above_tiles_) {
     copy_.refresh_above_tiles();
   }
-  const bool all = has_moved || film_->cleared_at() > shown_at_ || !knows_changes_;
+  const bool all = has_moved || has_new_look_ || film_->cleared_at() > shown_at_ || !knows_changes_;
   if (!all && squares_.empty()) {
     find_squares(workers);
   }
@@ -84,6 +96,7 @@ const Image& FilmResampler<Image>::show(const Viewport& viewport, const Workers&
     }
   });
   shown_at_ = film_->revision();
+  has_new_look_ = false;
   return image_;
 }
 

@@ -34,9 +34,9 @@ struct ViewImage {
 /// view near new samples. Tiles out of sight are neither copied nor cleared until they come into
 /// sight.
 ///
-/// Every pixel is made anew while the head turns, after a clear, where unsampled pixels are filled,
-/// if a pixel of the view is larger than 16 pixels of the film, and for films whose sides 32 does
-/// not divide.
+/// Every pixel is made anew while the head turns, after a clear or another look, where unsampled
+/// pixels are filled, if a pixel of the view is larger than 16 pixels of the film, and for films
+/// whose sides 32 does not divide.
 ///
 /// Image: RgbImage, or ByteImage, which needs an exposure.
 template <typename Image>
@@ -45,6 +45,9 @@ class FilmResampler {
   /// film must outlive this.
   FilmResampler(const EquirectFilm& film, const ViewImage& settings);
 
+  /// What the image looks like from the next one on: the settings but for the size, which stays.
+  void change_look(const ViewImage& settings);
+
   /// The film as it is now, seen through `viewport`. The image stays until the next call.
   const Image& show(const Viewport& viewport, const Workers& workers);
 
@@ -52,6 +55,7 @@ class FilmResampler {
   /// Works out what depends on the viewport alone, but for the squares.
   void aim(const Viewport& viewport, const Workers& workers);
   bool has_same_lens(const Viewport& viewport) const;
+  /// Works out what depends on the levels of pixels and on whether unsampled ones are filled.
   void note_levels();
   void find_squares(const Workers& workers);
   /// Makes the pixels [begin, end) anew: all of them, or those whose cells changed. `begin` is a
@@ -61,9 +65,10 @@ class FilmResampler {
   void paint(std::span<const EightPixels> pixels, std::span<const ViewPoints> points);
 
   const EquirectFilm* film_;
-  UnsampledPixels unsampled_;
+  UnsampledPixels unsampled_ = UnsampledPixels::black;
   std::optional<float> exposure_;  ///< linear
-  ToneCurve curve_;
+  ToneCurve curve_ = ToneCurve::plain;
+  bool has_new_look_ = true;  ///< no image was made with it yet
   FilmCopy copy_;
   ViewPixels pixels_;
   TilesInView tiles_in_view_;

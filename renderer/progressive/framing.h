@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "renderer/base/angles.h"
 #include "renderer/scene/scene.h"

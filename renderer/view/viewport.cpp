@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/view/display_plane.h"
 
 namespace foveola {
 namespace {
@@ -16,16 +17,6 @@ float half_extent(double fov_rad) {
                 "choose one between 0 and 180 degrees");
   }
   return static_cast<float>(std::tan(0.5 * fov_rad));
-}
-
-/// How fast the distance from the lens' axis grows with the one on the display, squared: d2.
-double growth(const RadialLens& lens, double d2) {
-  return 1.0 + d2 * (3.0 * lens.k1 + d2 * 5.0 * lens.k2);
-}
-
-/// How much larger the distance from the lens' axis is than the one on the display, squared: d2.
-double magnification(const RadialLens& lens, double d2) {
-  return 1.0 + d2 * (lens.k1 + d2 * lens.k2);
 }
 
 /// The squared distance from the lens' axis to the display's furthest corner.
@@ -115,14 +106,7 @@ std::optional<Vec2> Viewport::project(const Vec3& direction) const {
 }
 
 double Viewport::sr_per_area(const Vec2& plane) const {
-  const Vec2 offset = 2.0F * (plane - lens_.axis) * half_size_;
-  const double d2 = glm::dot(offset, offset);
-  const double larger = magnification(lens_, d2);
-  // Across the radius a patch grows by `larger`, along it by `growth`; at distance 1 it is seen
-  // under its area times cos^3.
-  const double area = 4.0 * half_size_.x * half_size_.y * larger * growth(lens_, d2);
-  const double cosine = 1.0 / std::sqrt(1.0 + d2 * larger * larger);
-  return area * cosine * cosine * cosine;
+  return foveola::sr_per_area(half_size_, lens_, plane);
 }
 
 }  // namespace foveola

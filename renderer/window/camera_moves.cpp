@@ -1,7 +1,6 @@
 #include "renderer/window/camera_moves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "renderer/view/viewport.h"
@@ -19,19 +18,9 @@ Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn) 
   return {.position = pivot - head_orientation(heading) * in_head, .heading = heading};
 }
 
-Standing framing(const Bounds& bounds, const AzimuthElevation& heading, double fov_deg) {
-  const DVec3 lower(bounds.lower);
-  const DVec3 upper(bounds.upper);
-  const double radius = 0.5 * glm::distance(lower, upper);
-  const double distance = radius / std::sin(radians(0.5 * fov_deg));
-  return {.position = Vec3(0.5 * (lower + upper) - distance * DVec3(direction_from(heading))),
-          .heading = heading};
-}
-
-double walking_speed(const Bounds& scene) {
+double walking_speed(double width_m) {
   constexpr double crossing_s = 10.0;
-  const double diagonal = glm::distance(DVec3(scene.lower), DVec3(scene.upper));
-  return diagonal > 0.0 ? diagonal / crossing_s : 1.0;
+  return width_m > 0.0 ? width_m / crossing_s : 1.0;
 }
 
 }  // namespace foveola

@@ -1,4 +1,4 @@
-// Where a camera comes to stand: around what it looks at, and in front of what it is to show.
+// Where a camera comes to stand around what it looks at, and how fast it goes.
 #pragma once
 
 #include "renderer/base/angles.h"
@@ -17,12 +17,8 @@ struct Standing {
 /// distance. The elevation stops at the zenith and at the nadir.
 Standing orbited(const Standing& standing, const Vec3& pivot, const Turn& turn);
 
-/// Looks along the same heading from where a view of so many degrees, in (0, 180), just shows the
-/// sphere around `bounds`.
-Standing framing(const Bounds& bounds, const AzimuthElevation& heading, double fov_deg);
-
-/// The speed at which such a scene is walked through in ten seconds, in metres a second; 1 if it
-/// has no size.
-double walking_speed(const Bounds& scene);
+/// The speed at which a space so many metres wide is walked through in ten seconds, in metres a
+/// second; 1 if it has no size.
+double walking_speed(double width_m);
 
 }  // namespace foveola

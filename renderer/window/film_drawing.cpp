@@ -17,6 +17,10 @@ ViewImage view_image(const ShownView& view, const ViewLook& look) {
           .curve = look.curve};
 }
 
+bool have_same_size(const ViewImage& a, const ViewImage& b) {
+  return a.width == b.width && a.height == b.height;
+}
+
 }  // namespace
 
 FilmDrawer usual_drawer(std::string_view graphics) {
@@ -64,11 +68,14 @@ void FilmDrawing::resample(ShownFrame& frame, ProcessorViews& views) const {
   frame.pictures.clear();
   for (std::size_t i = 0; i < views.size(); ++i) {
     const ViewImage settings = view_image(frame.views[i], frame.look);
-    if (!views[i].resampler || views[i].settings != settings) {
-      views[i] = {.settings = settings,
-                  .resampler = std::make_unique<DisplayResampler>(*film_, settings)};
+    ProcessorView& view = views[i];
+    if (!view.resampler || !have_same_size(view.settings, settings)) {
+      view.resampler = std::make_unique<DisplayResampler>(*film_, settings);
+    } else if (view.settings != settings) {
+      view.resampler->change_look(settings);
     }
-    frame.pictures.push_back(&views[i].resampler->show(frame.views[i].viewport, *workers_));
+    view.settings = settings;
+    frame.pictures.push_back(&view.resampler->show(frame.views[i].viewport, *workers_));
   }
 }
 

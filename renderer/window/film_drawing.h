@@ -40,7 +40,7 @@ class FilmDrawing {
   void bring_up_to_date(ShownFrame& frame);
 
  private:
-  /// One view's resampler, for as long as its size and look stay.
+  /// One view's resampler, for as long as its size stays.
   struct ProcessorView {
     ViewImage settings;
     std::unique_ptr<DisplayResampler> resampler;

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "renderer/gaze/gamepad_steering.h"
+#include "renderer/progressive/framing.h"
 #include "renderer/view/viewport.h"
+#include "renderer/window/steering.h"
 
 namespace foveola {
 namespace {
@@ -48,6 +53,28 @@ bool holds(const std::set<int>& held, int left, int right) {
   return held.contains(left) || held.contains(right);
 }
 
+/// How wide the space is in which the camera stands: twice the median distance seen in the
+/// directions of a cube's sides, edges and corners. At most the scene's diagonal, as where most of
+/// them meet nothing: a room is walked through as a room, whatever lies outside.
+double width_around(const CameraSurroundings& surroundings) {
+  std::vector<double> distances_m;
+  for (const int x : {-1, 0, 1}) {
+    for (const int y : {-1, 0, 1}) {
+      for (const int z : {-1, 0, 1}) {
+        if (x != 0 || y != 0 || z != 0) {
+          const std::optional<Sighted> seen =
+              surroundings.look(surroundings.start.position, glm::normalize(Vec3(x, y, z)));
+          distances_m.push_back(seen ? seen->distance_m : std::numeric_limits<double>::infinity());
+        }
+      }
+    }
+  }
+  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
+  std::nth_element(distances_m.begin(), middle, distances_m.end());
+  const Bounds& all = surroundings.bounds;
+  return std::min(2.0 * *middle, glm::distance(DVec3(all.lower), DVec3(all.upper)));
+}
+
 std::string words_of(const std::optional<Sighted>& seen) {
   return seen ? fmt::format("'{}' of '{}', {:.3g} m away", seen->object, seen->material,
                             seen->distance_m)
@@ -56,11 +83,14 @@ std::string words_of(const std::optional<Sighted>& seen) {
 
 }  // namespace
 
-FreeCamera::FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head)
+FreeCamera::FreeCamera(CameraSurroundings surroundings, HeadTracker& shown,
+                       SteeredHeadTracker* steered)
     : surroundings_(std::move(surroundings)),
-      head_(&head),
+      head_(&shown),
+      steered_head_(steered),
       position_(surroundings_.start.position),
-      speed_m_per_s_(walking_speed(surroundings_.bounds)) {}
+      first_speed_m_per_s_(walking_speed(width_around(surroundings_))),
+      speed_m_per_s_(first_speed_m_per_s_) {}
 
 void FreeCamera::show(const ViewGeometry& geometry, const IVec2& framebuffer,
                       double pixels_per_unit) {
@@ -110,7 +140,7 @@ bool FreeCamera::steer(Nanoseconds time, const KeyMoved& key) {
     walk_until(time);
     held_.erase(key.key);
   }
-  return false;
+  return key.is_down && TurnKeys().follow(key) && !can_turn();
 }
 
 /// In flight letters move the camera, and do nothing else.
@@ -120,11 +150,13 @@ bool FreeCamera::steer(Nanoseconds /*time*/, const CharacterTyped& /*typed*/) co
 
 bool FreeCamera::steer(Nanoseconds time, const WheelTurned& wheel) {
   constexpr double step = 1.25;
+  constexpr double most_times = 1000.0;  // as fast or as slow as to begin with
   if (!holds(modifiers_, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) {
     return false;
   }
   walk_until(time);
-  speed_m_per_s_ *= std::pow(step, wheel.away);
+  speed_m_per_s_ = std::clamp(speed_m_per_s_ * std::pow(step, wheel.away),
+                              first_speed_m_per_s_ / most_times, first_speed_m_per_s_ * most_times);
   note_ = fmt::format("speed {:.3g} m/s", speed_m_per_s_);
   return true;
 }
@@ -140,7 +172,7 @@ bool FreeCamera::steer(Nanoseconds time, const MouseButtonMoved& button) {
     std::erase_if(held_,
                   [](int key) { return moving_key(key)->when == MovingKey::When::in_flight; });
   }
-  if (before == Drag::none && mouse_.drag() == Drag::orbit) {
+  if (before == Drag::none && mouse_.drag() == Drag::orbit && can_turn()) {
     const Standing now = standing(time);
     const std::optional<Sighted> ahead =
         picked_ ? picked_ : surroundings_.look(now.position, direction_from(now.heading));
@@ -152,14 +184,27 @@ bool FreeCamera::steer(Nanoseconds time, const MouseButtonMoved& button) {
 
 bool FreeCamera::steer(Nanoseconds time, const PointerMoved& moved) {
   const DVec2 way_px = mouse_.follow(moved);
-  const double rad_per_pixel =
-      radians(geometry_.horizontal_fov_deg) / geometry_.parts.front().size.x;
+  if (way_px == DVec2(0.0) || !can_turn()) {
+    return false;
+  }
   if (mouse_.drag() == Drag::orbit) {
     orbit(time, way_px);
   } else if (mouse_.drag() == Drag::fly) {
-    head_->turn(time, {.right_rad = -rad_per_pixel * way_px.x, .up_rad = rad_per_pixel * way_px.y});
+    steered_head_->turn(time, turn_of_drag(geometry_, way_px));
   }
   return false;
+}
+
+bool FreeCamera::steer(Nanoseconds /*time*/, const GamepadMoved& gamepad) {
+  const TurnSpeed speed = turn_speed(gamepad.sticks, StickResponse{});
+  return (speed.right_rad_per_s != 0.0 || speed.up_rad_per_s != 0.0) && !can_turn();
+}
+
+bool FreeCamera::can_turn() {
+  if (steered_head_ == nullptr) {
+    note_ = "a recording turns the head: keys and mouse only move the camera";
+  }
+  return steered_head_ != nullptr;
 }
 
 void FreeCamera::look_at(Nanoseconds time, const DVec2& place_px) {
@@ -186,8 +231,11 @@ void FreeCamera::fit(Nanoseconds now) {
     note_ = "there is nothing to fit to the view";
     return;
   }
-  const double smaller_fov_deg = std::min(geometry_.horizontal_fov_deg, geometry_.vertical_fov_deg);
-  stand(now, framing(bounds, standing(now).heading, smaller_fov_deg));
+  const AzimuthElevation heading = standing(now).heading;
+  Framing framing(heading, {.horizontal_deg = geometry_.horizontal_fov_deg,
+                            .vertical_deg = geometry_.vertical_fov_deg});
+  framing.include(bounds);
+  stand(now, {.position = framing.position(), .heading = heading});
   note_ = picked_ ? fmt::format("'{}' fits the view", picked_->object) : "all fits the view";
 }
 
@@ -197,11 +245,14 @@ void FreeCamera::go_back(Nanoseconds now) {
 }
 
 void FreeCamera::bring(Nanoseconds now, const Vec3& from, const Vec3& to) {
+  if (steered_head_ == nullptr) {
+    return;
+  }
   const Quat head = head_orientation(head_->pose(now).heading);
   const AzimuthElevation seen = azimuth_elevation(head * from);
   const AzimuthElevation wanted = azimuth_elevation(head * to);
-  head_->turn(now, {.right_rad = wrapped_angle(seen.azimuth_rad - wanted.azimuth_rad),
-                    .up_rad = seen.elevation_rad - wanted.elevation_rad});
+  steered_head_->turn(now, {.right_rad = wrapped_angle(seen.azimuth_rad - wanted.azimuth_rad),
+                            .up_rad = seen.elevation_rad - wanted.elevation_rad});
 }
 
 Standing FreeCamera::standing(Nanoseconds time) {
@@ -210,10 +261,12 @@ Standing FreeCamera::standing(Nanoseconds time) {
 }
 
 void FreeCamera::stand(Nanoseconds time, const Standing& standing) {
-  const AzimuthElevation before = head_->pose(time).heading;
   position_ = standing.position;
-  head_->turn(time, {.right_rad = standing.heading.azimuth_rad - before.azimuth_rad,
-                     .up_rad = standing.heading.elevation_rad - before.elevation_rad});
+  if (steered_head_ != nullptr) {
+    const AzimuthElevation before = head_->pose(time).heading;
+    steered_head_->turn(time, {.right_rad = standing.heading.azimuth_rad - before.azimuth_rad,
+                               .up_rad = standing.heading.elevation_rad - before.elevation_rad});
+  }
 }
 
 void FreeCamera::walk_until(Nanoseconds now) {

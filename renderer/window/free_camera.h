@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "renderer/gaze/head_tracker.h"
 #include "renderer/scene/scene.h"
 #include "renderer/window/camera_moves.h"
 #include "renderer/window/mouse_drags.h"
@@ -36,8 +37,13 @@ struct CameraSurroundings {
 
 class FreeCamera {
  public:
-  /// head: the one that keys and mouse turn; must outlive it.
-  FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head);
+  /// head: the one that is shown; keys and mouse turn it. Must outlive it.
+  FreeCamera(CameraSurroundings surroundings, SteeredHeadTracker& head)
+      : FreeCamera(std::move(surroundings), head, &head) {}
+  /// head: the one that is shown, of a recording: nothing turns it, and who tries is told so. Must
+  /// outlive it.
+  FreeCamera(CameraSurroundings surroundings, ScriptedHeadTracker& head)
+      : FreeCamera(std::move(surroundings), head, nullptr) {}
 
   /// How large the window is, and what it shows from now on.
   void show(const ViewGeometry& geometry, const IVec2& framebuffer, double pixels_per_unit);
@@ -53,8 +59,8 @@ class FreeCamera {
   /// Back to where it stood to begin with.
   void go_back(Nanoseconds now);
 
-  /// Turns the head so that what was seen in one direction is seen in another. Unit length, in the
-  /// head's axes. Exact on the horizon.
+  /// Turns the head, if it can be turned, so that what was seen in one direction is seen in
+  /// another. Unit length, in the head's axes. Exact on the horizon.
   void bring(Nanoseconds now, const Vec3& from, const Vec3& to);
 
   const Vec3& position() const { return position_; }
@@ -62,17 +68,24 @@ class FreeCamera {
   DVec3 place() const { return DVec3(position_) + surroundings_.origin; }
   double speed_m_per_s() const { return speed_m_per_s_; }
   /// Whether it is being moved, so that what is seen does not stay.
-  bool is_moving() const { return !held_.empty() || mouse_.drag() == Drag::orbit; }
+  bool is_moving() const {
+    return !held_.empty() || (mouse_.drag() == Drag::orbit && steered_head_ != nullptr);
+  }
 
   /// What it has to say since the last call, for the user; empty if nothing.
   std::string take_note() { return std::exchange(note_, {}); }
 
  private:
+  FreeCamera(CameraSurroundings surroundings, HeadTracker& shown, SteeredHeadTracker* steered);
+
   bool steer(Nanoseconds time, const KeyMoved& key);
   bool steer(Nanoseconds time, const CharacterTyped& typed) const;
   bool steer(Nanoseconds time, const WheelTurned& wheel);
   bool steer(Nanoseconds time, const MouseButtonMoved& button);
   bool steer(Nanoseconds time, const PointerMoved& moved);
+  bool steer(Nanoseconds time, const GamepadMoved& gamepad);
+  /// Whether the head can be turned; tells the user if not.
+  bool can_turn();
   bool moves_while_held(int key) const;
   void look_at(Nanoseconds time, const DVec2& place_px);
   void orbit(Nanoseconds time, const DVec2& way_px);
@@ -82,8 +95,10 @@ class FreeCamera {
   Vec3 velocity(const Quat& head) const;
 
   CameraSurroundings surroundings_;
-  SteeredHeadTracker* head_;
+  HeadTracker* head_;                 ///< the one that is shown
+  SteeredHeadTracker* steered_head_;  ///< the same if it can be turned; else null
   Vec3 position_;
+  double first_speed_m_per_s_;
   double speed_m_per_s_;
   ViewGeometry geometry_;
   IVec2 framebuffer_{1};

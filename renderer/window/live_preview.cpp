@@ -1,26 +1,19 @@
 #include "renderer/window/live_preview.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "renderer/view/acuity.h"
-#include "renderer/window/density_map.h"
+#include "renderer/window/preview_overlays.h"
 #include "renderer/window/preview_panels.h"
 
 namespace foveola {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where the published model of acuity begins to fall, and round numbers beyond.
-constexpr std::array acuity_rings_deg = {reddy_knee_deg, 10.0, 20.0, 40.0};
-
-constexpr int gaze_check_targets = 5;
 
 /// Keeps about the last `most` of a list that grows at its end.
 template <typename Item>
@@ -123,7 +116,7 @@ void LivePreview::answer(const KeyMoved& key) {
   if (key.is_down) {
     messages_.answer_key();
   }
-  if (action == PreviewAction::close && gaze_check_) {
+  if (action == PreviewAction::close && check_.goes_on()) {
     leave_check();
     tell("the check was ended");
   } else if (action) {
@@ -209,7 +202,7 @@ void LivePreview::show_view() {
 
 /// About the pointer: what lies below it stays there.
 void LivePreview::zoom(double steps) {
-  if (!view_.is_free() || gaze_check_) {
+  if (!view_.is_free() || check_.goes_on()) {
     return;
   }
   const std::optional<Vec3> before = parts_.steering->pointer();
@@ -239,7 +232,8 @@ void LivePreview::draw(const Preview& preview) {
   ShownFrame frame = head_frame(area_, view_.geometry(), preview.viewport().head(), look);
   if (area_.is_seen()) {
     drawing_.bring_up_to_date(frame);
-    frame.overlays = overlays(preview);
+    frame.overlays = check_.goes_on() ? check_.overlays(preview.viewport().head())
+                                      : preview_overlays(choices_, preview);
     frame.panels = panels();
     take_picture(frame);
   }
@@ -258,40 +252,34 @@ void LivePreview::take_picture(ShownFrame& frame) {
   wants_picture_ = false;
 }
 
+/// At true angles, which a tracker is judged by.
 void LivePreview::begin_check() {
   view_.measure_eyes(true);
   show_view();
-  const ViewGeometry& geometry = view_.geometry();
-  gaze_check_.emplace(calibration_targets(gaze_check_targets, geometry.horizontal_fov_deg,
-                                          geometry.vertical_fov_deg),
-                      settings_.gaze_check, parts_.clock->now());
+  check_.begin(view_.geometry(), settings_.gaze_check, parts_.clock->now());
 }
 
 void LivePreview::go_on_checking(const Preview& preview) {
-  if (!gaze_check_) {
-    return;
-  }
-  gaze_check_->update(parts_.clock->now(), preview.arrived_gaze());
-  if (!gaze_check_->target()) {
-    end_check();
+  if (const auto watched = check_.update(parts_.clock->now(), preview.arrived_gaze())) {
+    leave_check();
+    judge(*watched);
   }
 }
 
-void LivePreview::end_check() {
-  GazeCheck check = check_gaze(gaze_check_->watched(), settings_.corrects_gaze, *parts_.eye);
+void LivePreview::leave_check() {
+  check_.end();
+  view_.measure_eyes(false);
+  show_view();
+}
+
+void LivePreview::judge(const std::vector<WatchedTarget>& watched) {
+  GazeCheck check = check_gaze(watched, settings_.corrects_gaze, *parts_.eye);
   std::string result = gaze_quality_line(check.quality);
   if (settings_.corrects_gaze) {
     result += check.correction ? ", now corrected" : ", too little to correct it by";
   }
   tell(result, MessageStay::until_key);
   report_.gaze_checks.push_back(std::move(check));
-  leave_check();
-}
-
-void LivePreview::leave_check() {
-  gaze_check_.reset();
-  view_.measure_eyes(false);
-  show_view();
 }
 
 std::optional<Nanoseconds> LivePreview::wait_until_shown() {
@@ -324,30 +312,9 @@ void LivePreview::tell_of_slow_drawing(const LiveFrames& live) {
   tell(slow_drawing_note(*report_.slow_drawing), MessageStay::long_enough);
 }
 
-ViewOverlays LivePreview::overlays(const Preview& preview) const {
-  constexpr int density_cells = 48;
-  ViewOverlays overlays{.gaze = preview.gaze(), .shows_gaze = choices_.shows_gaze && !gaze_check_};
-  if (gaze_check_) {
-    constexpr float easily_seen_px = 10.0F;
-    overlays.target = preview.viewport().head() * *gaze_check_->target();
-    overlays.least_target_px = easily_seen_px;
-    return overlays;
-  }
-  if (choices_.shows_rings) {
-    for (const double ring_deg : acuity_rings_deg) {
-      overlays.rings_rad.push_back(static_cast<float>(radians(ring_deg)));
-    }
-  }
-  if (choices_.shows_density) {
-    overlays.density =
-        density_map(preview.sampler(), preview.viewport(), density_cells, density_cells);
-  }
-  return overlays;
-}
-
 std::vector<TextPanel> LivePreview::panels() const {
-  if (gaze_check_) {
-    return {check_panel(gaze_check_->watched().size() + 1, gaze_check_targets)};
+  if (check_.goes_on()) {
+    return {check_.panel()};
   }
   std::vector<std::string> notes = messages_.lines(parts_.clock->now());
   if (const std::string status = parts_.eye->status(); !status.empty()) {

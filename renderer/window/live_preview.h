@@ -25,6 +25,7 @@
 #include "renderer/window/preview_panels.h"
 #include "renderer/window/slow_drawing.h"
 #include "renderer/window/steering.h"
+#include "renderer/window/tracker_check.h"
 #include "renderer/window/view_geometry.h"
 #include "renderer/window/widened_eye_tracker.h"
 #include "renderer/window/window.h"
@@ -112,10 +113,9 @@ class LivePreview {
   void tell_of_slow_drawing(const LiveFrames& live);
   void begin_check();
   void go_on_checking(const Preview& preview);
-  void end_check();
   void leave_check();
+  void judge(const std::vector<WatchedTarget>& watched);
   void take_picture(ShownFrame& frame);
-  ViewOverlays overlays(const Preview& preview) const;
   std::vector<TextPanel> panels() const;
   ShownNow shown_now() const;
 
@@ -128,7 +128,7 @@ class LivePreview {
   Nanoseconds start_;
   FilmDrawing drawing_;
   LivePreviewReport report_;
-  std::optional<CalibrationRoutine> gaze_check_;  ///< while it goes on
+  TrackerCheck check_;
   PreviewMessages messages_;
   bool is_done_ = false;
   bool wants_picture_ = false;

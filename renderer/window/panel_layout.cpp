@@ -5,17 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "renderer/base/utf8.h"
 #include "renderer/window/wrapped_text.h"
 
 namespace foveola {
 namespace {
-
-/// UTF-8's letters: all bytes but those that go on with one.
-std::size_t letters_of(std::string_view line) {
-  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  }));
-}
 
 /// A panel's place as parts of what is left of a view once the panel is in it.
 Vec2 anchor(PanelPlace place) {
@@ -50,7 +44,7 @@ class Places {
     const float room_px = view_.size().x - 2.0F * (panel_margin_px + panel_padding_px);
     const float width_px = std::max(room_px, letter_px_.x);
     const auto width_of = [this](std::string_view line) {
-      return letter_px_.x * static_cast<float>(letters_of(line));
+      return letter_px_.x * static_cast<float>(count_characters(line));
     };
     std::vector<std::string> rows;
     for (const std::string& line : lines) {
@@ -65,7 +59,7 @@ class Places {
   Vec2 size_of(const PlacedPanel& panel) const {
     std::size_t columns = 0;
     for (const std::string& line : panel.lines) {
-      columns = std::max(columns, letters_of(line));
+      columns = std::max(columns, count_characters(line));
     }
     const std::size_t rows = panel.lines.size() + (panel.has_density_scale ? 1 : 0);
     return letter_px_ * Vec2(columns, rows) + 2.0F * panel_padding_px;

@@ -145,12 +145,6 @@ std::string view_options(const ShownNow& shown) {
              : options;
 }
 
-TextPanel check_panel(std::size_t target, int targets) {
-  return {.place = PanelPlace::upper,
-          .lines = {fmt::format("Look at the dot: {} of {}", target, targets),
-                    "Escape ends the check"}};
-}
-
 std::vector<TextPanel> preview_panels(const PreviewChoices& choices,
                                       const PanelContents& contents) {
   std::vector<TextPanel> panels;

@@ -51,9 +51,6 @@ std::vector<std::string> view_lines(const ShownNow& shown);
 /// The options of render and preview that show the same: --camera, --head and --fov.
 std::string view_options(const ShownNow& shown);
 
-/// What to do while the tracker is checked with this one of `targets` targets, counted from 1.
-TextPanel check_panel(std::size_t target, int targets);
-
 /// What panels tell of.
 struct PanelContents {
   std::vector<std::string> notes;  ///< what the user should read now

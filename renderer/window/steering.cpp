@@ -8,6 +8,11 @@ constexpr double key_speed_rad_per_s = radians(60.0);
 
 }  // namespace
 
+Turn turn_of_drag(const ViewGeometry& geometry, const DVec2& way_px) {
+  const double rad_per_pixel = radians(geometry.horizontal_fov_deg) / geometry.parts.front().size.x;
+  return {.right_rad = -rad_per_pixel * way_px.x, .up_rad = rad_per_pixel * way_px.y};
+}
+
 void Steering::show(const ViewGeometry& geometry, const IVec2& framebuffer,
                     double pixels_per_unit) {
   geometry_ = geometry;
@@ -62,12 +67,7 @@ void Steering::steer(Nanoseconds time, const PointerMoved& moved) {
     pointer_gaze_->point_at(time, pointer());
   }
   if (is_dragging_ && before && pointer_) {
-    // The picture follows the pointer, as a sheet of paper does.
-    const double rad_per_pixel =
-        radians(geometry_.horizontal_fov_deg) / geometry_.parts.front().size.x;
-    const DVec2 moved_px = *pointer_ - *before;
-    head_->turn(time,
-                {.right_rad = -rad_per_pixel * moved_px.x, .up_rad = rad_per_pixel * moved_px.y});
+    head_->turn(time, turn_of_drag(geometry_, *pointer_ - *before));
   }
 }
 

@@ -11,6 +11,10 @@
 
 namespace foveola {
 
+/// How a drag by so many pixels, right and down, turns the head: the picture follows the pointer,
+/// as a sheet of paper does, and a drag across the first part turns by its field of view.
+Turn turn_of_drag(const ViewGeometry& geometry, const DVec2& way_px);
+
 class Steering {
  public:
   /// pointer_gaze: the tracker that follows the pointer; null if there is none. Both must outlive

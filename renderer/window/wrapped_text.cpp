@@ -39,7 +39,7 @@ class LineFiller {
     if (!line_.empty()) {
       end_line();
     }
-    while (!fits(word)) {
+    while (!fits(word) && count_characters(word) > 1) {
       const std::size_t bytes = bytes_that_fit(word);
       line_ = word.substr(0, bytes);
       end_line();
@@ -60,7 +60,7 @@ class LineFiller {
     return count_characters(line) <= most_line_characters && (*width_of_)(line) <= width_px_;
   }
 
-  /// The piece has one character at least, so that there is an end.
+  /// The piece has one character at least, even where there is no room for any.
   std::size_t bytes_that_fit(std::string_view word) const {
     std::size_t characters = 1;
     while (fits(word.substr(0, bytes_of_first(word, characters + 1)))) {

@@ -16,7 +16,8 @@ inline constexpr std::size_t most_line_characters = 70;
 using LineWidth = std::function<float(std::string_view line)>;
 
 /// Breaks UTF-8 at its spaces, and at its line breaks, into lines of at most `width_px` and
-/// most_line_characters; a word that is longer is broken within. At least one line.
+/// most_line_characters; a word that is longer is broken within, and a letter that is wider stands
+/// in a line by itself. At least one line.
 std::vector<std::string> wrapped(std::string_view text, float width_px, const LineWidth& width_of);
 
 /// The widest word, in pixels.

@@ -304,6 +304,53 @@ TEST_F(PreviewCommand, GoesOnWithoutItsMonitor) {
   EXPECT_THAT(json.at("lost_monitors"), ElementsAre("DUMMY1"));
 }
 
+/// Without a display: had it been looked for first, its absence would be the error.
+TEST_F(PreviewCommand, RefusesWhatIsMalformedBeforeAnythingIsLoaded) {
+  write_file(folder_ / "bad.csv", "time");
+  const std::string bad_file = folder_ / "bad.csv";
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--exposure", "nonsense"},
+                                                        {"--camera", "1,2"},
+                                                        {"--head", "10"},
+                                                        {"--fov", "180"},
+                                                        {"--environment", "1,2,x"},
+                                                        {"--environment", "sky:up"},
+                                                        {"--size", "big"},
+                                                        {"--window", "big"}}) {
+    expect_one_line(run_foveola({"preview", scene_, option, value}, {{"DISPLAY", ":9999"}}), 2,
+                    option);
+  }
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--environment", "nonsense"},
+                                                        {"--gaze-file", bad_file},
+                                                        {"--head-file", bad_file},
+                                                        {"--tracker", "crystal-ball"}}) {
+    expect_one_line(run_foveola({"preview", scene_, option, value}, {{"DISPLAY", ":9999"}}), 1,
+                    value);
+  }
+}
+
+TEST_F(PreviewCommand, ARecordingTurnsTheHead) {
+  const std::string recording = folder_
+                                    .write("head.csv",
+                                           "time_ns,azimuth_rad,elevation_rad\n"
+                                           "0,0.5235987755982988,0\n")
+                                    .string();
+  const auto json = preview_while(
+      [](XUser& user) {
+        user.hold("Left");
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        user.let_go("Left");
+        user.press_button(1);
+        user.release_button(1);
+        user.type("q");
+      },
+      {"--camera", "0,1,0", "--head-file", recording});
+  const LastView view = last_view(json);
+  EXPECT_NEAR(view.azimuth_deg, 30.0, 1e-3);
+  EXPECT_EQ(view.elevation_deg, 0.0);
+}
+
 TEST_F(PreviewCommand, SaysWhatIsWrong) {
   EXPECT_THAT(preview({"--display", "cinema"}).errors, StartsWith("foveola: error: "));
   EXPECT_EQ(preview({"--method", "nothing"}).exit_code, 2);

@@ -111,6 +111,33 @@ TEST_P(Resampler, FollowsTheFieldOfView) {
   }
 }
 
+TEST_P(Resampler, FollowsTheLook) {
+  const Viewport& viewport = GetParam().viewport;
+  ViewImage look{.width = shown_width, .height = shown_height};
+  for (int frame = 0; frame < 18; ++frame) {
+    add_frame();
+    if (frame % 3 == 0) {
+      look.unsampled = frame % 2 == 0 ? UnsampledPixels::filled : UnsampledPixels::black;
+      look.exposure_stops = 0.2 * frame;
+      look.curve = frame % 4 < 2 ? ToneCurve::plain : ToneCurve::filmic;
+      resampler_.change_look(look);
+    }
+    const RgbImage anew =
+        viewport_image(film_, viewport, shown_width, shown_height, look.unsampled, workers_);
+    EXPECT_EQ(resampler_.show(viewport, workers_).pixels,
+              display_image(anew, *look.exposure_stops, look.curve).pixels)
+        << "frame " << frame;
+  }
+}
+
+TEST_P(Resampler, ShowsANewLookOfAnOldFilm) {
+  add_frame();
+  resampler_.change_look({.width = shown_width, .height = shown_height, .exposure_stops = 0.0});
+  const RgbImage before = resampler_.show(GetParam().viewport, workers_);
+  resampler_.change_look({.width = shown_width, .height = shown_height, .exposure_stops = -3.0});
+  EXPECT_NE(resampler_.show(GetParam().viewport, workers_).pixels, before.pixels);
+}
+
 constexpr RadialLens resampled_lens{.axis = {0.44F, 0.5F}, .k1 = 0.22F, .k2 = 0.24F};
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,7 +1,5 @@
 #include "renderer/window/camera_moves.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "renderer/view/viewport.h"
@@ -39,20 +37,9 @@ TEST(CameraMovesTest, AnOrbitStopsOverhead) {
   EXPECT_NEAR(glm::length(after.position - Vec3(0.0F, 2.0F, 0.0F)), 0.0, 1e-5);
 }
 
-TEST(CameraMovesTest, FramingShowsTheSphereAround) {
-  const Bounds bounds{.lower = {-1.0F, 0.0F, -1.0F}, .upper = {1.0F, 1.0F, 1.0F}};
-  const AzimuthElevation heading{radians(40.0), radians(-20.0)};
-  const Standing camera = framing(bounds, heading, 50.0);
-  const Vec3 middle = in_head(camera, {0.0F, 0.5F, 0.0F});
-  EXPECT_NEAR(middle.x, 0.0, 1e-6);
-  EXPECT_NEAR(middle.y, 0.0, 1e-6);
-  // Half the diagonal is 1.5 m, seen under half of 50 degrees.
-  EXPECT_NEAR(-middle.z, 1.5 / std::sin(radians(25.0)), 1e-5);
-}
-
-TEST(CameraMovesTest, SpeedFitsTheScene) {
-  EXPECT_NEAR(walking_speed({.lower = Vec3(0.0F), .upper = Vec3(3.0F, 0.0F, 4.0F)}), 0.5, 1e-9);
-  EXPECT_EQ(walking_speed({}), 1.0);
+TEST(CameraMovesTest, SpeedFitsTheSpace) {
+  EXPECT_NEAR(walking_speed(5.0), 0.5, 1e-9);
+  EXPECT_EQ(walking_speed(0.0), 1.0);
 }
 
 }  // namespace

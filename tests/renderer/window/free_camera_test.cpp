@@ -104,6 +104,19 @@ TEST_F(FreeCameraTest, TheWheelChangesTheSpeedWithControl) {
   EXPECT_NEAR(camera_.speed_m_per_s(), 1.25, 1e-9);
   EXPECT_THAT(camera_.take_note(), HasSubstr("1.25 m/s"));
   EXPECT_EQ(camera_.take_note(), "");
+  at(0, WheelTurned{.away = 1e4});
+  EXPECT_EQ(camera_.speed_m_per_s(), 1000.0);
+  at(0, WheelTurned{.away = -1e4});
+  EXPECT_EQ(camera_.speed_m_per_s(), 0.001);
+}
+
+TEST_F(FreeCameraTest, ARoomIsWalkedThroughAsARoomWhateverLiesOutside) {
+  const auto walls_all_around = [](const Vec3&, const Vec3&) {
+    return std::optional(Sighted{.distance_m = 2.0});
+  };
+  const FreeCamera camera(
+      {.bounds = {.lower = Vec3(-500.0F), .upper = Vec3(500.0F)}, .look = walls_all_around}, head_);
+  EXPECT_NEAR(camera.speed_m_per_s(), 0.4, 1e-9);
 }
 
 TEST_F(FreeCameraTest, AClickLooksThereAndSaysWhatItIs) {
@@ -154,8 +167,8 @@ TEST_F(FreeCameraTest, ANewSizeWhileOrbitingIsHarmless) {
 TEST_F(FreeCameraTest, FitsWhatWasPickedOrAll) {
   camera_.fit(milliseconds(0));
   EXPECT_THAT(camera_.take_note(), HasSubstr("all fits"));
-  // Around (3, 0, 4) there are 5 m, seen under half of 53.13 degrees.
-  expect_near(position(0), {3.0F, 0.0F, 4.0F + 11.1803F});
+  // The near side's 6 m are nine tenths of the view's width: as wide as they are far away.
+  expect_near(position(0), {3.0F, 0.0F, 8.0F + 3.0F / 0.9F});
   camera_.go_back(milliseconds(0));
   expect_near(position(0), Vec3(0.0F));
   point(0, 500, 250);
@@ -164,7 +177,8 @@ TEST_F(FreeCameraTest, FitsWhatWasPickedOrAll) {
   camera_.take_note();
   camera_.fit(milliseconds(3));
   EXPECT_THAT(camera_.take_note(), HasSubstr("'Wall' fits"));
-  expect_near(position(3), {0.0F, 0.0F, -4.0F + 1.41421F * 2.23607F});
+  // The view is half as high as wide, and the wall's 2 m are nine tenths of that.
+  expect_near(position(3), {0.0F, 0.0F, -4.0F + 1.0F / 0.45F});
 }
 
 TEST_F(FreeCameraTest, AnEmptySceneHasNothingToFitOrPick) {
@@ -175,6 +189,63 @@ TEST_F(FreeCameraTest, AnEmptySceneHasNothingToFitOrPick) {
   EXPECT_THAT(camera.take_note(), HasSubstr("nothing to fit"));
   EXPECT_EQ(camera.speed_m_per_s(), 1.0);
   EXPECT_EQ(camera.position(), Vec3(0.0F));
+}
+
+/// A recorded head looks to the right.
+class ReplayedHeadTest : public FreeCameraTest {
+ protected:
+  ReplayedHeadTest() { replayed_.show(geometry_, {1000, 500}, 1.0); }
+
+  bool at(decltype(WindowEvent::what) what) {
+    return replayed_.follow({.time = milliseconds(0), .what = std::move(what)});
+  }
+
+  ScriptedHeadTracker recorded_{{{.heading = {.azimuth_rad = radians(90.0)}}}};
+  FreeCamera replayed_{{.bounds = {.lower = Vec3(0.0F), .upper = Vec3(6.0F, 0.0F, 8.0F)},
+                        .look =
+                            [](const Vec3& from, const Vec3& direction) {
+                              return wall(from, {direction.z, direction.y, -direction.x});
+                            }},
+                       recorded_};
+};
+
+TEST_F(ReplayedHeadTest, WalksAndPicksAsItLooks) {
+  at(KeyMoved{.key = GLFW_KEY_LEFT_SHIFT, .is_down = true});
+  EXPECT_TRUE(at(KeyMoved{.key = GLFW_KEY_UP, .is_down = true}));
+  replayed_.walk_until(milliseconds(1000));
+  expect_near(replayed_.position(), {1.0F, 0.0F, 0.0F});
+  at(PointerMoved{.is_inside = true, .position = {500, 250}});
+  at(MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = true});
+  at(MouseButtonMoved{.button = GLFW_MOUSE_BUTTON_LEFT, .is_down = false});
+  EXPECT_THAT(replayed_.take_note(), HasSubstr("'Wall'"));
+}
+
+TEST_F(ReplayedHeadTest, IsNotTurnedAndSaysSo) {
+  const auto expect_told = [&](const char* how) {
+    EXPECT_THAT(replayed_.take_note(), HasSubstr("a recording turns the head")) << how;
+  };
+  EXPECT_TRUE(at(KeyMoved{.key = GLFW_KEY_LEFT, .is_down = true}));
+  expect_told("arrow");
+  at(KeyMoved{.key = GLFW_KEY_LEFT, .is_down = false});
+  at(GamepadMoved{.sticks = {.right = {1.0, 0.0}}});
+  expect_told("gamepad");
+  at(GamepadMoved{});
+  EXPECT_EQ(replayed_.take_note(), "");
+  at(PointerMoved{.is_inside = true, .position = {500, 250}});
+  for (const int button :
+       {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_MIDDLE, GLFW_MOUSE_BUTTON_RIGHT}) {
+    at(MouseButtonMoved{.button = button, .is_down = true});
+    at(PointerMoved{.is_inside = true, .position = {600, 250}});
+    expect_told("drag");
+    EXPECT_FALSE(replayed_.is_moving());
+    at(PointerMoved{.is_inside = true, .position = {500, 250}});
+    at(MouseButtonMoved{.button = button, .is_down = false});
+    replayed_.take_note();
+  }
+  replayed_.go_back(milliseconds(0));
+  replayed_.bring(milliseconds(0), Vec3(1.0F, 0.0F, 0.0F), Vec3(0.0F, 0.0F, -1.0F));
+  expect_near(replayed_.position(), Vec3(0.0F));
+  EXPECT_EQ(replayed_.take_note(), "");
 }
 
 TEST_F(FreeCameraTest, BringsWhatIsSeenElsewhere) {

@@ -98,10 +98,5 @@ TEST(PreviewPanelsTest, NotesAreTheMostImportant) {
   EXPECT_THAT(panels[0].lines, ElementsAre("no tracker"));
 }
 
-TEST(PreviewPanelsTest, ACheckIsExplained) {
-  EXPECT_THAT(check_panel(2, 5).lines,
-              ElementsAre("Look at the dot: 2 of 5", "Escape ends the check"));
-}
-
 }  // namespace
 }  // namespace foveola

@@ -1,5 +1,7 @@
 #include "renderer/window/wrapped_text.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 
 #include "renderer/base/utf8.h"
@@ -26,7 +28,14 @@ TEST(WrappedText, KeepsLineBreaks) {
 
 TEST(WrappedText, BreaksAWordThatIsTooLongByItself) {
   EXPECT_THAT(wrapped("a übergroß b", 40.0F, typed_width), ElementsAre("a", "über", "groß", "b"));
-  EXPECT_THAT(wrapped("xyz", 5.0F, typed_width), ElementsAre("x", "y", "z", ""));
+}
+
+TEST(WrappedText, EndsWhereNoLetterFits) {
+  for (const float width_px : {9.0F, 0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_THAT(wrapped("xyz ü", width_px, typed_width), ElementsAre("x", "y", "z", "ü"))
+        << width_px;
+  }
+  EXPECT_THAT(wrapped("", -1.0F, typed_width), ElementsAre(""));
 }
 
 TEST(WrappedText, NothingIsALine) { EXPECT_THAT(wrapped("", 40.0F, typed_width), ElementsAre("")); }

@@ -1,0 +1,154 @@
+#include "renderer/commands/preview_arguments.h"
+
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "renderer/base/files.h"
+#include "renderer/gaze/recorded_eye_tracker.h"
+#include "renderer/gaze/recorded_head.h"
+#include "renderer/image/image_file.h"
+
+namespace foveola {
+namespace {
+
+/// The methods that a key goes through, the one that was asked for first.
+std::vector<std::string> methods_from(const std::string& first) {
+  std::vector<std::string> methods = {first};
+  for (const char* method : {"od", "vp", "fv", "hybrid"}) {
+    if (method != first) {
+      methods.emplace_back(method);
+    }
+  }
+  return methods;
+}
+
+PreviewChoices choices_from(const PreviewArguments& arguments) {
+  PreviewChoices choices{
+      .methods = methods_from(arguments.method),
+      .look = {.fill_unsampled = arguments.fill_unsampled, .curve = tone_curve(arguments.look)}};
+  const std::vector<std::pair<std::string, bool*>> overlays = {
+      {"gaze", &choices.shows_gaze},       {"rings", &choices.shows_rings},
+      {"density", &choices.shows_density}, {"times", &choices.shows_frame_times},
+      {"latency", &choices.shows_latency}, {"view", &choices.shows_view},
+      {"help", &choices.shows_help}};
+  for (const std::string& name : arguments.shown) {
+    for (const auto& [overlay, choice] : overlays) {
+      *choice = *choice || name == overlay;
+    }
+  }
+  return choices;
+}
+
+SceneSource lit_scene(const PreviewArguments& arguments, const SceneFinder& find_scene) {
+  SceneSource source = find_scene(arguments.scene);
+  apply_light(arguments.look, source);
+  return source;
+}
+
+}  // namespace
+
+void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "A scene's name, or a .glb, .gltf or .obj file")
+      ->required();
+  command
+      .add_option("--method", arguments.method, "The method to begin with, as render's --method")
+      ->capture_default_str();
+  command.add_option("--size", arguments.size, "Size of the film in pixels, WIDTHxHEIGHT")
+      ->capture_default_str();
+  command
+      .add_option("--display", arguments.display,
+                  "A display's profile, by name or file: a monitor's window, or a headset's two "
+                  "views side by side")
+      ->capture_default_str();
+  CLI::Option* tracker =
+      command
+          .add_option(
+              "--tracker", arguments.tracker,
+              "Where the gaze comes from: pointer, or a tracker's profile (see tracker list)")
+          ->capture_default_str();
+  command
+      .add_option("--gaze-file", arguments.gaze_file,
+                  "Replay a recorded gaze from this file instead")
+      ->excludes(tracker);
+  command.add_flag("--correct-gaze", arguments.correct_gaze,
+                   "Correct the gaze by what each check of the tracker (key c) finds");
+  add_viewpoint_options(command, arguments.look);
+  command
+      .add_option("--head-file", arguments.head_file,
+                  "Replay recorded head poses from this file instead")
+      ->excludes(command.get_option("--head"));
+  command.add_option("--window", arguments.window, "Size of the window, WIDTHxHEIGHT")
+      ->capture_default_str();
+  CLI::Option* full_screen = command.add_flag("--full-screen", arguments.full_screen,
+                                              "Fill a monitor instead of a window");
+  command.add_option("--monitor", arguments.monitor, "Which monitor to fill, counted from 0")
+      ->check(CLI::Range(0, 100))
+      ->needs(full_screen)
+      ->capture_default_str();
+  CLI::Option* true_angles = command.add_flag(
+      "--true-angles", arguments.true_angles,
+      "Show on a monitor what a pane of its size would let through, as the participants of a study "
+      "see it");
+  add_fov_option(command, arguments.look, "a monitor's window shows what the scene's camera shows");
+  command.get_option("--fov")->excludes(true_angles);
+  add_light_options(command, arguments.look);
+  add_exposure_option(command, arguments.look);
+  add_tone_option(command, arguments.look);
+  command.add_flag(
+      "--fill-unsampled", arguments.fill_unsampled,
+      "Fill unsampled pixels from what is known around them; they are black otherwise");
+  command.add_option("--show", arguments.shown, "Overlays to show to begin with")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "view", "help"}));
+  CLI::Option* frames =
+      command
+          .add_option("--frames", arguments.frames,
+                      "End after so many frames (default: when the window is closed)")
+          ->check(CLI::Range(1, 1'000'000'000));
+  command
+      .add_option("--screenshot", arguments.screenshot,
+                  "Write the last frame's picture, with all that stands over it, as .png or .exr")
+      ->needs(frames);
+  command
+      .add_option("--max-depth", arguments.trace.max_depth, "The most surface vertices of a path")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--seed", arguments.trace.seed,
+                  "Seed of the random numbers; another seed gives other noise")
+      ->capture_default_str();
+  command.add_option("--threads", arguments.threads, "Number of threads; 0: one for each core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.add_flag("--json", arguments.json, "Print the report as JSON");
+}
+
+PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFinder& find_scene) {
+  if (!arguments.screenshot.empty()) {
+    require_image_extension(arguments.screenshot);
+    require_writable(arguments.screenshot);
+  }
+  require_method(arguments.method);
+  PreviewRequest request{.scene = scene_choices(arguments.look),
+                         .fov = fields_of_view(arguments.look),
+                         .exposure = exposure_choice(arguments.look),
+                         .choices = choices_from(arguments),
+                         .window = parse_size("--window", arguments.window),
+                         .display = read_display_profile(arguments.display),
+                         .tracker = read_tracker_profile(arguments.tracker)};
+  request.render.film_size = parse_size("--size", arguments.size);
+  request.render.trace = arguments.trace;
+  if (!arguments.gaze_file.empty()) {
+    request.replayed_gaze = read_gaze_file(arguments.gaze_file);
+  }
+  if (!arguments.head_file.empty()) {
+    request.replayed_head = read_head_file(arguments.head_file);
+    // What is framed, and exposed for, is what is seen first.
+    request.scene.head = request.replayed_head.front().heading;
+  }
+  request.source = lit_scene(arguments, find_scene);
+  return request;
+}
+
+}  // namespace foveola

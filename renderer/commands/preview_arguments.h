@@ -1,0 +1,69 @@
+// The options of `preview`, and what they stand for: understood before anything is loaded.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/commands/arguments.h"
+#include "renderer/commands/look_options.h"
+#include "renderer/gaze/eye_tracker.h"
+#include "renderer/gaze/head_tracker.h"
+#include "renderer/gaze/profiles.h"
+#include "renderer/progressive/picture.h"
+#include "renderer/window/preview_controls.h"
+
+namespace CLI {
+class App;
+}
+
+namespace foveola {
+
+/// As typed; empty or 0 where an option was not given.
+struct PreviewArguments {
+  std::string scene;
+  LookArguments look;
+  std::string method = "fv";
+  std::string size = size_text(live_film_size);
+  std::string display = "desktop";
+  std::string tracker = "pointer";
+  std::string gaze_file;
+  std::string head_file;
+  std::string window = "1280x720";
+  int monitor = 0;
+  bool full_screen = false;
+  bool true_angles = false;
+  bool fill_unsampled = false;
+  bool correct_gaze = false;
+  std::vector<std::string> shown;
+  std::uint64_t frames = 0;
+  std::string screenshot;
+  TraceSettings trace;
+  int threads = 0;
+  bool json = false;
+};
+
+/// Adds all options to `command`; `arguments` must outlive it.
+void add_preview_options(CLI::App& command, PreviewArguments& arguments);
+
+/// What was asked for, so far as it needs neither the scene nor a window.
+struct PreviewRequest {
+  SceneSource source;
+  SceneChoices scene;               ///< the first heading of a head that is replayed, too
+  std::optional<FieldsOfView> fov;  ///< of the first view
+  ExposureChoice exposure;
+  PreviewChoices choices;  ///< but for the exposure
+  ProgressiveSettings render;
+  IVec2 window{0};  ///< pixels
+  DisplayProfile display;
+  TrackerProfile tracker;
+  std::vector<GazeSample> replayed_gaze;  ///< empty: the tracker's
+  std::vector<HeadPose> replayed_head;    ///< empty: the user turns it
+};
+
+/// Throws UsageError for what is malformed, and Error for files that are missing or bad, those of
+/// the scene excepted, of which only the descriptor is read.
+PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFinder& find_scene);
+
+}  // namespace foveola

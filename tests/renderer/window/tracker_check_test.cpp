@@ -1,0 +1,56 @@
+#include "renderer/window/tracker_check.h"
+
+#include <gmock/gmock.h>
+
+namespace foveola {
+namespace {
+
+using std::chrono::seconds;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+class TrackerCheckTest : public ::testing::Test {
+ protected:
+  /// Each dot is given up 4 s after it appeared: nobody looks.
+  std::optional<std::vector<WatchedTarget>> wait(int until_s) {
+    return check_.update(seconds(until_s), {});
+  }
+
+  ViewGeometry geometry_{.horizontal_fov_deg = 40.0, .vertical_fov_deg = 20.0};
+  TrackerCheck check_;
+};
+
+TEST_F(TrackerCheckTest, ShowsOneDotAfterTheOther) {
+  EXPECT_FALSE(check_.goes_on());
+  check_.begin(geometry_, {}, seconds(0));
+  EXPECT_THAT(check_.panel().lines,
+              ElementsAre("Look at the dot: 1 of 5", "Escape ends the check"));
+  const Quat head = head_orientation({.azimuth_rad = radians(90.0)});
+  const Vec3 first = *check_.overlays(head).target;
+  EXPECT_NEAR(glm::distance(first, Vec3(1.0F, 0.0F, 0.0F)), 0.0, 1e-6) << "in the view's middle";
+  EXPECT_FALSE(wait(5));
+  EXPECT_THAT(check_.panel().lines.front(), "Look at the dot: 2 of 5");
+  EXPECT_NE(*check_.overlays(head).target, first);
+  for (const int until_s : {10, 15, 20}) {
+    EXPECT_FALSE(wait(until_s));
+  }
+  EXPECT_TRUE(check_.goes_on());
+  const auto watched = wait(25);
+  ASSERT_TRUE(watched);
+  EXPECT_THAT(*watched, SizeIs(5));
+  EXPECT_FALSE(check_.goes_on());
+  EXPECT_FALSE(wait(30));
+}
+
+TEST_F(TrackerCheckTest, BeginsAnewOrEndsEarly) {
+  check_.begin(geometry_, {}, seconds(0));
+  wait(5);
+  check_.begin(geometry_, {}, seconds(6));
+  EXPECT_THAT(check_.panel().lines.front(), "Look at the dot: 1 of 5");
+  check_.end();
+  EXPECT_FALSE(check_.goes_on());
+  EXPECT_FALSE(wait(60));
+}
+
+}  // namespace
+}  // namespace foveola
