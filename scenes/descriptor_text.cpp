@@ -49,7 +49,7 @@ std::string list_of(const Vec3& v) {
 
 /// In the file's units.
 std::string position_of(const Vec3& metres, const SceneSource& source) {
-  return list_of(metres / static_cast<float>(source.metres_per_unit));
+  return list_of(Vec3(DVec3(metres) / source.metres_per_unit));
 }
 
 std::string facts_of_file(const SceneSource& source) {

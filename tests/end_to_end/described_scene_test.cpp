@@ -87,7 +87,7 @@ TEST_F(DescribedScene, IsTheSamePictureToTheBit) {
   write("kitchen.glb", room_with_rolled_camera());
   const auto render = [&](const std::string& output) {
     const ProgramResult result =
-        run({"render", path("kitchen.glb"), "-o", path(output), "--spp", "1", "--max-depth", "1"});
+        run({"render", path("kitchen.glb"), "-o", path(output), "--spp", "1"});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return result.errors;
   };
@@ -101,8 +101,7 @@ TEST_F(DescribedScene, IsTheSamePictureToTheBit) {
   EXPECT_EQ(after.width, 900);  // 720 times 1.25
   EXPECT_EQ(after.height, 720);
   EXPECT_TRUE(after.pixels == before.pixels);
-  EXPECT_EQ(read_film_image(path("after.png")).color.pixels,
-            read_film_image(path("before.png")).color.pixels);
+  EXPECT_TRUE(read_file(path("after.png")) == read_file(path("before.png"))) << "as bright";
 }
 
 TEST_F(DescribedScene, HasTheCameraThatIsChosen) {
