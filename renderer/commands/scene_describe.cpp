@@ -158,7 +158,9 @@ void describe(const DescribeArguments& arguments, SceneSource source,
     remarks.push_back(remark_on(proposed));
   }
   const std::string text = descriptor_text(source, remarks);
-  if (!objects.empty()) {
+  if (objects.empty()) {
+    fs::remove(outputs.sheet);  // one of before, which would be of other objects
+  } else {
     write_image(outputs.sheet, object_sheet(loaded, source, *source.exposure_stops, workers, stop),
                 0.0);
   }
