@@ -39,7 +39,7 @@ std::optional<double> automatic_exposure_stops(std::vector<float> luminances);
 
 /// The same of what is seen through `viewport` from `viewpoint`: of a small picture, which is equal
 /// on any number of threads and whatever the seed of `trace`. What surrounds the scene counts only
-/// if the scene has less than a twentieth of the picture.
+/// if less than a twentieth of the picture shows the scene alone.
 std::optional<double> automatic_exposure_stops(const PathTracer& tracer, const Vec3& viewpoint,
                                                const Viewport& viewport, TraceSettings trace,
                                                const Workers& workers);
