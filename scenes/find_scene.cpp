@@ -184,6 +184,9 @@ bool is_programs_protocols(const fs::path& folder) {
 }  // namespace
 
 SceneSource find_scene(const std::string& name_or_path) {
+  if (is_path(name_or_path)) {
+    return source_at(name_or_path);
+  }
   if (const std::optional<Descriptor> descriptor = find_users_descriptor(name_or_path)) {
     return source_of(*descriptor);
   }

@@ -56,6 +56,7 @@ title = "A hall"
 author = "Somebody"
 licence = "CC0"
 file = "hall.glb"
+exposure_stops = 0.0
 
 [camera]
 position = [0.0, 1.0, 0.0]
