@@ -7,7 +7,7 @@ namespace foveola {
 std::string made_up_name(std::string_view kind, std::size_t number, std::set<std::string>& taken) {
   std::string name = fmt::format("{} {}", kind, number);
   while (!taken.insert(name).second) {
-    name = "another " + name;
+    name.insert(0, "another ");
   }
   return name;
 }
