@@ -40,10 +40,8 @@ RadialLens parse_lens(const std::string& option, const std::string& text);
 /// The help text of --camera.
 inline constexpr const char* camera_help =
     "Where the camera stands, x,y,z in metres, or the name of one of the file's cameras as "
-    "'foveola "
-    "scene info' lists them, such as 'camera 2' for a second one without a name (default: where "
-    "the "
-    "scene says, else in a room where it is widest, or in front of all there is)";
+    "'foveola scene info' lists them, such as 'camera 2' for a second one without a name (default: "
+    "where the scene says, else in a room where it is widest, or in front of all there is)";
 
 /// The finite number that all of `text` is.
 std::optional<double> parse_finite_number(std::string_view text);

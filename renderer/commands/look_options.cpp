@@ -112,6 +112,13 @@ void apply_light(const LookArguments& arguments, SceneSource& source) {
   }
 }
 
+SceneSource lit_scene(const std::string& name_or_path, const LookArguments& arguments,
+                      const SceneFinder& find_scene) {
+  SceneSource source = find_scene(name_or_path);
+  apply_light(arguments, source);
+  return source;
+}
+
 ExposureChoice exposure_choice(const LookArguments& arguments) {
   using Base = ExposureChoice::Base;
   constexpr std::string_view automatic = "auto";

@@ -50,8 +50,14 @@ SceneChoices scene_choices(const LookArguments& arguments);
 /// None without --fov. Throws UsageError.
 std::optional<FieldsOfView> fields_of_view(const LookArguments& arguments);
 
-/// Gives the scene the light that the options say. Throws UsageError.
+/// Gives the scene the light that the options say. Throws UsageError, and Error for an
+/// environment's file that does not exist.
 void apply_light(const LookArguments& arguments, SceneSource& source);
+
+/// The scene of this name or path, in that light. Throws Error for what find_scene refuses, and as
+/// apply_light.
+SceneSource lit_scene(const std::string& name_or_path, const LookArguments& arguments,
+                      const SceneFinder& find_scene);
 
 /// Throws UsageError.
 ExposureChoice exposure_choice(const LookArguments& arguments);

@@ -40,12 +40,6 @@ PreviewChoices choices_from(const PreviewArguments& arguments) {
   return choices;
 }
 
-SceneSource lit_scene(const PreviewArguments& arguments, const SceneFinder& find_scene) {
-  SceneSource source = find_scene(arguments.scene);
-  apply_light(arguments.look, source);
-  return source;
-}
-
 }  // namespace
 
 void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
@@ -147,7 +141,7 @@ PreviewRequest preview_request(const PreviewArguments& arguments, const SceneFin
     // What is framed, and exposed for, is what is seen first.
     request.scene.head = request.replayed_head.front().heading;
   }
-  request.source = lit_scene(arguments, find_scene);
+  request.source = lit_scene(arguments.scene, arguments.look, find_scene);
   return request;
 }
 

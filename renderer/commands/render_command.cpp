@@ -18,17 +18,12 @@
 namespace foveola {
 namespace {
 
-SceneSource lit_scene(const RenderArguments& arguments, const SceneFinder& find_scene) {
-  SceneSource source = find_scene(arguments.scene);
-  apply_light(arguments.look, source);
-  return source;
-}
-
 void run_replay(const RenderArguments& arguments, const RenderSettings& settings,
                 const SceneFinder& find_scene, const std::stop_token& stop) {
   const SampleAddress address = parse_sample("--replay", arguments.replay);
   require(settings.budget.seconds == 0.0, "--seconds", "does not go with --replay; use --samples");
-  const ReplayedPath path = replay(lit_scene(arguments, find_scene), settings, address, stop);
+  const ReplayedPath path =
+      replay(lit_scene(arguments.scene, arguments.look, find_scene), settings, address, stop);
   if (arguments.json) {
     fmt::print("{}\n", json_path(path).dump(2));
   } else {
@@ -79,7 +74,8 @@ void run_render(const CLI::App& command, const RenderArguments& arguments,
   if (!arguments.view.empty()) {
     require_writable_image(arguments.view);
   }
-  Rendering rendering = render(lit_scene(arguments, find_scene), settings, stop);
+  Rendering rendering =
+      render(lit_scene(arguments.scene, arguments.look, find_scene), settings, stop);
   RenderReport& report = rendering.report;
   if (report.samples == 0) {
     return;

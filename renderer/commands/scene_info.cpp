@@ -229,9 +229,7 @@ void add_scene_info(CLI::App& scene, const SceneFinder& find_scene) {
   command->add_flag("--json", *as_json, "Print it as JSON");
   command->footer("Example: foveola scene info arcade");
   command->callback([name, look, as_json, find_scene] {
-    SceneSource source = find_scene(*name);
-    apply_light(*look, source);
-    const LoadedFacts loaded = load_facts(source);
+    const LoadedFacts loaded = load_facts(lit_scene(*name, *look, find_scene));
     *as_json ? print_json(loaded) : print_text(loaded);
   });
 }

@@ -131,8 +131,7 @@ void make_sheet(const SheetArguments& arguments, const SceneFinder& find_scene,
   require_writable(arguments.output);
   std::vector<SceneSource> sources;
   for (const std::string& name : arguments.scenes) {
-    sources.push_back(find_scene(name));
-    apply_light(arguments.look, sources.back());
+    sources.push_back(lit_scene(name, arguments.look, find_scene));
   }
   const std::vector<SheetRow> rows = render_rows(sources, settings, stop);
   if (rows.empty()) {

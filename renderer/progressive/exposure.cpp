@@ -22,22 +22,21 @@ constexpr std::uint32_t metering_seed = 0x6d657465U;
 /// corners of each; all, if these are too few to be what the picture is of.
 std::vector<bool> metered(const RayScene& rays, const Vec3& viewpoint, const Viewport& viewport) {
   constexpr double least_share = 0.05;
-  const auto sees_scene = [&](int x, int y) {
-    const Vec2 corner = Vec2(x, y) / Vec2(metered_pixels);
-    return !rays.closest_hit(viewpoint, viewport.direction(corner)).missed();
-  };
-  std::vector<bool> above;
-  for (int x = 0; x <= metered_pixels.x; ++x) {
-    above.push_back(sees_scene(x, 0));
+  const IVec2 corners = metered_pixels + 1;
+  std::vector<bool> meets;
+  for (int y = 0; y < corners.y; ++y) {
+    for (int x = 0; x < corners.x; ++x) {
+      const Vec3 direction = viewport.direction(Vec2(x, y) / Vec2(metered_pixels));
+      meets.push_back(!rays.closest_hit(viewpoint, direction).missed());
+    }
   }
   std::vector<bool> shows_scene;
-  for (int y = 1; y <= metered_pixels.y; ++y) {
-    std::vector<bool> below{sees_scene(0, y)};
-    for (int x = 1; x <= metered_pixels.x; ++x) {
-      below.push_back(sees_scene(x, y));
-      shows_scene.push_back(above[x - 1] && above[x] && below[x - 1] && below[x]);
+  for (int y = 0; y < metered_pixels.y; ++y) {
+    for (int x = 0; x < metered_pixels.x; ++x) {
+      const auto corner = static_cast<std::size_t>(y * corners.x + x);
+      shows_scene.push_back(meets[corner] && meets[corner + 1] && meets[corner + corners.x] &&
+                            meets[corner + corners.x + 1]);
     }
-    above = std::move(below);
   }
   const auto pixels = static_cast<double>(shows_scene.size());
   const auto count = std::count(shows_scene.begin(), shows_scene.end(), true);

@@ -1,11 +1,13 @@
 #include "renderer/progressive/first_look.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "renderer/progressive/framing.h"
+#include "renderer/progressive/surroundings.h"
 #include "renderer/scene/scene_facts.h"
 
 namespace foveola {
@@ -21,15 +23,10 @@ std::string as_options(const Scene& scene, const Vec3& position, const AzimuthEl
 
 /// The share of a picture's rays that meet something.
 double share_covered(const RayScene& rays, const Vec3& from, const Viewport& viewport) {
-  constexpr IVec2 grid{64, 36};
-  int hits = 0;
-  for (int y = 0; y < grid.y; ++y) {
-    for (int x = 0; x < grid.x; ++x) {
-      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(grid));
-      hits += rays.closest_hit(from, direction).missed() ? 0 : 1;
-    }
-  }
-  return static_cast<double>(hits) / (grid.x * grid.y);
+  const std::vector<SightLine> lines = sight_lines(rays, from, viewport, {64, 36});
+  const auto hits = std::count_if(lines.begin(), lines.end(),
+                                  [](const SightLine& line) { return !line.hit.missed(); });
+  return static_cast<double>(hits) / static_cast<double>(lines.size());
 }
 
 /// A camera before what lies around the first vertex, in a hundredth of the scene's size.
@@ -83,8 +80,8 @@ std::vector<std::string> notes_on_standpoint(const Scene& scene, const RayScene&
     return notes;
   }
   notes.push_back(
-      fmt::format("the file has no camera: it is seen {}; that is {}, and others look from "
-                  "elsewhere",
+      fmt::format("the file has no camera: it is seen {}; that is {}, where other places and "
+                  "angles can be given",
                   standpoint.reason, as_options(scene, standpoint.position, standpoint.heading)));
   constexpr double least_covered = 0.002;
   const Viewport viewport(standpoint.heading, field_of_view);

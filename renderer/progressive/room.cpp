@@ -216,15 +216,9 @@ double best_azimuth_rad(const RayScene& rays, const Vec3& eye, double furthest_m
 int outlines_in(const RayScene& rays, const Vec3& eye, const Viewport& viewport) {
   constexpr IVec2 grid{48, 27};
   constexpr float much_further = 1.2F;
-  std::vector<float> distances_m;
-  for (int y = 0; y < grid.y; ++y) {
-    for (int x = 0; x < grid.x; ++x) {
-      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(grid));
-      distances_m.push_back(distance_along(rays, eye, direction));
-    }
-  }
+  const std::vector<SightLine> lines = sight_lines(rays, eye, viewport, grid);
   const auto is_outline = [&](std::size_t one, std::size_t other) {
-    const auto [nearer, further] = std::minmax(distances_m[one], distances_m[other]);
+    const auto [nearer, further] = std::minmax(lines[one].hit.t, lines[other].hit.t);
     return further > much_further * nearer;
   };
   int outlines = 0;

@@ -101,25 +101,19 @@ Subject subject_of(const std::vector<Bounds>& objects) {
 /// it is the inside of something open, like a helmet seen from the front.
 double shown_from(const Scene& scene, const RayScene& rays, const Subject& subject,
                   const AzimuthElevation& heading, const FieldOfView& field_of_view) {
-  constexpr IVec2 grid{16, 9};
   Framing framing(heading, field_of_view);
   framing.include(subject.bounds);
   const Vec3 from = framing.position();
   const Vec3 nearest = glm::clamp(from, subject.bounds.lower, subject.bounds.upper);
   const double before_m = glm::distance(DVec3(from), DVec3(nearest));
   const double size_m = glm::distance(DVec3(subject.bounds.lower), DVec3(subject.bounds.upper));
-  const Viewport viewport(heading, field_of_view);
   double shown = 0.0;
   int hits = 0;
-  for (int y = 0; y < grid.y; ++y) {
-    for (int x = 0; x < grid.x; ++x) {
-      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(grid));
-      const Hit hit = rays.closest_hit(from, direction);
-      if (!hit.missed()) {
-        ++hits;
-        const double depth = std::clamp((hit.t - before_m) / size_m, 0.0, 1.0);
-        shown += is_front(scene, hit, direction) ? 1.0 + depth : 2.0 * depth;
-      }
+  for (const SightLine& line : sight_lines(rays, from, Viewport(heading, field_of_view), {16, 9})) {
+    if (!line.hit.missed()) {
+      ++hits;
+      const double depth = std::clamp((line.hit.t - before_m) / size_m, 0.0, 1.0);
+      shown += is_front(scene, line.hit, line.direction) ? 1.0 + depth : 2.0 * depth;
     }
   }
   return hits > 0 ? shown / hits : 0.0;

@@ -58,6 +58,19 @@ double share_of_fronts_from_outside(const Scene& scene, const RayScene& rays, co
   return hits > 0 ? static_cast<double>(fronts) / hits : 1.0;
 }
 
+std::vector<SightLine> sight_lines(const RayScene& rays, const Vec3& from, const Viewport& viewport,
+                                   const IVec2& cells) {
+  std::vector<SightLine> lines;
+  lines.reserve(static_cast<std::size_t>(cells.x) * cells.y);
+  for (int y = 0; y < cells.y; ++y) {
+    for (int x = 0; x < cells.x; ++x) {
+      const Vec3 direction = viewport.direction((Vec2(x, y) + 0.5F) / Vec2(cells));
+      lines.push_back({.direction = direction, .hit = rays.closest_hit(from, direction)});
+    }
+  }
+  return lines;
+}
+
 bool is_enclosed(const RayScene& rays, const Vec3& from) {
   constexpr int directions = 256;
   int i = 0;

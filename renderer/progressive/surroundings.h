@@ -1,8 +1,11 @@
 // What there is around a point, as found by rays in all directions.
 #pragma once
 
+#include <vector>
+
 #include "renderer/scene/scene.h"
 #include "renderer/trace/ray_scene.h"
+#include "renderer/view/viewport.h"
 
 namespace foveola {
 
@@ -33,6 +36,16 @@ bool is_enclosed(const RayScene& rays, const Vec3& from);
 
 /// Whether a point or spot light is in sight.
 bool is_light_in_sight(const Scene& scene, const RayScene& rays, const Vec3& from);
+
+/// What one ray of a picture meets.
+struct SightLine {
+  Vec3 direction{0.0F};  ///< unit length
+  Hit hit;
+};
+
+/// The rays through the middles of a picture's cells, row after row from the top left.
+std::vector<SightLine> sight_lines(const RayScene& rays, const Vec3& from, const Viewport& viewport,
+                                   const IVec2& cells);
 
 /// Whether what a ray met was met on its front.
 bool is_front(const Scene& scene, const Hit& hit, const Vec3& direction);

@@ -34,7 +34,8 @@ TEST_F(Render, SaysWhereItStandsAndThatNothingShines) {
   EXPECT_THAT(lit.errors,
               testing::HasSubstr("the file has no camera: it is seen from outside with all of it "
                                  "in the picture; that is --camera "));
-  EXPECT_THAT(lit.errors, testing::HasSubstr(" --head -30,-20, and others look from elsewhere"));
+  EXPECT_THAT(lit.errors,
+              testing::HasSubstr(" --head -30,-20, where other places and angles can be given"));
   EXPECT_EQ(black_share(read_film_image(folder_ / "c.exr").color), 0.0);
 
   const ProgramResult inside = render_cube({"--environment", "1,1,1", "--camera", "0,0,0"});
