@@ -47,19 +47,34 @@ class FlushDenormals {
 #endif
 };
 
+/// Calls body(0) to body(count - 1) in this order: each thread goes on with the first that none has
+/// begun. So threads end together if the last are short, and neighbours share what is in the cache.
+class InOrder {
+ public:
+  InOrder(std::size_t count, const std::function<void(std::size_t)>& body)
+      : count_(count), body_(body) {}
+
+  void work() {
+    for (std::size_t i = next_++; i < count_; i = next_++) {
+      body_(i);
+    }
+  }
+
+ private:
+  std::size_t count_;
+  const std::function<void(std::size_t)>& body_;
+  std::atomic<std::size_t> next_ = 0;
+};
+
 #if defined(FOVEOLA_THREAD_SANITIZER)
 /// The thread sanitizer does not see how TBB's library orders its tasks, and would blame it for
-/// races on every loop. It sees all of this loop, which calls the same bodies.
-void for_each_index(tbb::task_arena& arena, std::size_t count,
-                    const std::function<void(std::size_t)>& body) {
-  std::atomic<std::size_t> next = 0;
+/// races on every loop. It sees all of this one.
+void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
   std::exception_ptr first_error;
   std::mutex error_mutex;
-  const auto work = [&] {
+  const auto try_to_work = [&] {
     try {
-      for (std::size_t i = next++; i < count; i = next++) {
-        body(i);
-      }
+      work();
     } catch (...) {
       const std::scoped_lock lock(error_mutex);
       first_error = first_error ? first_error : std::current_exception();
@@ -68,7 +83,7 @@ void for_each_index(tbb::task_arena& arena, std::size_t count,
   {
     std::vector<std::jthread> threads;
     for (int thread = 0; thread < arena.max_concurrency(); ++thread) {
-      threads.emplace_back(work);
+      threads.emplace_back(try_to_work);
     }
   }
   if (first_error) {
@@ -76,9 +91,11 @@ void for_each_index(tbb::task_arena& arena, std::size_t count,
   }
 }
 #else
-void for_each_index(tbb::task_arena& arena, std::size_t count,
-                    const std::function<void(std::size_t)>& body) {
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body); });
+void on_each_thread(tbb::task_arena& arena, const std::function<void()>& work) {
+  arena.execute([&] {
+    tbb::parallel_for(
+        0, arena.max_concurrency(), [&](int) { work(); }, tbb::simple_partitioner());
+  });
 }
 #endif
 
@@ -102,10 +119,31 @@ Workers::~Workers() = default;
 void Workers::for_each_block(
     std::size_t count, std::size_t block,
     const std::function<void(std::size_t begin, std::size_t end)>& body) const {
-  for_each_index(arena_->arena, (count + block - 1) / block, [&](std::size_t i) {
+  for_each_index((count + block - 1) / block,
+                 [&](std::size_t i) { body(i * block, std::min(count, (i + 1) * block)); });
+}
+
+void Workers::for_each_shrinking_block(
+    std::size_t count, const BlockSizes& sizes,
+    const std::function<void(std::size_t begin, std::size_t end)>& body) const {
+  const std::size_t parts = 2 * static_cast<std::size_t>(threads_);
+  std::vector<std::size_t> begins = {0};
+  for (std::size_t left = count; left > 0; left = count - begins.back()) {
+    const std::size_t size = std::clamp(left / parts, sizes.smallest, sizes.largest);
+    begins.push_back(begins.back() + std::min(size, left));
+  }
+  for_each_index(begins.size() - 1, [&](std::size_t i) { body(begins[i], begins[i + 1]); });
+}
+
+void Workers::for_each_index(std::size_t count,
+                             const std::function<void(std::size_t)>& body) const {
+  const auto flushed = [&](std::size_t i) {
     const FlushDenormals flush;
-    body(i * block, std::min(count, (i + 1) * block));
-  });
+    body(i);
+  };
+  const std::function<void(std::size_t)> each = flushed;
+  InOrder indices(count, each);
+  on_each_thread(arena_->arena, [&] { indices.work(); });
 }
 
 }  // namespace foveola

@@ -7,6 +7,12 @@
 
 namespace foveola {
 
+/// Items in a block, at least 1; the last may have fewer.
+struct BlockSizes {
+  std::size_t smallest;
+  std::size_t largest;
+};
+
 /// A fixed number of worker threads (oneTBB). Denormals are flushed to zero inside the loops, as
 /// Embree asks of every thread that traces.
 class Workers {
@@ -19,12 +25,22 @@ class Workers {
 
   int threads() const { return threads_; }
 
-  /// Calls body(begin, end) for the blocks of `block` items that partition [0, count), in any
-  /// order, at the same time. Returns when all are done; rethrows the first exception.
+  /// Calls body(begin, end) for the blocks of `block` items that partition [0, count), at the same
+  /// time. They are begun from first to last. Returns when all are done; rethrows the first
+  /// exception.
   void for_each_block(std::size_t count, std::size_t block,
                       const std::function<void(std::size_t begin, std::size_t end)>& body) const;
 
+  /// The same with blocks that become smaller towards the end, so that all threads end at about the
+  /// same time: each has the part of what is left that two blocks for each thread would have
+  /// (after Polychronopoulos and Kuck 1987, "Guided self-scheduling", with half their size).
+  void for_each_shrinking_block(
+      std::size_t count, const BlockSizes& sizes,
+      const std::function<void(std::size_t begin, std::size_t end)>& body) const;
+
  private:
+  void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body) const;
+
   struct Arena;
   int threads_;
   std::unique_ptr<Arena> arena_;

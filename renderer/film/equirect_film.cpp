@@ -21,8 +21,11 @@ constexpr std::size_t tile_block = 64;
 constexpr std::size_t samples_ahead = 16;
 constexpr std::size_t tiles_ahead = 6;
 
-/// Bits in a word of Sorting::sampled.
-constexpr std::size_t word_bits = 64;
+/// Tiles along a side of a square, one bit of a word each.
+constexpr int square_side = 8;
+constexpr std::size_t word_bits = square_side * square_side;
+
+int squares_along(int tiles) { return (tiles + square_side - 1) / square_side; }
 
 int tiles_along(int side) { return (side + EquirectFilm::tile_size - 1) / EquirectFilm::tile_size; }
 
@@ -81,24 +84,24 @@ void EquirectFilm::sort_by_tile(std::span<const ViewSample> samples, NumberedBat
   find_ranges(batch.tiles);
   sorting_.order.resize(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    sorting_.order[sorting_.counts[sorting_.tiles[i]]++] = static_cast<std::uint32_t>(i);
+    sorting_.order[sorting_.counts[sorting_.places[i]]++] = static_cast<std::uint32_t>(i);
   }
-  for (const NumberedBatch::TileRange& range : batch.tiles) {
-    sorting_.counts[range.tile] = 0;
+  for (const std::uint32_t place : sorting_.places) {
+    sorting_.counts[place] = 0;
   }
 }
 
 void EquirectFilm::count_by_tile(std::span<const ViewSample> samples) {
-  sorting_.tiles.resize(samples.size());
+  const auto squares = static_cast<std::size_t>(squares_along(tiles_across())) *
+                       static_cast<std::size_t>(squares_along(tiles_down()));
+  sorting_.counts.resize(squares * word_bits);
+  sorting_.sampled.resize(squares);
+  sorting_.places.resize(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const IVec2 pixel = pixel_at(samples[i].image);
-    sorting_.tiles[i] = tile_of(pixel.x, pixel.y);
-  }
-  sorting_.counts.resize(tiles_.size());
-  sorting_.sampled.resize((tiles_.size() + word_bits - 1) / word_bits);
-  for (const std::uint32_t tile : sorting_.tiles) {
-    ++sorting_.counts[tile];
-    sorting_.sampled[tile / word_bits] |= std::uint64_t{1} << tile % word_bits;
+    const std::uint32_t place = place_in_order(pixel_at(samples[i].image) / tile_size);
+    sorting_.places[i] = place;
+    ++sorting_.counts[place];
+    sorting_.sampled[place / word_bits] |= std::uint64_t{1} << place % word_bits;
   }
 }
 
@@ -109,12 +112,28 @@ void EquirectFilm::find_ranges(std::vector<NumberedBatch::TileRange>& ranges) {
     for (std::uint64_t left = std::exchange(sorting_.sampled[word], 0); left != 0;
          left &= left - 1) {
       const auto bit = static_cast<std::size_t>(std::countr_zero(left));
-      const auto tile = static_cast<std::uint32_t>(word * word_bits + bit);
-      const std::uint32_t end = begin + std::exchange(sorting_.counts[tile], begin);
-      ranges.push_back({.tile = tile, .begin = begin, .end = end});
+      const auto place = static_cast<std::uint32_t>(word * word_bits + bit);
+      const std::uint32_t end = begin + std::exchange(sorting_.counts[place], begin);
+      ranges.push_back({.tile = tile_at(place), .begin = begin, .end = end});
       begin = end;
     }
   }
+}
+
+std::uint32_t EquirectFilm::place_in_order(const IVec2& tile) const {
+  const IVec2 square = tile / square_side;
+  const IVec2 inside = tile % square_side;
+  const int number = square.y * squares_along(tiles_across()) + square.x;
+  return static_cast<std::uint32_t>((number * square_side + inside.y) * square_side + inside.x);
+}
+
+std::uint32_t EquirectFilm::tile_at(std::uint32_t place) const {
+  const auto inside = static_cast<int>(place % word_bits);
+  const auto number = static_cast<int>(place / word_bits);
+  const int squares_across = squares_along(tiles_across());
+  const int x = number % squares_across * square_side + inside % square_side;
+  const int y = number / squares_across * square_side + inside / square_side;
+  return static_cast<std::uint32_t>(y) * tiles_across_ + static_cast<std::uint32_t>(x);
 }
 
 void EquirectFilm::number_tiles(TileRanges ranges, std::span<const ViewSample> samples,

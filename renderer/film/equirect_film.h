@@ -139,9 +139,9 @@ class EquirectFilm {
   };
   /// Buffers of sort_by_tile.
   struct Sorting {
-    std::vector<std::uint32_t> tiles;    ///< each sample's tile
-    std::vector<std::uint32_t> counts;   ///< samples in each tile; all 0 between calls
-    std::vector<std::uint64_t> sampled;  ///< a bit for each tile; all 0 between calls
+    std::vector<std::uint32_t> places;   ///< that of each sample's tile in the order of tiles
+    std::vector<std::uint32_t> counts;   ///< samples in the tile of each place; 0 between calls
+    std::vector<std::uint64_t> sampled;  ///< a bit for each place; all 0 between calls
     std::vector<std::uint32_t> order;    ///< the samples' indices, by tile
   };
 
@@ -167,6 +167,10 @@ class EquirectFilm {
   /// Lays the tiles that have samples side by side, and leaves in sorting_.counts where each
   /// begins.
   void find_ranges(std::vector<NumberedBatch::TileRange>& ranges);
+  /// Batches have their tiles square by square, so that jobs that are traced together lie close to
+  /// each other in both directions. The place of the tile in that column and row, and back.
+  std::uint32_t place_in_order(const IVec2& tile) const;
+  std::uint32_t tile_at(std::uint32_t place) const;
   /// Fills the batch's jobs and what goes with them.
   void number_tiles(TileRanges ranges, std::span<const ViewSample> samples, NumberedBatch& batch);
   void bring_to_life(TileRanges ranges, NumberedBatch& batch);

@@ -23,7 +23,7 @@ Nanoseconds FrameBudget::begin_frame(Nanoseconds left, Nanoseconds interval) {
   if (!is_drawing_too_slow_) {
     return left;
   }
-  const double usual_rest_s = rest_s_.mean() + rest_s_.deviation();
+  const double usual_rest_s = rest_s_.usual();
   // As every frame is late, none keeps what is kept for being in time.
   const double kept_s = rest_s_.seldom_exceeded() - usual_rest_s + reserve_s_;
   return left +
@@ -42,7 +42,8 @@ double FrameBudget::refreshes_for(double rest_s) const {
 }
 
 std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
-  constexpr double share = 0.75;
+  // Where drawing is too slow, being in time matters less than having few batches.
+  const double share = is_drawing_too_slow_ ? 1.0 : 0.75;
   constexpr double fewest = 64.0;
   constexpr double shortest_s = 1e-3;
   if (sample_s_.empty()) {
@@ -54,7 +55,7 @@ std::uint64_t FrameBudget::first_batch(Nanoseconds left) const {
 }
 
 std::uint64_t FrameBudget::next_batch(Nanoseconds left) const {
-  constexpr double shortest_s = 2.5e-4;
+  const double shortest_s = is_drawing_too_slow_ ? 2.5e-3 : 2.5e-4;
   const double samples = samples_in(left);
   return samples >= 1.0 && samples >= samples_for(shortest_s) ? static_cast<std::uint64_t>(samples)
                                                               : 0;
@@ -101,7 +102,10 @@ void FrameBudget::judge_drawing() {
 
 double FrameBudget::samples_in(Nanoseconds left) const {
   const double left_s = seconds(left) - rest_s_.seldom_exceeded() - reserve_s_;
-  return sample_s_.empty() || left_s <= 0.0 ? 0.0 : left_s / sample_s_.seldom_exceeded();
+  if (sample_s_.empty() || left_s <= 0.0) {
+    return 0.0;
+  }
+  return left_s / (is_drawing_too_slow_ ? sample_s_.usual() : sample_s_.seldom_exceeded());
 }
 
 }  // namespace foveola

@@ -15,7 +15,8 @@ class CostEstimate {
   void add(double cost);
   bool empty() const { return count_ == 0; }
   double mean() const { return mean_; }
-  double deviation() const { return deviation_; }
+  /// What it exceeds now and then: one deviation more than its mean.
+  double usual() const { return mean_ + deviation_; }
   double seldom_exceeded() const { return mean_ + 4.0 * deviation_; }
 
  private:
@@ -55,7 +56,8 @@ class FrameBudget {
   /// millisecond, but at least 64 and at most first_of_all.
   std::uint64_t first_batch(Nanoseconds left) const;
   /// How many samples the next batch has; 0 if there is no time for one that is worth its
-  /// beginning, which is what is traced within a quarter of a millisecond.
+  /// beginning: what is traced within a quarter of a millisecond or, where drawing is too slow, ten
+  /// times that.
   std::uint64_t next_batch(Nanoseconds left) const;
 
   /// What a batch of `samples` took from directions to film; samples > 0.

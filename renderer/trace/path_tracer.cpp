@@ -9,15 +9,9 @@
 namespace foveola {
 namespace {
 
-/// Paths that are traced together: enough shadow rays for Embree's streams, but so few that a
-/// preview's small batches keep every thread busy.
-constexpr std::size_t largest_block = BlockTracer::most_paths;
-constexpr std::size_t smallest_block = 64;
-
-std::size_t block_size(std::size_t jobs, int threads) {
-  const std::size_t blocks_wanted = 2 * static_cast<std::size_t>(threads);
-  return std::clamp(jobs / blocks_wanted, smallest_block, largest_block);
-}
+/// Paths that are traced together: enough shadow rays for Embree's streams, and at the end so few
+/// that no thread waits long for another.
+constexpr BlockSizes block_sizes = {.smallest = 64, .largest = BlockTracer::most_paths};
 
 }  // namespace
 
@@ -47,27 +41,27 @@ RayCounts PathTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> jo
   std::atomic<std::uint64_t> bounce{0};
   std::atomic<std::uint64_t> shadow{0};
   std::atomic<std::uint64_t> transmittance{0};
-  const std::size_t block = block_size(jobs.size(), workers.threads());
-  workers.for_each_block(jobs.size(), block, [&](std::size_t begin, std::size_t end) {
-    BlockTracer tracer(traced, settings);
-    const RayCounts counts = tracer.trace(viewpoint, jobs.subspan(begin, end - begin),
-                                          radiance.subspan(begin, end - begin));
-    primary += counts.primary;
-    bounce += counts.bounce;
-    shadow += counts.shadow;
-    transmittance += counts.transmittance;
-  });
+  workers.for_each_shrinking_block(
+      jobs.size(), block_sizes, [&](std::size_t begin, std::size_t end) {
+        BlockTracer tracer(traced, settings);
+        const RayCounts counts = tracer.trace(viewpoint, jobs.subspan(begin, end - begin),
+                                              radiance.subspan(begin, end - begin));
+        primary += counts.primary;
+        bounce += counts.bounce;
+        shadow += counts.shadow;
+        transmittance += counts.transmittance;
+      });
   return {.primary = primary, .bounce = bounce, .shadow = shadow, .transmittance = transmittance};
 }
 
 RayLog PathTracer::log_rays(const Vec3& viewpoint, std::span<const SampleJob> jobs,
                             const TraceSettings& settings) const {
   RayLog log;
-  std::vector<Rgb> radiance(largest_block);
+  std::vector<Rgb> radiance(block_sizes.largest);
   const Workers alone(1);  // flushes denormals as trace() does
   alone.for_each_block(1, 1, [&](std::size_t, std::size_t) {
-    for (std::size_t begin = 0; begin < jobs.size(); begin += largest_block) {
-      const auto block = jobs.subspan(begin, std::min(largest_block, jobs.size() - begin));
+    for (std::size_t begin = 0; begin < jobs.size(); begin += block_sizes.largest) {
+      const auto block = jobs.subspan(begin, std::min(block_sizes.largest, jobs.size() - begin));
       BlockTracer tracer(implementation_->traced, settings, {.rays = &log});
       tracer.trace(viewpoint, block, std::span(radiance).first(block.size()));
     }

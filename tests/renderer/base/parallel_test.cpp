@@ -1,7 +1,9 @@
 #include "renderer/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -27,6 +29,57 @@ TEST(Workers, CoverEveryItemOnce) {
       EXPECT_EQ(visits, std::vector<int>(count, 1));
     }
   }
+}
+
+TEST(Workers, ShrinkingBlocksCoverEveryItemOnce) {
+  constexpr BlockSizes sizes = {.smallest = 16, .largest = 128};
+  for (const int threads : {1, 2, 4}) {
+    const Workers workers(threads);
+    for (const std::size_t count : {0U, 1U, 16U, 63U, 1001U, 20000U}) {
+      std::mutex mutex;
+      std::map<std::size_t, std::size_t> end_of;  // by begin
+      workers.for_each_shrinking_block(count, sizes, [&](std::size_t begin, std::size_t end) {
+        const std::lock_guard lock(mutex);
+        end_of[begin] = end;
+      });
+      std::size_t covered = 0;
+      std::size_t previous = sizes.largest;
+      for (const auto& [begin, end] : end_of) {
+        EXPECT_EQ(begin, covered);
+        EXPECT_LE(end - begin, previous) << "it never grows";
+        EXPECT_GE(end - begin, end == count ? 1U : sizes.smallest);
+        covered = end;
+        previous = end - begin;
+      }
+      EXPECT_EQ(covered, count);
+    }
+  }
+}
+
+TEST(Workers, TheLastShrinkingBlocksAreShort) {
+  const Workers workers(2);
+  std::atomic<std::size_t> last = 0;
+  std::atomic<std::size_t> first = 0;
+  constexpr std::size_t count = 20000;
+  workers.for_each_shrinking_block(count, {.smallest = 16, .largest = 512},
+                                   [&](std::size_t begin, std::size_t end) {
+                                     if (begin == 0) {
+                                       first = end;
+                                     } else if (end == count) {
+                                       last = end - begin;
+                                     }
+                                   });
+  EXPECT_EQ(first, 512U);
+  EXPECT_LE(last, 16U);
+}
+
+TEST(Workers, OneThreadTakesBlocksFromFirstToLast) {
+  const Workers workers(1);
+  std::vector<std::size_t> begins;
+  workers.for_each_block(1000, 10,
+                         [&](std::size_t begin, std::size_t) { begins.push_back(begin); });
+  EXPECT_EQ(begins.size(), 100U);
+  EXPECT_TRUE(std::is_sorted(begins.begin(), begins.end()));
 }
 
 TEST(Workers, OneThreadIsOneThread) {

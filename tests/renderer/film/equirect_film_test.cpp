@@ -53,6 +53,26 @@ TEST(EquirectFilm, TilesPartitionTheBatch) {
   EXPECT_EQ(end, batch.jobs.size());
 }
 
+// Paths that are traced together then share more of what is in the cache.
+TEST(EquirectFilm, NeighboursInABatchLieCloseToEachOtherInBothDirections) {
+  const Workers workers(2);
+  EquirectFilm film(4096, 2048);
+  NumberedBatch batch;
+  film.number(sobol_samples(0, 1 << 15), batch, workers);
+  constexpr std::size_t block = 512;
+  for (std::size_t begin = 0; begin < batch.jobs.size(); begin += block) {
+    IVec2 first(4096, 2048);
+    IVec2 last(0);
+    for (std::size_t i = begin; i < begin + block; ++i) {
+      const IVec2 pixel(batch.jobs[i].pixel % 4096, batch.jobs[i].pixel / 4096);
+      first = glm::min(first, pixel);
+      last = glm::max(last, pixel);
+    }
+    EXPECT_LE(last.x - first.x, 1024) << "where rows of the film would have 4096";
+    EXPECT_LE(last.y - first.y, 512);
+  }
+}
+
 TEST(EquirectFilm, APixelIsTheMeanOfItsSamples) {
   const Workers workers(2);
   EquirectFilm film(64, 32);
