@@ -120,10 +120,10 @@ VertexNeeds needs_of(const Material& material, const std::vector<int>& uv_sets) 
 }  // namespace
 
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
-                             Warnings& warnings) {
+                             KeptParts<Texels>* kept, Warnings& warnings) {
   const tinygltf::Model& model = *file.model;
   GltfMaterials result;
-  TextureSet textures(file);
+  TextureSet textures(file, kept);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     MaterialContext context(fmt::format("materials[{}]", i), is_shown[i] ? &textures : nullptr,
                             warnings);

@@ -5,6 +5,7 @@
 
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_geometry.h"
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/warnings.h"
@@ -26,8 +27,8 @@ struct GltfMaterials {
 
 /// Reads all materials, and decodes, in parallel, the images that those in use need. is_shown: for
 /// each material of the file, whether anything in the scene has it; the others come without
-/// textures. Throws GltfFault.
+/// textures. kept: where decoded images are found and left, or null. Throws GltfFault.
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
-                             Warnings& warnings);
+                             KeptParts<Texels>* kept, Warnings& warnings);
 
 }  // namespace foveola

@@ -1,5 +1,7 @@
 #include "renderer/scene/gltf_textures.h"
 
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -7,6 +9,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/image_decoder.h"
@@ -88,8 +91,27 @@ int TextureSet::add(int texture, Encoding encoding) {
 
 std::vector<Texture> TextureSet::decode() const {
   require_modest_size();
-  return textures_.decode(
-      [this](const Content& content, bool with_mips) { return texels_of(content, with_mips); });
+  return textures_.decode([this](const Content& content, bool with_mips) {
+    return shared_texels_of(content, with_mips);
+  });
+}
+
+std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& content,
+                                                           bool with_mips) const {
+  if (kept_ == nullptr) {
+    return std::make_shared<const Texels>(texels_of(content, with_mips));
+  }
+  Sha256 digest;
+  const std::array<bool, 2> how = {content.encoding == Encoding::srgb, with_mips};
+  digest.update(std::as_bytes(std::span(how)));
+  digest.update(std::as_bytes(images_.encoded(content.image)));
+  const std::string name = digest.hex();
+  std::shared_ptr<const Texels> texels = kept_->find(name);
+  if (texels == nullptr) {
+    texels = std::make_shared<const Texels>(texels_of(content, with_mips));
+    kept_->keep(name, texels);
+  }
+  return texels;
 }
 
 void TextureSet::require_modest_size() const {

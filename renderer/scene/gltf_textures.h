@@ -3,10 +3,12 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_images.h"
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/texture.h"
 #include "renderer/scene/texture_list.h"
@@ -21,8 +23,9 @@ enum class Encoding : std::uint8_t { linear, srgb };
 
 class TextureSet {
  public:
-  /// file: must outlive this.
-  explicit TextureSet(const GltfFile& file) : model_(*file.model), images_(file) {}
+  /// Both must outlive this. kept: where decoded images are found and left, or null.
+  explicit TextureSet(const GltfFile& file, KeptParts<Texels>* kept = nullptr)
+      : model_(*file.model), images_(file), kept_(kept) {}
 
   /// The index, into what decode() will return, of glTF texture `texture` with colours in
   /// `encoding`; -1 for -1. Throws GltfFault if the texture has no image or that cannot be read.
@@ -45,9 +48,12 @@ class TextureSet {
 
   void require_modest_size() const;
   Texels texels_of(const Content& content, bool with_mips) const;
+  /// The same, found among those kept or made and kept.
+  std::shared_ptr<const Texels> shared_texels_of(const Content& content, bool with_mips) const;
 
   const tinygltf::Model& model_;
   GltfImages images_;
+  KeptParts<Texels>* kept_;
   TextureList<Content> textures_;
 };
 

@@ -164,9 +164,7 @@ std::vector<Mesh> meshes_of(const ObjFile& obj, UsedMaterials& materials, Warnin
   return meshes;
 }
 
-std::string sha256_of_all(const ObjFile& obj, std::set<fs::path> files,
-                          const ObjTextureSet& textures) {
-  files.merge(textures.files());
+std::string sha256_of_all(const ObjFile& obj, const std::set<fs::path>& files) {
   FileHashes hashes;
   for (const fs::path& file : files) {
     hashes[file] = sha256_of_file(file);
@@ -187,7 +185,10 @@ Scene load_obj(const fs::path& path) {
     scene.meshes = meshes_of(obj, materials, warnings);
     rebase(scene);
     scene.textures = materials.textures().decode(path.string());
-    scene.sha256 = sha256_of_all(obj, library.files, materials.textures());
+    scene.files = materials.textures().files();
+    scene.files.insert(library.files.begin(), library.files.end());
+    scene.sha256 = sha256_of_all(obj, scene.files);
+    scene.files.insert(path);
     scene.materials = std::move(materials).take_materials();
     if (scene.meshes.empty()) {
       warnings.add("the scene has no triangles");

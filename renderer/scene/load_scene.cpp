@@ -192,6 +192,7 @@ void replace_environment(Scene& scene, const SceneSource& source, Warnings& warn
   }
   if (source.environment_file) {
     scene.environment = load_environment(*source.environment_file, warnings);
+    scene.files.insert(*source.environment_file);
   }
   if (source.sky) {
     scene.environment = sky_environment(*source.sky);
@@ -235,14 +236,15 @@ std::optional<std::string> note_of_descriptor(const SceneSource& source) {
 
 }  // namespace
 
-Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
+Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units,
+                      KeptSceneParts* kept) {
   require_readable_format(path);
-  return lower_case_extension(path) == ".obj" ? load_obj(path) : load_gltf(path, light_units);
+  return lower_case_extension(path) == ".obj" ? load_obj(path) : load_gltf(path, light_units, kept);
 }
 
-Scene load_scene(const SceneSource& source) {
+Scene load_scene(const SceneSource& source, KeptSceneParts* kept) {
   require_valid(source);
-  Scene scene = load_scene_file(source.file, source.light_units);
+  Scene scene = load_scene_file(source.file, source.light_units, kept);
   for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
     if (line) {
       scene.warnings.insert(scene.warnings.begin(), *line);

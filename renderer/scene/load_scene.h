@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 
@@ -15,9 +16,10 @@ namespace foveola {
 /// is wrong: missing or truncated file, no glTF, a required extension that is not supported, an
 /// index out of range, a reference outside the file's own folder. What is optional and not
 /// supported, and geometry that had to be dropped, becomes a warning in the scene. light_units: as
-/// SceneSource's.
+/// SceneSource's. kept: where what was decoded is found and left, or null.
 Scene load_gltf(const std::filesystem::path& path,
-                std::optional<LightUnits> light_units = std::nullopt);
+                std::optional<LightUnits> light_units = std::nullopt,
+                KeptSceneParts* kept = nullptr);
 
 /// Loads a Wavefront OBJ file and the material libraries and PNG and JPEG images in its folder that
 /// it names; mtl_materials.h says what the libraries' statements mean. One mesh for each object (or
@@ -26,13 +28,14 @@ Scene load_obj(const std::filesystem::path& path);
 
 /// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.
 Scene load_scene_file(const std::filesystem::path& path,
-                      std::optional<LightUnits> light_units = std::nullopt);
+                      std::optional<LightUnits> light_units = std::nullopt,
+                      KeptSceneParts* kept = nullptr);
 
 /// load_scene_file, brought to metres, with the source's environment, sun and rectangle lights
 /// added and its sizes of lights. A scene in other units looks the same, only larger or smaller.
 /// Throws Error as well for what of these makes no sense. Its first warning is that the file is not
 /// the one that the source was written for, if so.
-Scene load_scene(const SceneSource& source);
+Scene load_scene(const SceneSource& source, KeptSceneParts* kept = nullptr);
 
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Pixels that are negative or NaN become
 /// black, infinite ones 65504, the most that a half float holds, or as bright as the brightest

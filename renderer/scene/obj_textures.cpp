@@ -67,7 +67,7 @@ int ObjTextureSet::add(const ObjTexture& texture, Wrap wrap) {
 std::vector<Texture> ObjTextureSet::decode(const std::string& place) const {
   require_modest_size(place);
   return textures_.decode([](const ObjTexture& texture, bool with_mips) {
-    return Texels(content_of(texture), texture.is_srgb, with_mips);
+    return std::make_shared<const Texels>(content_of(texture), texture.is_srgb, with_mips);
   });
 }
 

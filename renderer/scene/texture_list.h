@@ -31,14 +31,14 @@ class TextureList {
   /// Each once, in the order in which they were added.
   const std::vector<Content>& contents() const { return contents_; }
 
-  /// texels_of: makes the Texels of a Content, with coarser levels or without; called once for
-  /// each, on several threads.
+  /// texels_of: the Texels of a Content (shared_ptr<const Texels>), with coarser levels or without;
+  /// called once for each, on several threads.
   template <typename TexelsOf>
   std::vector<Texture> decode(TexelsOf texels_of) const {
     std::vector<std::shared_ptr<const Texels>> texels(contents_.size());
     const Workers workers;
     workers.for_each_block(contents_.size(), 1, [&](std::size_t i, std::size_t) {
-      texels[i] = std::make_shared<const Texels>(texels_of(contents_[i], with_mips_[i]));
+      texels[i] = texels_of(contents_[i], with_mips_[i]);
     });
     std::vector<Texture> textures;
     textures.reserve(textures_.size());
