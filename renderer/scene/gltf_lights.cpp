@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include "renderer/scene/gltf_values.h"
 #include "renderer/scene/sanitised.h"
 
 namespace foveola {
@@ -17,6 +18,8 @@ namespace {
 
 constexpr double brightest_light = 1e9;
 constexpr double lumens_per_watt = 683.0;
+constexpr double largest_radius_m = 1e6;
+constexpr double largest_angular_radius_rad = std::numbers::pi / 4.0;
 
 using Version = std::array<int, 3>;
 
@@ -80,6 +83,32 @@ void read_cone(const tinygltf::SpotLight& source, PunctualLight::ConeEdge edge,
   }
 }
 
+/// A number of the light's extras, in [0, highest]; 0 if it is not there.
+float size_of(const tinygltf::Light& source, const std::string& key, double highest,
+              const std::string& place, Warnings& warnings) {
+  const tinygltf::Value* value = GltfValues(&source.extras).object("foveola").get(key);
+  if (value == nullptr) {
+    return 0.0F;
+  }
+  const double size = value->IsNumber() ? value->GetNumberAsDouble() : -1.0;
+  const double limited = std::clamp(size, 0.0, highest);
+  if (limited != size) {
+    warnings.add("the size of a light is limited to the range it may have",
+                 fmt::format("{}.extras.foveola.{}", place, key));
+  }
+  return static_cast<float>(limited);
+}
+
+void read_size(const tinygltf::Light& source, const std::string& place, PunctualLight& light,
+               Warnings& warnings) {
+  if (light.kind == PunctualLight::Kind::directional) {
+    light.angular_radius_rad =
+        size_of(source, "angular_radius_rad", largest_angular_radius_rad, place, warnings);
+  } else {
+    light.radius_m = size_of(source, "radius_m", largest_radius_m, place, warnings);
+  }
+}
+
 }  // namespace
 
 LightUnits light_units_of(std::string_view generator) {
@@ -124,6 +153,7 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
       warnings.add("the range of a light is ignored: it shines on with the square of the distance",
                    place);
     }
+    read_size(source, place, light, warnings);
     if (light.kind == PunctualLight::Kind::spot) {
       read_cone(source.spot, edge, place, light, warnings);
     }

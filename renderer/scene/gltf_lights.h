@@ -32,7 +32,8 @@ double cycles_inner_cone_rad(double inner_rad, double outer_rad);
 /// The lights that shine, their positions seen from `origin`. A light's colour times its intensity,
 /// in `units`, becomes radiant intensity or irradiance. If absent, the units are those of the
 /// file's generator, with a warning where that changes anything. A light shines along its node's
-/// -Z, and nothing else of the node's transform but its position counts.
+/// -Z, and nothing else of the node's transform but its position counts. Its size is what its
+/// "extras" say (renderer/GLTF.md), since the extension has no sizes; else it has none.
 std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
                                        const std::vector<PlacedItem>& lights, const DVec3& origin,
                                        std::optional<LightUnits> units, Warnings& warnings);

@@ -225,6 +225,60 @@ TEST_F(GltfLights, OneWithoutADirectionIsLeftOut) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("no direction is left out (nodes[1])")));
 }
 
+Json with_own_extras(Json light, const Json& own) {
+  light["extras"]["foveola"] = own;
+  return light;
+}
+
+TEST_F(GltfLights, HaveTheSizesOfTheirExtras) {
+  const Json bulb = with_own_extras({{"type", "point"}}, {{"radius_m", 0.25}});
+  EXPECT_EQ(load(lit(bulb)).lights.at(0).radius_m, 0.25F);
+  const Json spot =
+      with_own_extras({{"type", "spot"}, {"spot", Json::object()}}, {{"radius_m", 2}});
+  EXPECT_EQ(load(lit(spot)).lights.at(0).radius_m, 2.0F) << "written as a whole number";
+  const Scene scene =
+      load(lit(with_own_extras({{"type", "directional"}}, {{"angular_radius_rad", 0.125}})));
+  EXPECT_EQ(scene.lights.at(0).angular_radius_rad, 0.125F);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+}
+
+/// A directional light has no radius in metres, and other programs have extras of their own.
+TEST_F(GltfLights, HaveNoSizesByOtherExtras) {
+  const Scene sun = load(lit(with_own_extras({{"type", "directional"}}, {{"radius_m", 0.25}})));
+  EXPECT_EQ(sun.lights.at(0).angular_radius_rad, 0.0F);
+  EXPECT_EQ(sun.lights.at(0).radius_m, 0.0F);
+  for (const Json& extras : {Json("words"), Json{{"radius_m", 1}}, Json{{"foveola", 7}},
+                             Json{{"foveola", {{"wattage", 60}}}}, Json()}) {
+    const Scene scene = load(lit({{"type", "point"}, {"extras", extras}}));
+    EXPECT_EQ(scene.lights.at(0).radius_m, 0.0F) << extras;
+    EXPECT_THAT(scene.warnings, IsEmpty()) << extras;
+  }
+}
+
+TEST_F(GltfLights, SizesAreLimitedWithAWarning) {
+  const auto says_so = ElementsAre(HasSubstr("the size of a light is limited"));
+  for (const Json& wrong : {Json(-1), Json("wide"), Json::array({1})}) {
+    const Scene scene = load(lit(with_own_extras({{"type", "point"}}, {{"radius_m", wrong}})));
+    EXPECT_EQ(scene.lights.at(0).radius_m, 0.0F) << wrong;
+    EXPECT_THAT(scene.warnings, says_so) << wrong;
+  }
+  const Scene wide =
+      load(lit(with_own_extras({{"type", "directional"}}, {{"angular_radius_rad", 1.5}})));
+  EXPECT_FLOAT_EQ(wide.lights.at(0).angular_radius_rad, std::numbers::pi_v<float> / 4.0F);
+  EXPECT_THAT(wide.warnings, says_so);
+}
+
+/// What a descriptor or the command line says of all lights counts for more.
+TEST_F(GltfLights, ASizeThatWasSaidReplacesThoseOfTheExtras) {
+  SceneSource source;
+  source.file =
+      write("lit.glb", lit(with_own_extras({{"type", "point"}}, {{"radius_m", 0.25}})).bytes());
+  source.metres_per_unit = 2.0;
+  EXPECT_EQ(load_scene(source).lights.at(0).radius_m, 0.5F) << "in the file's units";
+  source.light_radius_m = 0.0F;
+  EXPECT_EQ(load_scene(source).lights.at(0).radius_m, 0.0F);
+}
+
 TEST_F(GltfLights, EveryNodeHasALightOfItsOwn) {
   GlbBuilder glb = lit({{"type", "point"}});
   glb.add_root({{"name", "second"},
