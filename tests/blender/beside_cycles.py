@@ -149,4 +149,5 @@ def main():
         sys.exit(f"{name}: the pictures differ by more than {percent(TOLERANCE)}")
 
 
-main()
+if __name__ == "__main__":
+    main()
