@@ -19,6 +19,7 @@ import shutil
 import struct
 import subprocess
 import tempfile
+import textwrap
 import time
 
 import bpy
@@ -57,15 +58,20 @@ def link_into(socket):
     return None
 
 
-def nodes_above(socket):
-    """All nodes that the value of this socket depends on."""
-    found, waiting = {}, [socket]
+def nodes_above(sockets):
+    """All nodes that the values of these sockets depend on, those of groups left out."""
+    found, waiting = {}, list(sockets)
     while waiting:
         source = link_into(waiting.pop())
         if source is not None and source.node.name not in found:
             found[source.node.name] = source.node
             waiting.extend(source.node.inputs)
     return list(found.values())
+
+
+def label_of(node):
+    is_group = node.type == "GROUP" and node.node_tree is not None
+    return f"node group {node.node_tree.name}" if is_group else node.bl_label
 
 
 def constant(socket):
@@ -178,8 +184,8 @@ def world_keys(scene, folder):
         return {"environment_radiance": [0.0, 0.0, 0.0]}, []
     missing = []
     if surface.type != "BACKGROUND":
-        missing.append(f"{surface.bl_label} is not translated, only a Background above it")
-        backgrounds = [node for node in nodes_above_node(surface) if node.type == "BACKGROUND"]
+        missing.append(f"{label_of(surface)} is not translated, only a Background above it")
+        backgrounds = [node for node in nodes_above(surface.inputs) if node.type == "BACKGROUND"]
         if not backgrounds:
             return {"environment_radiance": [0.0, 0.0, 0.0]}, missing
         surface = backgrounds[0]
@@ -193,16 +199,12 @@ def world_keys(scene, folder):
     return textured_world(surface.inputs["Color"], max(0.0, strength), folder, missing)
 
 
-def nodes_above_node(node):
-    return [above for socket in node.inputs for above in nodes_above(socket)]
-
-
 def textured_world(socket, strength, folder, missing):
     """Blender shows the middle of the image at +X, Foveola at -Z, which is Blender's +Y."""
     texture = link_into(socket).node
     if texture.type != "TEX_ENVIRONMENT":
-        missing.append(f"{texture.bl_label} is not translated, only an Environment Texture above it")
-        textures = [node for node in nodes_above(socket) if node.type == "TEX_ENVIRONMENT"]
+        missing.append(f"{label_of(texture)} is not translated, only an Environment Texture above it")
+        textures = [node for node in nodes_above([socket]) if node.type == "TEX_ENVIRONMENT"]
         texture = textures[0] if textures else None
     if texture is None or texture.image is None:
         missing.append("its colour is shown black")
@@ -226,7 +228,7 @@ def turn_of(socket):
         return 0.0, []
     mapping = mapping.node
     if mapping.type != "MAPPING":
-        return 0.0, [f"its image is not turned by {mapping.bl_label}"]
+        return 0.0, [f"its image is not turned by {label_of(mapping)}"]
     inputs = {name: constant(mapping.inputs[name]) for name in ("Rotation", "Scale")}
     rotation, scale = (list(inputs[name][0]) for name in ("Rotation", "Scale"))
     location = list(mapping.inputs["Location"].default_value) if "Location" in mapping.inputs else []
@@ -303,11 +305,14 @@ def written_pixels(image, folder):
         raise ExportError(f"the world's image {image.name} has no pixels; load it again")
     pixels = array.array("f", bytes(16 * width * height))
     image.pixels.foreach_get(pixels)
-    if not image.is_float and image.colorspace_settings.name == "sRGB":
-        decoded = {value: linear_from_srgb(value) for value in set(pixels)}
-        pixels = array.array("f", [decoded[value] for value in pixels])
-    name = f"environment-{hashlib.sha1(pixels.tobytes()).hexdigest()[:16]}.exr"
+    is_encoded = not image.is_float and image.colorspace_settings.name == "sRGB"
+    digest = hashlib.sha1(pixels)
+    digest.update(bytes([is_encoded]))
+    name = f"environment-{digest.hexdigest()[:16]}.exr"
     if not (folder / name).exists():
+        if is_encoded:
+            decoded = {value: linear_from_srgb(value) for value in set(pixels)}
+            pixels = array.array("f", [decoded[value] for value in pixels])
         write_by_rename(folder / name, exr_parts(width, height, pixels))
     return name
 
@@ -534,10 +539,8 @@ def missing_lines(scene, view_layer, depsgraph):
     """A line for each thing that the preview shows otherwise than Cycles, without repetition."""
     lines = []
     shown_materials = {}
-    for thing in view_layer.objects:
-        if thing.type not in SHOWN_TYPES or not is_rendered(thing):
-            continue
-        if not thing.visible_get(view_layer=view_layer):
+    for thing, is_visible in rendered_things(view_layer):
+        if not is_visible:
             lines.append(f"{thing.name}: rendered, but hidden in the viewport, and not sent")
             continue
         lines += [f"{thing.name}: {what}" for what in missing_of_object(thing)]
@@ -549,6 +552,20 @@ def missing_lines(scene, view_layer, depsgraph):
     lines += instancer_lines(view_layer, depsgraph)
     lines += [f"{scene.camera.name}: {what}" for what in missing_of_camera(scene.camera.data)]
     return list(dict.fromkeys(lines))
+
+
+def rendered_things(view_layer):
+    """(object, whether it is visible in the viewport), those of instanced collections among them."""
+    for thing in view_layer.objects:
+        if not is_rendered(thing):
+            continue
+        is_visible = thing.visible_get(view_layer=view_layer)
+        if thing.type in SHOWN_TYPES:
+            yield thing, is_visible
+        elif is_visible and thing.instance_type == "COLLECTION" and thing.instance_collection:
+            for part in thing.instance_collection.all_objects:
+                if part.type in SHOWN_TYPES and not part.hide_render:
+                    yield part, True
 
 
 def missing_of_object(thing):
@@ -612,10 +629,10 @@ def missing_of_material(material):
     if surface is None:
         return lines
     if surface.type not in {"BSDF_PRINCIPLED", "EMISSION"}:
-        lines.append(f"{surface.bl_label} is not translated, only a Principled BSDF above it")
+        lines.append(f"{label_of(surface)} is not translated, only a Principled BSDF above it")
         return lines
     for socket in surface.inputs:
-        unknown = [node.bl_label for node in nodes_above(socket) if not is_translated(node)]
+        unknown = [label_of(node) for node in nodes_above([socket]) if not is_translated(node)]
         if unknown:
             lines.append(f"{socket.name}: {unknown[-1]} is not translated")
         elif socket.name in UNSENT_INPUTS and not socket.is_linked and socket.default_value > 0.0:
@@ -658,8 +675,8 @@ EXPORT_OPTIONS = {
     "export_current_frame": True,
     "export_animations": False,
     "export_skins": False,  # then the pose is in the vertices
-    "convert_lighting_mode": "COMPAT",  # until Blender 3.5
-    "export_import_convert_lighting_mode": "COMPAT",  # from Blender 3.6 on
+    "convert_lighting_mode": "COMPAT",  # in Blender 3.4
+    "export_import_convert_lighting_mode": "COMPAT",  # the same in later versions
 }
 
 
@@ -707,7 +724,7 @@ def has_content(path, parts):
 
 def export_scene(window, folder):
     """Writes scene.toml, then scene.glb, into the folder, each by a rename and only if it changed.
-    Returns whether anything changed, and what does not come across. Throws ExportError; then the
+    Returns whether anything changed, and what does not come across. Raises ExportError; then the
     files are what they were."""
     require_exporter()
     scene, view_layer = window.scene, window.view_layer
@@ -813,7 +830,7 @@ class Session:
             self._changed_at = time.monotonic()
 
     def start(self, program):
-        """Exports, and starts the preview unless one runs. Throws ExportError."""
+        """Exports, and starts the preview unless one runs. Raises ExportError."""
         self.export(main_window())
         if self.is_running():
             return
@@ -879,7 +896,7 @@ class Session:
         return not waits_for
 
     def export(self, window):
-        """Throws ExportError, which the panel shows too."""
+        """Raises ExportError, which the panel shows too."""
         if self.folder is None:
             self.folder = pathlib.Path(tempfile.mkdtemp(prefix="foveola-blender-"))
         self._is_exporting = True
@@ -893,9 +910,10 @@ class Session:
             self.export_count += is_new
             self.export_s = time.monotonic() - start
             self.forget_environments(environment)
-        except ExportError as failure:
-            self.failure = str(failure)
-            raise
+        except Exception as failure:  # Blender drops a timer that raises anything
+            is_known = isinstance(failure, ExportError)
+            self.failure = str(failure) if is_known else f"{type(failure).__name__}: {failure}"
+            raise ExportError(self.failure) from failure
         finally:
             self._is_exporting = False
             redraw()
@@ -926,7 +944,7 @@ def obstacle(window):
         return "the interface to be unlocked"
     if window.screen.is_animation_playing:
         return "the end of the animation"
-    operators = getattr(window, "modal_operators", ())  # from Blender 4.2 on
+    operators = getattr(window, "modal_operators", ())  # not in Blender 3.4, in 4.2
     if any(operator.bl_idname.startswith("TRANSFORM_OT") for operator in operators):
         return "the mouse"
     return ""
@@ -967,10 +985,23 @@ def shown_lines(lines):
     return [*lines[:MOST_LINES], f"and {len(lines) - MOST_LINES} more"]
 
 
+def show(column, context, text, icon="NONE"):
+    """A label of as many rows as the sidebar's width makes necessary: Blender cuts what is too long."""
+    letter_px = 7.5 * context.preferences.system.ui_scale
+    region = context.region
+    width = max(20, int(region.width / letter_px) - 6) if region is not None else 1000
+    for row, words in enumerate(textwrap.wrap(text, width)):
+        column.label(text=words, icon=icon if row == 0 else "BLANK1")
+
+
 class FOVEOLA_OT_preview(bpy.types.Operator):
     bl_idname = "foveola.preview"
     bl_label = "Preview"
     bl_description = "Show the scene in Foveola's live preview, beside Blender"
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode in MODES_WITH_DATA
 
     def execute(self, context):
         try:
@@ -1018,22 +1049,20 @@ class FOVEOLA_PT_preview(bpy.types.Panel):
     bl_category = "Foveola"
 
     def draw(self, context):
-        column = self.layout.column()
+        column = self.layout.column(align=True)
         column.operator(FOVEOLA_OT_preview.bl_idname, icon="HIDE_OFF")
-        row = column.row()
-        row.prop(context.window_manager, "foveola_is_live")
-        row.operator(FOVEOLA_OT_update.bl_idname)
+        column.operator(FOVEOLA_OT_update.bl_idname, icon="FILE_REFRESH")
+        column.prop(context.window_manager, "foveola_is_live")
         if session.failure:
-            column.label(text=session.failure, icon="ERROR")
+            show(column, context, session.failure, "ERROR")
         elif session.is_running():
             waits_for = f", waits for {session.waits_for}" if session.waits_for else ""
-            column.label(text=f"Exported in {session.export_s:.2f} s{waits_for}")
+            show(column, context, f"Exported in {session.export_s:.2f} s{waits_for}", "CHECKMARK")
         if session.missing:
-            row = column.row()
-            row.label(text="Does not come across:")
-            row.operator(FOVEOLA_OT_copy_report.bl_idname, icon="COPYDOWN")
+            column.label(text="Does not come across:")
             for line in shown_lines(session.missing):
-                column.label(text=line)
+                show(column, context, line, "DOT")
+            column.operator(FOVEOLA_OT_copy_report.bl_idname, icon="COPYDOWN")
 
 
 class FoveolaPreferences(bpy.types.AddonPreferences):

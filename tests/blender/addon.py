@@ -60,10 +60,11 @@ class Words:
     def __init__(self):
         self.labels = []
 
-    def column(self):
+    def column(self, align=False):
         return self
 
-    row = column
+    def row(self):
+        return self
 
     def label(self, text, icon="NONE"):
         self.labels.append(text)

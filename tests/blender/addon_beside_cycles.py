@@ -60,7 +60,7 @@ def bulbs(_folder):
     point.shadow_soft_size = 0.15
     spot = scenes.add_light("SPOT", 600.0, (-2.0, -2.0, 3.5), (35.0, 0.0, -35.0), (0.7, 0.8, 1.0))
     spot.spot_size, spot.spot_blend = math.radians(70.0), 0.6
-    spot.shadow_soft_size = 0.12
+    spot.shadow_soft_size = 0.05
     spot.use_nodes = True
     emission = spot.node_tree.nodes["Emission"].inputs
     emission["Color"].default_value, emission["Strength"].default_value = (0.5, 1.0, 0.7, 1.0), 1.7

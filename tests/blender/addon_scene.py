@@ -35,6 +35,7 @@ def add_unsent():
     hairy.modifiers.new("smooth", "SUBSURF").render_levels = 4
     bpy.data.lights["panel"].spread = math.radians(60.0)
     add_flat("flat")
+    add_grouped("grouped")
     bpy.context.scene.camera.data.dof.use_dof = True
     tree = bpy.context.scene.world.node_tree
     sky = tree.nodes.new("ShaderNodeTexSky")
@@ -44,6 +45,7 @@ def add_unsent():
         "hidden: rendered, but hidden", "hairy: hair", "hairy: modifier smooth",
         "hairy, material noisy: Base Color: Noise Texture", "panel: its spread",
         "flat, material matt: Diffuse BSDF is not translated", "camera: its depth of field",
+        "grouped, material mixed: Base Color: node group wood",
     ]
 
 
@@ -63,3 +65,15 @@ def add_flat(name):
     diffuse = nodes.new("ShaderNodeBsdfDiffuse")
     material.node_tree.links.new(diffuse.outputs[0], nodes["Material Output"].inputs["Surface"])
     scenes.add_rectangle(name, 1.0, 1.0, material, (0.0, 0.0, 0.01))
+
+
+def add_grouped(name):
+    """A surface whose colour comes from a node group."""
+    group = bpy.data.node_groups.new("wood", "ShaderNodeTree")
+    group.outputs.new("NodeSocketColor", "Colour")
+    material = scenes.principled("mixed")
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    node = nodes.new("ShaderNodeGroup")
+    node.node_tree = group
+    links.new(node.outputs[0], nodes["Principled BSDF"].inputs["Base Color"])
+    scenes.add_rectangle(name, 1.0, 1.0, material, (0.0, 0.0, 0.02))

@@ -90,6 +90,16 @@ def test_toggle(probe):
     bpy.context.window_manager.foveola_is_live = True
 
 
+def test_copying(probe):
+    bpy.data.lights["panel"].spread = 1.0
+    bpy.context.scene.camera.data.dof.use_dof = True
+    move_cube(0.1)  # what does not come across makes no new file
+    yield from probe.exported()
+    bpy.ops.foveola.copy_report()
+    lines = bpy.context.window_manager.clipboard.splitlines()
+    require(len(lines) == 2 and lines == probe.session.missing, lines)
+
+
 def test_undo(probe):
     with view():
         bpy.ops.ed.undo_push(message="before")
@@ -171,6 +181,7 @@ def steps(folder):
     require(arguments.exists(), "the preview was not started")
     yield from test_moving(probe)
     yield from test_toggle(probe)
+    yield from test_copying(probe)
     yield from test_undo(probe)
     yield from test_edit_mode(probe)
     yield from test_animation(probe)
