@@ -42,7 +42,7 @@ MODES_WITH_DATA = {"OBJECT", "POSE", "PAINT_VERTEX", "PAINT_WEIGHT", "PAINT_TEXT
 
 
 class ExportError(Exception):
-    """Why there is no new file, in one line for the panel."""
+    """What went wrong, in one line for the panel."""
 
 
 # ---- Nodes -------------------------------------------------------------------------------------
@@ -212,10 +212,15 @@ def textured_world(socket, strength, folder, missing):
     if texture.projection != "EQUIRECTANGULAR":
         missing.append("its image is a mirror ball and is shown black")
         return {"environment_radiance": [0.0, 0.0, 0.0]}, missing
+    try:
+        name = environment_file(texture.image, folder)
+    except ExportError as failure:
+        missing.append(f"{failure}; it is shown black")
+        return {"environment_radiance": [0.0, 0.0, 0.0]}, missing
     turn_deg, reason = turn_of(texture.inputs["Vector"])
     missing.extend(reason)
     return {
-        "environment_file": environment_file(texture.image, folder),
+        "environment_file": name,
         "environment_rotation_deg": math.remainder(90.0 + turn_deg, 360.0),
         "environment_strength": strength,
     }, missing
@@ -265,7 +270,7 @@ def means_the_same(image, extension):
 def environment_file(image, folder):
     """Writes the image into the folder, unless it is there; returns its name, new for new content."""
     if image.source not in {"FILE", "GENERATED"}:
-        raise ExportError(f"the world's image {image.name} is no single image; choose another")
+        raise ExportError(f"its image {image.name} is a sequence, a film or tiled")
     if not image.is_dirty and image.source == "FILE":
         name = copied_file(image, folder)
         if name:
@@ -284,7 +289,7 @@ def copied_file(image, folder):
             with open(path, "rb") as file:
                 extension, status = extension_of(file.read(16)), os.fstat(file.fileno())
         except OSError as failure:
-            raise ExportError(f"the world's image cannot be read: {failure}") from failure
+            raise ExportError(f"its image {path} cannot be read ({failure.strerror})") from failure
         key = hashlib.sha1(f"{path}|{status.st_mtime_ns}|{status.st_size}".encode())
     if not extension or not means_the_same(image, extension):
         return ""
@@ -302,7 +307,7 @@ def written_pixels(image, folder):
     """Pixels of 8 bits come in the image's own colour space, others linear."""
     width, height = image.size
     if width * height == 0:
-        raise ExportError(f"the world's image {image.name} has no pixels; load it again")
+        raise ExportError(f"its image {image.name} has no pixels")
     pixels = array.array("f", bytes(16 * width * height))
     image.pixels.foreach_get(pixels)
     is_encoded = not image.is_float and image.colorspace_settings.name == "sRGB"

@@ -222,6 +222,11 @@ def test_world_image(module, foveola, file, folder):
     require((file.parent / descriptor["environment_file"]) in kept, descriptor)
     require_near([descriptor["environment_rotation_deg"]], [90.0], "the image's turn")
     info_of(foveola, file)
+    image.source, image.filepath = "FILE", str(folder / "gone.hdr")
+    settle(session)
+    require(any("gone.hdr cannot be read" in line for line in session.missing), session.missing)
+    descriptor = tomllib.loads(file.with_suffix(".toml").read_text())
+    require(descriptor["environment_radiance"] == [0.0, 0.0, 0.0], descriptor)
 
 
 def test_other_scenes(session, folder):
