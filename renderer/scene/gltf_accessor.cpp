@@ -131,8 +131,6 @@ class Elements {
       stride_ = view.byteStride != 0 ? view.byteStride : size;
       first_ = bytes_in_view(model, accessor.bufferView, accessor.byteOffset, count_, stride_, size,
                              fmt::format("accessors[{}]", index), place);
-    } else if (!sparse_) {
-      throw GltfFault(place, fmt::format("accessors[{}] has no bufferView", index));
     } else if (count_ > most_zeros) {
       throw GltfFault(place, fmt::format("accessors[{}] has {} elements without data; up to {} are "
                                          "read",

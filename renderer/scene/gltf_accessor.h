@@ -26,9 +26,9 @@ void check_sparse_accessors(const tinygltf::Model& model);
 std::size_t element_count(const tinygltf::Model& model, int index);
 
 // `place` is the JSON path of the reference to the accessor, for the GltfFault that each of these
-// throws if the accessor has no data, is of the wrong type, reaches beyond a buffer view, or lacks
-// an element of the list. A sparse accessor without a buffer view is zero where it is not replaced;
-// those of more than 2^22 elements are refused, since they cost a file nothing.
+// throws if the accessor is of the wrong type, reaches beyond a buffer view, or lacks an element of
+// the list. An accessor without a buffer view is zero where no sparse elements replace it; those of
+// more than 2^22 elements are refused, since they cost a file nothing.
 
 /// All elements of a SCALAR of unsigned 8, 16 or 32 bits.
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int index,

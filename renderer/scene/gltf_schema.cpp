@@ -257,7 +257,7 @@ class Schema {
     const Rule spot = object(
         {{"innerConeAngle", optional, any_number()}, {"outerConeAngle", optional, any_number()}});
     const Rule shape = object({{"name", optional, text()},
-                               {"type", required, one_of({"directional", "point", "spot"})},
+                               {"type", required, text()},
                                {"color", optional, numbers(3)},
                                {"intensity", optional, any_number()},
                                {"range", optional, any_number()},
