@@ -80,6 +80,9 @@ struct SceneSource {
   /// Units of a glTF file's punctual lights. If absent, the program that wrote the file decides:
   /// photometric for the versions of Blender's exporter that write them so, else radiometric.
   std::optional<LightUnits> light_units;
+  /// Whether a texture that is missing or cannot be read is an error. If not, the scene is shown
+  /// without it, with a warning.
+  bool strict = false;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   /// What only an ordinary picture from that position has, see CameraView: a study and a head have

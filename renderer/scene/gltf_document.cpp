@@ -85,7 +85,8 @@ void require_known_extensions(const Json& document) {
   for (std::size_t i = 0; i < extensions->size(); ++i) {
     if (const auto name = (*extensions)[i].get<std::string>(); !is_supported_extension(name)) {
       throw GltfFault(fmt::format("extensionsRequired[{}]", i),
-                      fmt::format("the extension {} is not supported", sanitised(name)));
+                      fmt::format("the extension {} is not supported{}", sanitised(name),
+                                  what_is_lost_without(name)));
     }
   }
 }
@@ -113,12 +114,31 @@ void write_whole_numbers_as_integers(Json& value) {
 }  // namespace
 
 bool is_supported_extension(std::string_view name) {
-  static constexpr std::array<std::string_view, 11> supported = {
-      "KHR_lights_punctual",        "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-      "KHR_materials_ior",          "KHR_materials_sheen",     "KHR_materials_specular",
-      "KHR_materials_transmission", "KHR_materials_unlit",     "KHR_materials_volume",
-      "KHR_mesh_quantization",      "KHR_texture_transform"};
+  static constexpr std::array<std::string_view, 13> supported = {
+      "EXT_texture_webp",           "KHR_lights_punctual",
+      "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
+      "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+      "KHR_materials_sheen",        "KHR_materials_specular",
+      "KHR_materials_transmission", "KHR_materials_unlit",
+      "KHR_materials_volume",       "KHR_mesh_quantization",
+      "KHR_texture_transform"};
   return std::find(supported.begin(), supported.end(), name) != supported.end();
+}
+
+std::string what_is_lost_without(std::string_view name) {
+  struct Loss {
+    std::string_view extension;
+    const char* what;
+  };
+  static constexpr std::array<Loss, 5> losses = {
+      {{"KHR_materials_anisotropy", ": highlights are as wide along the grain as across it"},
+       {"KHR_materials_diffuse_transmission", ": no light comes through leaves, paper and cloth"},
+       {"KHR_materials_dispersion", ": glass refracts all colours alike"},
+       {"KHR_materials_iridescence", ": thin films have no colours"},
+       {"KHR_texture_basisu", ": KTX2 images are not read, export them as PNG or JPEG"}}};
+  const auto* const known = std::find_if(losses.begin(), losses.end(),
+                                         [&](const Loss& loss) { return loss.extension == name; });
+  return known == losses.end() ? "" : known->what;
 }
 
 Json checked_gltf_document(std::string_view json) {

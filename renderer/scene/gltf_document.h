@@ -3,6 +3,7 @@
 // else: each of the three takes about 1 ms for the 80 to 180 kB of the built-in scenes.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,5 +18,9 @@ nlohmann::json checked_gltf_document(std::string_view json);
 
 /// Whether Foveola renders what this glTF extension adds.
 bool is_supported_extension(std::string_view name);
+
+/// For a message: what a scene lacks without an extension that is not supported, after a colon;
+/// empty where that is not known.
+std::string what_is_lost_without(std::string_view name);
 
 }  // namespace foveola

@@ -204,10 +204,7 @@ void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnin
                repair_normals(mesh));
   warnings.add("texture coordinates that are not finite become 0", place, repair_uvs(mesh));
   warnings.add("vertex colours are limited to the range they may have", place, repair_colors(mesh));
-  const auto is_white = [](const Vec4& color) { return color == Vec4(1.0F); };
-  if (std::all_of(mesh.colors.begin(), mesh.colors.end(), is_white)) {
-    mesh.colors = {};
-  }
+  drop_white_colors(mesh);
   if (!needs.normal_texture || mesh.uv_sets.empty()) {
     return;
   }

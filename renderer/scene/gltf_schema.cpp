@@ -184,6 +184,12 @@ class Schema {
                             {"clearcoatRoughnessTexture", optional, texture}})},
                    {"KHR_materials_emissive_strength", optional,
                     object({{"emissiveStrength", optional, factor}})},
+                   {"KHR_materials_pbrSpecularGlossiness", optional,
+                    object({{"diffuseFactor", optional, extension_numbers(4)},
+                            {"diffuseTexture", optional, texture},
+                            {"specularFactor", optional, color},
+                            {"glossinessFactor", optional, factor},
+                            {"specularGlossinessTexture", optional, texture}})},
                    {"KHR_materials_ior", optional, object({{"ior", optional, factor}})},
                    {"KHR_materials_sheen", optional,
                     object({{"sheenColorFactor", optional, color},
@@ -225,8 +231,12 @@ class Schema {
   }
 
   Rule texture() const {
-    return object(
-        {{"sampler", optional, index("samplers")}, {"source", optional, index("images")}});
+    const Rule other_source = object({{"source", optional, index("images")}});
+    return object({{"sampler", optional, index("samplers")},
+                   {"source", optional, index("images")},
+                   {"extensions", optional,
+                    object({{"EXT_texture_webp", optional, other_source},
+                            {"KHR_texture_basisu", optional, other_source}})}});
   }
 
   static Rule sampler() {

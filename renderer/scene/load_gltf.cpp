@@ -28,7 +28,8 @@ constexpr const char* remedy = "export it again, or look at it with a glTF valid
 void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
   for (const std::string& name : model.extensionsUsed) {
     if (!is_supported_extension(name)) {
-      warnings.add("the extension " + sanitised(name) + " is ignored");
+      warnings.add(fmt::format("the extension {} is ignored{}", sanitised(name),
+                               what_is_lost_without(name)));
     }
   }
   if (!model.animations.empty()) {
@@ -75,13 +76,14 @@ std::string sha256_of_all(const GltfFile& file, FileHashes files) {
   return scene_sha256(file.sha256, files);
 }
 
-Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units) {
+Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
   warn_of_what_is_ignored(model, warnings);
   check_sparse_accessors(model);
   const PlacedNodes nodes = place_nodes(model, warnings);
-  GltfMaterials materials = read_materials(file, shown_materials(model, nodes), warnings);
+  GltfMaterials materials =
+      read_materials(file, shown_materials(model, nodes), reading.strict, warnings);
   MemoryBudget budget(model);
   std::vector<LocalMesh> meshes = read_meshes(model, nodes, materials, budget, warnings);
 
@@ -91,7 +93,7 @@ Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units) {
   scene.materials = std::move(materials.materials);
   scene.textures = std::move(materials.textures);
   scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
-  scene.lights = read_lights(model, nodes.lights, scene.origin, light_units, warnings);
+  scene.lights = read_lights(model, nodes.lights, scene.origin, reading.light_units, warnings);
   if (scene.object_count() == 0) {
     warnings.add("the scene has no triangles");
   }
@@ -102,9 +104,9 @@ Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units) {
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
+Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading) {
   try {
-    return scene_of(read_gltf_file(path), light_units);
+    return scene_of(read_gltf_file(path), reading);
   } catch (const Error&) {
     throw;
   } catch (const GltfFault& fault) {

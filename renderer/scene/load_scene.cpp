@@ -235,14 +235,15 @@ std::optional<std::string> note_of_descriptor(const SceneSource& source) {
 
 }  // namespace
 
-Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units) {
+Scene load_scene_file(const std::filesystem::path& path, const SceneReading& reading) {
   require_readable_format(path);
-  return lower_case_extension(path) == ".obj" ? load_obj(path) : load_gltf(path, light_units);
+  return lower_case_extension(path) == ".obj" ? load_obj(path, reading) : load_gltf(path, reading);
 }
 
 Scene load_scene(const SceneSource& source) {
   require_valid(source);
-  Scene scene = load_scene_file(source.file, source.light_units);
+  Scene scene =
+      load_scene_file(source.file, {.light_units = source.light_units, .strict = source.strict});
   for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
     if (line) {
       scene.warnings.insert(scene.warnings.begin(), *line);

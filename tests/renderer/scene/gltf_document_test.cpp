@@ -230,9 +230,14 @@ TEST(GltfDocument, NamesEveryRequiredExtensionThatIsNotSupported) {
                            "KHR_texture_basisu", "EXT_mesh_gpu_instancing"}) {
     Json document = complete();
     document["extensionsRequired"] = {name};
-    EXPECT_EQ(fault_in(document),
-              "extensionsRequired[0]: the extension " + std::string(name) + " is not supported");
+    EXPECT_THAT(fault_in(document), StartsWith("extensionsRequired[0]: the extension " +
+                                               std::string(name) + " is not supported"));
   }
+}
+
+TEST(GltfDocument, SaysWhatIsLostWithoutAnExtension) {
+  EXPECT_EQ(what_is_lost_without("KHR_materials_dispersion"), ": glass refracts all colours alike");
+  EXPECT_EQ(what_is_lost_without("EXT_unheard_of"), "");
 }
 
 TEST(GltfDocument, RefusesWhatIsNoJson) {

@@ -149,7 +149,7 @@ TEST_F(GltfFiles, NamesWhatIsMissing) {
               HasSubstr("buffers[0].uri: refers to \"gone.bin\", a file that does not exist"));
   const GlbBuilder glb = with_image("gone.png");
   write("triangle.bin", glb.buffer);
-  EXPECT_THAT(error_of_text(glb.document.dump()),
+  EXPECT_THAT(error_of_bytes(glb.document.dump(), "scene.gltf", {.strict = true}),
               HasSubstr("images[0].uri: refers to \"gone.png\", a file that does not"));
 }
 
