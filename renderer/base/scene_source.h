@@ -83,6 +83,8 @@ struct SceneSource {
   /// Whether a texture that is missing or cannot be read is an error. If not, the scene is shown
   /// without it, with a warning.
   bool strict = false;
+  /// When in a glTF file's animations it is, in seconds. None: before them, as its nodes stand.
+  std::optional<double> time_s;
   std::optional<Vec3> camera_position;
   AzimuthElevation heading;
   /// What only an ordinary picture from that position has, see CameraView: a study and a head have

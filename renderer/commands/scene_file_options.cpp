@@ -18,6 +18,11 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
   command.add_flag("--strict", arguments.strict,
                    "Refuse a scene with a texture that is missing or cannot be read, which is "
                    "otherwise left out with a warning");
+  command
+      .add_option("--time", arguments.time_s,
+                  "Show a glTF file as its animations, all of them, have it at so many seconds "
+                  "(default: as it stands without them)")
+      ->check(CLI::Range(-1e9, 1e9));
 }
 
 void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& source) {
@@ -26,6 +31,9 @@ void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& 
         arguments.light_units == "photometric" ? LightUnits::photometric : LightUnits::radiometric;
   }
   source.strict = source.strict || arguments.strict;
+  if (arguments.time_s) {
+    source.time_s = arguments.time_s;
+  }
 }
 
 SceneFinder with_scene_file_options(CLI::App& command, const SceneFinder& find_scene) {

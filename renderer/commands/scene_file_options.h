@@ -1,7 +1,8 @@
-// --light-units and --strict, for every command that takes a scene's name or file: how the file is
-// read.
+// --light-units, --strict and --time, for every command that takes a scene's name or file: how the
+// file is read.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "renderer/base/scene_source.h"
@@ -16,6 +17,7 @@ namespace foveola {
 struct SceneFileArguments {
   std::string light_units;
   bool strict = false;
+  std::optional<double> time_s;
 };
 
 /// Adds the options to `command`; `arguments` must outlive it.

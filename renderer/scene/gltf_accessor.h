@@ -48,4 +48,9 @@ std::vector<Vec4> read_vec4s(const tinygltf::Model& model, int index, ElementLis
 std::vector<Vec4> read_colors(const tinygltf::Model& model, int index, ElementList elements,
                               const std::string& place);
 
+/// All components of all elements, one after the other, of `components` to an element: floats, or,
+/// but for matrices, integers of 8 or 16 bits as above.
+std::vector<float> read_numbers(const tinygltf::Model& model, int index, int components,
+                                const std::string& place);
+
 }  // namespace foveola

@@ -94,13 +94,30 @@ class BufferReader {
   FileHashes hashes_;
 };
 
-/// For each buffer, whether a buffer view lies in it.
+/// What EXT_meshopt_compression says of a buffer or a buffer view; null if nothing.
+const Json* compression_of(const Json& item) {
+  const auto extensions = item.find("extensions");
+  if (extensions == item.end()) {
+    return nullptr;
+  }
+  const auto found = extensions->find("EXT_meshopt_compression");
+  return found == extensions->end() ? nullptr : &*found;
+}
+
+/// For each buffer, whether a buffer view lies in it. One that is compressed lies elsewhere, in the
+/// buffer that its extension names: its own is for programs that do not know the extension.
 std::vector<bool> used_buffers(const Json& document, std::size_t count) {
   std::vector<bool> is_used(count, false);
   for (const Json& view : document.value("bufferViews", Json::array())) {
-    is_used[view["buffer"].get<std::size_t>()] = true;
+    const Json* const compression = compression_of(view);
+    is_used[(compression != nullptr ? *compression : view)["buffer"].get<std::size_t>()] = true;
   }
   return is_used;
+}
+
+bool is_fallback(const Json& buffer) {
+  const Json* const compression = compression_of(buffer);
+  return compression != nullptr && compression->value("fallback", false);
 }
 
 }  // namespace
@@ -115,7 +132,9 @@ GltfBuffers read_gltf_buffers(const Json& document, std::string_view binary,
   const std::vector<bool> is_used = used_buffers(document, buffers->size());
   BufferReader reader(binary, folder);
   for (std::size_t i = 0; i < buffers->size(); ++i) {
-    result.contents.push_back(reader.read((*buffers)[i], i, is_used[i]));
+    const bool is_needed = is_used[i] || !is_fallback((*buffers)[i]);
+    result.contents.push_back(is_needed ? reader.read((*buffers)[i], i, is_used[i])
+                                        : std::vector<unsigned char>());
   }
   result.hashes = std::move(reader).take_hashes();
   return result;

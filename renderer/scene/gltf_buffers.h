@@ -12,7 +12,8 @@
 namespace foveola {
 
 struct GltfBuffers {
-  /// For each buffer, as many bytes as it states; none if nothing uses it and it has no uri.
+  /// For each buffer, as many bytes as it states; none if nothing uses it and it has no uri,
+  /// or is EXT_meshopt_compression's fallback.
   std::vector<std::vector<unsigned char>> contents;
   FileHashes hashes;  ///< SHA-256s of the files that were read
 };

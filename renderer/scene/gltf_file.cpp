@@ -19,6 +19,7 @@
 #include "renderer/scene/gltf_container.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/gltf_meshopt.h"
 #include "renderer/scene/sanitised.h"
 
 namespace foveola {
@@ -118,7 +119,7 @@ bool keep_encoded_image(tinygltf::Image* image, const int /*index*/, std::string
   return true;
 }
 
-std::shared_ptr<const tinygltf::Model> model_of(const Json& document, Contents contents) {
+std::shared_ptr<tinygltf::Model> model_of(const Json& document, Contents contents) {
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_into(contents));
   loader.SetImageLoader(keep_encoded_image, nullptr);
@@ -149,6 +150,7 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
   Json document = checked_gltf_document(parts.json);
   std::vector<Bytes> images = take_embedded_images(document, folder);
   GltfBuffers buffers = read_gltf_buffers(document, parts.binary, folder);
+  decompress_meshopt(document, buffers.contents);
   Contents contents = hand_over(document, std::move(buffers.contents), std::move(images));
   return {.model = model_of(document, std::move(contents)),
           .folder = folder,

@@ -8,6 +8,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/scene/gltf_accessor.h"
+#include "renderer/scene/gltf_animation.h"
+#include "renderer/scene/gltf_deformation.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_file.h"
@@ -25,15 +27,16 @@ namespace {
 
 constexpr const char* remedy = "export it again, or look at it with a glTF validator";
 
-void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
+void warn_of_what_is_ignored(const tinygltf::Model& model, bool is_posed, Warnings& warnings) {
   for (const std::string& name : model.extensionsUsed) {
     if (!is_supported_extension(name)) {
       warnings.add(fmt::format("the extension {} is ignored{}", sanitised(name),
                                what_is_lost_without(name)));
     }
   }
-  if (!model.animations.empty()) {
-    warnings.add("animations are ignored: everything stays in its first place");
+  if (!model.animations.empty() && !is_posed) {
+    warnings.add(
+        "animations are ignored: everything stays in its first place, unless --time says when");
   }
 }
 
@@ -50,17 +53,34 @@ std::vector<bool> shown_materials(const tinygltf::Model& model, const PlacedNode
   return is_shown;
 }
 
-/// Each mesh that a node shows.
+/// Skins may share joints, so that a small file can name any number.
+void require_few_joints(std::size_t joints, const std::string& place) {
+  constexpr std::size_t most = std::size_t{1} << 22;
+  if (joints > most) {
+    throw GltfFault(place, fmt::format("brings the joints of the scene to more than {}", most));
+  }
+}
+
+/// Each mesh that a node shows, as the node deforms it.
 std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNodes& nodes,
                                    const GltfMaterials& materials, MemoryBudget& budget,
                                    Warnings& warnings) {
   std::vector<LocalMesh> meshes(model.meshes.size());
+  std::size_t joints = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (nodes.meshes[i].empty()) {
+      continue;
+    }
+    // A mesh that a node deforms is this node's alone.
+    const auto node = static_cast<std::size_t>(nodes.meshes[i].front().node);
+    const Deformation deformation = deformation_of(model, model.nodes[node], nodes.world_from_node);
+    joints += deformation.joints.size();
+    require_few_joints(joints, fmt::format("nodes[{}].skin", node));
     const std::vector<tinygltf::Primitive>& primitives = model.meshes[i].primitives;
-    for (std::size_t k = 0; k < primitives.size() && !nodes.meshes[i].empty(); ++k) {
+    for (std::size_t k = 0; k < primitives.size(); ++k) {
       const std::size_t material = materials.index_of(primitives[k].material);
       std::optional<Mesh> mesh =
-          read_primitive(model, primitives[k], materials.needs[material],
+          read_primitive(model, primitives[k], materials.needs[material], deformation,
                          fmt::format("meshes[{}].primitives[{}]", i, k), budget, warnings);
       if (mesh) {
         mesh->material = static_cast<int>(material);
@@ -79,8 +99,12 @@ std::string sha256_of_all(const GltfFile& file, FileHashes files) {
 Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
-  warn_of_what_is_ignored(model, warnings);
+  warn_of_what_is_ignored(model, reading.time_s.has_value(), warnings);
   check_sparse_accessors(model);
+  if (reading.time_s) {
+    pose_at(*file.model, *reading.time_s, warnings);
+  }
+  separate_deformed_meshes(*file.model);
   const PlacedNodes nodes = place_nodes(model, warnings);
   GltfMaterials materials =
       read_materials(file, shown_materials(model, nodes), reading.strict, warnings);

@@ -242,8 +242,9 @@ Scene load_scene_file(const std::filesystem::path& path, const SceneReading& rea
 
 Scene load_scene(const SceneSource& source) {
   require_valid(source);
-  Scene scene =
-      load_scene_file(source.file, {.light_units = source.light_units, .strict = source.strict});
+  Scene scene = load_scene_file(
+      source.file,
+      {.light_units = source.light_units, .strict = source.strict, .time_s = source.time_s});
   for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
     if (line) {
       scene.warnings.insert(scene.warnings.begin(), *line);

@@ -16,6 +16,7 @@ namespace foveola {
 struct SceneReading {
   std::optional<LightUnits> light_units;
   bool strict = false;
+  std::optional<double> time_s;
 };
 
 /// Loads a glTF 2.0 file (.glb or .gltf). Throws Error naming the file and the JSON path of what

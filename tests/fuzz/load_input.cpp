@@ -154,7 +154,7 @@ bool load_input(const fs::path& file) {
       Warnings warnings;
       check(load_environment(file, warnings));
     } else {
-      check(load_scene_file(file));
+      check(load_scene_file(file, {.time_s = 0.5}));
     }
   } catch (const Error&) {
     return false;

@@ -40,5 +40,11 @@ TEST(SceneFileOptions, SayWhetherWhatIsMissingIsAnError) {
   EXPECT_TRUE(found_by("--strict", std::nullopt).strict);
 }
 
+TEST(SceneFileOptions, SayWhenInTheAnimationsItIs) {
+  EXPECT_EQ(found_by("", std::nullopt).time_s, std::nullopt);
+  EXPECT_EQ(found_by("--time 1.5", std::nullopt).time_s, 1.5);
+  EXPECT_THROW(found_by("--time nan", std::nullopt), CLI::ParseError);
+}
+
 }  // namespace
 }  // namespace foveola::test
