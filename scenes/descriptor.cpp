@@ -305,6 +305,7 @@ Descriptor descriptor_from(const fs::path& file, const toml::table& toml) {
   read_viewpoint(table, descriptor.source);
   read_lights_and_objects(table, descriptor.source);
   table.reject_unknown_keys();
+  descriptor.source.descriptor = file;
   return descriptor;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -105,12 +104,23 @@ fs::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 fs::path data_folder() { return user_folder("XDG_DATA_HOME", fs::path(".local") / "share"); }
 
 std::string read_file(const fs::path& path) {
+  constexpr std::size_t portion = 65536;
   std::ifstream file = open_to_read(path);
-  std::ostringstream content;
-  if (file.peek() != std::ifstream::traits_type::eof() && !(content << file.rdbuf())) {
+  std::error_code has_no_size;
+  const std::uintmax_t stated = fs::file_size(path, has_no_size);
+  std::string content;
+  std::size_t size = 0;
+  // All at once; then what there is beyond the size, as of a pipe or of a file that grows.
+  for (std::size_t wanted = has_no_size ? portion : stated + 1; file; wanted = portion) {
+    content.resize(size + wanted);
+    file.read(content.data() + size, static_cast<std::streamsize>(wanted));
+    size += static_cast<std::size_t>(file.gcount());
+  }
+  if (!file.eof()) {
     throw cannot_be_read(path);
   }
-  return std::move(content).str();
+  content.resize(size);
+  return content;
 }
 
 std::string read_file(const fs::path& path, std::size_t most_bytes, const std::string& remedy) {

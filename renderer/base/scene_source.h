@@ -69,8 +69,9 @@ inline constexpr double largest_camera_aspect_ratio = 1e3;
 struct SceneSource {
   std::string name;  ///< what the user called it
   std::string title;
-  std::filesystem::path file;  ///< .glb, .gltf or .obj
-  /// The descriptor that says all else here, if it was found beside the file without being named.
+  std::filesystem::path file;        ///< .glb, .gltf or .obj
+  std::filesystem::path descriptor;  ///< the one that says all else here; empty if none does
+  /// The same if it was found beside the file without being named.
   std::filesystem::path descriptor_beside;
   /// SHA-256 of the file that all else here was written for; empty if for no file in particular.
   /// Another file is accepted with a warning.

@@ -36,6 +36,15 @@ Json gaze_checks(const LivePreviewReport& report) {
   return checks;
 }
 
+Json shown_changes(const LivePreviewReport& report) {
+  Json changes = Json::array();
+  for (const ShownChange& change : report.changes) {
+    changes.push_back(
+        {{"is_refused", change.is_refused}, {"seconds_to_first_frame", seconds(change.after)}});
+  }
+  return changes;
+}
+
 Json slow_drawing(const LivePreviewReport& report) {
   if (!report.slow_drawing) {
     return nullptr;

@@ -95,6 +95,9 @@ void add_preview_options(CLI::App& command, PreviewArguments& arguments) {
   command.add_option("--show", arguments.shown, "Overlays to show to begin with")
       ->delimiter(',')
       ->check(CLI::IsMember({"gaze", "rings", "density", "times", "latency", "view", "help"}));
+  command.add_flag("--watch", arguments.watch,
+                   "Expect the scene's files to change, so that the first change, too, is shown as "
+                   "soon as later ones; rays take a third longer");
   CLI::Option* frames =
       command
           .add_option("--frames", arguments.frames,

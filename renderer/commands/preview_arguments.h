@@ -37,6 +37,7 @@ struct PreviewArguments {
   bool fill_unsampled = false;
   bool correct_gaze = false;
   std::vector<std::string> shown;
+  bool watch = false;
   std::uint64_t frames = 0;
   std::string screenshot;
   TraceSettings trace;

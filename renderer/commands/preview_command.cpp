@@ -12,6 +12,8 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/freed_memory.h"
+#include "renderer/base/utf8.h"
 #include "renderer/commands/live_preview_json.h"
 #include "renderer/commands/live_window.h"
 #include "renderer/commands/preview_arguments.h"
@@ -23,6 +25,7 @@
 #include "renderer/gaze/recorded_head.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/headless_render.h"
+#include "renderer/progressive/scene_reload.h"
 #include "renderer/window/live_preview.h"
 #include "renderer/window/preview_panels.h"
 
@@ -66,6 +69,23 @@ double exposure_stops_of(const PreviewRequest& request, const LoadedScene& loade
   return exposure.stops;
 }
 
+/// What the window is told of a scene that was loaded again.
+SceneChange change_of(ReloadedScene reloaded) {
+  SceneChange change{.changed = reloaded.changed};
+  if (reloaded.scene == nullptr) {
+    change.remarks = {"foveola: note: the changed scene does not load: " +
+                      printable(reloaded.refusal)};
+    return change;
+  }
+  for (const std::string& warning : reloaded.scene->warnings) {
+    change.remarks.push_back("foveola: warning: " + printable(warning));
+  }
+  change.tracer = &reloaded.scene->tracer;
+  change.surroundings = surroundings_of(*reloaded.scene);
+  change.owner = std::move(reloaded.scene);
+  return change;
+}
+
 /// Where frames go to, and events come from.
 struct ShownIn {
   Window& window;
@@ -76,16 +96,25 @@ struct ShownIn {
 
 /// Loads the scene and shows it, in a thread of its own beside the window's.
 LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewRequest& request,
-                             const ShownIn& shown_in, const IVec2& framebuffer,
-                             const std::stop_token& stop) {
+                             const SceneFinder& find_scene, const ShownIn& shown_in,
+                             const IVec2& framebuffer, const std::stop_token& stop) {
   const Clock& clock = shown_in.clock;
   Presenter presenter(shown_in.window, clock);
   const Workers workers(arguments.threads);
   const PictureChoices picture = window_picture(request, framebuffer);
   SceneChoices choices = request.scene;
   choices.framed_for = picture_of({}, picture).field_of_view;
-  const LoadedScene loaded(request.source, workers, choices);
+  KeptForReload kept;
+  if (arguments.watch) {
+    kept.expects_changes();
+  }
+  const LoadedScene loaded(request.source, workers, choices, &kept);
   print_warnings(loaded.warnings);
+  SceneReloader reloader(
+      loaded, kept,
+      {.find_source = [&] { return lit_scene(arguments.scene, arguments.look, find_scene); },
+       .choices = choices,
+       .threads = arguments.threads});
   const double exposure_stops = exposure_stops_of(request, loaded, picture, workers);
   WindowEyeTracker gaze = open_gaze_source(request, shown_in.display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
@@ -111,7 +140,14 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
                            .framebuffer = framebuffer,
                            .keeps_last_picture = !arguments.screenshot.empty(),
                            .corrects_gaze = arguments.correct_gaze,
-                           .notify = print_notice};
+                           .notify = print_notice,
+                           .take_change =
+                               [&] {
+                                 std::optional<ReloadedScene> reloaded = reloader.take();
+                                 return reloaded ? std::optional(change_of(std::move(*reloaded)))
+                                                 : std::nullopt;
+                               },
+                           .is_loading = [&] { return reloader.is_loading(); }};
   live.choices.look.exposure_stops = exposure_stops;
   if (!arguments.true_angles) {
     const FieldOfView first_view = picture_of(loaded.camera, picture).field_of_view;
@@ -183,6 +219,7 @@ void print_json(const LivePreviewReport& report, const PreviewRun& run,
                {"refresh_is_measured", report.is_refresh_measured},
                {"frame_count", report.frame_count},
                {"late", late_frames(report)},
+               {"changes", shown_changes(report)},
                {"slow_drawing", slow_drawing(report)},
                {"lost_monitors", report.lost_monitors},
                {"gaze_checks", gaze_checks(report)}};
@@ -193,6 +230,7 @@ void print_json(const LivePreviewReport& report, const PreviewRun& run,
 void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scene,
                  const std::stop_token& stop) {
   const PreviewRequest request = preview_request(arguments, find_scene);
+  keep_freed_memory();
   print_method_notes(arguments.method);
   const SteadyClock clock;
   WindowEvents events;
@@ -206,7 +244,7 @@ void run_preview(const PreviewArguments& arguments, const SceneFinder& find_scen
   const ShownIn shown_in{.window = window, .events = events, .display = display, .clock = clock};
   LivePreviewReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {
-    report = show_scene(arguments, request, shown_in, framebuffer, stop);
+    report = show_scene(arguments, request, find_scene, shown_in, framebuffer, stop);
   });
   if (report.last_picture) {
     write_display_picture(arguments.screenshot, *report.last_picture);

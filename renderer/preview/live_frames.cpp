@@ -31,7 +31,9 @@ LiveFrame LiveFrames::next() {
   trace(frame);
   show(frame);
   budget_.frame_ended(frame.is_late());
-  next_refresh_ = frame.shown;
+  // Nor is what hardly changes drawn often.
+  constexpr int refreshes_skipped = 2;
+  next_refresh_ = frame.shown + (gives_way_ ? refreshes_skipped : 0) * refresh_.interval();
   return frame;
 }
 
@@ -40,6 +42,11 @@ std::optional<Nanoseconds> LiveFrames::too_slow_drawing() const {
 }
 
 void LiveFrames::trace(LiveFrame& frame) {
+  if (gives_way_) {
+    constexpr std::uint64_t hardly_any = 64;
+    preview_->trace(hardly_any, frame.report);
+    return;
+  }
   const Nanoseconds start = clock_->now();
   const Nanoseconds end = start + budget_.begin_frame(frame.deadline - start, refresh_.interval());
   const auto left = [&] { return end - clock_->now(); };

@@ -54,6 +54,10 @@ class LiveFrames {
   /// Waits for the next refresh, and renders and presents a frame.
   LiveFrame next();
 
+  /// Whether frames leave the processor to others from now on: they trace next to nothing, and not
+  /// every refresh has one.
+  void give_way(bool gives_way) { gives_way_ = gives_way; }
+
   /// What is known of the display's refreshes.
   const RefreshEstimator& refresh() const { return refresh_; }
 
@@ -79,6 +83,7 @@ class LiveFrames {
   FrameOutput output_;
   Nanoseconds next_refresh_;
   FrameBudget budget_;
+  bool gives_way_ = false;
 };
 
 }  // namespace foveola

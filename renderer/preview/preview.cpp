@@ -43,6 +43,11 @@ void Preview::stand_at(const Vec3& viewpoint) {
   render_.stand_at(viewpoint);
 }
 
+void Preview::show(const PathTracer& tracer, const Vec3& viewpoint) {
+  render_.use(tracer);
+  stand_at(viewpoint);
+}
+
 FrameReport Preview::render_frame(Nanoseconds now, std::uint64_t samples) {
   FrameReport report = begin_frame(now);
   trace(samples, report);

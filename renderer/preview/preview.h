@@ -60,6 +60,8 @@ class Preview {
   /// Clears the film and goes on from another place, in the scene's coordinates, with the same
   /// sampler and seed.
   void stand_at(const Vec3& viewpoint);
+  /// Goes on in another scene, from `viewpoint`, with an empty film. The tracer must outlive this.
+  void show(const PathTracer& tracer, const Vec3& viewpoint);
 
   /// As ProgressiveRender::cut_samples.
   void cut_samples(float largest_radiance) { render_.cut_samples(largest_radiance); }

@@ -98,8 +98,12 @@ auto timed(const Step& step) {
   return std::pair(std::move(result), seconds(clock.now() - start));
 }
 
-PathTracer build(const Scene& scene, const Workers& workers, double& elapsed_s) {
-  auto [tracer, took_s] = timed([&] { return PathTracer(scene, workers); });
+PathTracer build(const Scene& scene, const Workers& workers, KeptForReload* kept,
+                 double& elapsed_s) {
+  auto [tracer, took_s] = timed([&] {
+    const bool keeps_hierarchies = kept != nullptr && kept->parts.places_instances;
+    return PathTracer(scene, workers, {}, keeps_hierarchies ? &kept->hierarchies : nullptr);
+  });
   elapsed_s = took_s;
   return std::move(tracer);
 }
@@ -107,20 +111,26 @@ PathTracer build(const Scene& scene, const Workers& workers, double& elapsed_s) 
 }  // namespace
 
 LoadedScene::LoadedScene(const SceneSource& scene_source, const Workers& workers,
-                         const SceneChoices& choices)
-    : LoadedScene(scene_source, timed([&] { return load_scene(scene_source); }), workers, choices) {
+                         const SceneChoices& choices, KeptForReload* kept)
+    : LoadedScene(scene_source, timed([&] {
+                    return load_scene(scene_source, kept != nullptr ? &kept->parts : nullptr);
+                  }),
+                  workers, choices, kept) {
+  if (kept != nullptr) {
+    kept->parts.forget_unused();
+  }
 }
 
 LoadedScene::LoadedScene(const SceneSource& scene_source, Scene made_scene, const Workers& workers,
                          const SceneChoices& choices)
-    : LoadedScene(scene_source, std::pair(std::move(made_scene), 0.0), workers, choices) {}
+    : LoadedScene(scene_source, std::pair(std::move(made_scene), 0.0), workers, choices, nullptr) {}
 
 LoadedScene::LoadedScene(const SceneSource& scene_source, std::pair<Scene, double> timed_scene,
-                         const Workers& workers, const SceneChoices& choices)
+                         const Workers& workers, const SceneChoices& choices, KeptForReload* kept)
     : source(scene_source),
       load_seconds(timed_scene.second),
       scene(with_materials(std::move(timed_scene.first), choices.diffuse)),
-      tracer(build(scene, workers, build_seconds)),
+      tracer(build(scene, workers, kept, build_seconds)),
       warnings(scene.warnings),
       camera(choose_camera(source, scene, tracer.ray_scene(), choices, warnings)),
       camera_is_enclosed(is_enclosed(tracer.ray_scene(), camera.position)) {

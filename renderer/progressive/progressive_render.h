@@ -73,7 +73,7 @@ class ProgressiveRender {
   /// Shows `observe` what each call of advance() traces, whatever the film makes of it.
   void observe_samples(Observe observe) { observe_ = std::move(observe); }
 
-  /// Goes on with another tracer, of the same scene.
+  /// Goes on with another tracer, of the same scene or, before a restart, of another.
   void use(const PathTracer& tracer) { tracer_ = &tracer; }
 
   /// Draws so many points and traces what adaptive sampling and the filter leave of them.

@@ -129,10 +129,10 @@ VertexNeeds needs_of(const Material& material, const std::vector<int>& uv_sets) 
 }  // namespace
 
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
-                             bool is_strict, Warnings& warnings) {
+                             KeptParts<Texels>* kept, bool is_strict, Warnings& warnings) {
   const tinygltf::Model& model = *file.model;
   GltfMaterials result;
-  TextureSet textures(file, is_strict, warnings);
+  TextureSet textures(file, kept, is_strict, warnings);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     MaterialContext context(fmt::format("materials[{}]", i), is_shown[i] ? &textures : nullptr,
                             warnings);

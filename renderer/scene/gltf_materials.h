@@ -5,6 +5,7 @@
 
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_geometry.h"
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/warnings.h"
@@ -26,9 +27,9 @@ struct GltfMaterials {
 
 /// Reads all materials, and decodes, in parallel, the images that those in use need. is_shown: for
 /// each material of the file, whether anything in the scene has it; the others come without
-/// textures. is_strict: whether a texture that cannot be shown is a GltfFault instead of a warning.
-/// Throws GltfFault.
+/// textures. kept: where decoded images are found and left, or null. is_strict: whether a texture
+/// that cannot be shown is a GltfFault instead of a warning. Throws GltfFault.
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
-                             bool is_strict, Warnings& warnings);
+                             KeptParts<Texels>* kept, bool is_strict, Warnings& warnings);
 
 }  // namespace foveola

@@ -104,8 +104,9 @@ void mend_after_transform(Mesh& mesh, const std::string& place, Warnings& warnin
 
 class MeshPlacer {
  public:
-  MeshPlacer(Scene& scene, const tinygltf::Model& model, MemoryBudget& budget, Warnings& warnings)
-      : scene_(scene), model_(model), budget_(budget), warnings_(warnings) {}
+  MeshPlacer(Scene& scene, const tinygltf::Model& model, Placing placing, MemoryBudget& budget,
+             Warnings& warnings)
+      : scene_(scene), model_(model), placing_(placing), budget_(budget), warnings_(warnings) {}
 
   void add(std::size_t index, LocalMesh meshes, const std::vector<Placement>& placements) {
     if (placements.empty() || meshes.empty()) {
@@ -114,7 +115,8 @@ class MeshPlacer {
     constexpr std::size_t most_added = 65536;
     constexpr std::size_t most_added_by_all = std::size_t{1} << 22;
     const std::size_t added = (placements.size() - 1) * triangle_count(meshes);
-    if (added > most_added || added + added_ > most_added_by_all) {
+    if (placing_ == Placing::instances || added > most_added ||
+        added + added_ > most_added_by_all) {
       add_instances(index, std::move(meshes), placements);
       return;
     }
@@ -178,6 +180,7 @@ class MeshPlacer {
 
   Scene& scene_;
   const tinygltf::Model& model_;
+  Placing placing_;
   MemoryBudget& budget_;
   Warnings& warnings_;
   std::size_t added_ = 0;  ///< triangles that copies brought, beyond one of each mesh
@@ -198,8 +201,9 @@ DVec3 choose_origin(const std::vector<LocalMesh>& meshes,
 }
 
 void add_meshes(Scene& scene, std::vector<LocalMesh> meshes, const PlacedNodes& nodes,
-                const tinygltf::Model& model, MemoryBudget& budget, Warnings& warnings) {
-  MeshPlacer placer(scene, model, budget, warnings);
+                const tinygltf::Model& model, Placing placing, MemoryBudget& budget,
+                Warnings& warnings) {
+  MeshPlacer placer(scene, model, placing, budget, warnings);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     placer.add(i, std::move(meshes[i]), nodes.meshes[i]);
   }

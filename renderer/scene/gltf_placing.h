@@ -21,11 +21,18 @@ using LocalMesh = std::vector<Mesh>;
 DVec3 choose_origin(const std::vector<LocalMesh>& meshes,
                     const std::vector<std::vector<Placement>>& placements);
 
-/// Adds `meshes` to `scene`, around scene.origin. A mesh becomes a copy in the world at each of its
-/// nodes, which is the fastest to trace, unless that would add more than 65 536 triangles, or all
-/// copies more than 2^22; then it becomes prototypes and instances, but for nodes whose transform
-/// has no inverse in single precision. Throws GltfFault if that takes more than `budget` has.
+enum class Placing {
+  copies_where_few,
+  instances,  ///< so that what stands elsewhere in the next version of the scene is known again
+};
+
+/// Adds `meshes` to `scene`, around scene.origin. With copies_where_few, a mesh becomes a copy in
+/// the world at each of its nodes, which is the fastest to trace, unless that would add more than
+/// 65 536 triangles, or all copies more than 2^22; then it becomes prototypes and instances, but
+/// for nodes whose transform has no inverse in single precision. Throws GltfFault if that takes
+/// more than `budget` has.
 void add_meshes(Scene& scene, std::vector<LocalMesh> meshes, const PlacedNodes& nodes,
-                const tinygltf::Model& model, MemoryBudget& budget, Warnings& warnings);
+                const tinygltf::Model& model, Placing placing, MemoryBudget& budget,
+                Warnings& warnings);
 
 }  // namespace foveola

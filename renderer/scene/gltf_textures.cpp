@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_values.h"
@@ -125,8 +127,9 @@ int TextureSet::load(int texture) {
 
 std::vector<Texture> TextureSet::decode(std::vector<Material>& materials) const {
   require_modest_size();
-  DecodedTextures decoded = textures_.decode(
-      [this](const Content& content, bool with_mips) { return texels_of(content, with_mips); });
+  DecodedTextures decoded = textures_.decode([this](const Content& content, bool with_mips) {
+    return shared_texels_of(content, with_mips);
+  });
   if (is_strict_) {
     rethrow_fault(decoded.faults);
   }
@@ -138,6 +141,25 @@ std::vector<Texture> TextureSet::decode(std::vector<Material>& materials) const 
   }
   renumber_textures(materials, decoded);
   return std::move(decoded.textures);
+}
+
+std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& content,
+                                                           bool with_mips) const {
+  if (kept_ == nullptr) {
+    return std::make_shared<const Texels>(texels_of(content, with_mips));
+  }
+  Sha256 digest;
+  const std::string how = fmt::format("{} {} {}", static_cast<int>(content.encoding),
+                                      content.glossiness_factor, with_mips);
+  digest.update(std::as_bytes(std::span(how)));
+  digest.update(std::as_bytes(images_.encoded(content.image)));
+  const std::string name = digest.hex();
+  std::shared_ptr<const Texels> texels = kept_->find(name);
+  if (texels == nullptr) {
+    texels = std::make_shared<const Texels>(texels_of(content, with_mips));
+    kept_->keep(name, texels);
+  }
+  return texels;
 }
 
 /// 0 for an image whose header cannot be read: decoding it will say why.

@@ -3,10 +3,12 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "renderer/scene/gltf_file.h"
 #include "renderer/scene/gltf_images.h"
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene_hash.h"
 #include "renderer/scene/texture.h"
 #include "renderer/scene/texture_list.h"
@@ -21,10 +23,14 @@ enum class Encoding : std::uint8_t { linear, srgb, glossiness };
 
 class TextureSet {
  public:
-  /// file, warnings: must outlive this. is_strict: whether a texture that cannot be shown is a
-  /// GltfFault instead of a warning.
-  TextureSet(const GltfFile& file, bool is_strict, Warnings& warnings)
-      : model_(*file.model), images_(file), is_strict_(is_strict), warnings_(warnings) {}
+  /// All must outlive this. kept: where decoded images are found and left, or null. is_strict:
+  /// whether a texture that cannot be shown is a GltfFault instead of a warning.
+  TextureSet(const GltfFile& file, KeptParts<Texels>* kept, bool is_strict, Warnings& warnings)
+      : model_(*file.model),
+        images_(file),
+        kept_(kept),
+        is_strict_(is_strict),
+        warnings_(warnings) {}
 
   /// The index, for TextureUse until decode() is called, of glTF texture `texture` with colours in
   /// `encoding`; -1 for -1, and if the texture has no image or that cannot be read.
@@ -56,9 +62,12 @@ class TextureSet {
   std::size_t decoded_bytes(const Content& content) const;
   void require_modest_size() const;
   Texels texels_of(const Content& content, bool with_mips) const;
+  /// The same, found among those kept or made and kept.
+  std::shared_ptr<const Texels> shared_texels_of(const Content& content, bool with_mips) const;
 
   const tinygltf::Model& model_;
   GltfImages images_;
+  KeptParts<Texels>* kept_;
   bool is_strict_;
   Warnings& warnings_;
   TextureList<Content> textures_;

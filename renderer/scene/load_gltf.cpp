@@ -1,3 +1,4 @@
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "renderer/scene/gltf_accessor.h"
 #include "renderer/scene/gltf_animation.h"
 #include "renderer/scene/gltf_deformation.h"
+#include "renderer/scene/gltf_digest.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_file.h"
@@ -61,10 +63,46 @@ void require_few_joints(std::size_t joints, const std::string& place) {
   }
 }
 
+/// Reads primitives, or finds them where they are kept.
+class PrimitiveReader {
+ public:
+  PrimitiveReader(const tinygltf::Model& model, KeptParts<Mesh>* kept, MemoryBudget& budget,
+                  Warnings& warnings)
+      : model_(model), kept_(kept), digests_(model), budget_(budget), warnings_(warnings) {}
+
+  std::optional<Mesh> read(const tinygltf::Primitive& primitive, const VertexNeeds& needs,
+                           const Deformation& deformation, const std::string& place) {
+    // What a skin moves is not the same in another pose.
+    const bool may_be_kept = kept_ != nullptr && deformation.joints.empty();
+    const std::optional<std::string> digest =
+        may_be_kept ? digests_.of(primitive, needs) : std::nullopt;
+    if (const auto known = digest ? kept_->find(*digest) : nullptr) {
+      budget_.take(bytes_of(*known), place);
+      return *known;
+    }
+    const std::size_t cases_before = warnings_.cases();
+    std::optional<Mesh> mesh =
+        read_primitive(model_, primitive, needs, deformation, place, budget_, warnings_);
+    // What was warned of is to be warned of again.
+    if (digest && mesh && warnings_.cases() == cases_before) {
+      kept_->keep(*digest, std::make_shared<const Mesh>(*mesh));
+    }
+    return mesh;
+  }
+
+ private:
+  const tinygltf::Model& model_;
+  KeptParts<Mesh>* kept_;
+  PrimitiveDigests digests_;
+  MemoryBudget& budget_;
+  Warnings& warnings_;
+};
+
 /// Each mesh that a node shows, as the node deforms it.
 std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNodes& nodes,
-                                   const GltfMaterials& materials, MemoryBudget& budget,
-                                   Warnings& warnings) {
+                                   const GltfMaterials& materials, KeptParts<Mesh>* kept,
+                                   MemoryBudget& budget, Warnings& warnings) {
+  PrimitiveReader reader(model, kept, budget, warnings);
   std::vector<LocalMesh> meshes(model.meshes.size());
   std::size_t joints = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -79,9 +117,8 @@ std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNod
     const std::vector<tinygltf::Primitive>& primitives = model.meshes[i].primitives;
     for (std::size_t k = 0; k < primitives.size(); ++k) {
       const std::size_t material = materials.index_of(primitives[k].material);
-      std::optional<Mesh> mesh =
-          read_primitive(model, primitives[k], materials.needs[material], deformation,
-                         fmt::format("meshes[{}].primitives[{}]", i, k), budget, warnings);
+      std::optional<Mesh> mesh = reader.read(primitives[k], materials.needs[material], deformation,
+                                             fmt::format("meshes[{}].primitives[{}]", i, k));
       if (mesh) {
         mesh->material = static_cast<int>(material);
         meshes[i].push_back(std::move(*mesh));
@@ -91,9 +128,9 @@ std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNod
   return meshes;
 }
 
-std::string sha256_of_all(const GltfFile& file, FileHashes files) {
+FileHashes files_beside(const GltfFile& file, FileHashes files) {
   files.insert(file.buffer_hashes.begin(), file.buffer_hashes.end());
-  return scene_sha256(file.sha256, files);
+  return files;
 }
 
 Scene scene_of(const GltfFile& file, const SceneReading& reading) {
@@ -106,14 +143,20 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   }
   separate_deformed_meshes(*file.model);
   const PlacedNodes nodes = place_nodes(model, warnings);
+  KeptSceneParts* const kept = reading.kept;
   GltfMaterials materials =
-      read_materials(file, shown_materials(model, nodes), reading.strict, warnings);
+      read_materials(file, shown_materials(model, nodes), kept != nullptr ? &kept->texels : nullptr,
+                     reading.strict, warnings);
   MemoryBudget budget(model);
-  std::vector<LocalMesh> meshes = read_meshes(model, nodes, materials, budget, warnings);
+  std::vector<LocalMesh> meshes = read_meshes(
+      model, nodes, materials, kept != nullptr ? &kept->meshes : nullptr, budget, warnings);
 
   Scene scene;
   scene.origin = choose_origin(meshes, nodes.meshes);
-  add_meshes(scene, std::move(meshes), nodes, model, budget, warnings);
+  add_meshes(
+      scene, std::move(meshes), nodes, model,
+      kept != nullptr && kept->places_instances ? Placing::instances : Placing::copies_where_few,
+      budget, warnings);
   scene.materials = std::move(materials.materials);
   scene.textures = std::move(materials.textures);
   scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
@@ -122,7 +165,11 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
     warnings.add("the scene has no triangles");
   }
   scene.warnings = warnings.lines();
-  scene.sha256 = sha256_of_all(file, std::move(materials.image_hashes));
+  const FileHashes beside = files_beside(file, std::move(materials.image_hashes));
+  scene.sha256 = scene_sha256(file.sha256, beside);
+  for (const auto& [path, digest] : beside) {
+    scene.files.insert(path);
+  }
   return scene;
 }
 
@@ -130,7 +177,9 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
 
 Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading) {
   try {
-    return scene_of(read_gltf_file(path), reading);
+    Scene scene = scene_of(read_gltf_file(path), reading);
+    scene.files.insert(path);
+    return scene;
   } catch (const Error&) {
     throw;
   } catch (const GltfFault& fault) {

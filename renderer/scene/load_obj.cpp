@@ -183,9 +183,7 @@ std::vector<Mesh> meshes_of(const ObjFile& obj, UsedMaterials& materials, Warnin
   return meshes;
 }
 
-std::string sha256_of_all(const ObjFile& obj, std::set<fs::path> files,
-                          const ObjTextureSet& textures) {
-  files.merge(textures.files());
+std::string sha256_of_all(const ObjFile& obj, const std::set<fs::path>& files) {
   FileHashes hashes;
   for (const fs::path& file : files) {
     hashes[file] = sha256_of_file(file);
@@ -205,7 +203,10 @@ Scene load_obj(const fs::path& path, const SceneReading& reading) {
     Scene scene;
     scene.meshes = meshes_of(obj, materials, warnings);
     rebase(scene);
-    scene.sha256 = sha256_of_all(obj, library.files, materials.textures());
+    scene.files = materials.textures().files();
+    scene.files.insert(library.files.begin(), library.files.end());
+    scene.sha256 = sha256_of_all(obj, scene.files);
+    scene.files.insert(path);
     std::move(materials).give_to(scene, path.string());
     if (scene.meshes.empty()) {
       warnings.add("the scene has no triangles");

@@ -192,6 +192,7 @@ void replace_environment(Scene& scene, const SceneSource& source, Warnings& warn
   }
   if (source.environment_file) {
     scene.environment = load_environment(*source.environment_file, warnings);
+    scene.files.insert(*source.environment_file);
   }
   if (source.sky) {
     scene.environment = sky_environment(*source.sky);
@@ -240,11 +241,12 @@ Scene load_scene_file(const std::filesystem::path& path, const SceneReading& rea
   return lower_case_extension(path) == ".obj" ? load_obj(path, reading) : load_gltf(path, reading);
 }
 
-Scene load_scene(const SceneSource& source) {
+Scene load_scene(const SceneSource& source, KeptSceneParts* kept) {
   require_valid(source);
-  Scene scene = load_scene_file(
-      source.file,
-      {.light_units = source.light_units, .strict = source.strict, .time_s = source.time_s});
+  Scene scene = load_scene_file(source.file, {.light_units = source.light_units,
+                                              .strict = source.strict,
+                                              .time_s = source.time_s,
+                                              .kept = kept});
   for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
     if (line) {
       scene.warnings.insert(scene.warnings.begin(), *line);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderer/base/scene_source.h"
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 
@@ -17,6 +18,7 @@ struct SceneReading {
   std::optional<LightUnits> light_units;
   bool strict = false;
   std::optional<double> time_s;
+  KeptSceneParts* kept = nullptr;  ///< where what was decoded is found and left, or null
 };
 
 /// Loads a glTF 2.0 file (.glb or .gltf). Throws Error naming the file and the JSON path of what
@@ -38,7 +40,7 @@ Scene load_scene_file(const std::filesystem::path& path, const SceneReading& rea
 /// added and its sizes of lights. A scene in other units looks the same, only larger or smaller.
 /// Throws Error as well for what of these makes no sense. Its first warning is that the file is not
 /// the one that the source was written for, if so.
-Scene load_scene(const SceneSource& source);
+Scene load_scene(const SceneSource& source, KeptSceneParts* kept = nullptr);
 
 /// An equirect EXR, HDR, PNG or JPEG image as environment. Pixels that are negative or NaN become
 /// black, infinite ones 65504, the most that a half float holds, or as bright as the brightest

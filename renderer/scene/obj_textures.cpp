@@ -92,7 +92,7 @@ std::vector<Texture> ObjTextureSet::decode(std::vector<Material>& materials,
                                            Warnings& warnings) const {
   require_modest_size(place);
   DecodedTextures decoded = textures_.decode([](const ObjTexture& texture, bool with_mips) {
-    return Texels(content_of(texture), texture.is_srgb, with_mips);
+    return std::make_shared<const Texels>(content_of(texture), texture.is_srgb, with_mips);
   });
   if (is_strict) {
     rethrow_fault(decoded.faults);

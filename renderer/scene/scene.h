@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -173,6 +175,7 @@ struct Scene {
   std::vector<CameraView> cameras;
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
   std::string sha256;                 ///< covers all files it was loaded from: see scene_hash.h
+  std::set<std::filesystem::path> files;  ///< all that it was loaded from
   /// Where this scene's (0, 0, 0) lies in the file's world, in metres. Not zero for scenes far from
   /// the file's own origin, where floats would be too coarse.
   DVec3 origin{0.0};

@@ -53,8 +53,8 @@ class TextureList {
   /// Each once, in the order in which they were added.
   const std::vector<Content>& contents() const { return contents_; }
 
-  /// texels_of: makes the Texels of a Content, with coarser levels or without; called once for
-  /// each, on several threads. A std::runtime_error that it throws is kept.
+  /// texels_of: the Texels of a Content (shared_ptr<const Texels>), with coarser levels or without;
+  /// called once for each, on several threads. A std::runtime_error that it throws is kept.
   template <typename TexelsOf>
   DecodedTextures decode(TexelsOf texels_of) const {
     std::vector<std::shared_ptr<const Texels>> texels(contents_.size());
@@ -62,7 +62,7 @@ class TextureList {
     const Workers workers;
     workers.for_each_block(contents_.size(), 1, [&](std::size_t i, std::size_t) {
       try {
-        texels[i] = std::make_shared<const Texels>(texels_of(contents_[i], with_mips_[i]));
+        texels[i] = texels_of(contents_[i], with_mips_[i]);
       } catch (const std::runtime_error&) {
         decoded.faults[i] = std::current_exception();
       }

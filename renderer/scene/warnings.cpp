@@ -8,6 +8,7 @@ void Warnings::add(const std::string& what, const std::string& where, std::size_
   if (count == 0) {
     return;
   }
+  cases_ += count;
   const auto [known, is_new] = index_of_.try_emplace(what, kinds_.size());
   if (is_new) {
     kinds_.push_back({.what = what, .first_place = where, .count = count});

@@ -13,6 +13,9 @@ class Warnings {
   /// where: the place of the first of these `count` cases; may be empty.
   void add(const std::string& what, const std::string& where = {}, std::size_t count = 1);
 
+  /// Cases of all kinds together.
+  std::size_t cases() const { return cases_; }
+
   /// One line for each kind, in the order of their first occurrence.
   std::vector<std::string> lines() const;
 
@@ -22,6 +25,7 @@ class Warnings {
     std::string first_place;
     std::size_t count;
   };
+  std::size_t cases_ = 0;
   std::vector<Kind> kinds_;
   std::unordered_map<std::string, std::size_t> index_of_;  ///< index of each kind, by its text
 };

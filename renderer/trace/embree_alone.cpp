@@ -81,13 +81,13 @@ struct AnyHit {
 template <typename Query>
 class Replay {
  public:
-  Replay(RTCScene scene, std::span<const Ray> rays, const Workers& workers)
-      : scene_(scene), rays_(rays), workers_(workers) {}
+  Replay(const RayScene& scene, std::span<const Ray> rays, const Workers& workers)
+      : source_(scene.scene()), scene_(scene.embree_scene()), rays_(rays), workers_(workers) {}
 
   EmbreeTime one_by_one() const {
     std::vector<typename Query::Single> singles = all_singles();
     const double time_s = timed(singles.size(), task_rays, [&](std::size_t begin, std::size_t end) {
-      RayQueryContext context;
+      RayQueryContext context(source_);
       for (std::size_t i = begin; i < end; ++i) {
         Query::trace_one(scene_, &context, &singles[i]);
       }
@@ -103,7 +103,7 @@ class Replay {
     }
     const double time_s =
         timed(count, task_rays / packet_size, [&](std::size_t begin, std::size_t end) {
-          RayQueryContext context(flags);
+          RayQueryContext context(source_, flags);
           for (std::size_t i = begin; i < end; ++i) {
             alignas(32) std::array<int, packet_size> valid{};
             std::fill_n(valid.begin(), std::min(packet_size, rays_.size() - i * packet_size), -1);
@@ -116,7 +116,7 @@ class Replay {
   EmbreeTime in_streams(std::size_t length, RTCIntersectContextFlags flags) const {
     std::vector<typename Query::Single> singles = all_singles();
     const double time_s = timed(singles.size(), task_rays, [&](std::size_t begin, std::size_t end) {
-      RayQueryContext context(flags);
+      RayQueryContext context(source_, flags);
       for (std::size_t i = begin; i < end; i += length) {
         Query::trace_many(scene_, &context, &singles[i],
                           static_cast<unsigned>(std::min(length, end - i)),
@@ -146,6 +146,7 @@ class Replay {
     return seconds(clock.now() - start);
   }
 
+  const Scene& source_;
   RTCScene scene_;
   std::span<const Ray> rays_;
   const Workers& workers_;
@@ -163,9 +164,8 @@ std::vector<EmbreeTime> time_all(const Replay<Query>& replay) {
 
 std::vector<EmbreeTime> time_embree(const RayScene& scene, std::span<const Ray> rays,
                                     RayQuery query, const Workers& workers) {
-  return query == RayQuery::closest_hit
-             ? time_all(Replay<ClosestHit>(scene.embree_scene(), rays, workers))
-             : time_all(Replay<AnyHit>(scene.embree_scene(), rays, workers));
+  return query == RayQuery::closest_hit ? time_all(Replay<ClosestHit>(scene, rays, workers))
+                                        : time_all(Replay<AnyHit>(scene, rays, workers));
 }
 
 }  // namespace foveola

@@ -16,14 +16,16 @@ constexpr BlockSizes block_sizes = {.smallest = 64, .largest = BlockTracer::most
 }  // namespace
 
 struct PathTracer::Implementation {
-  Implementation(const Scene& scene, const Workers& workers, const LightSampling& lights)
-      : traced(scene, workers, lights) {}
+  Implementation(const Scene& scene, const Workers& workers, const LightSampling& lights,
+                 KeptHierarchies* kept)
+      : traced(scene, workers, lights, kept) {}
 
   TracedScene traced;
 };
 
-PathTracer::PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights)
-    : implementation_(std::make_unique<Implementation>(scene, workers, lights)) {}
+PathTracer::PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights,
+                       KeptHierarchies* kept)
+    : implementation_(std::make_unique<Implementation>(scene, workers, lights, kept)) {}
 PathTracer::~PathTracer() = default;
 PathTracer::PathTracer(PathTracer&&) noexcept = default;
 PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;

@@ -86,7 +86,9 @@ struct PathRecord {
 /// All calls are const and may be made from several threads.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights = {});
+  /// kept: see RayScene.
+  PathTracer(const Scene& scene, const Workers& workers, const LightSampling& lights = {},
+             KeptHierarchies* kept = nullptr);
   ~PathTracer();
   PathTracer(PathTracer&&) noexcept;
   PathTracer& operator=(PathTracer&&) noexcept;

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <embree3/rtcore.h>
 
-#include "renderer/base/error.h"
+#include "renderer/base/digest.h"
 #include "renderer/base/random.h"
+#include "renderer/trace/embree_device.h"
 #include "renderer/trace/mesh_attributes.h"
 #include "renderer/trace/opacity.h"
 #include "renderer/trace/ray_query.h"
@@ -36,26 +37,11 @@ static_assert(offsetof(HitQuery, geometry) == offsetof(RTCRayHit, hit.geomID));
 static_assert(offsetof(HitQuery, instance) == offsetof(RTCRayHit, hit.instID));
 static_assert(Hit::nothing == RTC_INVALID_GEOMETRY_ID);
 
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <typename Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
-/// What the filters know of a mesh that does not stop every ray.
-struct FilteredMesh {
-  const Scene* scene = nullptr;
-  const Mesh* mesh = nullptr;
-};
-
-/// Calls `passes(mesh, ray id, hit)` for each hit that Embree asks about, and rejects those
+/// Calls `passes(ray id, hit)` for each hit that Embree asks about, and rejects those
 /// that it is true for. Embree may ask about the same hit more than once, so the answer must not
 /// change.
 template <typename Passes>
 void reject_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
-  const auto& filtered = *static_cast<const FilteredMesh*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
     if (arguments->valid[i] == 0) {
@@ -66,7 +52,7 @@ void reject_hits(const RTCFilterFunctionNArguments* arguments, Passes passes) {
         .object = object_number(RTCHitN_instID(arguments->hit, count, i, 0),
                                 RTCHitN_geomID(arguments->hit, count, i)),
         .triangle = RTCHitN_primID(arguments->hit, count, i)};
-    if (passes(filtered, RTCRayN_id(arguments->ray, count, i), hit)) {
+    if (passes(RTCRayN_id(arguments->ray, count, i), hit)) {
       arguments->valid[i] = 0;
     }
   }
@@ -77,9 +63,9 @@ const RayQueryContext& context_of(const RTCFilterFunctionNArguments* arguments) 
 }
 
 /// Every pair of a ray and a triangle has one random number that decides.
-bool passes_opacity(const FilteredMesh& filtered, std::uint32_t id, const Hit& hit,
-                    const RayQueryContext& context) {
-  const float opaque = opacity(*filtered.scene, *filtered.mesh, hit.triangle, hit.barycentric);
+bool passes_opacity(std::uint32_t id, const Hit& hit, const RayQueryContext& context) {
+  const Scene& scene = *context.scene;
+  const float opaque = opacity(scene, scene.mesh_of(hit.object), hit.triangle, hit.barycentric);
   if (context.meets_any_opacity) {
     return opaque <= 0.0F;
   }
@@ -89,17 +75,16 @@ bool passes_opacity(const FilteredMesh& filtered, std::uint32_t id, const Hit& h
 
 void filter_by_opacity(const RTCFilterFunctionNArguments* arguments) {
   const RayQueryContext& context = context_of(arguments);
-  reject_hits(arguments,
-              [&context](const FilteredMesh& filtered, std::uint32_t id, const Hit& hit) {
-                return passes_opacity(filtered, id, hit, context);
-              });
+  reject_hits(arguments, [&context](std::uint32_t id, const Hit& hit) {
+    return passes_opacity(id, hit, context);
+  });
 }
 
 /// Also for thin transmissive surfaces with cut-outs: what they tint is found later, by closest
 /// hits.
 void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
   std::uint32_t* met_thin_surface = context_of(arguments).met_thin_surface;
-  reject_hits(arguments, [met_thin_surface](const FilteredMesh&, std::uint32_t id, const Hit&) {
+  reject_hits(arguments, [met_thin_surface](std::uint32_t id, const Hit&) {
     if (met_thin_surface != nullptr) {
       met_thin_surface[id] = 1;
     }
@@ -107,103 +92,154 @@ void filter_thin_surfaces(const RTCFilterFunctionNArguments* arguments) {
   });
 }
 
-void keep_first_error(void* text, RTCError, const char* message) {
-  auto& first = *static_cast<std::string*>(text);
-  if (first.empty()) {
-    first = message;
+/// How the filters treat a mesh.
+struct Filtering {
+  bool by_opacity = false;       ///< not every ray meets it
+  bool by_thin_surface = false;  ///< it tints shadow rays
+
+  Filtering(const Scene& scene, const Mesh& mesh)
+      : by_opacity(has_opacity(scene, mesh)),
+        by_thin_surface(is_thin_transmissive(material_of(scene, mesh))) {}
+};
+
+void set_filters(RTCGeometry geometry, const Filtering& filtering) {
+  if (filtering.by_opacity) {
+    rtcSetGeometryIntersectFilterFunction(geometry, filter_by_opacity);
+    rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);
+  }
+  if (filtering.by_thin_surface) {
+    rtcSetGeometryOccludedFilterFunction(geometry, filter_thin_surfaces);
   }
 }
 
-/// Embree calls it from all its threads. True: it may go on.
-bool count_bytes(void* total, ssize_t bytes, bool /*is_done*/) {
-  *static_cast<std::atomic<std::ptrdiff_t>*>(total) += bytes;
-  return true;
+/// Where Embree finds the numbers of a mesh's vertices.
+enum class Indices { shared_with_mesh, copied };
+
+FromEmbree<RTCGeometry> geometry_of(const EmbreeDevice& device, const Mesh& mesh, Indices indices,
+                                    const Filtering& filtering) {
+  FromEmbree<RTCGeometry> geometry = device.new_geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
+  // A copy: Embree reads 16 bytes from every vertex, four beyond the end of the mesh's own array.
+  void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                           RTC_FORMAT_FLOAT3, sizeof(Vec3), mesh.positions.size());
+  device.throw_if_failed();
+  std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(vertices));
+  using Triangle = std::array<std::uint32_t, 3>;
+  if (indices == Indices::copied) {
+    void* triangles =
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(Triangle), mesh.triangles.size());
+    device.throw_if_failed();
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<Triangle*>(triangles));
+  } else {
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.triangles.data(), 0, sizeof(Triangle), mesh.triangles.size());
+  }
+  set_filters(geometry.get(), filtering);
+  rtcCommitGeometry(geometry.get());
+  device.throw_if_failed();
+  return geometry;
+}
+
+/// Equal for meshes whose hierarchies are the same.
+std::string digest_of(const Mesh& mesh, const Filtering& filtering) {
+  Sha256 digest;
+  const std::array<std::uint64_t, 4> header = {mesh.positions.size(), mesh.triangles.size(),
+                                               filtering.by_opacity ? 1U : 0U,
+                                               filtering.by_thin_surface ? 1U : 0U};
+  digest.update(std::as_bytes(std::span(header)));
+  digest.update(std::as_bytes(std::span(mesh.positions)));
+  digest.update(std::as_bytes(std::span(mesh.triangles)));
+  return digest.hex();
+}
+
+void commit(const EmbreeDevice& device, RTCScene ready, const Workers& workers) {
+  workers.for_each_block(1, 1, [&](std::size_t, std::size_t) { rtcCommitScene(ready); });
+  device.throw_if_failed();
 }
 
 }  // namespace
 
+struct KeptHierarchies::Embree {
+  std::shared_ptr<const EmbreeDevice> device = std::make_shared<EmbreeDevice>();
+  std::map<std::string, SharedFromEmbree<RTCScene>> of_meshes;  ///< by digest
+  std::uint64_t built = 0;
+};
+
+KeptHierarchies::KeptHierarchies() : embree_(std::make_unique<Embree>()) {}
+KeptHierarchies::~KeptHierarchies() = default;
+
+std::uint64_t KeptHierarchies::built() const { return embree_->built; }
+
 struct RayScene::Embree {
-  std::atomic<std::ptrdiff_t> memory_bytes = 0;
-  std::string error;
+  const Scene* source;
+  std::shared_ptr<const EmbreeDevice> device;
   bool has_thin_surfaces = false;
   bool asks_for_keys = false;
-  std::vector<std::unique_ptr<FilteredMesh>> filtered_meshes;  ///< Embree keeps their addresses
-  Owned<RTCDevice> device;
-  std::vector<Owned<RTCScene>> prototypes;  ///< null where invisible
-  Owned<RTCScene> scene;
+  std::vector<SharedFromEmbree<RTCScene>> prototypes;  ///< null where invisible
+  FromEmbree<RTCScene> scene;
 
-  void throw_if_failed() const {
-    if (!error.empty()) {
-      throw Error("ray tracing (Embree)", error,
-                  "try a smaller scene or a machine with more memory");
-    }
+  Filtering filtering_of(const Mesh& mesh) {
+    const Filtering filtering(*source, mesh);
+    asks_for_keys = asks_for_keys || filtering.by_opacity;
+    has_thin_surfaces = has_thin_surfaces || filtering.by_thin_surface;
+    return filtering;
   }
 
-  Owned<RTCGeometry> geometry_of(const Scene& source, const Mesh& mesh) {
-    Owned<RTCGeometry> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    throw_if_failed();
-    // A copy: Embree reads 16 bytes from every vertex, four beyond the end of the mesh's own array.
-    void* vertices =
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(Vec3), mesh.positions.size());
-    throw_if_failed();
-    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(vertices));
-    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.triangles.data(), 0, sizeof(mesh.triangles.front()),
-                               mesh.triangles.size());
-    set_filters(geometry.get(), source, mesh);
-    rtcCommitGeometry(geometry.get());
-    throw_if_failed();
-    return geometry;
-  }
-
-  void set_filters(RTCGeometry geometry, const Scene& source, const Mesh& mesh) {
-    const bool has_varying_opacity = has_opacity(source, mesh);
-    const bool is_thin = is_thin_transmissive(material_of(source, mesh));
-    if (has_varying_opacity || is_thin) {
-      filtered_meshes.push_back(std::make_unique<FilteredMesh>(FilteredMesh{&source, &mesh}));
-      rtcSetGeometryUserData(geometry, filtered_meshes.back().get());
-    }
-    if (has_varying_opacity) {
-      asks_for_keys = true;
-      rtcSetGeometryIntersectFilterFunction(geometry, filter_by_opacity);
-      rtcSetGeometryOccludedFilterFunction(geometry, filter_by_opacity);
-    }
-    if (is_thin) {
-      rtcSetGeometryOccludedFilterFunction(geometry, filter_thin_surfaces);
-      has_thin_surfaces = true;
-    }
-  }
-
-  Owned<RTCScene> new_scene() const {
-    Owned<RTCScene> empty(rtcNewScene(device.get()));
-    throw_if_failed();
-    rtcSetSceneFlags(empty.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(empty.get(), RTC_BUILD_QUALITY_HIGH);
-    return empty;
-  }
-
-  void find_blocked(std::span<Ray> rays, RayQueryContext& context) const {
-    // Embree's ray and ours are the same bytes (asserted above).
-    rtcOccluded1M(scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
-                  static_cast<unsigned>(rays.size()), sizeof(Ray));
-  }
-
-  void commit(RTCScene ready, const Workers& workers) const {
-    workers.for_each_block(1, 1, [&](std::size_t, std::size_t) { rtcCommitScene(ready); });
-    throw_if_failed();
+  FromEmbree<RTCScene> scene_of(const Mesh& mesh, Indices indices, const Filtering& filtering,
+                                const Workers& workers) const {
+    FromEmbree<RTCScene> prototype = device->new_scene();
+    rtcAttachGeometryByID(prototype.get(), geometry_of(*device, mesh, indices, filtering).get(), 0);
+    commit(*device, prototype.get(), workers);
+    return prototype;
   }
 
   /// One scene for each prototype that is not invisible.
-  void build_prototypes(const Scene& source, const Workers& workers) {
-    for (const Mesh& mesh : source.prototypes) {
+  void build_prototypes(const Workers& workers) {
+    for (const Mesh& mesh : source->prototypes) {
       prototypes.emplace_back();
-      if (!is_invisible(source, mesh)) {
-        prototypes.back() = new_scene();
-        rtcAttachGeometryByID(prototypes.back().get(), geometry_of(source, mesh).get(), 0);
-        commit(prototypes.back().get(), workers);
+      if (!is_invisible(*source, mesh)) {
+        prototypes.back() = scene_of(mesh, Indices::shared_with_mesh, filtering_of(mesh), workers);
       }
     }
+  }
+
+  /// The same, with what `kept` has of them, which is then that of these.
+  void build_prototypes(const Workers& workers, KeptHierarchies::Embree& kept) {
+    std::map<std::string, SharedFromEmbree<RTCScene>> in_use;
+    for (const Mesh& mesh : source->prototypes) {
+      prototypes.emplace_back();
+      if (!is_invisible(*source, mesh)) {
+        const Filtering filtering = filtering_of(mesh);
+        const std::string digest = digest_of(mesh, filtering);
+        const auto known = kept.of_meshes.find(digest);
+        if (known != kept.of_meshes.end()) {
+          prototypes.back() = known->second;
+        } else {
+          prototypes.back() = scene_of(mesh, Indices::copied, filtering, workers);
+          ++kept.built;
+        }
+        in_use[digest] = prototypes.back();
+      }
+    }
+    kept.of_meshes = std::move(in_use);
+  }
+
+  /// The objects where they stand in the world. To be called after their prototypes are built.
+  void build_world(const Workers& workers) {
+    scene = device->new_scene();
+    unsigned object = 0;
+    for (const Mesh& mesh : source->meshes) {
+      if (!is_invisible(*source, mesh)) {
+        const FromEmbree<RTCGeometry> geometry =
+            geometry_of(*device, mesh, Indices::shared_with_mesh, filtering_of(mesh));
+        rtcAttachGeometryByID(scene.get(), geometry.get(), object);
+      }
+      ++object;
+    }
+    for (const Instance& instance : source->instances) {
+      attach_instance(instance, object++);
+    }
+    commit(*device, scene.get(), workers);
   }
 
   void attach_instance(const Instance& instance, unsigned object) const {
@@ -211,39 +247,33 @@ struct RayScene::Embree {
     if (prototype == nullptr) {
       return;
     }
-    const Owned<RTCGeometry> geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-    throw_if_failed();
+    const FromEmbree<RTCGeometry> geometry = device->new_geometry(RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry.get(), prototype);
     rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
                             &instance.world_from_local);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene.get(), geometry.get(), object);
-    throw_if_failed();
+    device->throw_if_failed();
+  }
+
+  void find_blocked(std::span<Ray> rays, RayQueryContext& context) const {
+    // Embree's ray and ours are the same bytes (asserted above).
+    rtcOccluded1M(scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
+                  static_cast<unsigned>(rays.size()), sizeof(Ray));
   }
 };
 
-RayScene::RayScene(const Scene& scene, const Workers& workers)
+RayScene::RayScene(const Scene& scene, const Workers& workers, KeptHierarchies* kept)
     : embree_(std::make_unique<Embree>()) {
-  Embree& embree = *embree_;
-  embree.device.reset(rtcNewDevice(nullptr));
-  if (!embree.device) {
-    throw Error("ray tracing (Embree)", "cannot start on this machine");
+  embree_->source = &scene;
+  if (kept != nullptr) {
+    embree_->device = kept->embree_->device;
+    embree_->build_prototypes(workers, *kept->embree_);
+  } else {
+    embree_->device = std::make_shared<EmbreeDevice>();
+    embree_->build_prototypes(workers);
   }
-  rtcSetDeviceErrorFunction(embree.device.get(), keep_first_error, &embree.error);
-  rtcSetDeviceMemoryMonitorFunction(embree.device.get(), count_bytes, &embree.memory_bytes);
-  embree.build_prototypes(scene, workers);
-  embree.scene = embree.new_scene();
-  unsigned object = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    if (!is_invisible(scene, mesh)) {
-      rtcAttachGeometryByID(embree.scene.get(), embree.geometry_of(scene, mesh).get(), object);
-    }
-    ++object;
-  }
-  for (const Instance& instance : scene.instances) {
-    embree.attach_instance(instance, object++);
-  }
-  embree.commit(embree.scene.get(), workers);
+  embree_->build_world(workers);
 }
 
 RayScene::~RayScene() = default;
@@ -257,7 +287,7 @@ Hit RayScene::closest_hit(const Ray& ray) const {
 }
 
 void RayScene::find_hits(std::span<HitQuery> queries) const {
-  RayQueryContext context;
+  RayQueryContext context(*embree_->source);
   for (HitQuery& query : queries) {
     // The same bytes (asserted above).
     rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
@@ -265,7 +295,7 @@ void RayScene::find_hits(std::span<HitQuery> queries) const {
 }
 
 Hit RayScene::closest_hit_of_any_opacity(const Ray& ray) const {
-  RayQueryContext context;
+  RayQueryContext context(*embree_->source);
   context.meets_any_opacity = true;
   HitQuery query(ray);
   rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
@@ -274,15 +304,15 @@ Hit RayScene::closest_hit_of_any_opacity(const Ray& ray) const {
 
 bool RayScene::asks_for_keys() const { return embree_->asks_for_keys; }
 
-std::size_t RayScene::memory_bytes() const {
-  return static_cast<std::size_t>(embree_->memory_bytes);
-}
+std::size_t RayScene::memory_bytes() const { return embree_->device->memory_bytes(); }
+
+const Scene& RayScene::scene() const { return *embree_->source; }
 
 RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
 
 void RayScene::find_blocked(std::span<Ray> rays) const {
   if (!embree_->has_thin_surfaces) {
-    RayQueryContext context;
+    RayQueryContext context(*embree_->source);
     embree_->find_blocked(rays, context);
     return;
   }
@@ -295,7 +325,7 @@ void RayScene::find_blocked(std::span<Ray> rays) const {
     for (std::size_t i = 0; i < some.size(); ++i) {
       keys[i] = std::exchange(some[i].key, static_cast<std::uint32_t>(i));
     }
-    RayQueryContext context;
+    RayQueryContext context(*embree_->source);
     context.keys = keys.data();
     context.met_thin_surface = met_thin_surface.data();
     embree_->find_blocked(some, context);

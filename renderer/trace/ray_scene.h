@@ -10,6 +10,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace/kept_hierarchies.h"
 
 struct RTCSceneTy;
 
@@ -84,9 +85,10 @@ struct alignas(16) HitQuery {
 /// overlaps, shared edges) the winner changes with the packet's other rays.
 class RayScene {
  public:
-  /// The scene must outlive this object. Throws Error when Embree fails, for lack of memory or an
-  /// unsupported processor.
-  RayScene(const Scene& scene, const Workers& workers);
+  /// The scene must outlive this object. kept: where the hierarchies of its prototypes are found
+  /// and left, or null. Throws Error when Embree fails, for lack of memory or an unsupported
+  /// processor.
+  RayScene(const Scene& scene, const Workers& workers, KeptHierarchies* kept = nullptr);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
@@ -109,9 +111,11 @@ class RayScene {
   /// Whether rays' keys decide something: there are surfaces that only some rays meet.
   bool asks_for_keys() const;
 
-  /// What Embree keeps: its hierarchy and its copy of the vertices.
+  /// What Embree keeps: its hierarchy and its copy of the vertices; of all that share `kept`.
   std::size_t memory_bytes() const;
 
+  /// The scene that it was built of.
+  const Scene& scene() const;
   /// Embree's own scene, for measuring Embree alone.
   RTCSceneTy* embree_scene() const;
 

@@ -35,9 +35,10 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
 
 }  // namespace
 
-TracedScene::TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling)
+TracedScene::TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
+                         KeptHierarchies* kept)
     : scene(source),
-      rays(source, workers),
+      rays(source, workers, kept),
       lights(source, sampling),
       tables(source.materials, workers) {
   has_absorption = false;

@@ -38,7 +38,8 @@ struct TracedScene {
   bool has_absorption;  ///< some solid absorbs
   bool is_dark;         ///< nothing shines: every radiance is zero
 
-  TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling);
+  TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
+              KeptHierarchies* kept);
 };
 
 }  // namespace foveola

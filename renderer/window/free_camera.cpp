@@ -92,6 +92,14 @@ FreeCamera::FreeCamera(CameraSurroundings surroundings, HeadTracker& shown,
       first_speed_m_per_s_(walking_speed(width_around(surroundings_))),
       speed_m_per_s_(first_speed_m_per_s_) {}
 
+void FreeCamera::move_into(CameraSurroundings surroundings) {
+  const Vec3 shift(surroundings_.origin - surroundings.origin);
+  surroundings_ = std::move(surroundings);
+  position_ += shift;
+  pivot_ += shift;
+  picked_.reset();  // it may be gone, or have another size
+}
+
 void FreeCamera::show(const ViewGeometry& geometry, const IVec2& framebuffer,
                       double pixels_per_unit) {
   geometry_ = geometry;

@@ -45,6 +45,9 @@ class FreeCamera {
   FreeCamera(CameraSurroundings surroundings, ScriptedHeadTracker& head)
       : FreeCamera(std::move(surroundings), head, nullptr) {}
 
+  /// Goes on in other surroundings, at the same place in the file's world.
+  void move_into(CameraSurroundings surroundings);
+
   /// How large the window is, and what it shows from now on.
   void show(const ViewGeometry& geometry, const IVec2& framebuffer, double pixels_per_unit);
 

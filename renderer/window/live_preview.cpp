@@ -48,6 +48,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
                    .present = [this] { return wait_until_shown(); }},
                   frame_budget_for(usual_drawer(parts_.presenter->graphics())));
   while (!is_done_ && !stop.stop_requested()) {
+    live.give_way(settings_.is_loading && settings_.is_loading());
     keep(live.next());
     tell_of_slow_drawing(live);
   }
@@ -64,6 +65,7 @@ LivePreviewReport LivePreview::run(const std::stop_token& stop) {
 }
 
 void LivePreview::answer_events() {
+  follow_change();
   for (const WindowEvent& event : parts_.events->take()) {
     if (!parts_.camera->follow(event)) {
       parts_.steering->follow(event);
@@ -85,6 +87,36 @@ void LivePreview::move_camera() {
   }
   if (const std::string note = parts_.camera->take_note(); !note.empty()) {
     tell(note);
+  }
+}
+
+/// View, method, gaze and exposure stay.
+void LivePreview::follow_change() {
+  std::optional<SceneChange> change =
+      settings_.take_change ? settings_.take_change() : std::nullopt;
+  if (!change) {
+    return;
+  }
+  for (const std::string& remark : change->remarks) {
+    print(remark);
+  }
+  if (change->tracer != nullptr) {
+    parts_.camera->move_into(std::move(change->surroundings));
+    parts_.preview->show(*change->tracer, parts_.camera->position());
+    scene_ = std::move(change->owner);
+    tell("the scene has changed");
+  } else {
+    tell("the scene has changed but does not load, see the terminal: the old one stays",
+         MessageStay::long_enough);
+  }
+  not_shown_ = std::move(change);
+}
+
+void LivePreview::note_change_shown(const LiveFrame& frame) {
+  if (not_shown_) {
+    report_.changes.push_back(
+        {.is_refused = not_shown_->tracer == nullptr, .after = frame.shown - not_shown_->changed});
+    not_shown_.reset();
   }
 }
 
@@ -292,6 +324,7 @@ std::optional<Nanoseconds> LivePreview::wait_until_shown() {
 }
 
 void LivePreview::keep(const LiveFrame& frame) {
+  note_change_shown(frame);
   ++report_.frame_count;
   report_.late_frames += frame.is_late() ? 1 : 0;
   report_.frames.push_back(frame);

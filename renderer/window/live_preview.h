@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -33,6 +34,21 @@
 
 namespace foveola {
 
+/// What became of a change of the scene's files.
+struct SceneChange {
+  const PathTracer* tracer = nullptr;  ///< of the new scene; null: the old one stays
+  std::shared_ptr<const void> owner;   ///< keeps the tracer and the surroundings alive
+  CameraSurroundings surroundings;     ///< those of the new scene
+  std::vector<std::string> remarks;    ///< on the new scene, or why the old one stays
+  Nanoseconds changed{0};              ///< when the files were complete
+};
+
+/// A change that was shown, or refused.
+struct ShownChange {
+  bool is_refused = false;
+  Nanoseconds after{0};  ///< from the change to the first frame that shows it, or says so
+};
+
 struct LivePreviewSettings {
   DisplayProfile display;
   TrackerProfile tracker;
@@ -48,6 +64,10 @@ struct LivePreviewSettings {
   CalibrationTiming gaze_check;         ///< timing of such a check
   /// Called with each line that the user should read at once; may be empty.
   std::function<void(const std::string& line)> notify;
+  /// Asked before each frame for what became of the last change of the scene; may be empty.
+  std::function<std::optional<SceneChange>()> take_change;
+  /// Whether a changed scene is being loaded, so that the processor is needed there; may be empty.
+  std::function<bool()> is_loading;
 };
 
 /// What happened in a live preview.
@@ -64,6 +84,7 @@ struct LivePreviewReport {
   std::optional<Nanoseconds> first_shown;   ///< the first picture, after the scene was loaded
   std::vector<GazeCheck> gaze_checks;       ///< in the order they were made
   std::vector<std::string> lost_monitors;   ///< names, in the order they were lost
+  std::vector<ShownChange> changes;         ///< of the scene, in their order
   std::optional<SlowDrawing> slow_drawing;  ///< when it was first found too slow; else none
   std::optional<RgbImage> last_picture;     ///< sRGB in [0, 1]
   /// The last view as options that show it again: --camera, --head, and a monitor's --fov.
@@ -101,6 +122,8 @@ class LivePreview {
   void act(PreviewAction action);
   void restart();
   void move_camera();
+  void follow_change();
+  void note_change_shown(const LiveFrame& frame);
   void show_in(const WindowResized& size);
   void show_view();
   void zoom(double steps);
@@ -130,6 +153,8 @@ class LivePreview {
   LivePreviewReport report_;
   TrackerCheck check_;
   PreviewMessages messages_;
+  std::shared_ptr<const void> scene_;     ///< keeps a scene alive that took the first one's place
+  std::optional<SceneChange> not_shown_;  ///< what the next frame shows first
   bool is_done_ = false;
   bool wants_picture_ = false;
   std::optional<std::future<RgbImage>> last_picture_;

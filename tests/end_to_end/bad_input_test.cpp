@@ -27,12 +27,6 @@ struct BadScene {
 
 void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.name; }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 class BadSceneFile : public testing::TestWithParam<BadScene> {};
 
 TEST_P(BadSceneFile, IsRefused) {

@@ -1,5 +1,7 @@
 // The live preview, as its user runs it: on a display without a screen.
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -237,6 +239,54 @@ TEST_F(PreviewCommand, SurvivesFullScreenWhileOrbitingAndTinyWindows) {
       },
       {"--show", "gaze,rings,density,times,latency,view,help"});
   EXPECT_GT(json.at("frame_count"), 1);
+}
+
+// The paper's user has changed an object and wants to see it.
+TEST_F(PreviewCommand, ShowsTheSceneThatTakesItsFilesPlace) {
+  const auto replace = [&](const std::string& bytes) {
+    std::filesystem::rename(folder_.write("new", bytes), scene_);
+  };
+  const auto brightness_is = [&](XUser& user, bool is_bright) {
+    wait_until("the changed scene",
+               [&] { return (user.brightness_at(title_, 100, 150) > 0.2) == is_bright; });
+  };
+  const nlohmann::json json = preview_while(
+      [&](XUser& user) {
+        brightness_is(user, true);
+        replace(replaced(room_gltf(), R"("emissiveStrength":10)", R"("emissiveStrength":0.001)"));
+        brightness_is(user, false);
+        replace("no scene at all");
+        replace(room_gltf());
+        brightness_is(user, true);
+        user.ask_to_close(title_);
+      },
+      {"--fill-unsampled"});
+  ASSERT_GE(json.at("changes").size(), 2U);
+  EXPECT_FALSE(json.at("changes").front().at("is_refused"));
+  EXPECT_FALSE(json.at("changes").back().at("is_refused"));
+  EXPECT_GT(json.at("changes").front().at("seconds_to_first_frame"), 0.0);
+  EXPECT_EQ(json.at("last_view"), "--camera 0,-0.4,0 --head 45,0 --fov 60") << "as before";
+}
+
+TEST_F(PreviewCommand, KeepsTheSceneWhereTheChangedOneDoesNotLoad) {
+  const std::jthread user_thread([&] {
+    XUser user(server_.display());
+    user.point_at(title_, 100, 80);
+    wait_until("the first picture", [&] { return user.brightness_at(title_, 100, 150) > 0.2; });
+    for (int i = 0; i < 10; ++i) {
+      std::filesystem::rename(folder_.write("new", "no scene at all"), scene_);
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    wait_until("the old scene", [&] { return user.brightness_at(title_, 100, 150) > 0.2; });
+    user.ask_to_close(title_);
+  });
+  const ProgramResult result = preview({"--fill-unsampled"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("does not load: " + scene_));
+  const auto json = nlohmann::json::parse(result.output);
+  for (const auto& change : json.at("changes")) {
+    EXPECT_TRUE(change.at("is_refused"));
+  }
 }
 
 TEST_F(PreviewCommand, ACheckEndsWithEscape) {

@@ -87,6 +87,10 @@ void expect_one_line(const ProgramResult& result, int exit_code, const std::stri
   EXPECT_THAT(result.errors, testing::HasSubstr(says));
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
 std::string room_gltf() {
   // A cube of 4 m whose corners are numbered by the bits of their index (x, y, z), its walls facing
   // inwards, and a lamp of 1 m below the ceiling, facing down.

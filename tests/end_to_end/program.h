@@ -30,6 +30,9 @@ ProgramResult run_foveola(std::vector<std::string> arguments, const Environment&
 /// nothing else was printed.
 void expect_one_line(const ProgramResult& result, int exit_code, const std::string& says);
 
+/// `text` with `to` where it first has `from`; throws std::out_of_range where it has not.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
 /// A small closed room with a lamp, as a .gltf with its buffer inside.
 std::string room_gltf();
 

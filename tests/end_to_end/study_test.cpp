@@ -23,10 +23,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string replaced(std::string text, const std::string& part, const std::string& by) {
-  return text.replace(text.find(part), part.size(), by);
-}
-
 /// One scene, two participants, a film of 96 x 48: seconds of work.
 const char* const small_protocol = R"(
 name = "small"

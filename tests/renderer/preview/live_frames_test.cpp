@@ -212,6 +212,20 @@ TEST_F(LiveFramesTest, KeepTheNominalRateWhereSwapsDoNotWait) {
   EXPECT_EQ(live.next().start - frame.start, refresh_interval);
 }
 
+TEST_F(LiveFramesTest, LeaveTheProcessorToOthersWhileTheyGiveWay) {
+  LiveFrames live = frames();
+  skip(live, 60);
+  live.give_way(true);
+  const LiveFrame first = live.next();
+  EXPECT_LE(first.report.samples, 64U);
+  EXPECT_EQ(live.next().start - first.start, 3 * refresh_interval);
+  live.give_way(false);
+  live.next();
+  const LiveFrame usual = live.next();
+  EXPECT_GT(usual.report.samples, 8500U);
+  EXPECT_FALSE(usual.is_late());
+}
+
 // As in software: the picture alone takes the time of four refreshes.
 TEST_F(LiveFramesTest, HalfOfTheFrameIsForTracingWhereDrawingIsTooSlow) {
   LiveFrames live = frames([&] {
