@@ -15,8 +15,8 @@
 #include "renderer/base/clock.h"
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/preview_report.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/gaze/gaze_source.h"
 #include "renderer/preview/live_frames.h"
@@ -176,7 +176,7 @@ void add_bench_preview(CLI::App& bench, const SceneFinder& find_scene,
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench preview arcade --frames 10000");
-  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
+  command->callback([arguments, find = with_scene_file_options(*command, find_scene), stop] {
     run_bench(*arguments, find, stop);
   });
 }

@@ -17,8 +17,8 @@
 #include "renderer/base/random.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/former_option.h"
-#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/medians.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/tracing_figures.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/progressive/headless_render.h"
@@ -346,7 +346,7 @@ void add_bench_tracing(CLI::App& bench, const SceneFinder& find_scene) {
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command->footer("Example: foveola bench tracing arcade --threads 1,2 --json");
   command->callback(
-      [arguments, find = with_light_units(*command, find_scene)] { run(*arguments, find); });
+      [arguments, find = with_scene_file_options(*command, find_scene)] { run(*arguments, find); });
 }
 
 }  // namespace foveola

@@ -5,7 +5,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/commands/environment_option.h"
-#include "renderer/commands/light_units_option.h"
 
 namespace foveola {
 namespace {
@@ -52,7 +51,7 @@ void add_light_options(CLI::App& command, LookArguments& arguments) {
                      "Turn the environment by so many degrees, from -Z towards +X");
   command.add_option("--environment-strength", arguments.environment_strength,
                      "Multiply the environment's radiance by this");
-  add_light_units_option(command, arguments.light_units);
+  add_scene_file_options(command, arguments.file);
   command.add_option("--light-radius", arguments.light_radius_m,
                      "Turn the file's point and spot lights into spheres of this radius in metres");
   command.add_option("--sun-radius", arguments.sun_radius_deg,
@@ -103,7 +102,7 @@ void apply_light(const LookArguments& arguments, SceneSource& source) {
   }
   source.environment_rotation_rad += radians(arguments.environment_rotation_deg);
   source.environment_strength *= arguments.environment_strength;
-  set_light_units(arguments.light_units, source);
+  apply_scene_file_options(arguments.file, source);
   if (arguments.light_radius_m) {
     source.light_radius_m = static_cast<float>(*arguments.light_radius_m);
   }
@@ -158,7 +157,7 @@ ImageFacts light_facts(const LookArguments& arguments) {
   add("environment", arguments.environment);
   add("environment-rotation", text_of(arguments.environment_rotation_deg, 0.0));
   add("environment-strength", text_of(arguments.environment_strength, 1.0));
-  add("light-units", arguments.light_units);
+  add("light-units", arguments.file.light_units);
   if (arguments.light_radius_m) {
     add("light-radius", fmt::format("{}", *arguments.light_radius_m));
   }

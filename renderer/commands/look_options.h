@@ -6,6 +6,7 @@
 
 #include "renderer/base/scene_source.h"
 #include "renderer/commands/arguments.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/image/image_file.h"
 #include "renderer/image/tone_mapping.h"
 #include "renderer/progressive/exposure.h"
@@ -25,7 +26,7 @@ struct LookArguments {
   std::string environment;
   double environment_rotation_deg = 0.0;
   double environment_strength = 1.0;
-  std::string light_units;
+  SceneFileArguments file;
   std::optional<double> light_radius_m;
   std::optional<double> sun_radius_deg;
   std::string exposure;
@@ -36,8 +37,8 @@ struct LookArguments {
 void add_viewpoint_options(CLI::App& command, LookArguments& arguments);
 /// --fov. otherwise: what holds without it, for the help.
 void add_fov_option(CLI::App& command, LookArguments& arguments, const std::string& otherwise);
-/// --environment, --environment-rotation, --environment-strength, --light-units, --light-radius and
-/// --sun-radius.
+/// --environment, --environment-rotation, --environment-strength, --light-units, --strict,
+/// --light-radius and --sun-radius.
 void add_light_options(CLI::App& command, LookArguments& arguments);
 /// --exposure.
 void add_exposure_option(CLI::App& command, LookArguments& arguments);

@@ -10,8 +10,8 @@
 
 #include "renderer/base/utf8.h"
 #include "renderer/commands/arguments.h"
-#include "renderer/commands/light_units_option.h"
 #include "renderer/commands/look_options.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/progressive/headless_render.h"
 
@@ -87,7 +87,7 @@ void add_scene_pick(CLI::App& scene, const SceneFinder& find_scene) {
   add_viewpoint_options(*command, arguments->look);
   command->add_flag("--json", arguments->json, "Print it as JSON; null if nothing is met");
   command->footer("Example: foveola scene pick arcade --gaze 78,-9");
-  command->callback([arguments, find = with_light_units(*command, find_scene)] {
+  command->callback([arguments, find = with_scene_file_options(*command, find_scene)] {
     print(pick(*arguments, find(arguments->scene)), arguments->json);
   });
 }

@@ -15,6 +15,21 @@ namespace foveola {
 namespace fs = std::filesystem;
 namespace {
 
+/// RFC 3986, section 3.1: a letter, then letters, digits, "+", "-" and ".", up to a colon.
+bool has_scheme(std::string_view uri) {
+  const std::size_t colon = uri.find(':');
+  if (colon == std::string_view::npos || colon == 0) {
+    return false;
+  }
+  const std::string_view scheme = uri.substr(0, colon);
+  return std::isalpha(static_cast<unsigned char>(scheme.front())) != 0 &&
+         std::all_of(scheme.begin(), scheme.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
+         });
+}
+
+}  // namespace
+
 std::string percent_decoded(std::string_view uri) {
   std::string decoded;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -30,21 +45,6 @@ std::string percent_decoded(std::string_view uri) {
   }
   return decoded;
 }
-
-/// RFC 3986, section 3.1: a letter, then letters, digits, "+", "-" and ".", up to a colon.
-bool has_scheme(std::string_view uri) {
-  const std::size_t colon = uri.find(':');
-  if (colon == std::string_view::npos || colon == 0) {
-    return false;
-  }
-  const std::string_view scheme = uri.substr(0, colon);
-  return std::isalpha(static_cast<unsigned char>(scheme.front())) != 0 &&
-         std::all_of(scheme.begin(), scheme.end(), [](unsigned char c) {
-           return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
-         });
-}
-
-}  // namespace
 
 fs::path confined_file(const fs::path& folder, std::string_view uri) {
   const std::string name = percent_decoded(uri);

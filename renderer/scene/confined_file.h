@@ -3,9 +3,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace foveola {
+
+/// `uri` with each percent sign and two hexadecimal digits replaced by the byte that they name (RFC
+/// 3986, section 2.1).
+std::string percent_decoded(std::string_view uri);
 
 /// The regular file inside `folder` (or a folder of it) that the relative, percent-encoded
 /// reference `uri` (RFC 3986) names. Throws std::runtime_error that says why if it is absolute, has

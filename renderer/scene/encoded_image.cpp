@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,35 +15,78 @@ namespace {
 
 constexpr int longest_side = 16384;
 
+constexpr unsigned for_environments = 1U << static_cast<unsigned>(ImageFormats::environment);
+constexpr unsigned for_obj = 1U << static_cast<unsigned>(ImageFormats::any_texture);
+constexpr unsigned for_textures = for_obj | 1U << static_cast<unsigned>(ImageFormats::gltf_texture);
+constexpr unsigned for_all = for_textures | for_environments;
+
 /// A file format, by its first bytes, and what it can say at most.
 struct Format {
   const char* name;  ///< OpenImageIO's
   std::string_view magic;
-  bool holds_light;  ///< floats, beyond what is displayed
+  unsigned uses;  ///< a bit for each of ImageFormats
   std::size_t most_pixels_per_byte;
 };
 
+constexpr std::size_t any_number = std::numeric_limits<std::uint32_t>::max();
+
 /// A small file must not ask for much memory. Deflate shrinks to no less than 1/1032 (zlib,
 /// "Technical Details"), and a PNG has eight pixels to the byte at most, as have EXR's blocks of 64
-/// pixels; such a block takes a JPEG at least a bit; a run of 127 pixels takes an HDR two bytes for
-/// each of four channels.
-constexpr std::array<Format, 4> formats = {{{"png", "\x89PNG", false, 8 * 1032},
-                                            {"jpeg", "\xFF\xD8\xFF", false, 8 * 64},
-                                            {"openexr", "\x76\x2F\x31\x01", true, 8 * 1032},
-                                            {"hdr", "#?", true, 16}}};
+/// pixels and TIFF; such a block takes a JPEG at least a bit; a run of 127 pixels takes an HDR two
+/// bytes for each of four channels, one of 255 a BMP two bytes, one of 128 a TGA two bytes; the
+/// 4096 pixels that GIF's longest word stands for take 12 bits.
+constexpr std::array<Format, 9> formats = {
+    {{"png", "\x89PNG", for_all, 8 * 1032},
+     {"jpeg", "\xFF\xD8\xFF", for_all, 8 * 64},
+     {"webp", "RIFF", for_textures, any_number},
+     {"bmp", "BM", for_obj, 128},
+     {"gif", "GIF8", for_obj, 2731},
+     {"tiff", {"II*\0", 4}, for_obj, 8 * 1032},
+     {"tiff", {"MM\0*", 4}, for_obj, 8 * 1032},
+     {"openexr", "\x76\x2F\x31\x01", for_environments, 8 * 1032},
+     {"hdr", "#?", for_environments, 16}}};
+
+constexpr Format targa = {"targa", "", for_obj, 64};
+
+/// TGA files begin with nothing of their own: their header (Truevision, "TGA File Format
+/// Specification" 2.0) is one if all that it says can be.
+bool is_targa(std::span<const unsigned char> encoded) {
+  constexpr std::size_t header_size = 18;
+  constexpr std::array<unsigned char, 6> kinds = {1, 2, 3, 9, 10, 11};
+  constexpr std::array<unsigned char, 5> depths = {8, 15, 16, 24, 32};
+  return encoded.size() > header_size && encoded[1] <= 1 &&
+         std::count(kinds.begin(), kinds.end(), encoded[2]) == 1 &&
+         std::count(depths.begin(), depths.end(), encoded[16]) == 1;
+}
+
+const char* refusal_of(ImageFormats allowed) {
+  switch (allowed) {
+    case ImageFormats::environment:
+      return "is no EXR, HDR, PNG or JPEG image";
+    case ImageFormats::gltf_texture:
+      return "is no PNG, JPEG or WebP image";
+    case ImageFormats::any_texture:
+      break;
+  }
+  return "is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image";
+}
 
 /// Only few formats are let near a decoder.
 const Format& format_of(std::span<const unsigned char> encoded, ImageFormats allowed) {
   const std::string_view bytes(reinterpret_cast<const char*>(encoded.data()), encoded.size());
+  const auto uses = 1U << static_cast<unsigned>(allowed);
   for (const Format& format : formats) {
-    if (bytes.starts_with(format.magic) &&
-        (allowed == ImageFormats::environment || !format.holds_light)) {
+    if (bytes.starts_with(format.magic) && (format.uses & uses) != 0) {
       return format;
     }
   }
-  throw std::runtime_error(allowed == ImageFormats::environment
-                               ? "is no EXR, HDR, PNG or JPEG image"
-                               : "is neither a PNG nor a JPEG image");
+  if ((targa.uses & uses) != 0 && is_targa(encoded)) {
+    return targa;
+  }
+  if (bytes.starts_with("\xABKTX 20\xBB")) {
+    throw std::runtime_error("is a KTX2 image, which is not read: export it as PNG or JPEG");
+  }
+  throw std::runtime_error(refusal_of(allowed));
 }
 
 /// Walks the chunks: length, type, content, checksum (PNG specification, section 5.3). libpng
@@ -78,11 +123,49 @@ void require_whole_jpeg(std::span<const unsigned char> encoded) {
   throw std::runtime_error("is damaged: the JPEG image is cut off");
 }
 
+std::uint32_t little_endian(std::span<const unsigned char> encoded, std::size_t at,
+                            std::size_t bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    value |= static_cast<std::uint32_t>(encoded[at + i]) << 8U * i;
+  }
+  return value;
+}
+
+/// The pixels that a WebP image announces (RFC 9649, sections 2.5, 2.6 and 2.7).
+std::size_t webp_pixels(std::span<const unsigned char> encoded) {
+  constexpr std::size_t shortest = 30;
+  const std::string_view bytes(reinterpret_cast<const char*>(encoded.data()), encoded.size());
+  if (bytes.size() < shortest || bytes.substr(8, 4) != "WEBP") {
+    throw std::runtime_error("is damaged: no whole WebP image");
+  }
+  const std::string_view chunk = bytes.substr(12, 4);
+  if (chunk == "VP8X") {
+    return (std::size_t{little_endian(encoded, 24, 3)} + 1) * (little_endian(encoded, 27, 3) + 1);
+  }
+  if (chunk == "VP8L") {
+    const std::uint32_t sides = little_endian(encoded, 21, 4);
+    return (std::size_t{sides & 0x3FFFU} + 1) * ((sides >> 14U & 0x3FFFU) + 1);
+  }
+  return std::size_t{little_endian(encoded, 26, 2) & 0x3FFFU} *
+         (little_endian(encoded, 28, 2) & 0x3FFFU);
+}
+
+void require_modest_webp(std::span<const unsigned char> encoded) {
+  constexpr std::size_t most_pixels = std::size_t{1} << 26;
+  if (const std::size_t pixels = webp_pixels(encoded); pixels > most_pixels) {
+    throw std::runtime_error(
+        fmt::format("has {} pixels; up to {} of a WebP image are read", pixels, most_pixels));
+  }
+}
+
 void require_whole(std::span<const unsigned char> encoded, std::string_view format) {
   if (format == "png") {
     require_whole_png(encoded);
   } else if (format == "jpeg") {
     require_whole_jpeg(encoded);
+  } else if (format == "webp") {
+    require_modest_webp(encoded);
   }
 }
 

@@ -131,8 +131,6 @@ class Elements {
       stride_ = view.byteStride != 0 ? view.byteStride : size;
       first_ = bytes_in_view(model, accessor.bufferView, accessor.byteOffset, count_, stride_, size,
                              fmt::format("accessors[{}]", index), place);
-    } else if (!sparse_) {
-      throw GltfFault(place, fmt::format("accessors[{}] has no bufferView", index));
     } else if (count_ > most_zeros) {
       throw GltfFault(place, fmt::format("accessors[{}] has {} elements without data; up to {} are "
                                          "read",
@@ -194,6 +192,21 @@ float to_float(Component value, bool normalized) {
     constexpr auto one = static_cast<float>(std::numeric_limits<Component>::max());
     const auto number = static_cast<float>(value);
     return normalized ? std::max(number / one, -1.0F) : number;
+  }
+}
+
+float number_at(const unsigned char* bytes, int component_type, bool normalized) {
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return to_float(load<std::int8_t>(bytes), normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return to_float(load<std::uint8_t>(bytes), normalized);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return to_float(load<std::int16_t>(bytes), normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return to_float(load<std::uint16_t>(bytes), normalized);
+    default:
+      return load<float>(bytes);
   }
 }
 
@@ -328,6 +341,29 @@ std::vector<Vec4> read_colors(const tinygltf::Model& model, int index, ElementLi
     colors.emplace_back(color, 1.0F);
   }
   return colors;
+}
+
+std::vector<float> read_numbers(const tinygltf::Model& model, int index, int components,
+                                const std::string& place) {
+  constexpr int most_in_columns_without_padding = 4;
+  const Elements source(model, index, place);
+  const tinygltf::Accessor& accessor = accessor_at(model, index);
+  const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
+  if (tinygltf::GetNumComponentsInType(static_cast<unsigned>(accessor.type)) != components ||
+      accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT ||
+      (!is_float && components > most_in_columns_without_padding)) {
+    refuse_type(accessor, index, place, fmt::format("{} x float", components));
+  }
+  const std::size_t size = component_size(accessor.componentType);
+  std::vector<float> numbers;
+  numbers.reserve(source.count() * static_cast<std::size_t>(components));
+  for (std::uint32_t element = 0; element < source.count(); ++element) {
+    const unsigned char* bytes = source.bytes(element);
+    for (int i = 0; i < components; ++i, bytes += size) {
+      numbers.push_back(number_at(bytes, accessor.componentType, accessor.normalized));
+    }
+  }
+  return numbers;
 }
 
 }  // namespace foveola

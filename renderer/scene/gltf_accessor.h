@@ -26,9 +26,9 @@ void check_sparse_accessors(const tinygltf::Model& model);
 std::size_t element_count(const tinygltf::Model& model, int index);
 
 // `place` is the JSON path of the reference to the accessor, for the GltfFault that each of these
-// throws if the accessor has no data, is of the wrong type, reaches beyond a buffer view, or lacks
-// an element of the list. A sparse accessor without a buffer view is zero where it is not replaced;
-// those of more than 2^22 elements are refused, since they cost a file nothing.
+// throws if the accessor is of the wrong type, reaches beyond a buffer view, or lacks an element of
+// the list. An accessor without a buffer view is zero where no sparse elements replace it; those of
+// more than 2^22 elements are refused, since they cost a file nothing.
 
 /// All elements of a SCALAR of unsigned 8, 16 or 32 bits.
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int index,
@@ -47,5 +47,10 @@ std::vector<Vec4> read_vec4s(const tinygltf::Model& model, int index, ElementLis
 /// VEC3, to which an alpha of 1 is added, or VEC4; of float or of normalised unsigned integers.
 std::vector<Vec4> read_colors(const tinygltf::Model& model, int index, ElementList elements,
                               const std::string& place);
+
+/// All components of all elements, one after the other, of `components` to an element: floats, or,
+/// but for matrices, integers of 8 or 16 bits as above.
+std::vector<float> read_numbers(const tinygltf::Model& model, int index, int components,
+                                const std::string& place);
 
 }  // namespace foveola

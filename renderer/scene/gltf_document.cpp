@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -82,77 +85,76 @@ void require_known_extensions(const Json& document) {
   for (std::size_t i = 0; i < extensions->size(); ++i) {
     if (const auto name = (*extensions)[i].get<std::string>(); !is_supported_extension(name)) {
       throw GltfFault(fmt::format("extensionsRequired[{}]", i),
-                      fmt::format("the extension {} is not supported", sanitised(name)));
+                      fmt::format("the extension {} is not supported{}", sanitised(name),
+                                  what_is_lost_without(name)));
     }
   }
 }
 
-/// tinygltf makes a copy of the GLB's own chunk for every buffer without a uri.
-void require_one_own_buffer(const Json& document) {
-  const auto buffers = document.find("buffers");
-  for (std::size_t i = 1; buffers != document.end() && i < buffers->size(); ++i) {
-    if (!(*buffers)[i].contains("uri")) {
-      throw GltfFault(fmt::format("buffers[{}].uri", i),
-                      "is missing: only the first buffer may lie in the file itself");
+/// Numbers that are whole, as integers: some programs write 1.0 for 1. -0.0 stays what it is, and
+/// what no index or count can be.
+void write_whole_numbers_as_integers(Json& value) {
+  constexpr double largest = 2147483647.0;  // tinygltf keeps those of extensions in an int
+  if (value.is_structured()) {
+    for (Json& element : value) {
+      write_whole_numbers_as_integers(element);
     }
-  }
-}
-
-/// tinygltf takes a data: uri of any other type for the name of a file.
-bool is_readable_data_uri(std::string_view uri) {
-  static constexpr std::array<std::string_view, 4> beginnings = {
-      "data:application/octet-stream;base64,", "data:application/gltf-buffer;base64,",
-      "data:image/png;base64,", "data:image/jpeg;base64,"};
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](std::string_view beginning) { return uri.starts_with(beginning); });
-}
-
-void append_references(const Json& document, const std::string& array, bool are_images,
-                       std::vector<GltfReference>& references) {
-  const auto items = document.find(array);
-  if (items == document.end()) {
     return;
   }
-  for (std::size_t i = 0; i < items->size(); ++i) {
-    const auto uri = (*items)[i].find("uri");
-    if (uri == (*items)[i].end()) {
-      continue;
-    }
-    GltfReference reference{.place = fmt::format("{}[{}].uri", array, i),
-                            .uri = uri->get<std::string>(),
-                            .is_image = are_images};
-    if (!reference.uri.starts_with("data:") ||
-        (are_images && reference.uri.starts_with(jpg_data_uri))) {
-      references.push_back(std::move(reference));
-    } else if (!is_readable_data_uri(reference.uri)) {
-      throw GltfFault(reference.place,
-                      "is a data: uri of a type that is not supported; a buffer needs "
-                      "application/octet-stream, an image image/png or image/jpeg, all in base64");
-    }
+  if (!value.is_number_float()) {
+    return;
+  }
+  const auto number = value.get<double>();
+  const bool is_whole = std::abs(number) <= largest && std::trunc(number) == number;
+  if (is_whole && !(number == 0.0 && std::signbit(number))) {
+    value = static_cast<std::int64_t>(number);
   }
 }
 
 }  // namespace
 
 bool is_supported_extension(std::string_view name) {
-  static constexpr std::array<std::string_view, 11> supported = {
-      "KHR_lights_punctual",        "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-      "KHR_materials_ior",          "KHR_materials_sheen",     "KHR_materials_specular",
-      "KHR_materials_transmission", "KHR_materials_unlit",     "KHR_materials_volume",
-      "KHR_mesh_quantization",      "KHR_texture_transform"};
+  static constexpr std::array<std::string_view, 14> supported = {
+      "EXT_meshopt_compression",
+      "EXT_texture_webp",
+      "KHR_lights_punctual",
+      "KHR_materials_clearcoat",
+      "KHR_materials_emissive_strength",
+      "KHR_materials_ior",
+      "KHR_materials_pbrSpecularGlossiness",
+      "KHR_materials_sheen",
+      "KHR_materials_specular",
+      "KHR_materials_transmission",
+      "KHR_materials_unlit",
+      "KHR_materials_volume",
+      "KHR_mesh_quantization",
+      "KHR_texture_transform"};
   return std::find(supported.begin(), supported.end(), name) != supported.end();
 }
 
-std::vector<GltfReference> check_gltf_document(std::string_view json) {
-  const Json document = parse(json);
+std::string what_is_lost_without(std::string_view name) {
+  struct Loss {
+    std::string_view extension;
+    const char* what;
+  };
+  static constexpr std::array<Loss, 5> losses = {
+      {{"KHR_materials_anisotropy", ": highlights are as wide along the grain as across it"},
+       {"KHR_materials_diffuse_transmission", ": no light comes through leaves, paper and cloth"},
+       {"KHR_materials_dispersion", ": glass refracts all colours alike"},
+       {"KHR_materials_iridescence", ": thin films have no colours"},
+       {"KHR_texture_basisu", ": KTX2 images are not read, export them as PNG or JPEG"}}};
+  const auto* const known = std::find_if(losses.begin(), losses.end(),
+                                         [&](const Loss& loss) { return loss.extension == name; });
+  return known == losses.end() ? "" : known->what;
+}
+
+Json checked_gltf_document(std::string_view json) {
+  Json document = parse(json);
+  write_whole_numbers_as_integers(document);
   require_schema(document);
   require_version_2(document["asset"]);
   require_known_extensions(document);
-  require_one_own_buffer(document);
-  std::vector<GltfReference> references;
-  append_references(document, "buffers", false, references);
-  append_references(document, "images", true, references);
-  return references;
+  return document;
 }
 
 }  // namespace foveola

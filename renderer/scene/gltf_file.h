@@ -17,7 +17,7 @@ struct GltfFile {
   /// Every index in it is in range and every buffer view lies inside its buffer. Images in data:
   /// uris hold their encoded bytes in `image`, those in files of their own have them in `uri`;
   /// those in a buffer view are left there.
-  std::shared_ptr<const tinygltf::Model> model;
+  std::shared_ptr<tinygltf::Model> model;
   std::filesystem::path folder;  ///< where uris begin; those of images do not lead out of it
   std::string sha256;            ///< SHA-256 of the file itself
   FileHashes buffer_hashes;      ///< SHA-256s of the files that hold buffers

@@ -192,9 +192,6 @@ void warn_of_what_is_ignored(const tinygltf::Primitive& primitive, const std::st
   if (attribute(primitive, "COLOR_1") >= 0) {
     warnings.add("vertex colours but the first are ignored", place);
   }
-  if (!primitive.targets.empty()) {
-    warnings.add("morph targets are ignored", place);
-  }
 }
 
 void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnings& warnings) {
@@ -204,10 +201,7 @@ void mend(Mesh& mesh, const VertexNeeds& needs, const std::string& place, Warnin
                repair_normals(mesh));
   warnings.add("texture coordinates that are not finite become 0", place, repair_uvs(mesh));
   warnings.add("vertex colours are limited to the range they may have", place, repair_colors(mesh));
-  const auto is_white = [](const Vec4& color) { return color == Vec4(1.0F); };
-  if (std::all_of(mesh.colors.begin(), mesh.colors.end(), is_white)) {
-    mesh.colors = {};
-  }
+  drop_white_colors(mesh);
   if (!needs.normal_texture || mesh.uv_sets.empty()) {
     return;
   }
@@ -245,8 +239,8 @@ std::size_t bytes_of(const Mesh& mesh) {
 
 std::optional<Mesh> read_primitive(const tinygltf::Model& model,
                                    const tinygltf::Primitive& primitive, const VertexNeeds& needs,
-                                   const std::string& place, MemoryBudget& budget,
-                                   Warnings& warnings) {
+                                   const Deformation& deformation, const std::string& place,
+                                   MemoryBudget& budget, Warnings& warnings) {
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
     warnings.add("points and lines are not shown", place);
     return std::nullopt;
@@ -273,6 +267,7 @@ std::optional<Mesh> read_primitive(const tinygltf::Model& model,
   mesh.triangles = std::move(triangles);
   warn_of_what_is_ignored(primitive, place, warnings);
   budget.take(bytes_of(mesh), place);
+  deform(mesh, model, primitive, deformation, used, vertex_count, place, warnings);
   mend(mesh, needs, place, warnings);
   if (mesh.triangles.empty()) {
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/scene/gltf_deformation.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/warnings.h"
 
@@ -39,11 +40,12 @@ struct VertexNeeds {
 };
 
 /// The triangles of `primitive` in its own space, with the vertices that they use and no others,
-/// and none that could not be rendered; material and name are left alone. Empty, with a warning,
-/// where there are none. Throws GltfFault, with places below `place`, the primitive's JSON path.
+/// and none that could not be rendered; deformed; material and name are left alone. Empty, with a
+/// warning, where there are none. Throws GltfFault, with places below `place`, the primitive's JSON
+/// path.
 std::optional<Mesh> read_primitive(const tinygltf::Model& model,
                                    const tinygltf::Primitive& primitive, const VertexNeeds& needs,
-                                   const std::string& place, MemoryBudget& budget,
-                                   Warnings& warnings);
+                                   const Deformation& deformation, const std::string& place,
+                                   MemoryBudget& budget, Warnings& warnings);
 
 }  // namespace foveola

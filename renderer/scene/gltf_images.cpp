@@ -9,6 +9,7 @@
 #include "renderer/base/files.h"
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/sanitised.h"
 
 namespace foveola {
 namespace {
@@ -56,6 +57,13 @@ std::span<const unsigned char> GltfImages::encoded(int image) const {
     return std::span(buffer.data).subspan(view.byteOffset, view.byteLength);
   }
   return source.image.empty() ? bytes_of(contents_.at(paths_.at(image))) : source.image;
+}
+
+std::string GltfImages::place_of(int image) const {
+  const auto path = paths_.find(image);
+  const std::string file =
+      path == paths_.end() ? "" : fmt::format(" ({})", sanitised(path->second.filename().string()));
+  return fmt::format("images[{}]{}", image, file);
 }
 
 FileHashes GltfImages::hashes() const {

@@ -25,6 +25,10 @@ class GltfImages {
   /// The PNG or JPEG bytes, or whatever they are, of an image that has been loaded.
   std::span<const unsigned char> encoded(int image) const;
 
+  /// What a message calls an image that has been loaded: its JSON path, and its file's name where
+  /// it has one.
+  std::string place_of(int image) const;
+
   /// The size of the buffers, data: uris and files that the loaded images lie in, each counted
   /// once.
   std::size_t encoded_bytes() const { return encoded_bytes_; }

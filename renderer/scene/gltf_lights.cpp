@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -44,11 +45,15 @@ std::optional<Version> blender_exporter_version(std::string_view generator) {
                                          : std::nullopt;
 }
 
-PunctualLight::Kind kind_of(const tinygltf::Light& source) {
+/// Nothing for a type that KHR_lights_punctual does not have.
+std::optional<PunctualLight::Kind> kind_of(const tinygltf::Light& source) {
   if (source.type == "directional") {
     return PunctualLight::Kind::directional;
   }
-  return source.type == "spot" ? PunctualLight::Kind::spot : PunctualLight::Kind::point;
+  if (source.type == "spot") {
+    return PunctualLight::Kind::spot;
+  }
+  return source.type == "point" ? std::optional(PunctualLight::Kind::point) : std::nullopt;
 }
 
 Rgb intensity_of(const tinygltf::Light& source, LightUnits units, const std::string& place,
@@ -144,9 +149,15 @@ std::vector<PunctualLight> read_lights(const tinygltf::Model& model,
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(item.placement.node)];
     const DMat4& world_from_local = item.placement.world_from_local;
     const std::string place = fmt::format("lights[{}]", item.index);
+    const std::optional<PunctualLight::Kind> kind = kind_of(source);
+    if (!kind) {
+      warnings.add(fmt::format("lights of type \"{}\" are left out", sanitised(source.type)),
+                   place);
+      continue;
+    }
     PunctualLight light;
     light.name = sanitised(node.name.empty() ? source.name : node.name);
-    light.kind = kind_of(source);
+    light.kind = *kind;
     light.intensity = intensity_of(source, meant, place, warnings);
     light.position = Vec3(DVec3(world_from_local[3]) - origin);
     if (source.range > 0.0) {

@@ -47,7 +47,20 @@ Rgb MaterialContext::limited(const DVec3& value, double lowest, double highest,
 }
 
 TextureUse MaterialContext::use(const TextureReference& reference, Encoding encoding) {
+  return use_of(reference, [&] { return textures_->add(reference.index, encoding); });
+}
+
+TextureUse MaterialContext::use_glossiness(const TextureReference& reference, float factor) {
+  return use_of(reference, [&] { return textures_->add_glossiness(reference.index, factor); });
+}
+
+template <typename Add>
+TextureUse MaterialContext::use_of(const TextureReference& reference, Add add) {
   if (reference.index < 0 || textures_ == nullptr) {
+    return {};
+  }
+  const int texture = add();
+  if (texture < 0) {
     return {};
   }
   const GltfValues transform(reference.transform);
@@ -57,9 +70,7 @@ TextureUse MaterialContext::use(const TextureReference& reference, Encoding enco
   if (known == uv_sets_.end()) {
     uv_sets_.push_back(uv_set);
   }
-  return {.texture = textures_->add(reference.index, encoding),
-          .uv_set = number,
-          .texture_from_mesh = texture_matrix(transform)};
+  return {.texture = texture, .uv_set = number, .texture_from_mesh = texture_matrix(transform)};
 }
 
 void MaterialContext::warn(const std::string& what, const std::string& property) {

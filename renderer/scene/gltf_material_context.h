@@ -34,6 +34,8 @@ class MaterialContext {
   Rgb limited(const DVec3& value, double lowest, double highest, const std::string& property);
 
   TextureUse use(const TextureReference& reference, Encoding encoding);
+  /// A texture of the roughness 1 - `factor` times the glossiness that the image has in its alpha.
+  TextureUse use_glossiness(const TextureReference& reference, float factor);
 
   void warn(const std::string& what, const std::string& property);
 
@@ -41,6 +43,10 @@ class MaterialContext {
   const std::vector<int>& uv_sets() const { return uv_sets_; }
 
  private:
+  /// add: gives the texture's index in the TextureSet.
+  template <typename Add>
+  TextureUse use_of(const TextureReference& reference, Add add);
+
   std::string place_;
   TextureSet* textures_;
   Warnings& warnings_;

@@ -6,49 +6,12 @@
 
 #include <tiny_gltf.h>
 
-#include "renderer/scene/gltf_values.h"
+#include "renderer/scene/gltf_material_extension.h"
 
 namespace foveola {
 namespace {
 
 constexpr double brightest = 1e9;
-
-/// An extension of a material, and how to read its properties.
-class Extension {
- public:
-  Extension(const tinygltf::Material& source, std::string name, MaterialContext& context)
-      : name_(std::move(name)), values_(source.extensions, name_), context_(context) {}
-
-  bool exists() const { return values_.exists(); }
-  const GltfValues& values() const { return values_; }
-  std::string place_of(const std::string& property) const {
-    return "extensions." + name_ + "." + property;
-  }
-
-  float factor(const std::string& property, double absent, double highest = 1.0) const {
-    return context_.limited(values_.number(property, absent), 0.0, highest, place_of(property));
-  }
-  Rgb color(const std::string& property, double absent, double highest = 1.0) const {
-    return context_.limited(values_.vec3(property, DVec3(absent)), 0.0, highest,
-                            place_of(property));
-  }
-  TextureUse texture(const std::string& property, Encoding encoding) const {
-    const GltfValues info = values_.object(property);
-    if (!info.exists()) {
-      return {};
-    }
-    const TextureReference reference{
-        .index = info.integer("index", -1),
-        .tex_coord = info.integer("texCoord", 0),
-        .transform = info.object("extensions").get("KHR_texture_transform")};
-    return context_.use(reference, encoding);
-  }
-
- private:
-  std::string name_;
-  GltfValues values_;
-  MaterialContext& context_;
-};
 
 /// Alpha is linear in any texture. Read as if the colours beside it were sRGB, it shares a texture
 /// with those of the same extension, which exporters like to put into the same image.
@@ -57,7 +20,7 @@ constexpr Encoding only_alpha = Encoding::srgb;
 float ior_of(const tinygltf::Material& source, MaterialContext& context) {
   /// The extension's value 0 makes the Fresnel term 1; so does, to within 4e-6, this index.
   constexpr double all_is_reflected = 1e6;
-  const Extension extension(source, "KHR_materials_ior", context);
+  const MaterialExtension extension(source, "KHR_materials_ior", context);
   const double ior = extension.values().number("ior", 1.5);
   return ior == 0.0 ? static_cast<float>(all_is_reflected)
                     : context.limited(ior, 1.0, all_is_reflected, extension.place_of("ior"));
@@ -65,7 +28,7 @@ float ior_of(const tinygltf::Material& source, MaterialContext& context) {
 
 void read_transmission(const tinygltf::Material& source, MaterialContext& context,
                        Material& material) {
-  const Extension extension(source, "KHR_materials_transmission", context);
+  const MaterialExtension extension(source, "KHR_materials_transmission", context);
   material.transmission = extension.factor("transmissionFactor", 0.0);
   if (material.transmission > 0.0F) {
     material.transmission_texture = extension.texture("transmissionTexture", Encoding::linear);
@@ -75,7 +38,7 @@ void read_transmission(const tinygltf::Material& source, MaterialContext& contex
 /// A thickness of 0 means thin walls. Any other only says that the mesh bounds a volume: how thick
 /// it is, a path finds out.
 void read_volume(const tinygltf::Material& source, MaterialContext& context, Material& material) {
-  const Extension extension(source, "KHR_materials_volume", context);
+  const MaterialExtension extension(source, "KHR_materials_volume", context);
   material.is_solid = extension.values().number("thicknessFactor", 0.0) > 0.0;
   if (!material.is_solid) {
     return;
@@ -93,7 +56,7 @@ void read_volume(const tinygltf::Material& source, MaterialContext& context, Mat
 }
 
 void read_specular(const tinygltf::Material& source, MaterialContext& context, Material& material) {
-  const Extension extension(source, "KHR_materials_specular", context);
+  const MaterialExtension extension(source, "KHR_materials_specular", context);
   material.specular = extension.factor("specularFactor", 1.0);
   material.specular_color = extension.color("specularColorFactor", 1.0, brightest);
   if (material.specular == 0.0F) {
@@ -107,7 +70,7 @@ void read_specular(const tinygltf::Material& source, MaterialContext& context, M
 
 void read_clearcoat(const tinygltf::Material& source, MaterialContext& context,
                     Material& material) {
-  const Extension extension(source, "KHR_materials_clearcoat", context);
+  const MaterialExtension extension(source, "KHR_materials_clearcoat", context);
   material.clearcoat = extension.factor("clearcoatFactor", 0.0);
   material.clearcoat_roughness = extension.factor("clearcoatRoughnessFactor", 0.0);
   if (material.clearcoat == 0.0F) {
@@ -125,7 +88,7 @@ void read_clearcoat(const tinygltf::Material& source, MaterialContext& context,
 }
 
 void read_sheen(const tinygltf::Material& source, MaterialContext& context, Material& material) {
-  const Extension extension(source, "KHR_materials_sheen", context);
+  const MaterialExtension extension(source, "KHR_materials_sheen", context);
   material.sheen_color = extension.color("sheenColorFactor", 0.0);
   material.sheen_roughness = extension.factor("sheenRoughnessFactor", 0.0);
   if (max_component(material.sheen_color) == 0.0F) {
@@ -140,7 +103,7 @@ void read_sheen(const tinygltf::Material& source, MaterialContext& context, Mate
 }  // namespace
 
 Rgb emission_of(const tinygltf::Material& source, MaterialContext& context) {
-  const Extension extension(source, "KHR_materials_emissive_strength", context);
+  const MaterialExtension extension(source, "KHR_materials_emissive_strength", context);
   const DVec3 factor(source.emissiveFactor[0], source.emissiveFactor[1], source.emissiveFactor[2]);
   const std::string place =
       extension.exists() ? extension.place_of("emissiveStrength") : "emissiveFactor";

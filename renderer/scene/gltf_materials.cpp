@@ -9,6 +9,7 @@
 
 #include "renderer/scene/gltf_material_context.h"
 #include "renderer/scene/gltf_material_extensions.h"
+#include "renderer/scene/gltf_specular_glossiness.h"
 #include "renderer/scene/gltf_textures.h"
 
 namespace foveola {
@@ -37,8 +38,6 @@ void read_base_color(const tinygltf::Material& source, MaterialContext& context,
   const std::string place = "pbrMetallicRoughness.baseColorFactor";
   material.base_color = context.limited(DVec3(factor[0], factor[1], factor[2]), 0.0, 1.0, place);
   material.alpha = context.limited(factor[3], 0.0, 1.0, place);
-  material.alpha_mode = alpha_mode_of(source);
-  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   const bool is_black = max_component(material.base_color) == 0.0F;
   if (!is_black || material.alpha_mode != AlphaMode::opaque) {
     material.base_color_texture = context.use(reference_to(pbr.baseColorTexture), Encoding::srgb);
@@ -84,12 +83,22 @@ Material read_material(const tinygltf::Material& source, MaterialContext& contex
   material.name = source.name;
   material.double_sided = source.doubleSided;
   material.unlit = source.extensions.contains("KHR_materials_unlit");
-  read_base_color(source, context, material);
+  material.alpha_mode = alpha_mode_of(source);
+  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
+  const bool is_specular_glossiness = has_specular_glossiness(source) && !material.unlit;
+  if (!is_specular_glossiness) {
+    read_base_color(source, context, material);
+  }
   if (!material.unlit) {
-    read_metallic_roughness(source, context, material);
+    if (!is_specular_glossiness) {
+      read_metallic_roughness(source, context, material);
+    }
     read_normal_texture(source, context, material);
     read_emission(source, context, material);
     read_material_extensions(source, context, material);
+  }
+  if (is_specular_glossiness) {  // it has no KHR_materials_specular beside it
+    read_specular_glossiness(source, context, material);
   }
   return material;
 }
@@ -120,10 +129,10 @@ VertexNeeds needs_of(const Material& material, const std::vector<int>& uv_sets) 
 }  // namespace
 
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
-                             KeptParts<Texels>* kept, Warnings& warnings) {
+                             KeptParts<Texels>* kept, bool is_strict, Warnings& warnings) {
   const tinygltf::Model& model = *file.model;
   GltfMaterials result;
-  TextureSet textures(file, kept);
+  TextureSet textures(file, kept, is_strict, warnings);
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     MaterialContext context(fmt::format("materials[{}]", i), is_shown[i] ? &textures : nullptr,
                             warnings);
@@ -134,7 +143,7 @@ GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_s
     result.materials.push_back(default_material());
     result.needs.emplace_back();
   }
-  result.textures = textures.decode();
+  result.textures = textures.decode(result.materials);
   result.image_hashes = textures.image_hashes();
   return result;
 }

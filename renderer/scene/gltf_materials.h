@@ -27,8 +27,9 @@ struct GltfMaterials {
 
 /// Reads all materials, and decodes, in parallel, the images that those in use need. is_shown: for
 /// each material of the file, whether anything in the scene has it; the others come without
-/// textures. kept: where decoded images are found and left, or null. Throws GltfFault.
+/// textures. kept: where decoded images are found and left, or null. is_strict: whether a texture
+/// that cannot be shown is a GltfFault instead of a warning. Throws GltfFault.
 GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_shown,
-                             KeptParts<Texels>* kept, Warnings& warnings);
+                             KeptParts<Texels>* kept, bool is_strict, Warnings& warnings);
 
 }  // namespace foveola

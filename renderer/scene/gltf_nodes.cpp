@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,6 +12,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <tiny_gltf.h>
 
+#include "renderer/scene/gltf_deformation.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_values.h"
 #include "renderer/scene/sanitised.h"
@@ -190,7 +192,13 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
     require_finite(transform, place);
     const Placement placement{.node = index, .world_from_local = transform};
     if (node.mesh >= 0) {
-      placed.meshes[static_cast<std::size_t>(node.mesh)].push_back(placement);
+      Placement& place_of_mesh =
+          placed.meshes[static_cast<std::size_t>(node.mesh)].emplace_back(placement);
+      if (is_skinned(model, node)) {  // by its joints, which stand in the world
+        place_of_mesh.world_from_local = DMat4(1.0);
+      } else if (node.skin >= 0) {
+        warnings.add("a skin is ignored: its mesh has no joints or no weights", place);
+      }
     }
     if (node.camera >= 0) {
       placed.cameras.push_back(
@@ -199,11 +207,9 @@ PlacedNodes place_nodes(const tinygltf::Model& model, Warnings& warnings) {
     if (const int light = light_of(node); light >= 0) {
       placed.lights.push_back({.index = static_cast<std::size_t>(light), .placement = placement});
     }
-    if (node.skin >= 0) {
-      warnings.add("skinning is ignored: the object keeps its rest pose", place);
-    }
     pending.insert(pending.end(), node.children.rbegin(), node.children.rend());
   }
+  placed.world_from_node = std::move(world_from_local);
   return placed;
 }
 

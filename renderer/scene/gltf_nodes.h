@@ -30,6 +30,7 @@ struct PlacedNodes {
   std::vector<std::vector<Placement>> meshes;  ///< by index of the glTF mesh
   std::vector<PlacedItem> cameras;             ///< in the order of the nodes
   std::vector<PlacedItem> lights;              ///< in the order of the nodes
+  std::vector<DMat4> world_from_node;          ///< of each node; the identity for those not visited
 };
 
 /// Visits the nodes of the default scene (else the first; else, where a file has no scenes, all

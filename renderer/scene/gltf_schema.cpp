@@ -41,6 +41,8 @@ class Schema {
                    {"samplers", optional, array_of(sampler())},
                    {"images", optional, array_of(image())},
                    {"cameras", optional, array_of(camera())},
+                   {"skins", optional, array_of(skin())},
+                   {"animations", optional, array_of(animation())},
                    {"extensions", optional,
                     object({{"KHR_lights_punctual", optional,
                              object({{"lights", required, array_of(light())}})}})}});
@@ -69,6 +71,8 @@ class Schema {
                    {"children", optional, indices("nodes")},
                    {"mesh", optional, index("meshes")},
                    {"camera", optional, index("cameras")},
+                   {"skin", optional, index("skins")},
+                   {"weights", optional, array_of(any_number())},
                    {"matrix", optional, numbers(16)},
                    {"translation", optional, numbers(3)},
                    {"rotation", optional, numbers(4)},
@@ -82,8 +86,35 @@ class Schema {
     const Rule primitive = object({{"attributes", required, map_of(index("accessors"))},
                                    {"indices", optional, index("accessors")},
                                    {"material", optional, index("materials")},
-                                   {"mode", optional, integer(0, 6)}});
-    return object({{"name", optional, text()}, {"primitives", required, array_of(primitive, 1)}});
+                                   {"mode", optional, integer(0, 6)},
+                                   {"targets", optional, array_of(map_of(index("accessors")))}});
+    return object({{"name", optional, text()},
+                   {"weights", optional, array_of(any_number())},
+                   {"primitives", required, array_of(primitive, 1)}});
+  }
+
+  Rule skin() const {
+    return object({{"joints", required, array_of(index("nodes"), 1)},
+                   {"inverseBindMatrices", optional, index("accessors")},
+                   {"skeleton", optional, index("nodes")}});
+  }
+
+  Rule animation() const {
+    const Rule target = object({{"node", optional, index("nodes")}, {"path", required, text()}});
+    const Rule channel = object({{"sampler", required, integer(0, std::numeric_limits<int>::max())},
+                                 {"target", required, target}});
+    const Rule sampler =
+        object({{"input", required, index("accessors")},
+                {"output", required, index("accessors")},
+                {"interpolation", optional, one_of({"LINEAR", "STEP", "CUBICSPLINE"})}});
+    const Rule shape = object(
+        {{"channels", required, array_of(channel)}, {"samplers", required, array_of(sampler)}});
+    return [shape](const Json& value, const Place& place) {
+      shape(value, place);
+      const Rule sampler_index = index_into("samplers", value["samplers"].size());
+      const Rule channels = array_of(object({{"sampler", required, sampler_index}}));
+      channels(value["channels"], Place{.parent = &place, .key = "channels"});
+    };
   }
 
   Rule accessor() const {
@@ -118,10 +149,12 @@ class Schema {
   }
 
   Rule buffer_view() const {
-    const Rule shape = object({{"buffer", required, index("buffers")},
-                               {"byteOffset", optional, byte_count(0)},
-                               {"byteLength", required, byte_count(1)},
-                               {"byteStride", optional, integer(4, 252)}});
+    const Rule shape = object(
+        {{"buffer", required, index("buffers")},
+         {"byteOffset", optional, byte_count(0)},
+         {"byteLength", required, byte_count(1)},
+         {"byteStride", optional, integer(4, 252)},
+         {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt()}})}});
     return [shape, this](const Json& value, const Place& place) {
       shape(value, place);
       const Json& buffer = document_["buffers"][value["buffer"].get<std::size_t>()];
@@ -134,8 +167,23 @@ class Schema {
     };
   }
 
+  Rule meshopt() const {
+    return object(
+        {{"buffer", required, index("buffers")},
+         {"byteOffset", optional, byte_count(0)},
+         {"byteLength", required, byte_count(1)},
+         {"byteStride", required, integer(1, 256)},
+         {"count", required, byte_count(1)},
+         {"mode", required, one_of({"ATTRIBUTES", "TRIANGLES", "INDICES"})},
+         {"filter", optional, one_of({"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"})}});
+  }
+
   static Rule buffer() {
-    return object({{"byteLength", required, byte_count(1)}, {"uri", optional, text()}});
+    const Rule meshopt = object({{"fallback", optional, boolean()}});
+    return object(
+        {{"byteLength", required, byte_count(1)},
+         {"uri", optional, text()},
+         {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt}})}});
   }
 
   std::vector<Property> texture_info_properties() const {
@@ -184,6 +232,12 @@ class Schema {
                             {"clearcoatRoughnessTexture", optional, texture}})},
                    {"KHR_materials_emissive_strength", optional,
                     object({{"emissiveStrength", optional, factor}})},
+                   {"KHR_materials_pbrSpecularGlossiness", optional,
+                    object({{"diffuseFactor", optional, extension_numbers(4)},
+                            {"diffuseTexture", optional, texture},
+                            {"specularFactor", optional, color},
+                            {"glossinessFactor", optional, factor},
+                            {"specularGlossinessTexture", optional, texture}})},
                    {"KHR_materials_ior", optional, object({{"ior", optional, factor}})},
                    {"KHR_materials_sheen", optional,
                     object({{"sheenColorFactor", optional, color},
@@ -225,8 +279,12 @@ class Schema {
   }
 
   Rule texture() const {
-    return object(
-        {{"sampler", optional, index("samplers")}, {"source", optional, index("images")}});
+    const Rule other_source = object({{"source", optional, index("images")}});
+    return object({{"sampler", optional, index("samplers")},
+                   {"source", optional, index("images")},
+                   {"extensions", optional,
+                    object({{"EXT_texture_webp", optional, other_source},
+                            {"KHR_texture_basisu", optional, other_source}})}});
   }
 
   static Rule sampler() {
@@ -257,7 +315,7 @@ class Schema {
     const Rule spot = object(
         {{"innerConeAngle", optional, any_number()}, {"outerConeAngle", optional, any_number()}});
     const Rule shape = object({{"name", optional, text()},
-                               {"type", required, one_of({"directional", "point", "spot"})},
+                               {"type", required, text()},
                                {"color", optional, numbers(3)},
                                {"intensity", optional, any_number()},
                                {"range", optional, any_number()},

@@ -1,6 +1,7 @@
 #include "renderer/scene/gltf_textures.h"
 
-#include <array>
+#include <exception>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,8 @@
 #include "renderer/base/digest.h"
 #include "renderer/scene/decoded_memory.h"
 #include "renderer/scene/gltf_fault.h"
+#include "renderer/scene/gltf_values.h"
+#include "renderer/scene/image_channels.h"
 #include "renderer/scene/image_decoder.h"
 
 namespace foveola {
@@ -62,38 +65,82 @@ Sampler sampler_of(const tinygltf::Sampler& source) {
   return sampler;
 }
 
-/// Calls `work`; what is wrong with the image becomes a fault that names it.
-template <typename Work>
-auto with_place(int image, Work work) {
+std::string text_of(const GltfFault& fault) {
+  return fmt::format("{} {}", fault.where(), fault.what());
+}
+
+/// The same of what texels_of() threw.
+std::string text_of(const std::exception_ptr& thrown) {
   try {
-    return work();
-  } catch (const std::runtime_error& error) {
-    throw GltfFault(fmt::format("images[{}]", image), error.what());
+    std::rethrow_exception(thrown);
+  } catch (const GltfFault& fault) {
+    return text_of(fault);
   }
 }
 
 }  // namespace
 
 int TextureSet::add(int texture, Encoding encoding) {
+  return add(texture, Content{.image = -1, .encoding = encoding});
+}
+
+int TextureSet::add_glossiness(int texture, float factor) {
+  return add(texture,
+             Content{.image = -1, .encoding = Encoding::glossiness, .glossiness_factor = factor});
+}
+
+/// content: but for its image.
+int TextureSet::add(int texture, Content content) {
   if (texture < 0) {
     return -1;
   }
-  const tinygltf::Texture& source = model_.textures[static_cast<std::size_t>(texture)];
-  if (source.source < 0) {
-    throw GltfFault(fmt::format("textures[{}]", texture), "has no source image");
+  try {
+    content.image = load(texture);
+  } catch (const GltfFault& fault) {
+    if (is_strict_) {
+      throw;
+    }
+    warn_of_lost_texture(text_of(fault), {}, warnings_);
+    return -1;
   }
-  images_.load(source.source);
-  const Sampler sampler =
-      source.sampler < 0 ? Sampler()
-                         : sampler_of(model_.samplers[static_cast<std::size_t>(source.sampler)]);
-  return textures_.add({.image = source.source, .encoding = encoding}, sampler);
+  const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
+  return textures_.add(
+      content,
+      sampler < 0 ? Sampler() : sampler_of(model_.samplers[static_cast<std::size_t>(sampler)]));
 }
 
-std::vector<Texture> TextureSet::decode() const {
+/// Reads the encoded image of a texture, and returns its number.
+int TextureSet::load(int texture) {
+  const tinygltf::Texture& source = model_.textures[static_cast<std::size_t>(texture)];
+  const int image =
+      GltfValues(source.extensions, "EXT_texture_webp").integer("source", source.source);
+  if (image < 0) {
+    throw GltfFault(fmt::format("textures[{}]", texture),
+                    source.extensions.contains("KHR_texture_basisu")
+                        ? "has its image in KTX2 alone (KHR_texture_basisu), which is not read: "
+                          "export it as PNG or JPEG"
+                        : "has no source image");
+  }
+  images_.load(image);
+  return image;
+}
+
+std::vector<Texture> TextureSet::decode(std::vector<Material>& materials) const {
   require_modest_size();
-  return textures_.decode([this](const Content& content, bool with_mips) {
+  DecodedTextures decoded = textures_.decode([this](const Content& content, bool with_mips) {
     return shared_texels_of(content, with_mips);
   });
+  if (is_strict_) {
+    rethrow_fault(decoded.faults);
+  }
+  std::set<int> lost_images;
+  for (std::size_t i = 0; i < decoded.faults.size(); ++i) {
+    if (decoded.faults[i] && lost_images.insert(textures_.contents()[i].image).second) {
+      warn_of_lost_texture(text_of(decoded.faults[i]), {}, warnings_);
+    }
+  }
+  renumber_textures(materials, decoded);
+  return std::move(decoded.textures);
 }
 
 std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& content,
@@ -102,7 +149,8 @@ std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& conten
     return std::make_shared<const Texels>(texels_of(content, with_mips));
   }
   Sha256 digest;
-  const std::array<bool, 2> how = {content.encoding == Encoding::srgb, with_mips};
+  const std::string how = fmt::format("{} {} {}", static_cast<int>(content.encoding),
+                                      content.glossiness_factor, with_mips);
   digest.update(std::as_bytes(std::span(how)));
   digest.update(std::as_bytes(images_.encoded(content.image)));
   const std::string name = digest.hex();
@@ -114,11 +162,20 @@ std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& conten
   return texels;
 }
 
+/// 0 for an image whose header cannot be read: decoding it will say why.
+std::size_t TextureSet::decoded_bytes(const Content& content) const {
+  try {
+    const ImageSize size = size_of_image(images_.encoded(content.image));
+    return content.encoding == Encoding::glossiness ? 3 * size.pixels() : size.bytes();
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+}
+
 void TextureSet::require_modest_size() const {
   std::size_t bytes = 0;
   for (const Content& content : textures_.contents()) {
-    bytes += with_place(content.image,
-                        [&] { return size_of_image(images_.encoded(content.image)).bytes(); });
+    bytes += decoded_bytes(content);
   }
   try {
     require_modest_memory(bytes, images_.encoded_bytes());
@@ -128,9 +185,15 @@ void TextureSet::require_modest_size() const {
 }
 
 Texels TextureSet::texels_of(const Content& content, bool with_mips) const {
-  DecodedImage image =
-      with_place(content.image, [&] { return decode_image(images_.encoded(content.image)); });
-  return {std::move(image), content.encoding == Encoding::srgb, with_mips};
+  try {
+    DecodedImage image = decode_image(images_.encoded(content.image));
+    if (content.encoding == Encoding::glossiness) {
+      image = roughness_of_glossiness(image, content.glossiness_factor);
+    }
+    return {std::move(image), content.encoding == Encoding::srgb, with_mips};
+  } catch (const std::runtime_error& error) {
+    throw GltfFault(images_.place_of(content.image), error.what());
+  }
 }
 
 }  // namespace foveola

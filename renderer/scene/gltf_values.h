@@ -37,6 +37,10 @@ class GltfValues {
   DVec3 vec3(const std::string& name, const DVec3& absent) const {
     return has(name) ? DVec3(element(name, 0), element(name, 1), element(name, 2)) : absent;
   }
+  /// Element `i` of a list of more.
+  double element(const std::string& name, int i, double absent) const {
+    return has(name) ? element(name, i) : absent;
+  }
 
  private:
   double element(const std::string& name, int i) const {

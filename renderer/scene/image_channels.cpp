@@ -1,6 +1,7 @@
 #include "renderer/scene/image_channels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -86,6 +87,16 @@ DecodedImage with_alpha(const std::optional<DecodedImage>& color, const DecodedI
 DecodedImage roughness_metallic(const std::optional<DecodedImage>& roughness,
                                 const std::optional<DecodedImage>& metallic) {
   return merged({{nullptr, 0}, {pointer_to(roughness), 0}, {pointer_to(metallic), 0}});
+}
+
+DecodedImage roughness_of_glossiness(const DecodedImage& image, float factor) {
+  const int alpha = alpha_channel(image);
+  DecodedImage result = merged({{nullptr, 0}, {&image, std::max(alpha, 0)}, {nullptr, 0}});
+  for (std::size_t i = 1; i < result.texels.size(); i += 3) {
+    const float glossiness = alpha < 0 ? 255.0F : static_cast<float>(result.texels[i]);
+    result.texels[i] = static_cast<std::uint8_t>(std::lround(255.0F - factor * glossiness));
+  }
+  return result;
 }
 
 }  // namespace foveola

@@ -17,4 +17,8 @@ DecodedImage with_alpha(const std::optional<DecodedImage>& color, const DecodedI
 DecodedImage roughness_metallic(const std::optional<DecodedImage>& roughness,
                                 const std::optional<DecodedImage>& metallic);
 
+/// Roughness in green, 1 - `factor` times the glossiness in the alpha of `image`, which is 1 where
+/// it has none; 255 in red and blue. factor: in [0, 1].
+DecodedImage roughness_of_glossiness(const DecodedImage& image, float factor);
+
 }  // namespace foveola

@@ -4,13 +4,16 @@
 
 #include <fmt/format.h>
 
-#include "renderer/scene/encoded_image.h"
+#include "renderer/scene/decoded_memory.h"
 
 namespace foveola {
 namespace {
 
-std::unique_ptr<ImageReader> open_texture(std::span<const unsigned char> encoded) {
-  std::unique_ptr<ImageReader> image = open_image(encoded, ImageFormats::texture);
+std::unique_ptr<ImageReader> open_texture(std::span<const unsigned char> encoded,
+                                          ImageFormats allowed) {
+  std::unique_ptr<ImageReader> image = open_image(encoded, allowed);
+  // A tile, which OpenImageIO holds as a whole, may be announced far larger than the image.
+  require_modest_memory(image->header().tile_bytes, encoded.size());
   if (image->header().channels > 4) {
     throw std::runtime_error(fmt::format("has {} channels, not 1 to 4", image->header().channels));
   }
@@ -23,12 +26,12 @@ ImageSize size_of(const ImageHeader& header) {
 
 }  // namespace
 
-ImageSize size_of_image(std::span<const unsigned char> encoded) {
-  return size_of(open_texture(encoded)->header());
+ImageSize size_of_image(std::span<const unsigned char> encoded, ImageFormats allowed) {
+  return size_of(open_texture(encoded, allowed)->header());
 }
 
-DecodedImage decode_image(std::span<const unsigned char> encoded) {
-  const std::unique_ptr<ImageReader> open = open_texture(encoded);
+DecodedImage decode_image(std::span<const unsigned char> encoded, ImageFormats allowed) {
+  const std::unique_ptr<ImageReader> open = open_texture(encoded, allowed);
   const ImageHeader& header = open->header();
   DecodedImage image{
       .width = header.width, .height = header.height, .channels = header.channels, .texels = {}};

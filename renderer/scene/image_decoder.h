@@ -1,10 +1,12 @@
-// Encoded PNG and JPEG bytes into textures.
+// Encoded images into textures.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "renderer/scene/encoded_image.h"
 
 namespace foveola {
 
@@ -27,10 +29,13 @@ struct ImageSize {
 };
 
 /// What decode_image will return, from the header of `encoded`. Throws as decode_image does.
-ImageSize size_of_image(std::span<const unsigned char> encoded);
+ImageSize size_of_image(std::span<const unsigned char> encoded,
+                        ImageFormats allowed = ImageFormats::gltf_texture);
 
-/// Decodes a PNG or JPEG image to its own channels; 16 bits become 8. Throws std::runtime_error
-/// that says what is wrong if it is neither, damaged, or larger than 16384 pixels on a side.
-DecodedImage decode_image(std::span<const unsigned char> encoded);
+/// Decodes an image of one of the formats to its own channels; other numbers become 8 bits. Throws
+/// std::runtime_error that says what is wrong if it is none, damaged, or larger than 16384 pixels
+/// on a side.
+DecodedImage decode_image(std::span<const unsigned char> encoded,
+                          ImageFormats allowed = ImageFormats::gltf_texture);
 
 }  // namespace foveola

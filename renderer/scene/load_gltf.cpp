@@ -9,6 +9,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/scene/gltf_accessor.h"
+#include "renderer/scene/gltf_animation.h"
+#include "renderer/scene/gltf_deformation.h"
 #include "renderer/scene/gltf_digest.h"
 #include "renderer/scene/gltf_document.h"
 #include "renderer/scene/gltf_fault.h"
@@ -27,14 +29,16 @@ namespace {
 
 constexpr const char* remedy = "export it again, or look at it with a glTF validator";
 
-void warn_of_what_is_ignored(const tinygltf::Model& model, Warnings& warnings) {
+void warn_of_what_is_ignored(const tinygltf::Model& model, bool is_posed, Warnings& warnings) {
   for (const std::string& name : model.extensionsUsed) {
     if (!is_supported_extension(name)) {
-      warnings.add("the extension " + sanitised(name) + " is ignored");
+      warnings.add(fmt::format("the extension {} is ignored{}", sanitised(name),
+                               what_is_lost_without(name)));
     }
   }
-  if (!model.animations.empty()) {
-    warnings.add("animations are ignored: everything stays in its first place");
+  if (!model.animations.empty() && !is_posed) {
+    warnings.add(
+        "animations are ignored: everything stays in its first place, unless --time says when");
   }
 }
 
@@ -51,6 +55,14 @@ std::vector<bool> shown_materials(const tinygltf::Model& model, const PlacedNode
   return is_shown;
 }
 
+/// Skins may share joints, so that a small file can name any number.
+void require_few_joints(std::size_t joints, const std::string& place) {
+  constexpr std::size_t most = std::size_t{1} << 22;
+  if (joints > most) {
+    throw GltfFault(place, fmt::format("brings the joints of the scene to more than {}", most));
+  }
+}
+
 /// Reads primitives, or finds them where they are kept.
 class PrimitiveReader {
  public:
@@ -59,15 +71,18 @@ class PrimitiveReader {
       : model_(model), kept_(kept), digests_(model), budget_(budget), warnings_(warnings) {}
 
   std::optional<Mesh> read(const tinygltf::Primitive& primitive, const VertexNeeds& needs,
-                           const std::string& place) {
+                           const Deformation& deformation, const std::string& place) {
+    // What a skin moves is not the same in another pose.
+    const bool may_be_kept = kept_ != nullptr && deformation.joints.empty();
     const std::optional<std::string> digest =
-        kept_ != nullptr ? digests_.of(primitive, needs) : std::nullopt;
+        may_be_kept ? digests_.of(primitive, needs) : std::nullopt;
     if (const auto known = digest ? kept_->find(*digest) : nullptr) {
       budget_.take(bytes_of(*known), place);
       return *known;
     }
     const std::size_t cases_before = warnings_.cases();
-    std::optional<Mesh> mesh = read_primitive(model_, primitive, needs, place, budget_, warnings_);
+    std::optional<Mesh> mesh =
+        read_primitive(model_, primitive, needs, deformation, place, budget_, warnings_);
     // What was warned of is to be warned of again.
     if (digest && mesh && warnings_.cases() == cases_before) {
       kept_->keep(*digest, std::make_shared<const Mesh>(*mesh));
@@ -83,17 +98,26 @@ class PrimitiveReader {
   Warnings& warnings_;
 };
 
-/// Each mesh that a node shows.
+/// Each mesh that a node shows, as the node deforms it.
 std::vector<LocalMesh> read_meshes(const tinygltf::Model& model, const PlacedNodes& nodes,
                                    const GltfMaterials& materials, KeptParts<Mesh>* kept,
                                    MemoryBudget& budget, Warnings& warnings) {
   PrimitiveReader reader(model, kept, budget, warnings);
   std::vector<LocalMesh> meshes(model.meshes.size());
+  std::size_t joints = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (nodes.meshes[i].empty()) {
+      continue;
+    }
+    // A mesh that a node deforms is this node's alone.
+    const auto node = static_cast<std::size_t>(nodes.meshes[i].front().node);
+    const Deformation deformation = deformation_of(model, model.nodes[node], nodes.world_from_node);
+    joints += deformation.joints.size();
+    require_few_joints(joints, fmt::format("nodes[{}].skin", node));
     const std::vector<tinygltf::Primitive>& primitives = model.meshes[i].primitives;
-    for (std::size_t k = 0; k < primitives.size() && !nodes.meshes[i].empty(); ++k) {
+    for (std::size_t k = 0; k < primitives.size(); ++k) {
       const std::size_t material = materials.index_of(primitives[k].material);
-      std::optional<Mesh> mesh = reader.read(primitives[k], materials.needs[material],
+      std::optional<Mesh> mesh = reader.read(primitives[k], materials.needs[material], deformation,
                                              fmt::format("meshes[{}].primitives[{}]", i, k));
       if (mesh) {
         mesh->material = static_cast<int>(material);
@@ -109,14 +133,20 @@ FileHashes files_beside(const GltfFile& file, FileHashes files) {
   return files;
 }
 
-Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units, KeptSceneParts* kept) {
+Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
-  warn_of_what_is_ignored(model, warnings);
+  warn_of_what_is_ignored(model, reading.time_s.has_value(), warnings);
   check_sparse_accessors(model);
+  if (reading.time_s) {
+    pose_at(*file.model, *reading.time_s, warnings);
+  }
+  separate_deformed_meshes(*file.model);
   const PlacedNodes nodes = place_nodes(model, warnings);
-  GltfMaterials materials = read_materials(file, shown_materials(model, nodes),
-                                           kept != nullptr ? &kept->texels : nullptr, warnings);
+  KeptSceneParts* const kept = reading.kept;
+  GltfMaterials materials =
+      read_materials(file, shown_materials(model, nodes), kept != nullptr ? &kept->texels : nullptr,
+                     reading.strict, warnings);
   MemoryBudget budget(model);
   std::vector<LocalMesh> meshes = read_meshes(
       model, nodes, materials, kept != nullptr ? &kept->meshes : nullptr, budget, warnings);
@@ -130,7 +160,7 @@ Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units, Kept
   scene.materials = std::move(materials.materials);
   scene.textures = std::move(materials.textures);
   scene.cameras = read_cameras(model, nodes.cameras, scene.origin, warnings);
-  scene.lights = read_lights(model, nodes.lights, scene.origin, light_units, warnings);
+  scene.lights = read_lights(model, nodes.lights, scene.origin, reading.light_units, warnings);
   if (scene.object_count() == 0) {
     warnings.add("the scene has no triangles");
   }
@@ -145,10 +175,9 @@ Scene scene_of(const GltfFile& file, std::optional<LightUnits> light_units, Kept
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path, std::optional<LightUnits> light_units,
-                KeptSceneParts* kept) {
+Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading) {
   try {
-    Scene scene = scene_of(read_gltf_file(path), light_units, kept);
+    Scene scene = scene_of(read_gltf_file(path), reading);
     scene.files.insert(path);
     return scene;
   } catch (const Error&) {

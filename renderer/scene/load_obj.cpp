@@ -1,4 +1,5 @@
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -9,12 +10,12 @@
 
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
-#include "renderer/scene/confined_file.h"
 #include "renderer/scene/load_scene.h"
 #include "renderer/scene/mtl_file.h"
 #include "renderer/scene/mtl_materials.h"
 #include "renderer/scene/obj_file.h"
 #include "renderer/scene/obj_meshes.h"
+#include "renderer/scene/obj_references.h"
 #include "renderer/scene/obj_textures.h"
 #include "renderer/scene/rebase.h"
 #include "renderer/scene/sanitised.h"
@@ -27,23 +28,21 @@ namespace foveola {
 namespace fs = std::filesystem;
 namespace {
 
-/// Names in OBJ files are plain text with either slash; confined_file takes URIs, where a percent
-/// sign begins an escape.
-std::string as_reference(std::string_view name) {
-  std::string reference;
-  for (const char c : trimmed(name)) {
-    reference += c == '\\' ? "/" : c == '%' ? "%25" : std::string(1, c);
+constexpr const char* where_files_belong = "put the file into the folder of the OBJ file";
+
+/// The file inside `folder` that `name` refers to, if it is there. Throws Error, which begins with
+/// `where`, if it leads out of the folder.
+std::optional<fs::path> file_if_there(const fs::path& folder, const std::string& name,
+                                      const std::string& where) {
+  try {
+    return find_obj_reference(folder, name);
+  } catch (const std::runtime_error& refusal) {
+    throw Error(where, refusal.what(), where_files_belong);
   }
-  return reference;
 }
 
-/// The file inside `folder` that `name` refers to. Throws Error, which begins with `where`.
-fs::path file_in(const fs::path& folder, const std::string& name, const std::string& where) {
-  try {
-    return confined_file(folder, as_reference(name));
-  } catch (const std::runtime_error& refusal) {
-    throw Error(where, refusal.what(), "put the file into the folder of the OBJ file");
-  }
+std::string missing(const std::string& name) {
+  return fmt::format("refers to \"{}\", a file that does not exist", sanitised(name));
 }
 
 /// What an mtllib statement names: one file, whose name may have blanks, or several files.
@@ -55,8 +54,7 @@ std::vector<std::string> library_names(const fs::path& folder, const std::string
   }
   if (words.size() > 1) {
     try {
-      confined_file(folder, as_reference(statement));
-      return {statement};
+      return find_obj_reference(folder, statement) ? std::vector{statement} : words;
     } catch (const std::runtime_error&) {
       return words;
     }
@@ -81,16 +79,20 @@ Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFi
   Library library;
   for (const std::string& statement : obj.material_libraries) {
     for (const std::string& name : library_names(folder, statement)) {
-      const fs::path file = file_in(folder, name, path.string() + ": mtllib");
-      if (!library.files.insert(file).second) {
+      const std::string where = path.string() + ": mtllib";
+      const std::optional<fs::path> file = file_if_there(folder, name, where);
+      if (!file) {
+        throw Error(where, missing(name), where_files_belong);
+      }
+      if (!library.files.insert(*file).second) {
         continue;
       }
       const std::string subfolder = name.substr(0, name.find_last_of("/\\") + 1);
-      for (MtlMaterial& material : read_mtl_file(file)) {
+      for (MtlMaterial& material : read_mtl_file(*file)) {
         const std::string key = material.name;
         library.materials.try_emplace(
             key, LibraryMaterial{std::move(material), subfolder,
-                                 fmt::format("{}: {}", file.filename().string(), sanitised(key))});
+                                 fmt::format("{}: {}", file->filename().string(), sanitised(key))});
       }
     }
   }
@@ -100,8 +102,8 @@ Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFi
 /// Collects the materials that are in use, each once.
 class UsedMaterials {
  public:
-  UsedMaterials(const Library& library, const fs::path& folder, Warnings& warnings)
-      : library_(library), folder_(folder), warnings_(warnings) {}
+  UsedMaterials(const Library& library, const fs::path& folder, bool is_strict, Warnings& warnings)
+      : library_(library), folder_(folder), is_strict_(is_strict), warnings_(warnings) {}
 
   /// The index of the material with this name.
   std::size_t add(const std::string& name) {
@@ -114,7 +116,11 @@ class UsedMaterials {
 
   const Material& operator[](std::size_t index) const { return materials_[index]; }
   const ObjTextureSet& textures() const { return textures_; }
-  std::vector<Material> take_materials() && { return std::move(materials_); }
+  /// Moves the materials, and the textures that they use and that can be decoded, into `scene`.
+  void give_to(Scene& scene, const std::string& place) && {
+    scene.materials = std::move(materials_);
+    scene.textures = textures_.decode(scene.materials, place, is_strict_, warnings_);
+  }
 
  private:
   Material read(const std::string& name) {
@@ -127,13 +133,26 @@ class UsedMaterials {
     }
     const LibraryMaterial& source = found->second;
     const auto find_texture = [&](const std::string& texture) {
-      return file_in(folder_, source.folder + texture, source.place);
+      return texture_file(source.folder + texture, source.place);
     };
     return material_of(source.values, find_texture, textures_, source.place, warnings_);
   }
 
+  /// Empty, with a warning, for one that is not there.
+  fs::path texture_file(const std::string& name, const std::string& place) {
+    const std::optional<fs::path> file = file_if_there(folder_, name, place);
+    if (!file && is_strict_) {
+      throw Error(place, missing(name), where_files_belong);
+    }
+    if (!file) {
+      warn_of_lost_texture(sanitised(name) + " does not exist", place, warnings_);
+    }
+    return file.value_or(fs::path());
+  }
+
   const Library& library_;
   const fs::path& folder_;
+  bool is_strict_;
   Warnings& warnings_;
   ObjTextureSet textures_;
   std::map<std::string, std::size_t, std::less<>> index_of_;
@@ -174,22 +193,21 @@ std::string sha256_of_all(const ObjFile& obj, const std::set<fs::path>& files) {
 
 }  // namespace
 
-Scene load_obj(const fs::path& path) {
+Scene load_obj(const fs::path& path, const SceneReading& reading) {
   try {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     Warnings warnings;
     const ObjFile obj = read_obj_file(path, warnings);
     const Library library = read_libraries(path, folder, obj);
-    UsedMaterials materials(library, folder, warnings);
+    UsedMaterials materials(library, folder, reading.strict, warnings);
     Scene scene;
     scene.meshes = meshes_of(obj, materials, warnings);
     rebase(scene);
-    scene.textures = materials.textures().decode(path.string());
     scene.files = materials.textures().files();
     scene.files.insert(library.files.begin(), library.files.end());
     scene.sha256 = sha256_of_all(obj, scene.files);
     scene.files.insert(path);
-    scene.materials = std::move(materials).take_materials();
+    std::move(materials).give_to(scene, path.string());
     if (scene.meshes.empty()) {
       warnings.add("the scene has no triangles");
     }

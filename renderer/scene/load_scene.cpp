@@ -236,15 +236,17 @@ std::optional<std::string> note_of_descriptor(const SceneSource& source) {
 
 }  // namespace
 
-Scene load_scene_file(const std::filesystem::path& path, std::optional<LightUnits> light_units,
-                      KeptSceneParts* kept) {
+Scene load_scene_file(const std::filesystem::path& path, const SceneReading& reading) {
   require_readable_format(path);
-  return lower_case_extension(path) == ".obj" ? load_obj(path) : load_gltf(path, light_units, kept);
+  return lower_case_extension(path) == ".obj" ? load_obj(path, reading) : load_gltf(path, reading);
 }
 
 Scene load_scene(const SceneSource& source, KeptSceneParts* kept) {
   require_valid(source);
-  Scene scene = load_scene_file(source.file, source.light_units, kept);
+  Scene scene = load_scene_file(source.file, {.light_units = source.light_units,
+                                              .strict = source.strict,
+                                              .time_s = source.time_s,
+                                              .kept = kept});
   for (const auto& line : {warning_of_another_file(scene, source), note_of_descriptor(source)}) {
     if (line) {
       scene.warnings.insert(scene.warnings.begin(), *line);

@@ -46,4 +46,7 @@ std::size_t repair_uvs(Mesh& mesh);
 /// vertices changed.
 std::size_t repair_colors(Mesh& mesh);
 
+/// Takes the vertex colours away if all are white and change nothing.
+void drop_white_colors(Mesh& mesh);
+
 }  // namespace foveola

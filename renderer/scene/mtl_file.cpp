@@ -158,8 +158,7 @@ MtlMaterial material_in(const std::string& lines) {
 }  // namespace
 
 std::vector<MtlMaterial> read_mtl_file(const std::filesystem::path& path) {
-  std::string text = read_text_file(path, largest_library);
-  blank_byte_order_mark(text);
+  const std::string text = utf8_text(path, read_bytes(path, largest_library));
   std::vector<MtlMaterial> materials;
   std::string lines;
   bool in_material = false;

@@ -152,12 +152,15 @@ class MaterialReader {
     if (values_.roughness_texname.empty() && values_.metallic_texname.empty()) {
       return;
     }
+    const ObjTexture texture{.content = ObjTexture::Content::roughness_metallic,
+                             .first = file_of(values_.roughness_texname),
+                             .second = file_of(values_.metallic_texname)};
+    if (texture.first.empty() && texture.second.empty()) {
+      return;
+    }
     const bool has_roughness = !values_.roughness_texname.empty();
     material.metallic_roughness_texture =
-        use_of({.content = ObjTexture::Content::roughness_metallic,
-                .first = file_of(values_.roughness_texname),
-                .second = file_of(values_.metallic_texname)},
-               has_roughness ? values_.roughness_texopt : values_.metallic_texopt);
+        use_of(texture, has_roughness ? values_.roughness_texopt : values_.metallic_texopt);
   }
 
   void read_layers(Material& material) const {
@@ -177,7 +180,8 @@ class MaterialReader {
   void read_base_texture(Material& material, const std::string& name,
                          const tinyobj::texture_option_t& options) const {
     material.alpha = fraction(values_.dissolve, "d");
-    if (values_.alpha_texname.empty()) {
+    const fs::path mask = file_of(values_.alpha_texname);
+    if (mask.empty()) {
       material.alpha_mode = material.alpha < 1.0F ? AlphaMode::blend : AlphaMode::opaque;
       material.base_color_texture = texture_of(name, options, true);
       return;
@@ -185,7 +189,7 @@ class MaterialReader {
     material.alpha_mode = AlphaMode::mask;
     material.base_color_texture = use_of({.content = ObjTexture::Content::color_alpha,
                                           .first = file_of(name),
-                                          .second = file_of(values_.alpha_texname),
+                                          .second = mask,
                                           .is_srgb = options.colorspace != "linear"},
                                          name.empty() ? values_.alpha_texopt : options);
   }
@@ -238,11 +242,11 @@ class MaterialReader {
 
   TextureUse texture_of(const std::string& name, const tinyobj::texture_option_t& options,
                         bool is_color) const {
-    if (name.empty()) {
+    const fs::path file = file_of(name);
+    if (file.empty()) {
       return {};
     }
-    return use_of({.first = file_of(name), .is_srgb = is_color && options.colorspace != "linear"},
-                  options);
+    return use_of({.first = file, .is_srgb = is_color && options.colorspace != "linear"}, options);
   }
 
   /// -s scales and -o moves the coordinates of OBJ, whose v runs upwards.

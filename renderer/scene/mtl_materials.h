@@ -14,8 +14,8 @@ namespace foveola {
 /// OBJ's "white material" of faces that name none or one that no library has: a Lambertian surface.
 Material default_obj_material();
 
-/// Finds the file that a texture statement names, as written there. Throws Error if it may not be
-/// read.
+/// Finds the file that a texture statement names, as written there; empty if the texture is to be
+/// left out. Throws Error if it may not be read.
 using ObjTextureFinder = std::function<std::filesystem::path(const std::string& name)>;
 
 /// The material that `source` describes; its textures are added to `textures`. place: of the

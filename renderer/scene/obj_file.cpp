@@ -13,6 +13,7 @@
 #include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/obj_colors.h"
 #include "renderer/scene/obj_numbers.h"
 #include "renderer/scene/text_lines.h"
 
@@ -34,8 +35,8 @@ class Collector {
 
   static tinyobj::callback_t callbacks() {
     tinyobj::callback_t callbacks;
-    callbacks.vertex_cb = [](void* self, float x, float y, float z, float w) {
-      of(self).add_position({x, y, z}, w);
+    callbacks.vertex_cb = [](void* self, float x, float y, float z, float /*w*/) {
+      of(self).obj_.positions.emplace_back(x, y, z);
     };
     callbacks.normal_cb = [](void* self, float x, float y, float z) {
       of(self).obj_.normals.emplace_back(x, y, z);
@@ -63,13 +64,6 @@ class Collector {
 
  private:
   static Collector& of(void* self) { return *static_cast<Collector*>(self); }
-
-  void add_position(const Vec3& position, float w) {
-    if (w != 1.0F) {
-      warnings_.add("what follows x, y and z of a vertex (a weight or a colour) is ignored");
-    }
-    obj_.positions.push_back(position);
-  }
 
   void change_part(std::string object, std::string material) {
     object_ = std::move(object);
@@ -166,15 +160,17 @@ std::vector<std::string> material_libraries_in(std::string_view text) {
 }  // namespace
 
 ObjFile read_obj_file(const std::filesystem::path& path, Warnings& warnings) {
-  std::string text = read_text_file(path, largest_file);
+  std::string bytes = read_bytes(path, largest_file);
   ObjFile obj;
-  obj.sha256 = sha256(text);
-  blank_byte_order_mark(text);
+  obj.sha256 = sha256(bytes);
+  std::string text = utf8_text(path, std::move(bytes));
   join_continued_lines(text);
   obj.material_libraries = material_libraries_in(text);
+  obj.colors = vertex_colors_in(text);
   std::istringstream stream(with_infinities_for_no_numbers(std::move(text)));
   Collector collector(path.string(), obj, warnings);
   tinyobj::LoadObjWithCallback(stream, Collector::callbacks(), &collector);
+  obj.colors.resize(obj.colors.empty() ? 0 : obj.positions.size(), Rgb(1.0F));
   return obj;
 }
 

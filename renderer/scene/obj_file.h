@@ -32,7 +32,8 @@ struct ObjPart {
 
 struct ObjFile {
   std::vector<Vec3> positions;
-  std::vector<Vec2> uvs;  ///< as the file has them: v runs upwards
+  std::vector<Rgb> colors;  ///< see vertex_colors_in(): one a position, or none
+  std::vector<Vec2> uvs;    ///< as the file has them: v runs upwards
   std::vector<Vec3> normals;
   std::vector<ObjPart> parts;                   ///< in the order of their first face
   std::vector<std::string> material_libraries;  ///< what follows each "mtllib"

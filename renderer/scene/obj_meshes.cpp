@@ -88,6 +88,9 @@ class MeshBuilder {
       if (has_uvs_) {
         mesh_.uv_sets[0].push_back(uv_of(corner));
       }
+      if (!obj_.colors.empty()) {
+        mesh_.colors.emplace_back(obj_.colors[static_cast<std::size_t>(corner.position)], 1.0F);
+      }
     }
     return known->second;
   }
@@ -127,6 +130,9 @@ Mesh mesh_of(const ObjFile& obj, const ObjPart& part, bool is_textured, Warnings
                repair_normals(mesh));
   warnings.add("texture coordinates that are not finite are replaced by 0", part.object,
                repair_uvs(mesh));
+  warnings.add("vertex colours are limited to the range they may have", part.object,
+               repair_colors(mesh));
+  drop_white_colors(mesh);
   if (is_textured && mesh.uv_sets.empty() && !mesh.triangles.empty()) {
     warnings.add("texture coordinates are missing: a textured material shows no texture",
                  part.object);

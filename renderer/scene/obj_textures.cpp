@@ -1,6 +1,7 @@
 #include "renderer/scene/obj_textures.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <optional>
 #include <span>
@@ -26,12 +27,34 @@ auto with_image(const fs::path& file, Work work) {
   try {
     return work(std::span(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
   } catch (const std::runtime_error& fault) {
-    throw Error(file.string(), fault.what(), "convert it to PNG or JPEG");
+    throw Error(file.string(), fault.what(), "convert it to PNG");
+  }
+}
+
+/// All zero for an image whose header cannot be read: decoding it will say why.
+ImageSize size_if_readable(const fs::path& file) {
+  try {
+    return with_image(file,
+                      [](auto bytes) { return size_of_image(bytes, ImageFormats::any_texture); });
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+std::string text_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
 }
 
 std::optional<DecodedImage> decode(const fs::path& file) {
-  return file.empty() ? std::nullopt : std::optional(with_image(file, decode_image));
+  if (file.empty()) {
+    return std::nullopt;
+  }
+  return with_image(file,
+                    [](auto bytes) { return decode_image(bytes, ImageFormats::any_texture); });
 }
 
 DecodedImage content_of(const ObjTexture& texture) {
@@ -64,11 +87,24 @@ int ObjTextureSet::add(const ObjTexture& texture, Wrap wrap) {
   return textures_.add(texture, {.wrap_u = wrap, .wrap_v = wrap});
 }
 
-std::vector<Texture> ObjTextureSet::decode(const std::string& place) const {
+std::vector<Texture> ObjTextureSet::decode(std::vector<Material>& materials,
+                                           const std::string& place, bool is_strict,
+                                           Warnings& warnings) const {
   require_modest_size(place);
-  return textures_.decode([](const ObjTexture& texture, bool with_mips) {
+  DecodedTextures decoded = textures_.decode([](const ObjTexture& texture, bool with_mips) {
     return std::make_shared<const Texels>(content_of(texture), texture.is_srgb, with_mips);
   });
+  if (is_strict) {
+    rethrow_fault(decoded.faults);
+  }
+  std::set<std::string> lost;
+  for (const std::exception_ptr& fault : decoded.faults) {
+    if (fault && lost.insert(text_of(fault)).second) {
+      warn_of_lost_texture(text_of(fault), {}, warnings);
+    }
+  }
+  renumber_textures(materials, decoded);
+  return std::move(decoded.textures);
 }
 
 std::set<fs::path> ObjTextureSet::files() const {
@@ -85,7 +121,7 @@ void ObjTextureSet::require_modest_size(const std::string& place) const {
   std::map<fs::path, ImageSize> sizes;
   for (const fs::path& file : files()) {
     encoded_bytes += fs::file_size(file);
-    sizes[file] = with_image(file, size_of_image);
+    sizes[file] = size_if_readable(file);
   }
   std::size_t decoded_bytes = 0;
   for (const ObjTexture& texture : textures_.contents()) {

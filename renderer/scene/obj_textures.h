@@ -34,9 +34,12 @@ class ObjTextureSet {
   /// The index, in what decode() will return, of `texture` continued by `wrap`.
   int add(const ObjTexture& texture, Wrap wrap);
 
-  /// All textures that were added. place: the scene's, for messages. Throws Error if an image is
-  /// none, is damaged, or all together take more memory than require_modest_memory grants.
-  std::vector<Texture> decode(const std::string& place) const;
+  /// All textures that were added and whose images can be decoded. `materials` then count these,
+  /// and use no others. place: the scene's, for messages. is_strict: whether an image that cannot
+  /// be decoded is an Error instead of a warning. Throws Error if all together take more memory
+  /// than require_modest_memory grants.
+  std::vector<Texture> decode(std::vector<Material>& materials, const std::string& place,
+                              bool is_strict, Warnings& warnings) const;
 
   /// The images that the textures are made of, each once.
   std::set<std::filesystem::path> files() const;

@@ -75,6 +75,17 @@ struct Material {
   bool is_emissive() const { return max_component(emission) > 0.0F; }
 };
 
+/// All uses that a material can make of textures, of which few exist. Material_: Material, const or
+/// not.
+template <typename Material_>
+auto texture_uses(Material_& m) {
+  return std::array{
+      &m.base_color_texture,   &m.metallic_roughness_texture, &m.normal_texture,
+      &m.emissive_texture,     &m.specular_texture,           &m.specular_color_texture,
+      &m.transmission_texture, &m.clearcoat_texture,          &m.clearcoat_roughness_texture,
+      &m.sheen_color_texture,  &m.sheen_roughness_texture};
+}
+
 /// Triangles of one material. Front faces are counter-clockwise.
 struct Mesh {
   std::string name;  ///< the object's name in the file

@@ -21,13 +21,8 @@ std::size_t bytes_of(const Mesh& mesh) {
   return bytes;
 }
 
-bool has_texture(const Material& m) {
-  const std::array uses = {&m.base_color_texture,     &m.metallic_roughness_texture,
-                           &m.normal_texture,         &m.emissive_texture,
-                           &m.specular_texture,       &m.specular_color_texture,
-                           &m.transmission_texture,   &m.clearcoat_texture,
-                           &m.sheen_color_texture,    &m.clearcoat_roughness_texture,
-                           &m.sheen_roughness_texture};
+bool has_texture(const Material& material) {
+  const auto uses = texture_uses(material);
   return std::any_of(uses.begin(), uses.end(), [](const TextureUse* use) { return use->exists(); });
 }
 

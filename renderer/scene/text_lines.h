@@ -9,12 +9,13 @@
 
 namespace foveola {
 
-/// The content of a file. Throws Error if it cannot be read, is larger than `largest` bytes, or
-/// holds a zero byte, which no text does.
-std::string read_text_file(const std::filesystem::path& path, std::size_t largest);
+/// The content of a file. Throws Error if it cannot be read or is larger than `largest` bytes.
+std::string read_bytes(const std::filesystem::path& path, std::size_t largest);
 
-/// Blanks out the byte order mark that some editors put in front.
-void blank_byte_order_mark(std::string& text);
+/// The text in `bytes`, the content of the file at `path`: in UTF-8, whose byte order mark becomes
+/// blank, or, by its byte order mark, in UTF-16 of either order. Throws Error if it is UTF-16 that
+/// is cut off, or holds a zero, which no text does.
+std::string utf8_text(const std::filesystem::path& path, std::string bytes);
 
 /// Without blanks (spaces and tabs) on either side.
 std::string_view trimmed(std::string_view text);

@@ -1,16 +1,38 @@
-// The textures that a scene's materials use, collected before they are decoded.
+// The textures that a scene's materials use, collected before they are decoded, and what becomes of
+// those that cannot be.
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "renderer/base/parallel.h"
+#include "renderer/scene/scene.h"
 #include "renderer/scene/texture.h"
+#include "renderer/scene/warnings.h"
 
 namespace foveola {
+
+/// Textures as far as they could be made.
+struct DecodedTextures {
+  std::vector<Texture> textures;
+  std::vector<int> place_of;  ///< in `textures`, of each index that add() returned; -1: none
+  std::vector<std::exception_ptr> faults;  ///< of each content; null if there is nothing wrong
+};
+
+/// Lets `materials` count the textures as they are in `decoded`, without those that are lost.
+void renumber_textures(std::vector<Material>& materials, const DecodedTextures& decoded);
+
+/// Throws the first of the faults, if there is one.
+void rethrow_fault(const std::vector<std::exception_ptr>& faults);
+
+/// Warns of a texture that is left out. what: what it is and what is wrong with it.
+void warn_of_lost_texture(const std::string& what, const std::string& place, Warnings& warnings);
 
 /// Content: what makes one Texels, ordered. Textures that differ in their samplers only share it.
 template <typename Content>
@@ -32,20 +54,28 @@ class TextureList {
   const std::vector<Content>& contents() const { return contents_; }
 
   /// texels_of: the Texels of a Content (shared_ptr<const Texels>), with coarser levels or without;
-  /// called once for each, on several threads.
+  /// called once for each, on several threads. A std::runtime_error that it throws is kept.
   template <typename TexelsOf>
-  std::vector<Texture> decode(TexelsOf texels_of) const {
+  DecodedTextures decode(TexelsOf texels_of) const {
     std::vector<std::shared_ptr<const Texels>> texels(contents_.size());
+    DecodedTextures decoded{.faults = std::vector<std::exception_ptr>(contents_.size())};
     const Workers workers;
     workers.for_each_block(contents_.size(), 1, [&](std::size_t i, std::size_t) {
-      texels[i] = texels_of(contents_[i], with_mips_[i]);
+      try {
+        texels[i] = texels_of(contents_[i], with_mips_[i]);
+      } catch (const std::runtime_error&) {
+        decoded.faults[i] = std::current_exception();
+      }
     });
-    std::vector<Texture> textures;
-    textures.reserve(textures_.size());
+    decoded.textures.reserve(textures_.size());
     for (const auto& [number, sampler] : textures_) {
-      textures.emplace_back(texels[number], sampler);
+      const bool is_there = texels[number] != nullptr;
+      decoded.place_of.push_back(is_there ? static_cast<int>(decoded.textures.size()) : -1);
+      if (is_there) {
+        decoded.textures.emplace_back(texels[number], sampler);
+      }
     }
-    return textures;
+    return decoded;
   }
 
  private:

@@ -22,6 +22,12 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
   return offered;
 }
 
+/// A participant must not see a scene that lacks something.
+SceneSource strictly(SceneSource source) {
+  source.strict = true;
+  return source;
+}
+
 }  // namespace
 
 std::string scene_key(const LoadedScene& loaded) {
@@ -29,7 +35,7 @@ std::string scene_key(const LoadedScene& loaded) {
 }
 
 SceneStage::SceneStage(const SceneSource& source, const Workers& workers)
-    : loaded_(source, workers), objects_(objects_on_offer(source)) {
+    : loaded_(strictly(source), workers), objects_(objects_on_offer(source)) {
   assert(source.camera_position && !objects_.empty());
 }
 

@@ -83,12 +83,8 @@ void check(const Scene& scene, const Mesh& mesh) {
   if (mesh.triangles.empty()) {
     return;
   }
-  const Material& m = scene.materials[static_cast<std::size_t>(mesh.material)];
   for (const TextureUse* use :
-       {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-        &m.emissive_texture, &m.specular_texture, &m.specular_color_texture,
-        &m.transmission_texture, &m.clearcoat_texture, &m.clearcoat_roughness_texture,
-        &m.sheen_color_texture, &m.sheen_roughness_texture}) {
+       texture_uses(scene.materials[static_cast<std::size_t>(mesh.material)])) {
     check(scene, *use, mesh);
   }
 }
@@ -158,7 +154,7 @@ bool load_input(const fs::path& file) {
       Warnings warnings;
       check(load_environment(file, warnings));
     } else {
-      check(load_scene_file(file));
+      check(load_scene_file(file, {.time_s = 0.5}));
     }
   } catch (const Error&) {
     return false;

@@ -16,9 +16,9 @@ std::filesystem::path write_input(const std::filesystem::path& folder, std::stri
 /// of the floats 0, 1, ... 15.
 void write_surroundings(const std::filesystem::path& folder);
 
-/// Loads what write_input returned, and checks of what comes out that every index is in range and
-/// every vertex finite, or every pixel light; throws std::logic_error if not. Returns false if it
-/// was refused with an Error.
+/// Loads what write_input returned, as it is half a second into its animations, and checks of what
+/// comes out that every index is in range and every vertex finite, or every pixel light; throws
+/// std::logic_error if not. Returns false if it was refused with an Error.
 bool load_input(const std::filesystem::path& file);
 
 }  // namespace foveola::test

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "renderer/scene/load_scene.h"
 #include "tests/encoded_image.h"
 
 namespace foveola::test {
@@ -11,9 +10,10 @@ Scene LoadGltf::load_bytes(const std::string& bytes, const std::string& name) co
   return load_gltf(write(name, bytes));
 }
 
-std::string LoadGltf::error_of_bytes(const std::string& bytes, const std::string& name) const {
+std::string LoadGltf::error_of_bytes(const std::string& bytes, const std::string& name,
+                                     const SceneReading& reading) const {
   try {
-    load_bytes(bytes, name);
+    load_gltf(write(name, bytes), reading);
   } catch (const Error& error) {
     return error.what();
   }

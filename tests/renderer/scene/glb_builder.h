@@ -11,6 +11,7 @@
 
 #include "renderer/base/vec.h"
 #include "renderer/glb/glb_document.h"
+#include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene.h"
 #include "tests/temporary_folder.h"
 
@@ -80,7 +81,12 @@ class LoadGltf : public InTemporaryFolder {
 
   /// The text of the Error that loading throws; a failure of the test if it throws none.
   std::string error_of(const GlbBuilder& glb) const { return error_of_bytes(glb.bytes()); }
-  std::string error_of_bytes(const std::string& bytes, const std::string& name = "scene.glb") const;
+  std::string error_of_bytes(const std::string& bytes, const std::string& name = "scene.glb",
+                             const SceneReading& reading = {}) const;
+  /// The same of a strict loading, which the other one is not.
+  std::string strict_error_of(const GlbBuilder& glb) const {
+    return error_of_bytes(glb.bytes(), "scene.glb", {.strict = true});
+  }
 };
 
 /// A PNG image of 8-bit or 16-bit samples, `channels` of them a pixel, row by row from the top.

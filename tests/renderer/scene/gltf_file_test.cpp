@@ -102,7 +102,8 @@ TEST_F(GltfFiles, ReadsImagesInDataUris) {
   const std::string red_png =
       "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/"
       "pLvAAAAAElFTkSuQmCC";
-  for (const std::string type : {"image/png", "image/jpeg", "image/jpg"}) {
+  for (const std::string type :
+       {"image/png", "image/jpeg", "image/jpg", "IMAGE/PNG;charset=utf-8", "text/plain", ""}) {
     const GlbBuilder glb = with_image(fmt::format("data:{};base64,{}", type, red_png));
     write("triangle.bin", glb.buffer);
     const Scene scene = load_text(glb.document.dump());
@@ -112,7 +113,7 @@ TEST_F(GltfFiles, ReadsImagesInDataUris) {
 
 TEST_F(GltfFiles, RefusesBuffersOfAnotherLength) {
   EXPECT_THAT(error_of_text(gltf_with_buffer("data:application/gltf-buffer;base64,AAAA")),
-              HasSubstr("scene.gltf"));
+              HasSubstr("buffers[0]: size mismatch: it states 36 bytes, but there are 3"));
   write("short.bin", "abc");
   EXPECT_THAT(error_of_text(gltf_with_buffer("short.bin")), HasSubstr("size mismatch"));
   write("empty.bin", "");
@@ -120,12 +121,35 @@ TEST_F(GltfFiles, RefusesBuffersOfAnotherLength) {
               HasSubstr("buffers[0].uri: refers to an empty file"));
 }
 
+TEST_F(GltfFiles, WhatFollowsABufferIsPadding) {
+  write("long.bin", one_triangle().buffer + "padding");
+  EXPECT_EQ(load_text(gltf_with_buffer("long.bin")).triangle_count(), 1U);
+}
+
+TEST_F(GltfFiles, BuffersThatNothingUsesNeedNoContent) {
+  GlbBuilder glb = one_triangle();
+  Json document = glb.document;
+  document["buffers"] = {{{"byteLength", 36}}, {{"byteLength", 4294967295U}}};
+  EXPECT_EQ(load_bytes(glb_container(document.dump(), glb.buffer)).triangle_count(), 1U);
+  document["bufferViews"][0]["buffer"] = 1;
+  EXPECT_THAT(error_of_bytes(glb_container(document.dump(), glb.buffer)),
+              HasSubstr("buffers[1].uri: is missing: only the first buffer may lie in the file"));
+}
+
+TEST_F(GltfFiles, RefusesDataUrisThatCannotBeDecoded) {
+  EXPECT_THAT(error_of_text(gltf_with_buffer("data:application/octet-stream;base64,AA*A")),
+              HasSubstr("buffers[0].uri: is a data: uri that is not base64"));
+  GlbBuilder glb = one_triangle();
+  glb.add("images", {{"uri", "data:image/png;base64"}});
+  EXPECT_THAT(error_of(glb), HasSubstr("images[0].uri: is a data: uri that is not base64"));
+}
+
 TEST_F(GltfFiles, NamesWhatIsMissing) {
   EXPECT_THAT(error_of_text(gltf_with_buffer("gone.bin")),
               HasSubstr("buffers[0].uri: refers to \"gone.bin\", a file that does not exist"));
   const GlbBuilder glb = with_image("gone.png");
   write("triangle.bin", glb.buffer);
-  EXPECT_THAT(error_of_text(glb.document.dump()),
+  EXPECT_THAT(error_of_bytes(glb.document.dump(), "scene.gltf", {.strict = true}),
               HasSubstr("images[0].uri: refers to \"gone.png\", a file that does not"));
 }
 
@@ -219,7 +243,7 @@ TEST_F(GltfFiles, SaysThatSomethingElseIsNotGltf) {
 
 TEST_F(GltfFiles, ErrorsAreOneShortLine) {
   const std::string error = error_of_text(
-      gltf_with_buffer("data:application/octet-stream;base64," + std::string(100000, 'A')));
+      gltf_with_buffer("data:application/octet-stream;base64," + std::string(100000, 'A') + "*"));
   EXPECT_THAT(error, AllOf(HasSubstr("scene.gltf"), Not(HasSubstr("\n"))));
   EXPECT_LT(error.size(), 600U);
 }

@@ -91,6 +91,12 @@ TEST_F(GltfLights, ADirectionalLightShinesAlongItsNodesMinusZ) {
   EXPECT_EQ(light.intensity, Rgb(3.0F));
 }
 
+TEST_F(GltfLights, OfUnknownTypesAreLeftOut) {
+  const Scene scene = load(lit({{"type", "area"}}));
+  EXPECT_TRUE(scene.lights.empty());
+  EXPECT_THAT(scene.warnings, ElementsAre("lights of type \"area\" are left out (lights[0])"));
+}
+
 TEST_F(GltfLights, ASpotHasACone) {
   const Scene scene =
       load(lit({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}},
@@ -110,20 +116,20 @@ TEST_F(GltfLights, OfBlendersExportsFitTheirEmission) {
   EXPECT_THAT(standard.warnings,
               ElementsAre(AllOf(HasSubstr("683 lm/W"), HasSubstr("--light-units radiometric"))));
 
-  const Scene unitless = load_gltf(blender_export("unitless"), LightUnits::radiometric);
+  const Scene unitless = load_gltf(blender_export("unitless"), {LightUnits::radiometric});
   EXPECT_THAT(intensities(unitless), ElementsAre(FloatEq(2), FloatEq(1), FloatEq(1)));
   EXPECT_EQ(emission(unitless), Rgb(3, 1.5, 0.75));
   EXPECT_THAT(unitless.warnings, IsEmpty());
 
   constexpr float all_around = 4.0F * std::numbers::pi_v<float>;
-  const Scene raw = load_gltf(blender_export("raw"), LightUnits::radiometric);
+  const Scene raw = load_gltf(blender_export("raw"), {LightUnits::radiometric});
   EXPECT_THAT(intensities(raw), ElementsAre(FloatEq(2), FloatEq(all_around), FloatEq(all_around)));
 }
 
 TEST_F(GltfLights, AreInTheUnitsThatWereSaid) {
-  EXPECT_THAT(intensities(load_gltf(blender_export("standard"), LightUnits::radiometric)),
+  EXPECT_THAT(intensities(load_gltf(blender_export("standard"), {LightUnits::radiometric})),
               ElementsAre(FloatEq(1366), FloatEq(683), FloatEq(683)));
-  const Scene said = load_gltf(blender_export("standard"), LightUnits::photometric);
+  const Scene said = load_gltf(blender_export("standard"), {LightUnits::photometric});
   EXPECT_THAT(intensities(said), ElementsAre(FloatEq(2), FloatEq(1), FloatEq(1)));
   EXPECT_THAT(said.warnings, IsEmpty()) << "who said it knows it";
   const auto from_elsewhere = lit({{"type", "point"}, {"intensity", 1366}});

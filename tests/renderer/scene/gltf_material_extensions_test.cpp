@@ -47,6 +47,49 @@ TEST_F(MaterialExtensions, WithoutThemThereIsNoneOfTheirEffects) {
   EXPECT_THAT(scene.textures, IsEmpty());
 }
 
+/// KHR_materials_pbrSpecularGlossiness: F0 is the specular colour, which of a dielectric of
+/// index 1.5 is 0.04 times specular_color; the roughness is 1 - glossiness.
+TEST_F(MaterialExtensions, SpecularGlossiness) {
+  const Json values = {{"diffuseFactor", {0.25, 0.5, 0.75, 0.5}},
+                       {"specularFactor", {0.5, 0.25, 0.04}},
+                       {"glossinessFactor", 0.75}};
+  const Json fallback = {{"alphaMode", "BLEND"},
+                         {"pbrMetallicRoughness", {{"metallicFactor", 1.0}}}};
+  const Scene scene = scene_with({{"KHR_materials_pbrSpecularGlossiness", values}}, fallback);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.base_color, Rgb(0.25F, 0.5F, 0.75F));
+  EXPECT_EQ(material.alpha, 0.5F);
+  EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(material.metallic, 0.0F);
+  EXPECT_EQ(material.roughness, 0.25F);
+  EXPECT_NEAR(0.04F * material.specular_color.r, 0.5F, 1e-6F);
+  EXPECT_NEAR(0.04F * material.specular_color.b, 0.04F, 1e-6F);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  const Material absent = read({{"KHR_materials_pbrSpecularGlossiness", Json::object()}});
+  EXPECT_EQ(absent.base_color, Rgb(1.0F));
+  EXPECT_EQ(absent.roughness, 0.0F);
+  EXPECT_NEAR(absent.specular_color.g, 25.0F, 1e-5F);
+}
+
+/// An alpha of 51 is a glossiness of 0.2; times 0.5, a roughness of 0.9, in green.
+TEST_F(MaterialExtensions, SpecularGlossinessTextures) {
+  GlbBuilder glb = with_material(Json::object());
+  const int texture = glb.add_texture(png(1, 1, 4, std::vector<std::uint8_t>{255, 0, 0, 51}));
+  const Json values = {{"diffuseTexture", {{"index", texture}}},
+                       {"specularGlossinessTexture", {{"index", texture}}},
+                       {"glossinessFactor", 0.5}};
+  glb.document["materials"][0]["extensions"] = {{"KHR_materials_pbrSpecularGlossiness", values}};
+  const Scene scene = load(glb);
+  const Material& material = scene.materials.at(0);
+  const auto value = [&](const TextureUse& use) {
+    return scene.textures.at(static_cast<std::size_t>(use.texture)).sample({0, 0});
+  };
+  EXPECT_EQ(value(material.base_color_texture), Vec4(1, 0, 0, 0.2F));
+  EXPECT_EQ(value(material.specular_color_texture), Vec4(1, 0, 0, 0.2F));
+  EXPECT_EQ(material.roughness, 1.0F);
+  EXPECT_NEAR(value(material.metallic_roughness_texture).g, 0.9F, 0.51F / 255.0F);
+}
+
 TEST_F(MaterialExtensions, Ior) {
   EXPECT_EQ(read({{"KHR_materials_ior", {{"ior", 1.33}}}}).ior, 1.33F);
   const Scene below = scene_with({{"KHR_materials_ior", {{"ior", 0.5}}}});

@@ -52,5 +52,11 @@ TEST(ImageChannels, MissingRoughnessOrMetalnessIsOne) {
   EXPECT_THAT(roughness_metallic(std::nullopt, row(1, {6})).texels, ElementsAre(255, 255, 6));
 }
 
+TEST(ImageChannels, GlossinessWithoutAnAlphaIsOne) {
+  EXPECT_THAT(roughness_of_glossiness(row(1, {7}), 0.6F).texels, ElementsAre(255, 102, 255));
+  EXPECT_THAT(roughness_of_glossiness(row(4, {1, 2, 3, 0}), 0.6F).texels,
+              ElementsAre(255, 255, 255));
+}
+
 }  // namespace
 }  // namespace foveola

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/encoded_image.h"
 #include "tests/renderer/scene/glb_builder.h"
 
 namespace foveola::test {
@@ -21,6 +22,16 @@ DecodedImage decode(const std::string& encoded) { return decode_image(bytes_of(e
 std::string image_fault(const std::string& encoded) {
   try {
     decode(encoded);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "decoded without an error";
+  return {};
+}
+
+std::string any_image_fault(const std::string& encoded) {
+  try {
+    decode_image(bytes_of(encoded), ImageFormats::any_texture);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -72,9 +83,49 @@ TEST(ImageDecoder, KnowsTheSizeBeforehand) {
 }
 
 TEST(ImageDecoder, RefusesOtherFormats) {
-  EXPECT_EQ(image_fault("GIF89a......"), "is neither a PNG nor a JPEG image");
-  EXPECT_EQ(image_fault(""), "is neither a PNG nor a JPEG image");
-  EXPECT_EQ(image_fault("\x89PN"), "is neither a PNG nor a JPEG image");
+  for (const char* encoded : {"GIF89a......", "", "\x89PN", "BM......"}) {
+    EXPECT_EQ(image_fault(encoded), "is no PNG, JPEG or WebP image") << encoded;
+  }
+  EXPECT_EQ(any_image_fault("this is no image"),
+            "is no PNG, JPEG, WebP, BMP, GIF, TGA or TIFF image");
+  EXPECT_THAT(image_fault("\xABKTX 20\xBB\r\n\x1A\n"), HasSubstr("export it as PNG or JPEG"));
+}
+
+/// What OpenImageIO writes in the formats that OBJ files have beside glTF's.
+TEST(ImageDecoder, ReadsOtherFormatsWhereTheyAreAllowed) {
+  for (const char* format : {"bmp", "targa", "tiff"}) {
+    const std::string encoded =
+        encoded_image({format, 2, 1, 3, std::vector<std::uint8_t>{1, 2, 3, 200, 100, 50}});
+    const DecodedImage image = decode_image(bytes_of(encoded), ImageFormats::any_texture);
+    EXPECT_EQ(image.width, 2) << format;
+    EXPECT_THAT(image.texels, ElementsAre(1, 2, 3, 200, 100, 50)) << format;
+    EXPECT_THAT(image_fault(encoded), HasSubstr("is no PNG")) << format;
+    for (std::size_t size = 0; size < encoded.size(); ++size) {
+      try {
+        decode_image(bytes_of(encoded.substr(0, size)), ImageFormats::any_texture);
+      } catch (const std::runtime_error&) {  // a cut one may be shown as far as it goes
+      }
+    }
+  }
+}
+
+TEST(ImageDecoder, ReadsWebP) {
+  const std::string encoded =
+      encoded_image({"webp", 16, 8, 4, std::vector<std::uint8_t>(16 * 8 * 4, 255)});
+  const DecodedImage image = decode(encoded);
+  EXPECT_EQ(image.width, 16);
+  EXPECT_EQ(image.height, 8);
+  EXPECT_NEAR(image.texels[0], 255, 2);
+  for (std::size_t size = 4; size + 16 < encoded.size(); ++size) {
+    EXPECT_THAT(image_fault(encoded.substr(0, size)), HasSubstr("is ")) << size;
+  }
+}
+
+/// A lossless one's header: 14 bits for each side less 1.
+TEST(ImageDecoder, RefusesAHugeWebPBeforeItIsDecoded) {
+  const std::string header("RIFF\x1A\0\0\0WEBPVP8L\x0D\0\0\0\x2F\xFF\xFF\xFF\x0F", 25);
+  EXPECT_EQ(image_fault(header + std::string(8, '\0')),
+            "has 268435456 pixels; up to 67108864 of a WebP image are read");
 }
 
 TEST(ImageDecoder, RefusesDamagedImages) {

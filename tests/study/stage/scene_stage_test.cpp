@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/base/error.h"
+#include "tests/temporary_folder.h"
+
 namespace foveola::study {
 namespace {
 
@@ -26,6 +29,17 @@ TEST(SceneWarnings, OfAStudySayHowTheLightsOfAFileByBlenderAreUnderstood) {
               testing::StartsWith("foveola: warning: lamps: the lights are divided by 683 lm/W"));
   source.light_units = LightUnits::photometric;
   EXPECT_EQ(printed_warnings(stages_of(source)), "");
+}
+
+/// Others than participants may look at a scene without it.
+TEST(SceneStage, RefusesASceneThatLacksATexture) {
+  const test::TemporaryFolder folder;
+  folder.write("m.mtl", "newmtl m\nmap_Kd gone.png\n");
+  const SceneSource source{
+      .file = folder.write("a.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n"),
+      .camera_position = Vec3(0.0F, 1.0F, 3.0F),
+      .objects = {{.name = "triangle", .position = Vec3(0.0F)}}};
+  EXPECT_THROW(stages_of(source), Error);
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+#include "renderer/commands/scene_file_options.h"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace foveola {
+
+void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
+  command
+      .add_option(
+          "--light-units", arguments.light_units,
+          "Units of a glTF file's punctual lights: photometric (lux and candela, divided by "
+          "683 lm/W) or radiometric (taken as they are); the default is photometric in "
+          "files by Blender's exporter from 3.4.40 on, and radiometric in others")
+      ->check(CLI::IsMember({"photometric", "radiometric"}));
+  command.add_flag("--strict", arguments.strict,
+                   "Refuse a scene with a texture that is missing or cannot be read, which is "
+                   "otherwise left out with a warning");
+  command
+      .add_option("--time", arguments.time_s,
+                  "Show a glTF file as its animations, all of them, have it at so many seconds "
+                  "(default: as it stands without them)")
+      ->check(CLI::Range(-1e9, 1e9));
+}
+
+void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& source) {
+  if (!arguments.light_units.empty()) {
+    source.light_units =
+        arguments.light_units == "photometric" ? LightUnits::photometric : LightUnits::radiometric;
+  }
+  source.strict = source.strict || arguments.strict;
+  if (arguments.time_s) {
+    source.time_s = arguments.time_s;
+  }
+}
+
+SceneFinder with_scene_file_options(CLI::App& command, const SceneFinder& find_scene) {
+  const auto arguments = std::make_shared<SceneFileArguments>();
+  add_scene_file_options(command, *arguments);
+  return [arguments, find_scene](const std::string& name_or_path) {
+    SceneSource source = find_scene(name_or_path);
+    apply_scene_file_options(*arguments, source);
+    return source;
+  };
+}
+
+}  // namespace foveola

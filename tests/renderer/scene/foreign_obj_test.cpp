@@ -1,0 +1,95 @@
+// OBJ files as other programs and systems write them, and that lack a texture.
+#include <gmock/gmock.h>
+
+#include "renderer/base/error.h"
+#include "renderer/scene/load_scene.h"
+#include "tests/encoded_image.h"
+#include "tests/renderer/scene/glb_builder.h"
+
+namespace foveola::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string three_corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string textured_face = "vt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n";
+
+class ForeignObj : public InTemporaryFolder {
+ protected:
+  Scene load(const std::string& obj) const { return load_obj(write("scene.obj", obj)); }
+
+  std::string error_of(const std::string& obj, const SceneReading& reading = {}) const {
+    try {
+      load_obj(write("scene.obj", obj), reading);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  std::string strict_error_of(const std::string& obj) const {
+    return error_of(obj, {.strict = true});
+  }
+};
+
+TEST_F(ForeignObj, TexturesThatCannotBeHadAreLeftOut) {
+  write("text.tga", "this is no image");
+  write("m.mtl", "newmtl m\nmap_Kd gone.png\nmap_d gone.png\nmap_Ke text.tga\nmap_Pr gone.png\n");
+  const Scene scene = load("mtllib m.mtl\n" + three_corners + textured_face);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.base_color, Rgb(1.0F));
+  EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
+  EXPECT_FALSE(material.base_color_texture.exists());
+  EXPECT_FALSE(material.metallic_roughness_texture.exists());
+  EXPECT_FALSE(material.emissive_texture.exists());
+  EXPECT_TRUE(scene.textures.empty());
+  EXPECT_THAT(scene.warnings,
+              ElementsAre(HasSubstr("a texture is left out: gone.png does not exist (3 times"),
+                          AllOf(HasSubstr("a texture is left out: "), HasSubstr("text.tga"))));
+  EXPECT_THAT(strict_error_of("mtllib m.mtl\n" + three_corners + textured_face),
+              HasSubstr("m.mtl: m: refers to \"gone.png\", a file that does not exist"));
+}
+
+/// Written on a system with other paths: in a folder, with a backslash, in another case.
+TEST_F(ForeignObj, FindsTexturesAsOtherSystemsNameThem) {
+  write("Maps/Red.TGA", encoded_image({"targa", 1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}}));
+  write("Sub/m.mtl", "newmtl m\nmap_Kd ..\\maps\\red.tga\n");
+  write("m.mtl", "newmtl m\nmap_Kd MAPS\\red.tga\n");
+  const Scene scene = load("mtllib M.MTL\n" + three_corners + textured_face);
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  EXPECT_EQ(scene.textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1));
+  EXPECT_THAT(error_of("mtllib Sub\\m.mtl\n" + three_corners + textured_face),
+              HasSubstr("leads out of the folder"));
+}
+
+/// sRGB, as Blender and MeshLab write them: 0.5 is 0.21404 of full light (IEC 61966-2-1).
+TEST_F(ForeignObj, VertexColoursAreSrgb) {
+  const Scene scene = load("v 0 0 0 1 0.5 0\nv 1 0 0 1 1 1\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_THAT(scene.warnings, IsEmpty());
+  const std::vector<Vec4>& colors = scene.meshes.at(0).colors;
+  ASSERT_EQ(colors.size(), 3U);
+  EXPECT_NEAR(colors[0].g, 0.21404F, 1e-5F);
+  EXPECT_EQ(colors[1], Vec4(1.0F));
+  EXPECT_EQ(colors[2], Vec4(1.0F)) << "white where there is none";
+  EXPECT_TRUE(load("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n").meshes.at(0).colors.empty())
+      << "a weight is no colour";
+}
+
+TEST_F(ForeignObj, ReadsUtf16) {
+  const auto utf16 = [](const std::string& text) {
+    std::string result = "\xFF\xFE";
+    for (const char c : text) {
+      result += {c, '\0'};
+    }
+    return result;
+  };
+  write("m.mtl", utf16("newmtl m\nKd 0 1 0\n"));
+  const Scene scene = load(utf16("mtllib m.mtl\n" + three_corners + "usemtl m\nf 1 2 3\n"));
+  EXPECT_EQ(scene.materials.at(0).base_color, Rgb(0, 1, 0));
+  EXPECT_EQ(scene.triangle_count(), 1U);
+}
+
+}  // namespace
+}  // namespace foveola::test
