@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "renderer/commands/arguments.h"
+
 namespace foveola {
 
 void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
@@ -22,7 +24,9 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
       .add_option("--time", arguments.time_s,
                   "Show a glTF file as its animations, all of them, have it at so many seconds "
                   "(default: as it stands without them)")
-      ->check(CLI::Range(-1e9, 1e9));
+      ->check([](const std::string& text) {
+        return parse_finite_number(text) ? std::string() : "'" + text + "' is no time in seconds";
+      });
 }
 
 void apply_scene_file_options(const SceneFileArguments& arguments, SceneSource& source) {
