@@ -844,7 +844,7 @@ class Session:
         with log:
             try:
                 self.process = subprocess.Popen(
-                    [program, "preview", str(self.folder / "scene.glb")],
+                    [program, "preview", "--watch", str(self.folder / "scene.glb")],
                     stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=log,
                 )
             except OSError as failure:

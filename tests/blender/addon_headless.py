@@ -62,7 +62,7 @@ def test_start(module, folder):
     wait_for(arguments)
     session = module.session
     file = session.folder / "scene.glb"
-    require(arguments.read_text().splitlines() == ["preview", str(file)], arguments.read_text())
+    require(arguments.read_text().splitlines() == ["preview", "--watch", str(file)], arguments.read_text())
     require(session.folder.parent == pathlib.Path(tempfile.gettempdir()), session.folder)
     require(stat.S_IMODE(session.folder.stat().st_mode) == 0o700, "others may enter the folder")
     process = session.process
