@@ -22,7 +22,7 @@
 #include "renderer/base/progress.h"
 #include "renderer/commands/arguments.h"
 #include "renderer/commands/former_option.h"
-#include "renderer/commands/light_units_option.h"
+#include "renderer/commands/scene_file_options.h"
 #include "renderer/commands/warnings.h"
 #include "renderer/image/image_file.h"
 #include "renderer/progressive/loaded_scene.h"
@@ -295,7 +295,7 @@ void add_bench_convergence(CLI::App& bench, const SceneFinder& find_scene,
                     "Measure a smaller and coarser plan, in about two minutes");
   command->add_flag("--json", arguments->json, "Print the tables as JSON");
   command->footer("Example: foveola bench convergence arcade church -o convergence --quick");
-  command->callback([arguments, find = with_light_units(*command, find_scene), stop] {
+  command->callback([arguments, find = with_scene_file_options(*command, find_scene), stop] {
     run(*arguments, find, stop);
   });
 }

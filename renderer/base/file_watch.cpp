@@ -80,16 +80,18 @@ void FileWatch::watch_folder(const fs::path& file) {
 
 FileChange FileWatch::wait_for_change(const std::stop_token& stop) {
   Changes changes;
-  Nanoseconds waited{0};
+  Nanoseconds last_change = clock_.now();
   while (!stop.stop_requested()) {
     const bool has_changed = changes.which != FileChange::none;
     const Nanoseconds quiet =
         changes.is_last_whole ? timing_.quiet_after_whole_file : timing_.quiet_while_open;
-    if (has_changed && waited >= quiet) {
+    const Nanoseconds left = last_change + quiet - clock_.now();
+    if (has_changed && left <= Nanoseconds(0)) {
       return changes.which;
     }
-    const Nanoseconds sleep = has_changed ? std::min(quiet - waited, longest_sleep) : longest_sleep;
-    waited = read_changes(sleep, changes) ? Nanoseconds(0) : waited + sleep;
+    if (read_changes(has_changed ? std::min(left, longest_sleep) : longest_sleep, changes)) {
+      last_change = clock_.now();
+    }
   }
   return FileChange::none;
 }
@@ -108,11 +110,14 @@ bool FileWatch::read_changes(Nanoseconds timeout, Changes& changes) {
     const bool is_watched = folder != names_.end() && event->len > 0 &&
                             folder->second.contains(static_cast<const char*>(event->name));
     const bool is_lost = (event->mask & IN_Q_OVERFLOW) != 0;  // it may have been any file's
-    if (folder != names_.end() || is_lost) {
+    if (folder == names_.end() && !is_lost) {
+      continue;
+    }
+    const FileChange which =
+        is_watched || is_lost ? FileChange::of_watched_file : FileChange::of_another_file;
+    if (which >= changes.which) {
+      changes = {.which = which, .is_last_whole = (event->mask & whole_file) != 0};
       has_any = true;
-      changes.is_last_whole = (event->mask & whole_file) != 0;
-      changes.which = std::max(changes.which, is_watched || is_lost ? FileChange::of_watched_file
-                                                                    : FileChange::of_another_file);
     }
   }
   return has_any;

@@ -1,13 +1,11 @@
 // Tells when files change, however that is done: written in place, or renamed into their place.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 #include "renderer/base/clock.h"
 
@@ -43,7 +41,8 @@ class FileWatch {
   void watch(const std::set<std::filesystem::path>& files);
 
   /// Waits until a file in the folders has changed and none has been written to for as long as the
-  /// timing says. None if `stop` was requested before.
+  /// timing says; once a watched file has changed, others count no more. None if `stop` was
+  /// requested before.
   FileChange wait_for_change(const std::stop_token& stop);
 
  private:
@@ -58,6 +57,7 @@ class FileWatch {
   bool read_changes(Nanoseconds timeout, Changes& changes);
 
   FileWatchTiming timing_;
+  SteadyClock clock_;
   int inotify_;
   std::map<std::string, int> folders_;          ///< descriptors of watched folders, by their path
   std::map<int, std::set<std::string>> names_;  ///< of the files in each folder, by its descriptor

@@ -12,6 +12,7 @@
 
 #include "renderer/base/build_info.h"
 #include "renderer/base/clock.h"
+#include "renderer/base/error.h"
 #include "renderer/base/freed_memory.h"
 #include "renderer/base/utf8.h"
 #include "renderer/commands/live_preview_json.h"
@@ -78,7 +79,7 @@ SceneChange change_of(ReloadedScene reloaded) {
     return change;
   }
   for (const std::string& warning : reloaded.scene->warnings) {
-    change.remarks.push_back("foveola: warning: " + printable(warning));
+    change.remarks.push_back(warning_line(warning));
   }
   change.tracer = &reloaded.scene->tracer;
   change.surroundings = surroundings_of(*reloaded.scene);
@@ -110,11 +111,18 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   }
   const LoadedScene loaded(request.source, workers, choices, &kept);
   print_warnings(loaded.warnings);
-  SceneReloader reloader(
-      loaded, kept,
-      {.find_source = [&] { return lit_scene(arguments.scene, arguments.look, find_scene); },
-       .choices = choices,
-       .threads = arguments.threads});
+  std::optional<SceneReloader> reloader;
+  try {
+    reloader.emplace(
+        loaded, kept,
+        SceneReloader::Settings{
+            .find_source = [&] { return lit_scene(arguments.scene, arguments.look, find_scene); },
+            .choices = choices,
+            .threads = arguments.threads});
+  } catch (const Error& refusal) {
+    print_notice(std::string("foveola: note: changes of the scene are not shown: ") +
+                 refusal.what());
+  }
   const double exposure_stops = exposure_stops_of(request, loaded, picture, workers);
   WindowEyeTracker gaze = open_gaze_source(request, shown_in.display, clock);
   CorrectedEyeTracker eye(std::move(gaze.tracker));
@@ -133,21 +141,21 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   Steering steering(steered_head, gaze.pointer);
   FreeCamera camera = replayed ? FreeCamera(surroundings_of(loaded), *replayed)
                                : FreeCamera(surroundings_of(loaded), steered_head);
-  LivePreviewSettings live{.display = shown_in.display,
-                           .tracker = request.tracker,
-                           .choices = request.choices,
-                           .seed = request.render.trace.seed,
-                           .framebuffer = framebuffer,
-                           .keeps_last_picture = !arguments.screenshot.empty(),
-                           .corrects_gaze = arguments.correct_gaze,
-                           .notify = print_notice,
-                           .take_change =
-                               [&] {
-                                 std::optional<ReloadedScene> reloaded = reloader.take();
-                                 return reloaded ? std::optional(change_of(std::move(*reloaded)))
-                                                 : std::nullopt;
-                               },
-                           .is_loading = [&] { return reloader.is_loading(); }};
+  LivePreviewSettings live{
+      .display = shown_in.display,
+      .tracker = request.tracker,
+      .choices = request.choices,
+      .seed = request.render.trace.seed,
+      .framebuffer = framebuffer,
+      .keeps_last_picture = !arguments.screenshot.empty(),
+      .corrects_gaze = arguments.correct_gaze,
+      .notify = print_notice,
+      .take_change =
+          [&] {
+            std::optional<ReloadedScene> reloaded = reloader ? reloader->take() : std::nullopt;
+            return reloaded ? std::optional(change_of(std::move(*reloaded))) : std::nullopt;
+          },
+      .is_loading = [&] { return reloader && reloader->is_loading(); }};
   live.choices.look.exposure_stops = exposure_stops;
   if (!arguments.true_angles) {
     const FieldOfView first_view = picture_of(loaded.camera, picture).field_of_view;

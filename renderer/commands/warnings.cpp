@@ -6,9 +6,13 @@
 
 namespace foveola {
 
+std::string warning_line(const std::string& warning) {
+  return "foveola: warning: " + printable(warning);
+}
+
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    fmt::print(stderr, "foveola: warning: {}\n", printable(warning));
+    fmt::print(stderr, "{}\n", warning_line(warning));
   }
 }
 

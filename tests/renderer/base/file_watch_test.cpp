@@ -88,6 +88,14 @@ TEST_F(FileWatchTest, TellsOtherFilesInTheFolderApart) {
   EXPECT_EQ(change(), FileChange::of_watched_file) << "one of two";
 }
 
+// As a log is, into which the program itself may write.
+TEST_F(FileWatchTest, AnotherFileThatStaysOpenHoldsNothingUp) {
+  rename_into_place("second");
+  std::ofstream log(folder_ / "log");
+  log << "line" << std::flush;
+  EXPECT_TRUE(changed());
+}
+
 TEST_F(FileWatchTest, SeesAFileThatWasMissing) {
   watch_.watch({folder_ / "later.bin"});
   rename_into_place("content", "later.bin");
