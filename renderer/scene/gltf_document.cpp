@@ -114,20 +114,14 @@ void write_whole_numbers_as_integers(Json& value) {
 }  // namespace
 
 bool is_supported_extension(std::string_view name) {
-  static constexpr std::array<std::string_view, 14> supported = {
-      "EXT_meshopt_compression",
-      "EXT_texture_webp",
-      "KHR_lights_punctual",
-      "KHR_materials_clearcoat",
-      "KHR_materials_emissive_strength",
-      "KHR_materials_ior",
-      "KHR_materials_pbrSpecularGlossiness",
-      "KHR_materials_sheen",
-      "KHR_materials_specular",
-      "KHR_materials_transmission",
-      "KHR_materials_unlit",
-      "KHR_materials_volume",
-      "KHR_mesh_quantization",
+  static constexpr std::array<std::string_view, 15> supported = {
+      "EXT_meshopt_compression",    "EXT_texture_webp",
+      "KHR_draco_mesh_compression", "KHR_lights_punctual",
+      "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
+      "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+      "KHR_materials_sheen",        "KHR_materials_specular",
+      "KHR_materials_transmission", "KHR_materials_unlit",
+      "KHR_materials_volume",       "KHR_mesh_quantization",
       "KHR_texture_transform"};
   return std::find(supported.begin(), supported.end(), name) != supported.end();
 }

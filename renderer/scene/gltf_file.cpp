@@ -18,6 +18,7 @@
 #include "renderer/scene/gltf_buffers.h"
 #include "renderer/scene/gltf_container.h"
 #include "renderer/scene/gltf_document.h"
+#include "renderer/scene/gltf_draco.h"
 #include "renderer/scene/gltf_fault.h"
 #include "renderer/scene/gltf_meshopt.h"
 #include "renderer/scene/sanitised.h"
@@ -151,6 +152,7 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
   std::vector<Bytes> images = take_embedded_images(document, folder);
   GltfBuffers buffers = read_gltf_buffers(document, parts.binary, folder);
   decompress_meshopt(document, buffers.contents);
+  decompress_draco(document, buffers.contents);
   Contents contents = hand_over(document, std::move(buffers.contents), std::move(images));
   return {.model = model_of(document, std::move(contents)),
           .folder = folder,

@@ -34,6 +34,9 @@ void GltfImages::load(int image) {
     encoded_bytes_ += source.image.size();
   } else {
     try {
+      if (!confined_file_if_there(file_.folder, source.uri)) {
+        missing_files_.insert(file_.folder / percent_decoded(source.uri));
+      }
       load_file(image, confined_file(file_.folder, source.uri));
     } catch (const std::runtime_error& refusal) {
       throw GltfFault(fmt::format("images[{}].uri", image), refusal.what());

@@ -35,6 +35,8 @@ class GltfImages {
 
   /// SHA-256s of the files that were read.
   FileHashes hashes() const;
+  /// The files that images were said to lie in, and that are not there.
+  const std::set<std::filesystem::path>& missing_files() const { return missing_files_; }
 
  private:
   void load_file(int image, const std::filesystem::path& path);
@@ -45,6 +47,7 @@ class GltfImages {
   std::size_t encoded_bytes_ = 0;
   std::map<int, std::filesystem::path> paths_;  ///< by image, where it has a file of its own
   std::map<std::filesystem::path, std::string> contents_;  ///< by path
+  std::set<std::filesystem::path> missing_files_;
 };
 
 }  // namespace foveola

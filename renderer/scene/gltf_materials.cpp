@@ -145,6 +145,7 @@ GltfMaterials read_materials(const GltfFile& file, const std::vector<bool>& is_s
   }
   result.textures = textures.decode(result.materials);
   result.image_hashes = textures.image_hashes();
+  result.missing_files = textures.missing_files();
   return result;
 }
 

@@ -1,6 +1,8 @@
 // glTF's materials and the textures that they use.
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <vector>
 
 #include "renderer/scene/gltf_file.h"
@@ -16,8 +18,9 @@ struct GltfMaterials {
   /// As in the file, then the default material if there is a primitive without one.
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<VertexNeeds> needs;  ///< what the meshes with each material need
-  FileHashes image_hashes;         ///< SHA-256s of the image files in use
+  std::vector<VertexNeeds> needs;                 ///< what the meshes with each material need
+  FileHashes image_hashes;                        ///< SHA-256s of the image files in use
+  std::set<std::filesystem::path> missing_files;  ///< of images in use
 
   /// The index into both of what a primitive calls `material`.
   std::size_t index_of(int material) const {

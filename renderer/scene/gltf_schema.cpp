@@ -62,7 +62,8 @@ class Schema {
     return index_into("lights", has_lights ? document_[lights].size() : 0);
   }
 
-  static Rule byte_count(std::int64_t fewest) {
+  /// A number of 32 bits, not below `fewest`.
+  static Rule natural(std::int64_t fewest) {
     return integer(fewest, std::numeric_limits<std::uint32_t>::max());
   }
 
@@ -83,11 +84,15 @@ class Schema {
   }
 
   Rule mesh() const {
-    const Rule primitive = object({{"attributes", required, map_of(index("accessors"))},
-                                   {"indices", optional, index("accessors")},
-                                   {"material", optional, index("materials")},
-                                   {"mode", optional, integer(0, 6)},
-                                   {"targets", optional, array_of(map_of(index("accessors")))}});
+    const Rule draco = object({{"bufferView", required, index("bufferViews")},
+                               {"attributes", required, map_of(natural(0))}});
+    const Rule primitive = object(
+        {{"attributes", required, map_of(index("accessors"))},
+         {"indices", optional, index("accessors")},
+         {"material", optional, index("materials")},
+         {"mode", optional, integer(0, 6)},
+         {"targets", optional, array_of(map_of(index("accessors")))},
+         {"extensions", optional, object({{"KHR_draco_mesh_compression", optional, draco}})}});
     return object({{"name", optional, text()},
                    {"weights", optional, array_of(any_number())},
                    {"primitives", required, array_of(primitive, 1)}});
@@ -120,10 +125,10 @@ class Schema {
   Rule accessor() const {
     const Rule shape = object(
         {{"bufferView", optional, index("bufferViews")},
-         {"byteOffset", optional, byte_count(0)},
+         {"byteOffset", optional, natural(0)},
          {"componentType", required, one_of_integers({5120, 5121, 5122, 5123, 5125, 5126})},
          {"normalized", optional, boolean()},
-         {"count", required, byte_count(1)},
+         {"count", required, natural(1)},
          {"type", required, one_of({"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"})},
          {"sparse", optional, sparse()}});
     return [shape](const Json& value, const Place& place) {
@@ -151,8 +156,8 @@ class Schema {
   Rule buffer_view() const {
     const Rule shape = object(
         {{"buffer", required, index("buffers")},
-         {"byteOffset", optional, byte_count(0)},
-         {"byteLength", required, byte_count(1)},
+         {"byteOffset", optional, natural(0)},
+         {"byteLength", required, natural(1)},
          {"byteStride", optional, integer(4, 252)},
          {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt()}})}});
     return [shape, this](const Json& value, const Place& place) {
@@ -170,10 +175,10 @@ class Schema {
   Rule meshopt() const {
     return object(
         {{"buffer", required, index("buffers")},
-         {"byteOffset", optional, byte_count(0)},
-         {"byteLength", required, byte_count(1)},
+         {"byteOffset", optional, natural(0)},
+         {"byteLength", required, natural(1)},
          {"byteStride", required, integer(1, 256)},
-         {"count", required, byte_count(1)},
+         {"count", required, natural(1)},
          {"mode", required, one_of({"ATTRIBUTES", "TRIANGLES", "INDICES"})},
          {"filter", optional, one_of({"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"})}});
   }
@@ -181,7 +186,7 @@ class Schema {
   static Rule buffer() {
     const Rule meshopt = object({{"fallback", optional, boolean()}});
     return object(
-        {{"byteLength", required, byte_count(1)},
+        {{"byteLength", required, natural(1)},
          {"uri", optional, text()},
          {"extensions", optional, object({{"EXT_meshopt_compression", optional, meshopt}})}});
   }

@@ -145,21 +145,19 @@ std::vector<Texture> TextureSet::decode(std::vector<Material>& materials) const 
 
 std::shared_ptr<const Texels> TextureSet::shared_texels_of(const Content& content,
                                                            bool with_mips) const {
-  if (kept_ == nullptr) {
-    return std::make_shared<const Texels>(texels_of(content, with_mips));
-  }
+  return kept_or_made(
+      kept_, [&] { return digest_of(content, with_mips); },
+      [&] { return texels_of(content, with_mips); });
+}
+
+/// Of all that its texels are made of.
+std::string TextureSet::digest_of(const Content& content, bool with_mips) const {
   Sha256 digest;
   const std::string how = fmt::format("{} {} {}", static_cast<int>(content.encoding),
                                       content.glossiness_factor, with_mips);
   digest.update(std::as_bytes(std::span(how)));
   digest.update(std::as_bytes(images_.encoded(content.image)));
-  const std::string name = digest.hex();
-  std::shared_ptr<const Texels> texels = kept_->find(name);
-  if (texels == nullptr) {
-    texels = std::make_shared<const Texels>(texels_of(content, with_mips));
-    kept_->keep(name, texels);
-  }
-  return texels;
+  return digest.hex();
 }
 
 /// 0 for an image whose header cannot be read: decoding it will say why.

@@ -47,6 +47,7 @@ class TextureSet {
 
   /// SHA-256s of the files of the images that are used.
   FileHashes image_hashes() const { return images_.hashes(); }
+  const std::set<std::filesystem::path>& missing_files() const { return images_.missing_files(); }
 
  private:
   struct Content {
@@ -64,6 +65,7 @@ class TextureSet {
   Texels texels_of(const Content& content, bool with_mips) const;
   /// The same, found among those kept or made and kept.
   std::shared_ptr<const Texels> shared_texels_of(const Content& content, bool with_mips) const;
+  std::string digest_of(const Content& content, bool with_mips) const;
 
   const tinygltf::Model& model_;
   GltfImages images_;

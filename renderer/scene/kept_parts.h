@@ -46,6 +46,22 @@ class KeptParts {
   Parts in_use_;  ///< since forget_unused() was called
 };
 
+/// The part of the digest that `digest()` returns, if it is kept, else the one that `make()`
+/// returns, which then is. kept: null for none, then nothing is digested.
+template <typename Part, typename Digest, typename Make>
+std::shared_ptr<const Part> kept_or_made(KeptParts<Part>* kept, Digest digest, Make make) {
+  if (kept == nullptr) {
+    return std::make_shared<const Part>(make());
+  }
+  const std::string name = digest();
+  std::shared_ptr<const Part> part = kept->find(name);
+  if (part == nullptr) {
+    part = std::make_shared<const Part>(make());
+    kept->keep(name, part);
+  }
+  return part;
+}
+
 struct KeptSceneParts {
   /// Whether each mesh becomes a prototype and instances, so that it is known again where it stands
   /// elsewhere. Rays are slower then.

@@ -167,6 +167,7 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   scene.warnings = warnings.lines();
   const FileHashes beside = files_beside(file, std::move(materials.image_hashes));
   scene.sha256 = scene_sha256(file.sha256, beside);
+  scene.files = std::move(materials.missing_files);
   for (const auto& [path, digest] : beside) {
     scene.files.insert(path);
   }

@@ -116,10 +116,12 @@ class UsedMaterials {
 
   const Material& operator[](std::size_t index) const { return materials_[index]; }
   const ObjTextureSet& textures() const { return textures_; }
+  const std::set<fs::path>& missing_textures() const { return missing_textures_; }
   /// Moves the materials, and the textures that they use and that can be decoded, into `scene`.
-  void give_to(Scene& scene, const std::string& place) && {
+  /// kept: see ObjTextureSet::decode.
+  void give_to(Scene& scene, KeptParts<Texels>* kept, const std::string& place) && {
     scene.materials = std::move(materials_);
-    scene.textures = textures_.decode(scene.materials, place, is_strict_, warnings_);
+    scene.textures = textures_.decode(scene.materials, kept, place, is_strict_, warnings_);
   }
 
  private:
@@ -145,6 +147,7 @@ class UsedMaterials {
       throw Error(place, missing(name), where_files_belong);
     }
     if (!file) {
+      missing_textures_.insert(folder_ / with_slashes(name));
       warn_of_lost_texture(sanitised(name) + " does not exist", place, warnings_);
     }
     return file.value_or(fs::path());
@@ -155,6 +158,7 @@ class UsedMaterials {
   bool is_strict_;
   Warnings& warnings_;
   ObjTextureSet textures_;
+  std::set<fs::path> missing_textures_;
   std::map<std::string, std::size_t, std::less<>> index_of_;
   std::vector<Material> materials_;
 };
@@ -207,7 +211,10 @@ Scene load_obj(const fs::path& path, const SceneReading& reading) {
     scene.files.insert(library.files.begin(), library.files.end());
     scene.sha256 = sha256_of_all(obj, scene.files);
     scene.files.insert(path);
-    std::move(materials).give_to(scene, path.string());
+    const std::set<fs::path>& missing = materials.missing_textures();
+    scene.files.insert(missing.begin(), missing.end());
+    std::move(materials).give_to(scene, reading.kept != nullptr ? &reading.kept->texels : nullptr,
+                                 path.string());
     if (scene.meshes.empty()) {
       warnings.add("the scene has no triangles");
     }

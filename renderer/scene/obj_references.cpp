@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string>
 
 #include "renderer/scene/confined_file.h"
 #include "renderer/scene/text_lines.h"
@@ -14,8 +13,8 @@ namespace {
 /// confined_file takes URIs, where a percent sign begins an escape.
 std::string as_uri(std::string_view name) {
   std::string uri;
-  for (const char c : trimmed(name)) {
-    uri += c == '\\' ? "/" : c == '%' ? "%25" : std::string(1, c);
+  for (const char c : with_slashes(name)) {
+    uri += c == '%' ? "%25" : std::string(1, c);
   }
   return uri;
 }
@@ -60,6 +59,12 @@ std::optional<fs::path> in_its_own_case(const fs::path& folder, const fs::path& 
 }
 
 }  // namespace
+
+std::string with_slashes(std::string_view name) {
+  std::string path(trimmed(name));
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return path;
+}
 
 std::optional<fs::path> find_obj_reference(const fs::path& folder, std::string_view name) {
   const std::string uri = as_uri(name);

@@ -4,9 +4,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace foveola {
+
+/// `name` with slashes between its folders, and no blanks around it.
+std::string with_slashes(std::string_view name);
 
 /// The file inside `folder` that `name` refers to, with slashes or backslashes between its folders.
 /// What no file is called exactly may be called in letters of another case (ASCII), if only one

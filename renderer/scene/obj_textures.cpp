@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/digest.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/decoded_memory.h"
@@ -69,6 +70,16 @@ DecodedImage content_of(const ObjTexture& texture) {
   return decode(texture.first).value();
 }
 
+/// Of all that its texels are made of.
+std::string digest_of(const ObjTexture& texture, bool with_mips) {
+  const auto digest_of_file = [](const fs::path& file) {
+    return file.empty() ? std::string() : sha256_of_file(file);
+  };
+  return sha256(fmt::format("OBJ {} {} {} {} {}", static_cast<int>(texture.content),
+                            digest_of_file(texture.first), digest_of_file(texture.second),
+                            texture.is_srgb, with_mips));
+}
+
 /// A texture of two images is as large as the larger of them, and has up to four channels.
 std::size_t most_bytes_of(const ObjTexture& texture, const std::map<fs::path, ImageSize>& sizes) {
   if (texture.content == ObjTexture::Content::unchanged) {
@@ -88,11 +99,13 @@ int ObjTextureSet::add(const ObjTexture& texture, Wrap wrap) {
 }
 
 std::vector<Texture> ObjTextureSet::decode(std::vector<Material>& materials,
-                                           const std::string& place, bool is_strict,
-                                           Warnings& warnings) const {
+                                           KeptParts<Texels>* kept, const std::string& place,
+                                           bool is_strict, Warnings& warnings) const {
   require_modest_size(place);
-  DecodedTextures decoded = textures_.decode([](const ObjTexture& texture, bool with_mips) {
-    return std::make_shared<const Texels>(content_of(texture), texture.is_srgb, with_mips);
+  DecodedTextures decoded = textures_.decode([&](const ObjTexture& texture, bool with_mips) {
+    return kept_or_made(
+        kept, [&] { return digest_of(texture, with_mips); },
+        [&] { return Texels(content_of(texture), texture.is_srgb, with_mips); });
   });
   if (is_strict) {
     rethrow_fault(decoded.faults);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/scene/kept_parts.h"
 #include "renderer/scene/texture.h"
 #include "renderer/scene/texture_list.h"
 
@@ -36,10 +37,10 @@ class ObjTextureSet {
 
   /// All textures that were added and whose images can be decoded. `materials` then count these,
   /// and use no others. place: the scene's, for messages. is_strict: whether an image that cannot
-  /// be decoded is an Error instead of a warning. Throws Error if all together take more memory
-  /// than require_modest_memory grants.
-  std::vector<Texture> decode(std::vector<Material>& materials, const std::string& place,
-                              bool is_strict, Warnings& warnings) const;
+  /// be decoded is an Error instead of a warning. kept: where decoded images are found and left, or
+  /// null. Throws Error if all together take more memory than require_modest_memory grants.
+  std::vector<Texture> decode(std::vector<Material>& materials, KeptParts<Texels>* kept,
+                              const std::string& place, bool is_strict, Warnings& warnings) const;
 
   /// The images that the textures are made of, each once.
   std::set<std::filesystem::path> files() const;

@@ -175,7 +175,8 @@ struct Scene {
   std::vector<CameraView> cameras;
   std::vector<std::string> warnings;  ///< one line each: what the file asked for and did not get
   std::string sha256;                 ///< covers all files it was loaded from: see scene_hash.h
-  std::set<std::filesystem::path> files;  ///< all that it was loaded from
+  /// All that it was loaded from, and those of its textures that are not there.
+  std::set<std::filesystem::path> files;
   /// Where this scene's (0, 0, 0) lies in the file's world, in metres. Not zero for scenes far from
   /// the file's own origin, where floats would be too coarse.
   DVec3 origin{0.0};

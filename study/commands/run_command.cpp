@@ -99,7 +99,8 @@ void add_run(CLI::App& study, const SceneFinderBeside& find_scene, const std::st
                    "The participant's code (letters, digits, - and _), never a name")
       ->required();
   command->add_flag("--pilot", arguments->is_pilot,
-                    "A rehearsal: its session is kept apart and not analysed");
+                    "A rehearsal: its session is kept apart and not analysed, and a scene is shown "
+                    "anew when its file changes");
   command->add_option(
       "--display", arguments->display,
       "The display's profile: a name or a file (default: the protocol's, or desktop)");

@@ -8,10 +8,10 @@
 namespace foveola::study {
 namespace {
 
-PreviewSettings preview_settings(const AttemptSetting& setting) {
+PreviewSettings preview_settings(const AttemptSetting& setting, const SceneStage& stage) {
   const PlannedTrial& trial = setting.trial;
-  return trial_preview_settings(
-      setting.protocol, settings_of(setting.protocol, trial.scene, trial.method), setting.stage);
+  return trial_preview_settings(setting.protocol,
+                                settings_of(setting.protocol, trial.scene, trial.method), stage);
 }
 
 ViewLook look_of(const PreviewSettings& settings) {
@@ -23,9 +23,9 @@ ViewLook look_of(const PreviewSettings& settings) {
 
 LiveAttempt::LiveAttempt(AttemptSetting setting)
     : setting_(std::move(setting)),
-      look_(look_of(preview_settings(setting_))),
-      preview_(setting_.stage.tracer(), preview_settings(setting_), setting_.eye, setting_.head,
-               setting_.workers),
+      look_(look_of(preview_settings(setting_, setting_.stage))),
+      preview_(setting_.stage.tracer(), preview_settings(setting_, setting_.stage), setting_.eye,
+               setting_.head, setting_.workers),
       frames_(
           preview_, setting_.clock, setting_.display.refresh(),
           [this](Nanoseconds time) { wait_until(time); },
@@ -51,6 +51,11 @@ Nanoseconds LiveAttempt::show(Nanoseconds /*until*/) {
 void LiveAttempt::finish() {
   setting_.display.set_frame_budget(frames_.budget().for_another_preview());
   log_.finish(preview_.film());
+}
+
+void LiveAttempt::show_scene(const SceneStage& stage) {
+  look_ = look_of(preview_settings(setting_, stage));
+  preview_.show(stage.tracer(), stage.viewpoint());
 }
 
 std::optional<SlowDrawing> LiveAttempt::slow_drawing() const {

@@ -22,7 +22,7 @@ namespace foveola::study {
 /// What an attempt is made of; what is referred to must outlive it.
 struct AttemptSetting {
   const Protocol& protocol;
-  const SceneStage& stage;
+  const SceneStage& stage;  ///< or until another is shown in its place
   const Workers& workers;
   const Clock& clock;
   SessionDisplay& display;
@@ -50,6 +50,10 @@ class LiveAttempt final : public AttemptPort {
   /// Renders and presents the next frame, nothing but its picture in a catch trial.
   Nanoseconds show(Nanoseconds until) override;
   void finish() override;
+  /// Goes on in another version of the scene, with an empty film. `stage` must outlive the attempt.
+  void show_scene(const SceneStage& stage);
+  /// As LiveFrames::give_way.
+  void give_way(bool gives_way) { frames_.give_way(gives_way); }
   std::uint64_t samples() const override { return preview_.film().total_samples(); }
   std::uint64_t non_finite() const override { return preview_.dropped().size(); }
 

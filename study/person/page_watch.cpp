@@ -9,8 +9,15 @@ void PageWatch::turn_page() {
 }
 
 std::optional<int> PageWatch::picture_due(bool stands) {
+  if (frames_ > frame_to_keep) {
+    return std::nullopt;
+  }
   frames_ = stands && since_ ? frames_ + 1 : 0;
-  return frames_ == frame_to_keep ? std::optional(++pages_) : std::nullopt;
+  if (frames_ != frame_to_keep) {
+    return std::nullopt;
+  }
+  ++frames_;  // What comes without another page, such as a note, needs no other picture.
+  return ++pages_;
 }
 
 }  // namespace foveola::study

@@ -29,7 +29,7 @@ class PageWatch {
 
  private:
   std::optional<Nanoseconds> since_;
-  int frames_ = 0;  ///< number of frames for which the page has been shown
+  int frames_ = 0;  ///< for which the page has been shown, until its picture was due
   int pages_ = 0;   ///< how many pages had a picture due
 };
 

@@ -80,15 +80,27 @@ void PersonSession::enter_scene() {
   const std::string& scene = trial().scene;
   if (scene != scene_) {
     scene_ = scene;
+    panorama_.reset();
+    viewer_.look_along(stage().source().heading);
+  }
+  if (panorama_ == nullptr) {
     seat_.display.show_no_film();
     seat_.display.show({.screen = notice_screen(Notice::loading, study_.protocol.texts)});
-    viewer_.look_along(stage().source().heading);
-    const IVec2 size = panorama_size(settings_of(study_.protocol, scene, trial().method).film);
-    panorama_ = std::make_unique<EquirectFilm>(size.x, size.y);
-    show_direct_shading(stage().scene(), stage().tracer().ray_scene(), stage().viewpoint(),
-                        *panorama_, study_.workers);
+    draw_panorama();
   }
   seat_.display.show_film(*panorama_, study_.workers);
+}
+
+const SceneStage& PersonSession::stage() const {
+  const auto changed = changed_.find(trial().scene);
+  return changed != changed_.end() ? *changed->second : *study_.stages.at(trial().scene);
+}
+
+void PersonSession::draw_panorama() {
+  const IVec2 size = panorama_size(settings_of(study_.protocol, scene_, trial().method).film);
+  panorama_ = std::make_unique<EquirectFilm>(size.x, size.y);
+  show_direct_shading(stage().scene(), stage().tracer().ray_scene(), stage().viewpoint(),
+                      *panorama_, study_.workers);
 }
 
 bool PersonSession::needs_gaze() const {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -22,6 +23,7 @@
 #include "study/person/simulated_operator.h"
 #include "study/person/viewer.h"
 #include "study/stage/seeds.h"
+#include "study/stage/stage_reload.h"
 
 namespace foveola::study {
 
@@ -42,6 +44,7 @@ struct ShownStudy {
   const Plan& plan;
   const SceneStages& stages;
   const Workers& workers;
+  StageReloader* reloader = nullptr;  ///< in a rehearsal: loads scenes again whose files change
 };
 
 /// What the participant sits before; all of it must outlive the session.
@@ -77,6 +80,10 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   Nanoseconds show() override;
   void end_frame(Nanoseconds shown) override;
   void enter_scene();
+  void draw_panorama();
+  /// In a rehearsal: shows a scene whose files have changed, and notes it in the record.
+  void follow_changes();
+  void show_changed(const std::string& scene, std::unique_ptr<const SceneStage> stage);
   /// No trial that follows the gaze is begun without one.
   bool needs_gaze() const;
   bool has_gaze() const { return eye_.has_gaze(seat_.clock.now()); }
@@ -109,7 +116,7 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
     return {study_.protocol, study_.plan, driver_.procedure(), driver_.seen()};
   }
   const PlannedTrial& trial() const { return driver_.trial(); }
-  const SceneStage& stage() const { return *study_.stages.at(trial().scene); }
+  const SceneStage& stage() const;
 
   PersonSessionSettings settings_;
   ShownStudy study_;
@@ -122,6 +129,8 @@ class PersonSession final : private ClockPort, private DisplayPort, private Inpu
   PageWatch page_watch_;
   Viewer viewer_;
   std::string scene_;  ///< the scene that the viewer is in
+  /// By name: the scenes that have changed, as they are now.
+  std::map<std::string, std::unique_ptr<const SceneStage>> changed_;
   std::unique_ptr<EquirectFilm>
       panorama_;                     ///< the scene as it looks without noise, in direct light
   LiveAttempt* attempt_ = nullptr;   ///< the driver's, while it goes on

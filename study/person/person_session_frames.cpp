@@ -1,5 +1,6 @@
 // What the participant sees, frame by frame.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ RgbImage cut(RgbImage window, const WindowPart& part) {
 }  // namespace
 
 void PersonSession::begin_frame() {
+  follow_changes();
   const std::optional<int> number = page_watch_.picture_due(!driver_.has_effects_to_come());
   if (number && settings_.screens) {
     seat_.display.take_picture(*settings_.screens /
@@ -37,6 +39,51 @@ void PersonSession::begin_frame() {
   if (seat_.simulated_operator != nullptr && attempt_ != nullptr &&
       seat_.simulated_operator->wants_to_look()) {
     seat_.display.keep_pixels();
+  }
+}
+
+void PersonSession::follow_changes() {
+  if (study_.reloader == nullptr) {
+    return;
+  }
+  if (attempt_ != nullptr) {
+    attempt_->give_way(study_.reloader->is_loading());
+  }
+  std::optional<ReloadedStage> reloaded = study_.reloader->take();
+  if (!reloaded) {
+    return;
+  }
+  std::string note;
+  if (reloaded->stage == nullptr) {
+    note = fmt::format("the changed scene {} is not shown: {}", reloaded->scene, reloaded->refusal);
+  } else {
+    note = fmt::format("the scene {} has changed, from here on it is that of SHA-256 {}",
+                       reloaded->scene, reloaded->stage->scene().sha256);
+    show_changed(reloaded->scene, std::move(reloaded->stage));
+  }
+  driver_.feed(NoteWritten{note});
+}
+
+/// View, method and gaze stay, and an attempt goes on.
+void PersonSession::show_changed(const std::string& scene,
+                                 std::unique_ptr<const SceneStage> stage) {
+  // Until here, what is shown refers to the former one.
+  const auto former = std::exchange(changed_[scene], std::move(stage));
+  if (scene != scene_) {
+    return;
+  }
+  if (attempt_ != nullptr) {
+    attempt_->show_scene(*changed_[scene]);
+  } else {
+    seat_.display.show_no_film();
+  }
+  panorama_.reset();
+  if (is_picture_shown()) {
+    page_watch_.turn_page();
+  }
+  const Phase phase = driver_.seen().phase;
+  if (phase == Phase::choosing_object || phase == Phase::ready || prompt_.awaits_gaze) {
+    enter_scene();
   }
 }
 

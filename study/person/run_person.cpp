@@ -1,6 +1,7 @@
 #include "study/person/run_person.h"
 
 #include <algorithm>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "study/record/same_scenes.h"
 #include "study/record/threaded_recorder.h"
 #include "study/stage/protocol_notes.h"
+#include "study/stage/stage_reload.h"
 
 namespace fs = std::filesystem;
 
@@ -113,10 +115,12 @@ void say_if_pictures_are_lost(SessionDisplay& display) {
 class PersonRun {
  public:
   PersonRun(const RunSettings& settings, const Protocol& protocol,
-            const std::vector<SceneSource>& sources, DisplayProfile profile, TrackerProfile tracker,
-            StudyStore& store, std::optional<SessionSoFar> so_far)
+            const SceneFinderBeside& find_scene, const std::vector<SceneSource>& sources,
+            DisplayProfile profile, TrackerProfile tracker, StudyStore& store,
+            std::optional<SessionSoFar> so_far)
       : settings_(settings),
         protocol_(protocol),
+        find_scene_(find_scene),
         sources_(sources),
         profile_(std::move(profile)),
         tracker_(std::move(tracker)),
@@ -136,16 +140,20 @@ class PersonRun {
     say_if_keys_are_late(window.key_time_source());
     const PersonSessionSettings session = so_far_ ? going_on(devices) : beginning(stages, devices);
     ThreadedRecorder recorder(store_, row_);
-    const SessionOutcome outcome =
-        PersonSession(session,
-                      {.protocol = protocol_, .plan = plan_, .stages = stages, .workers = workers},
-                      {.clock = clock,
-                       .events = events,
-                       .display = display,
-                       .tracker = *gaze.tracker,
-                       .pointer = gaze.pointer},
-                      recorder)
-            .run(stop);
+    const std::unique_ptr<StageReloader> reloader = reloader_of(stages);
+    const SessionOutcome outcome = PersonSession(session,
+                                                 {.protocol = protocol_,
+                                                  .plan = plan_,
+                                                  .stages = stages,
+                                                  .workers = workers,
+                                                  .reloader = reloader.get()},
+                                                 {.clock = clock,
+                                                  .events = events,
+                                                  .display = display,
+                                                  .tracker = *gaze.tracker,
+                                                  .pointer = gaze.pointer},
+                                                 recorder)
+                                       .run(stop);
     say_if_pictures_are_lost(display);
     return outcome.phase;
   }
@@ -156,6 +164,24 @@ class PersonRun {
     const std::vector<ShownScene> shown = shown_scenes(stages);
     if (!settings_.despite_changes) {
       require_same_scenes(settings_.database, shown);
+    }
+  }
+
+  /// None but in a rehearsal.
+  std::unique_ptr<StageReloader> reloader_of(const SceneStages& stages) const {
+    if (settings_.kind != SessionKind::pilot) {
+      return nullptr;
+    }
+    const auto find = [this](const std::string& scene) {
+      const auto entry = std::find_if(protocol_.scenes.begin(), protocol_.scenes.end(),
+                                      [&](const SceneEntry& one) { return one.name == scene; });
+      return find_scene_of(protocol_, *entry, find_scene_);
+    };
+    try {
+      return std::make_unique<StageReloader>(stages, find, settings_.threads);
+    } catch (const Error& refusal) {
+      say(fmt::format("Changes of the scenes will not be shown: {}", refusal.what()));
+      return nullptr;
     }
   }
 
@@ -206,6 +232,7 @@ class PersonRun {
 
   const RunSettings& settings_;
   const Protocol& protocol_;
+  const SceneFinderBeside& find_scene_;
   const std::vector<SceneSource>& sources_;
   DisplayProfile profile_;
   TrackerProfile tracker_;
@@ -253,7 +280,8 @@ RunReport run_person(const RunSettings& settings, const SceneFinderBeside& find_
                  .remedy_of_lost_display = remedy_of_lost_display(settings)},
                 events, clock);
   display.refresh_rate_hz = said_refresh_rate_hz(window, settings.monitor.value_or(0), display);
-  PersonRun run(settings, protocol, sources, std::move(display), tracker, store, std::move(so_far));
+  PersonRun run(settings, protocol, find_scene, sources, std::move(display), tracker, store,
+                std::move(so_far));
   RunReport report;
   run_beside(window, stop, [&](const IVec2& framebuffer) {
     report.phase = run.run(window, events, framebuffer, clock, stop);

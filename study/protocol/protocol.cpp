@@ -203,26 +203,33 @@ std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::s
   });
 }
 
+SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
+                          const SceneFinderBeside& find_scene) {
+  const std::string place =
+      fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column);
+  SceneSource source;
+  try {
+    source = find_scene(entry.name, folder_of(protocol));
+  } catch (const Error& error) {
+    throw Error(place, error.what());
+  }
+  if (source.objects.empty()) {
+    throw Error(place, fmt::format("the scene '{}' names no objects to choose", entry.name),
+                "'foveola scene describe' writes a descriptor with [[object]] entries beside its "
+                "file");
+  }
+  if (!source.camera_position) {
+    throw Error(place, fmt::format("the scene '{}' has no viewpoint", entry.name),
+                "'foveola scene describe' writes a descriptor with a camera beside its file");
+  }
+  return source;
+}
+
 std::vector<SceneSource> find_scenes(const Protocol& protocol,
                                      const SceneFinderBeside& find_scene) {
   std::vector<SceneSource> sources;
   for (const SceneEntry& entry : protocol.scenes) {
-    const std::string place =
-        fmt::format("{}:{}:{}", protocol.path.string(), entry.line, entry.column);
-    try {
-      sources.push_back(find_scene(entry.name, folder_of(protocol)));
-    } catch (const Error& error) {
-      throw Error(place, error.what());
-    }
-    if (sources.back().objects.empty()) {
-      throw Error(place, fmt::format("the scene '{}' names no objects to choose", entry.name),
-                  "'foveola scene describe' writes a descriptor with [[object]] entries beside its "
-                  "file");
-    }
-    if (!sources.back().camera_position) {
-      throw Error(place, fmt::format("the scene '{}' has no viewpoint", entry.name),
-                  "'foveola scene describe' writes a descriptor with a camera beside its file");
-    }
+    sources.push_back(find_scene_of(protocol, entry, find_scene));
   }
   return sources;
 }

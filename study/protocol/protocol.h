@@ -268,8 +268,11 @@ std::vector<NamedProfile> named_profiles(const Protocol& protocol);
 /// disk while a study runs have no effect.
 std::unique_ptr<ViewSampler> make_sampler(const Protocol& protocol, const std::string& method);
 
-/// Finds every scene of the protocol, in its order, beside the protocol first. Throws Error with
-/// file:line:column for one that cannot be found or that names no objects to choose.
+/// Finds a scene of the protocol, beside the protocol first. Throws Error with file:line:column if
+/// it cannot be found, has no viewpoint, or names no objects to choose.
+SceneSource find_scene_of(const Protocol& protocol, const SceneEntry& entry,
+                          const SceneFinderBeside& find_scene);
+/// All of them, in the protocol's order.
 std::vector<SceneSource> find_scenes(const Protocol& protocol, const SceneFinderBeside& find_scene);
 
 }  // namespace foveola::study

@@ -1,6 +1,7 @@
 #include "study/stage/scene_stage.h"
 
 #include <cassert>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,21 +23,23 @@ std::vector<OfferedObject> objects_on_offer(const SceneSource& source) {
   return offered;
 }
 
-/// A participant must not see a scene that lacks something.
-SceneSource strictly(SceneSource source) {
-  source.strict = true;
-  return source;
-}
-
 }  // namespace
 
 std::string scene_key(const LoadedScene& loaded) {
   return loaded.scene.sha256 + ";" + added_to_file(loaded.source);
 }
 
+SceneSource as_shown(SceneSource source) {
+  source.strict = true;
+  return source;
+}
+
 SceneStage::SceneStage(const SceneSource& source, const Workers& workers)
-    : loaded_(strictly(source), workers), objects_(objects_on_offer(source)) {
-  assert(source.camera_position && !objects_.empty());
+    : SceneStage(std::make_shared<const LoadedScene>(as_shown(source), workers)) {}
+
+SceneStage::SceneStage(std::shared_ptr<const LoadedScene> loaded)
+    : loaded_(std::move(loaded)), objects_(objects_on_offer(loaded_->source)) {
+  assert(loaded_->source.camera_position && !objects_.empty());
 }
 
 void SceneStage::render_reference(const FilmSettings& film, const ReferenceQuality& quality,

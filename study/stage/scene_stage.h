@@ -22,11 +22,16 @@ namespace foveola::study {
 /// Distinguishes scenes that do not look the same: a hash of the file and what was added to it.
 std::string scene_key(const LoadedScene& loaded);
 
+/// `source` as participants see it: a scene that lacks something is refused.
+SceneSource as_shown(SceneSource source);
+
 class SceneStage {
  public:
   /// Loads the scene and builds its tracer. source has a camera position and objects (see
   /// find_scenes). Throws Error for a bad file.
   SceneStage(const SceneSource& source, const Workers& workers);
+  /// Of a scene that was loaded from such a source, as_shown.
+  explicit SceneStage(std::shared_ptr<const LoadedScene> loaded);
   SceneStage(const SceneStage&) = delete;
   SceneStage& operator=(const SceneStage&) = delete;
 
@@ -36,18 +41,18 @@ class SceneStage {
                         const Workers& workers, const std::function<void(double)>& progress,
                         const std::stop_token& stop);
 
-  std::string key() const { return scene_key(loaded_); }
-  const LoadedScene& loaded() const { return loaded_; }
-  const SceneSource& source() const { return loaded_.source; }
-  const Scene& scene() const { return loaded_.scene; }
-  const PathTracer& tracer() const { return loaded_.tracer; }
-  const Vec3& viewpoint() const { return loaded_.camera.position; }
+  std::string key() const { return scene_key(*loaded_); }
+  const LoadedScene& loaded() const { return *loaded_; }
+  const SceneSource& source() const { return loaded_->source; }
+  const Scene& scene() const { return loaded_->scene; }
+  const PathTracer& tracer() const { return loaded_->tracer; }
+  const Vec3& viewpoint() const { return loaded_->camera.position; }
   const std::vector<OfferedObject>& objects() const { return objects_; }
   /// Linear radiance, as large as the film; empty before render_reference.
   const RgbImage& reference() const { return reference_; }
 
  private:
-  LoadedScene loaded_;
+  std::shared_ptr<const LoadedScene> loaded_;
   std::vector<OfferedObject> objects_;
   RgbImage reference_;
 };

@@ -13,9 +13,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/image/image_file.h"
-#include "tests/end_to_end/program.h"
-#include "tests/waiting.h"
-#include "tests/x_server.h"
+#include "tests/end_to_end/preview_command.h"
 
 namespace foveola::test {
 namespace {
@@ -28,44 +26,6 @@ using ::testing::StartsWith;
 /// Of the targets around the middle of a window of 200 x 160: four fifths of the way to its sides.
 constexpr int reach_px = 80;
 constexpr int rise_px = 64;
-
-class PreviewCommand : public ::testing::Test {
- protected:
-  ProgramResult preview(std::vector<std::string> options) const {
-    std::vector<std::string> arguments = {"preview",  scene_,    "--size", "512x256",
-                                          "--window", "200x160", "--json"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run_foveola(arguments);
-  }
-
-  /// What the preview says at its end, after a user has done something with its window.
-  template <typename Act>
-  nlohmann::json preview_while(const Act& act, std::vector<std::string> options = {}) const {
-    const std::jthread user_thread([&] {
-      XUser user(server_.display());
-      user.point_at(title_, 100, 80);
-      act(user);
-    });
-    const ProgramResult result = preview(std::move(options));
-    EXPECT_EQ(result.exit_code, 0) << result.errors;
-    return nlohmann::json::parse(result.output);
-  }
-
-  /// Waits until the check of the gaze shows its target there, black with a white middle, or until
-  /// it does not any more.
-  void wait_for_target(XUser& user, int x, int y, bool is_there = true) const {
-    constexpr int to_the_black_px = 7;
-    wait_until(is_there ? "the target" : "the target to go", [&] {
-      return (user.brightness_at(title_, x, y) > 0.9 &&
-              user.brightness_at(title_, x + to_the_black_px, y) < 0.1) == is_there;
-    });
-  }
-
-  XServer server_;
-  TemporaryFolder folder_;
-  std::string scene_ = folder_.write("room.gltf", room_gltf()).string();
-  std::string title_ = "Foveola: " + scene_;
-};
 
 TEST_F(PreviewCommand, WritesItsLastPicture) {
   const std::string file = folder_ / "last.png";
@@ -239,54 +199,6 @@ TEST_F(PreviewCommand, SurvivesFullScreenWhileOrbitingAndTinyWindows) {
       },
       {"--show", "gaze,rings,density,times,latency,view,help"});
   EXPECT_GT(json.at("frame_count"), 1);
-}
-
-// The paper's user has changed an object and wants to see it.
-TEST_F(PreviewCommand, ShowsTheSceneThatTakesItsFilesPlace) {
-  const auto replace = [&](const std::string& bytes) {
-    std::filesystem::rename(folder_.write("new", bytes), scene_);
-  };
-  const auto brightness_is = [&](XUser& user, bool is_bright) {
-    wait_until("the changed scene",
-               [&] { return (user.brightness_at(title_, 100, 150) > 0.2) == is_bright; });
-  };
-  const nlohmann::json json = preview_while(
-      [&](XUser& user) {
-        brightness_is(user, true);
-        replace(replaced(room_gltf(), R"("emissiveStrength":10)", R"("emissiveStrength":0.001)"));
-        brightness_is(user, false);
-        replace("no scene at all");
-        replace(room_gltf());
-        brightness_is(user, true);
-        user.ask_to_close(title_);
-      },
-      {"--fill-unsampled"});
-  ASSERT_GE(json.at("changes").size(), 2U);
-  EXPECT_FALSE(json.at("changes").front().at("is_refused"));
-  EXPECT_FALSE(json.at("changes").back().at("is_refused"));
-  EXPECT_GT(json.at("changes").front().at("seconds_to_first_frame"), 0.0);
-  EXPECT_EQ(json.at("last_view"), "--camera 0,-0.4,0 --head 45,0 --fov 60") << "as before";
-}
-
-TEST_F(PreviewCommand, KeepsTheSceneWhereTheChangedOneDoesNotLoad) {
-  const std::jthread user_thread([&] {
-    XUser user(server_.display());
-    user.point_at(title_, 100, 80);
-    wait_until("the first picture", [&] { return user.brightness_at(title_, 100, 150) > 0.2; });
-    for (int i = 0; i < 10; ++i) {
-      std::filesystem::rename(folder_.write("new", "no scene at all"), scene_);
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-    wait_until("the old scene", [&] { return user.brightness_at(title_, 100, 150) > 0.2; });
-    user.ask_to_close(title_);
-  });
-  const ProgramResult result = preview({"--fill-unsampled"});
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("does not load: " + scene_));
-  const auto json = nlohmann::json::parse(result.output);
-  for (const auto& change : json.at("changes")) {
-    EXPECT_TRUE(change.at("is_refused"));
-  }
 }
 
 TEST_F(PreviewCommand, ACheckEndsWithEscape) {

@@ -104,6 +104,12 @@ std::string SeatedParticipant::wait_for_page() {
   return picture.substr(4, picture.size() - 8);
 }
 
+fs::path SeatedParticipant::picture() const { return screens_ / picture_of_page(screens_, pages_); }
+
+void SeatedParticipant::replace_scene(const std::string& glb) const {
+  fs::rename(folder().write("new.glb", glb), folder() / "real/hall.glb");
+}
+
 void SeatedParticipant::wait_for_signal() {
   constexpr std::chrono::milliseconds reaction{300};
   wait_until("the signal", [&] { return user_->brightness_at("Foveola", 2, 2) > 0.5; });

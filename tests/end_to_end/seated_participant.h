@@ -39,6 +39,9 @@ class SeatedParticipant {
   /// phase. Throws std::runtime_error if it never does.
   std::string wait_for_page();
 
+  /// The picture of the page that was waited for last.
+  std::filesystem::path picture() const;
+
   /// Waits until the signal of the reaction test, which lights the whole page, has been seen for as
   /// long as anybody needs to react.
   void wait_for_signal();
@@ -52,6 +55,8 @@ class SeatedParticipant {
 
   RunningProgram& program() { return *program_; }
   const TemporaryFolder& folder() const { return hall_.folder; }
+  /// Renames another file into the place of the scene's.
+  void replace_scene(const std::string& glb) const;
   std::filesystem::path database() const { return folder() / "study.sqlite"; }
   /// The X server crashes. Nobody can press keys from then on.
   void take_display_away();

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/encoded_image.h"
 #include "tests/renderer/scene/glb_builder.h"
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
@@ -105,6 +106,24 @@ TEST_F(SceneReload, LoadsWhatWasMissingOnceItIsThere) {
   EXPECT_EQ(wait_for(reloader).scene, nullptr) << "the buffer is missing";
   fs::rename(folder_.write("new", glb.buffer), folder_ / "buffer.bin");
   EXPECT_NE(wait_for(reloader).scene, nullptr);
+}
+
+TEST_F(SceneReload, ShowsATextureThatWasMissingOnceItIsThere) {
+  folder_.write("m.mtl", "newmtl m\nmap_Kd maps\\red.tga\n");
+  fs::create_directory(folder_ / "maps");
+  const fs::path file = folder_.write(
+      "textured.obj",
+      "mtllib m.mtl\nv 0 0 -5\nv 1 0 -5\nv 0 1 -5\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+  const auto find_textured = [&] { return SceneSource{.name = "textured", .file = file}; };
+  KeptForReload kept;
+  const LoadedScene first(find_textured(), workers_, {}, &kept);
+  EXPECT_TRUE(first.scene.textures.empty());
+  SceneReloader reloader(first, kept, {.find_source = find_textured});
+  folder_.write("maps/red.tga",
+                test::encoded_image({"targa", 1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}}));
+  const ReloadedScene reloaded = wait_for(reloader);
+  ASSERT_NE(reloaded.scene, nullptr) << reloaded.refusal;
+  EXPECT_EQ(reloaded.scene->scene.textures.size(), 1U);
 }
 
 // Objects far from the file's origin are seen from an origin of their own, which may change.

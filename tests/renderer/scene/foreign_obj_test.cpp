@@ -45,6 +45,7 @@ TEST_F(ForeignObj, TexturesThatCannotBeHadAreLeftOut) {
   EXPECT_FALSE(material.metallic_roughness_texture.exists());
   EXPECT_FALSE(material.emissive_texture.exists());
   EXPECT_TRUE(scene.textures.empty());
+  EXPECT_TRUE(scene.files.contains(folder() / "gone.png")) << "it may come yet";
   EXPECT_THAT(scene.warnings,
               ElementsAre(HasSubstr("a texture is left out: gone.png does not exist (3 times"),
                           AllOf(HasSubstr("a texture is left out: "), HasSubstr("text.tga"))));
@@ -62,6 +63,24 @@ TEST_F(ForeignObj, FindsTexturesAsOtherSystemsNameThem) {
   EXPECT_EQ(scene.textures.at(0).sample({0, 0}), Vec4(1, 0, 0, 1));
   EXPECT_THAT(error_of("mtllib Sub\\m.mtl\n" + three_corners + textured_face),
               HasSubstr("leads out of the folder"));
+}
+
+TEST_F(ForeignObj, WhatIsKeptOfAnImageIsNotDecodedAgain) {
+  const auto image_of = [](std::uint8_t red) {
+    return encoded_image({"targa", 1, 1, 3, std::vector<std::uint8_t>{red, 0, 0}});
+  };
+  write("red.tga", image_of(255));
+  write("m.mtl", "newmtl m\nmap_Kd red.tga\n");
+  KeptSceneParts kept;
+  const auto load_again = [&] {
+    return load_obj(write("scene.obj", "mtllib m.mtl\n" + three_corners + textured_face),
+                    {.kept = &kept});
+  };
+  const Scene first = load_again();
+  const Scene again = load_again();
+  EXPECT_EQ(&again.textures.at(0).texels(), &first.textures.at(0).texels());
+  write("red.tga", image_of(0));
+  EXPECT_EQ(load_again().textures.at(0).sample({0, 0}), Vec4(0, 0, 0, 1));
 }
 
 /// sRGB, as Blender and MeshLab write them: 0.5 is 0.21404 of full light (IEC 61966-2-1).

@@ -52,6 +52,13 @@ TEST(PageWatch, WhileAnotherPageIsOnItsWayNoPictureIsTaken) {
   EXPECT_FALSE(watch.picture_due(true)) << "it stands anew";
 }
 
+TEST(PageWatch, APageHasOnePicture) {
+  PageWatch watch;
+  EXPECT_THAT(show_frames(watch, 10), ::testing::ElementsAre(1));
+  EXPECT_FALSE(watch.picture_due(false)) << "a note is on its way";
+  EXPECT_THAT(show_frames(watch, 10), ::testing::IsEmpty());
+}
+
 TEST(PageWatch, OnlyWhatCouldBeSeenCanBeAnswered) {
   PageWatch watch;
   EXPECT_FALSE(watch.was_seen_at(5s));
