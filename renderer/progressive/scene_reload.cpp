@@ -38,6 +38,9 @@ std::optional<ReloadedScene> SceneReloader::take() {
 }
 
 void SceneReloader::reload_until(const std::stop_token& stop) {
+  if (kept_->parts.places_instances) {
+    reload();  // So that the first change, as later ones, finds memory that was in use before.
+  }
   std::string last_refusal;
   for (FileChange change = watch_.wait_for_change(stop); change != FileChange::none;
        change = watch_.wait_for_change(stop)) {

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/scene/foreign_format.h"
+#include "renderer/scene/nested_volumes.h"
 #include "renderer/scene/sky.h"
 
 namespace foveola {
@@ -238,7 +239,12 @@ std::optional<std::string> note_of_descriptor(const SceneSource& source) {
 
 Scene load_scene_file(const std::filesystem::path& path, const SceneReading& reading) {
   require_readable_format(path);
-  return lower_case_extension(path) == ".obj" ? load_obj(path, reading) : load_gltf(path, reading);
+  Scene scene =
+      lower_case_extension(path) == ".obj" ? load_obj(path, reading) : load_gltf(path, reading);
+  if (const std::optional<std::string> warning = warning_of_nested_volumes(scene)) {
+    scene.warnings.push_back(*warning);
+  }
+  return scene;
 }
 
 Scene load_scene(const SceneSource& source, KeptSceneParts* kept) {
