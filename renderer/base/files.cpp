@@ -104,11 +104,16 @@ fs::path cache_folder() { return user_folder("XDG_CACHE_HOME", ".cache"); }
 fs::path data_folder() { return user_folder("XDG_DATA_HOME", fs::path(".local") / "share"); }
 
 std::string read_file(const fs::path& path) {
+  std::string content;
+  read_file(path, content);
+  return content;
+}
+
+void read_file(const fs::path& path, std::string& content) {
   constexpr std::size_t portion = 65536;
   std::ifstream file = open_to_read(path);
   std::error_code has_no_size;
   const std::uintmax_t stated = fs::file_size(path, has_no_size);
-  std::string content;
   std::size_t size = 0;
   // All at once; then what there is beyond the size, as of a pipe or of a file that grows.
   for (std::size_t wanted = has_no_size ? portion : stated + 1; file; wanted = portion) {
@@ -120,7 +125,6 @@ std::string read_file(const fs::path& path) {
     throw cannot_be_read(path);
   }
   content.resize(size);
-  return content;
 }
 
 std::string read_file(const fs::path& path, std::size_t most_bytes, const std::string& remedy) {

@@ -25,6 +25,9 @@ std::filesystem::path data_folder();
 /// unreadable or out of reach.
 std::string read_file(const std::filesystem::path& path);
 
+/// The same, in place of what `content` held, whose memory is used again.
+void read_file(const std::filesystem::path& path, std::string& content);
+
 /// The same of a file of at most `most_bytes`. Throws Error with `remedy` for a larger one, of
 /// which no more are read.
 std::string read_file(const std::filesystem::path& path, std::size_t most_bytes,

@@ -109,7 +109,8 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
   if (arguments.watch) {
     kept.expects_changes();
   }
-  const LoadedScene loaded(request.source, workers, choices, &kept);
+  auto first = std::make_shared<const LoadedScene>(request.source, workers, choices, &kept);
+  const LoadedScene& loaded = *first;  // until another takes its place
   print_warnings(loaded.warnings);
   std::optional<SceneReloader> reloader;
   try {
@@ -174,6 +175,7 @@ LivePreviewReport show_scene(const PreviewArguments& arguments, const PreviewReq
                            .presenter = &presenter,
                            .workers = &workers,
                            .clock = &clock});
+  shown.own(std::move(first));
   LivePreviewReport report = shown.run(stop);
   report.threads = workers.threads();
   return report;

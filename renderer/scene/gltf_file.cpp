@@ -137,8 +137,8 @@ std::shared_ptr<tinygltf::Model> model_of(const Json& document, Contents content
 
 }  // namespace
 
-GltfFile read_gltf_file(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
+GltfFile read_gltf_file(const std::filesystem::path& path, std::string& content) {
+  read_file(path, content);
   if (!is_gltf_binary(content) && lower_case_extension(path) == ".glb") {
     throw GltfFault("", "is not a glTF binary: it does not begin with \"glTF\"");
   }

@@ -25,6 +25,7 @@ struct GltfFile {
 
 /// Reads a .glb or .gltf file (distinguished by content) and the buffers in its folder that it
 /// refers to. Throws Error if the file itself cannot be read, GltfFault if its content is wrong.
-GltfFile read_gltf_file(const std::filesystem::path& path);
+/// content: becomes the file's, and is used no more.
+GltfFile read_gltf_file(const std::filesystem::path& path, std::string& content);
 
 }  // namespace foveola

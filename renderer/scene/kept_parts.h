@@ -68,6 +68,8 @@ struct KeptSceneParts {
   bool places_instances = false;
   KeptParts<Mesh> meshes;  ///< of glTF's primitives, in their own space, without material and name
   KeptParts<Texels> texels;
+  /// Of the file that was read last: fresh memory takes longer than reading the next one into it.
+  std::string file_content;
 
   void forget_unused() {
     meshes.forget_unused();

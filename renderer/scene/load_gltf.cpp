@@ -133,6 +133,13 @@ FileHashes files_beside(const GltfFile& file, FileHashes files) {
   return files;
 }
 
+/// The memory for its content is kept where the next version of the file is soon to be read.
+GltfFile gltf_file_of(const std::filesystem::path& path, KeptSceneParts* kept) {
+  std::string content;
+  return read_gltf_file(path,
+                        kept != nullptr && kept->places_instances ? kept->file_content : content);
+}
+
 Scene scene_of(const GltfFile& file, const SceneReading& reading) {
   const tinygltf::Model& model = *file.model;
   Warnings warnings;
@@ -178,7 +185,7 @@ Scene scene_of(const GltfFile& file, const SceneReading& reading) {
 
 Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading) {
   try {
-    Scene scene = scene_of(read_gltf_file(path), reading);
+    Scene scene = scene_of(gltf_file_of(path, reading.kept), reading);
     scene.files.insert(path);
     return scene;
   } catch (const Error&) {

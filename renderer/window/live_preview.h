@@ -112,6 +112,9 @@ class LivePreview {
 
   LivePreview(const LivePreviewSettings& settings, const Parts& parts);
 
+  /// Keeps alive what is shown first, until a change takes its place.
+  void own(std::shared_ptr<const void> scene) { scene_ = std::move(scene); }
+
   /// Until the user closes the window, the frames are done, or `stop` is requested.
   LivePreviewReport run(const std::stop_token& stop);
 
@@ -153,7 +156,7 @@ class LivePreview {
   LivePreviewReport report_;
   TrackerCheck check_;
   PreviewMessages messages_;
-  std::shared_ptr<const void> scene_;     ///< keeps a scene alive that took the first one's place
+  std::shared_ptr<const void> scene_;     ///< keeps what is shown alive
   std::optional<SceneChange> not_shown_;  ///< what the next frame shows first
   bool is_done_ = false;
   bool wants_picture_ = false;

@@ -48,6 +48,9 @@ TEST_F(Files, ReadBackWhatWasWritten) {
 TEST_F(Files, AnEmptyFileIsEmpty) {
   write_file(folder_ / "empty", "");
   EXPECT_EQ(read_file(folder_ / "empty"), "");
+  std::string room = "what was there";
+  read_file(folder_ / "empty", room);
+  EXPECT_EQ(room, "");
 }
 
 TEST_F(Files, AreReadUpToALimit) {
