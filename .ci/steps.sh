@@ -12,8 +12,8 @@ where_threads_meet=(base_test film_test gaze_test preview_test window_test recor
 # all of them, with what computes only and with the program as a whole, in .ci/long sanitized.
 where_data_are_read_and_kept=(base_test glb_test image_test scene_test scenes_test trace_test film_test
   gaze_test progressive_test preview_test window_test renderer_commands_test design_test protocol_test
-  person_test session_test record_test power_loss_test replay_test study_tables_test stage_test
-  driver_test participant_test simulation_test analysis_dataset_test fuzz_corpus_test)
+  person_test session_test record_test replay_test study_tables_test stage_test driver_test
+  simulation_test analysis_dataset_test fuzz_corpus_test)
 
 # any_of NAME...: a regular expression.
 any_of() { (IFS='|' && echo "($*)"); }

@@ -65,12 +65,22 @@ Json parse(std::string_view text) {
   }
 }
 
-void require_version_2(const Json& asset) {
-  const std::string version = asset["version"].get<std::string>();
-  if (!version.starts_with("2.")) {
-    throw GltfFault("asset.version",
-                    fmt::format("is {}, but only glTF 2 can be read", sanitised(version)));
+/// Before anything else is looked at: the schema of glTF 1 is another. Its files may have a number
+/// there.
+void refuse_other_versions(const Json& document) {
+  static const Json::json_pointer place("/asset/version");
+  if (!document.is_object() || !document.contains(place)) {
+    return;
   }
+  const Json& version = document[place];
+  const std::string text = version.is_string() ? version.get<std::string>() : version.dump();
+  if (!text.starts_with("2.")) {
+    throw GltfFault("asset.version",
+                    fmt::format("is {}, but only glTF 2 can be read", sanitised(text)));
+  }
+}
+
+void require_known_minimum(const Json& asset) {
   const auto minimum = asset.find("minVersion");
   if (minimum != asset.end() && *minimum != "2.0") {
     throw GltfFault("asset.minVersion", "demands a newer glTF than 2.0");
@@ -114,15 +124,15 @@ void write_whole_numbers_as_integers(Json& value) {
 }  // namespace
 
 bool is_supported_extension(std::string_view name) {
-  static constexpr std::array<std::string_view, 15> supported = {
+  static constexpr std::array<std::string_view, 16> supported = {
       "EXT_meshopt_compression",    "EXT_texture_webp",
       "KHR_draco_mesh_compression", "KHR_lights_punctual",
       "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
       "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
       "KHR_materials_sheen",        "KHR_materials_specular",
       "KHR_materials_transmission", "KHR_materials_unlit",
-      "KHR_materials_volume",       "KHR_mesh_quantization",
-      "KHR_texture_transform"};
+      "KHR_materials_variants",     "KHR_materials_volume",
+      "KHR_mesh_quantization",      "KHR_texture_transform"};
   return std::find(supported.begin(), supported.end(), name) != supported.end();
 }
 
@@ -144,9 +154,10 @@ std::string what_is_lost_without(std::string_view name) {
 
 Json checked_gltf_document(std::string_view json) {
   Json document = parse(json);
+  refuse_other_versions(document);
   write_whole_numbers_as_integers(document);
   require_schema(document);
-  require_version_2(document["asset"]);
+  require_known_minimum(document["asset"]);
   require_known_extensions(document);
   return document;
 }

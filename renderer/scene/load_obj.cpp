@@ -73,16 +73,23 @@ struct LibraryMaterial {
 struct Library {
   std::map<std::string, LibraryMaterial, std::less<>> materials;
   std::set<fs::path> files;
+  std::set<fs::path> missing_files;
 };
 
-Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFile& obj) {
+Library read_libraries(const fs::path& path, const fs::path& folder, const ObjFile& obj,
+                       bool is_strict, Warnings& warnings) {
   Library library;
   for (const std::string& statement : obj.material_libraries) {
     for (const std::string& name : library_names(folder, statement)) {
       const std::string where = path.string() + ": mtllib";
       const std::optional<fs::path> file = file_if_there(folder, name, where);
-      if (!file) {
+      if (!file && is_strict) {
         throw Error(where, missing(name), where_files_belong);
+      }
+      if (!file) {
+        library.missing_files.insert(folder / with_slashes(name));
+        warnings.add("a material library is left out: " + sanitised(name) + " does not exist");
+        continue;
       }
       if (!library.files.insert(*file).second) {
         continue;
@@ -202,7 +209,7 @@ Scene load_obj(const fs::path& path, const SceneReading& reading) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     Warnings warnings;
     const ObjFile obj = read_obj_file(path, warnings);
-    const Library library = read_libraries(path, folder, obj);
+    const Library library = read_libraries(path, folder, obj, reading.strict, warnings);
     UsedMaterials materials(library, folder, reading.strict, warnings);
     Scene scene;
     scene.meshes = meshes_of(obj, materials, warnings);
@@ -211,8 +218,9 @@ Scene load_obj(const fs::path& path, const SceneReading& reading) {
     scene.files.insert(library.files.begin(), library.files.end());
     scene.sha256 = sha256_of_all(obj, scene.files);
     scene.files.insert(path);
-    const std::set<fs::path>& missing = materials.missing_textures();
-    scene.files.insert(missing.begin(), missing.end());
+    for (const auto& missing : {library.missing_files, materials.missing_textures()}) {
+      scene.files.insert(missing.begin(), missing.end());
+    }
     std::move(materials).give_to(scene, reading.kept != nullptr ? &reading.kept->texels : nullptr,
                                  path.string());
     if (scene.meshes.empty()) {

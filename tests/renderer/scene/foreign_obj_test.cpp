@@ -53,6 +53,16 @@ TEST_F(ForeignObj, TexturesThatCannotBeHadAreLeftOut) {
               HasSubstr("m.mtl: m: refers to \"gone.png\", a file that does not exist"));
 }
 
+TEST_F(ForeignObj, AMissingLibraryIsLeftOut) {
+  const std::string obj = "mtllib gone.mtl\n" + three_corners + "usemtl m\nf 1 2 3\n";
+  const Scene scene = load(obj);
+  EXPECT_THAT(scene.warnings,
+              ElementsAre("a material library is left out: gone.mtl does not exist",
+                          HasSubstr("a material that no library describes is white")));
+  EXPECT_TRUE(scene.files.contains(folder() / "gone.mtl")) << "it may come yet";
+  EXPECT_THAT(strict_error_of(obj), HasSubstr("scene.obj: mtllib: refers to \"gone.mtl\""));
+}
+
 /// Written on a system with other paths: in a folder, with a backslash, in another case.
 TEST_F(ForeignObj, FindsTexturesAsOtherSystemsNameThem) {
   write("Maps/Red.TGA", encoded_image({"targa", 1, 1, 3, std::vector<std::uint8_t>{255, 0, 0}}));

@@ -99,6 +99,7 @@ TEST(GltfDocument, NamesThePlaceOfEveryWrongValue) {
       {"/asset", "2.0", "asset: must be an object"},
       {"/asset/version", 2.0, "asset.version: must be a text"},
       {"/asset/version", "1.0", "asset.version: is 1.0, but only glTF 2"},
+      {"/asset/version", 1.0, "asset.version: is 1.0, but only glTF 2"},
       {"/asset/minVersion", "2.1", "asset.minVersion: demands a newer glTF"},
       {"/scene", 1, "scene: is 1, but scenes has 1 elements"},
       {"/scenes/0/nodes/0", 2, "scenes[0].nodes[0]: is 2, but nodes has 2 elements"},
