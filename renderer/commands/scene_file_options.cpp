@@ -17,9 +17,10 @@ void add_scene_file_options(CLI::App& command, SceneFileArguments& arguments) {
           "683 lm/W) or radiometric (taken as they are); the default is photometric in "
           "files by Blender's exporter from 3.4.40 on, and radiometric in others")
       ->check(CLI::IsMember({"photometric", "radiometric"}));
-  command.add_flag("--strict", arguments.strict,
-                   "Refuse a scene with a texture that is missing or cannot be read, which is "
-                   "otherwise left out with a warning");
+  command.add_flag(
+      "--strict", arguments.strict,
+      "Refuse a scene with a texture or a material library that is missing or cannot be "
+      "read, which is otherwise left out with a warning");
   command
       .add_option("--time", arguments.time_s,
                   "Show a glTF file as its animations, all of them, have it at so many seconds "
