@@ -20,14 +20,18 @@ namespace {
 
 using ::testing::HasSubstr;
 
+/// A row of the picture that no message covers.
+constexpr int above_messages_px = 20;
+
 // The paper's user has changed an object and wants to see it.
 TEST_F(PreviewCommand, ShowsTheSceneThatTakesItsFilesPlace) {
   const auto replace = [&](const std::string& bytes) {
     std::filesystem::rename(folder_.write("new", bytes), scene_);
   };
   const auto brightness_is = [&](XUser& user, bool is_bright) {
-    wait_until("the changed scene",
-               [&] { return (user.brightness_at(title_, 100, 150) > 0.2) == is_bright; });
+    wait_until("the changed scene", [&] {
+      return (user.brightness_at(title_, 100, above_messages_px) > 0.2) == is_bright;
+    });
   };
   const nlohmann::json json = preview_while(
       [&](XUser& user) {
@@ -51,12 +55,14 @@ TEST_F(PreviewCommand, KeepsTheSceneWhereTheChangedOneDoesNotLoad) {
   const std::jthread user_thread([&] {
     XUser user(server_.display());
     user.point_at(title_, 100, 80);
-    wait_until("the first picture", [&] { return user.brightness_at(title_, 100, 150) > 0.2; });
+    wait_until("the first picture",
+               [&] { return user.brightness_at(title_, 100, above_messages_px) > 0.2; });
     for (int i = 0; i < 10; ++i) {
       std::filesystem::rename(folder_.write("new", "no scene at all"), scene_);
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
-    wait_until("the old scene", [&] { return user.brightness_at(title_, 100, 150) > 0.2; });
+    wait_until("the old scene",
+               [&] { return user.brightness_at(title_, 100, above_messages_px) > 0.2; });
     user.ask_to_close(title_);
   });
   const ProgramResult result = preview({"--fill-unsampled"});
