@@ -8,8 +8,8 @@ trap print_minutes EXIT
 where_threads_meet=(base_test film_test gaze_test preview_test window_test record_test)
 
 # Those that the sanitizer for addresses and undefined behaviour looks at on every submission: they
-# read files, devices and pages, keep memory from frame to frame, or write the record. It looks at
-# all of them, with what computes only and with the program as a whole, in .ci/long sanitized.
+# read files, devices and pages, keep memory from frame to frame, or write the record. The others,
+# which only compute, and the program as a whole have their turn in .ci/long sanitized.
 where_data_are_read_and_kept=(base_test glb_test image_test scene_test scenes_test trace_test film_test
   gaze_test progressive_test preview_test window_test renderer_commands_test design_test protocol_test
   person_test session_test record_test replay_test study_tables_test stage_test driver_test

@@ -81,8 +81,8 @@ struct SceneSource {
   /// Units of a glTF file's punctual lights. If absent, the program that wrote the file decides:
   /// photometric for the versions of Blender's exporter that write them so, else radiometric.
   std::optional<LightUnits> light_units;
-  /// Whether a texture that is missing or cannot be read is an error. If not, the scene is shown
-  /// without it, with a warning.
+  /// Whether a texture or a material library that is missing or cannot be read is an error. If not,
+  /// the scene is shown without it, with a warning.
   bool strict = false;
   /// When in a glTF file's animations it is, in seconds. None: before them, as its nodes stand.
   std::optional<double> time_s;

@@ -158,6 +158,9 @@ ImageFacts light_facts(const LookArguments& arguments) {
   add("environment-rotation", text_of(arguments.environment_rotation_deg, 0.0));
   add("environment-strength", text_of(arguments.environment_strength, 1.0));
   add("light-units", arguments.file.light_units);
+  if (arguments.file.time_s) {
+    add("time", fmt::format("{}", *arguments.file.time_s));
+  }
   if (arguments.light_radius_m) {
     add("light-radius", fmt::format("{}", *arguments.light_radius_m));
   }

@@ -37,8 +37,8 @@ struct LookArguments {
 void add_viewpoint_options(CLI::App& command, LookArguments& arguments);
 /// --fov. otherwise: what holds without it, for the help.
 void add_fov_option(CLI::App& command, LookArguments& arguments, const std::string& otherwise);
-/// --environment, --environment-rotation, --environment-strength, --light-units, --strict,
-/// --light-radius and --sun-radius.
+/// --environment, --environment-rotation, --environment-strength, --light-radius, --sun-radius and
+/// what add_scene_file_options adds.
 void add_light_options(CLI::App& command, LookArguments& arguments);
 /// --exposure.
 void add_exposure_option(CLI::App& command, LookArguments& arguments);
@@ -65,7 +65,7 @@ ExposureChoice exposure_choice(const LookArguments& arguments);
 
 ToneCurve tone_curve(const LookArguments& arguments);
 
-/// What was typed of the light, for the header of an image.
+/// What was typed of the light and of the moment, for the header of an image.
 ImageFacts light_facts(const LookArguments& arguments);
 
 }  // namespace foveola

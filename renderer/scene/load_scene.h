@@ -30,7 +30,8 @@ Scene load_gltf(const std::filesystem::path& path, const SceneReading& reading =
 
 /// Loads a Wavefront OBJ file and the material libraries and images in its folder that it names;
 /// mtl_materials.h says what the libraries' statements mean. One mesh for each object (or group,
-/// where there are no objects) and material. Throws Error naming the file and what is wrong.
+/// where there are no objects) and material. Throws Error naming the file and what is wrong; what
+/// is missing of libraries and images is one only if `reading` is strict, else a warning.
 Scene load_obj(const std::filesystem::path& path, const SceneReading& reading = {});
 
 /// load_obj for a file whose name ends with ".obj" in either case, load_gltf for any other.

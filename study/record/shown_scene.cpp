@@ -79,6 +79,9 @@ Json added_to(const SceneSource& source) {
     added["light_units"] =
         *source.light_units == LightUnits::photometric ? "photometric" : "radiometric";
   }
+  if (source.time_s) {
+    added["time_s"] = *source.time_s;
+  }
   return added;
 }
 

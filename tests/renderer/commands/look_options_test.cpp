@@ -102,10 +102,11 @@ TEST(LookOptions, LightIsAddedToTheScenesOwn) {
 
 TEST(LookOptions, WhatWasTypedOfTheLightStandsInAnImagesHeader) {
   EXPECT_TRUE(light_facts(typed("--camera 0,0,0")).empty());
-  const ImageFacts facts = light_facts(typed("--environment 1,2,3 --sun-radius 0"));
+  const ImageFacts facts = light_facts(typed("--environment 1,2,3 --sun-radius 0 --time 0.5"));
   EXPECT_EQ(facts.at("foveola:environment"), "1,2,3");
   EXPECT_EQ(facts.at("foveola:sun-radius"), "0");
-  EXPECT_EQ(facts.size(), 2U);
+  EXPECT_EQ(facts.at("foveola:time"), "0.5");
+  EXPECT_EQ(facts.size(), 3U);
 }
 
 }  // namespace

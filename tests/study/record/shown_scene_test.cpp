@@ -80,6 +80,15 @@ TEST(ShownScene, SaysTheUnitsOfTheLightsWhereTheSourceDoes) {
   EXPECT_EQ(difference(unsaid, added_to_file(source)), "light_units: nothing, now \"photometric\"");
 }
 
+/// References of other poses are other images.
+TEST(ShownScene, SaysTheTimeOfItsAnimationsWhereTheSourceDoes) {
+  SceneSource source = hall();
+  const std::string unsaid = added_to_file(source);
+  EXPECT_EQ(unsaid.find("time_s"), std::string::npos);
+  source.time_s = 0.5;
+  EXPECT_EQ(difference(unsaid, added_to_file(source)), "time_s: nothing, now 0.5");
+}
+
 // The digest is coreutils' of "sky".
 TEST(ShownScene, AnEnvironmentsFileIsItsContent) {
   const test::TemporaryFolder folder;
