@@ -31,7 +31,7 @@ class PageWatch {
   std::optional<Nanoseconds> since_;
   int frames_ = 0;  ///< for which the page has been shown, until its picture was due
   bool has_picture_ = false;
-  int pages_ = 0;   ///< how many pages had a picture due
+  int pages_ = 0;  ///< how many pages had a picture due
 };
 
 }  // namespace foveola::study
