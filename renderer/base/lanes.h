@@ -23,6 +23,7 @@ inline constexpr std::size_t lane_count = 8;
 /// `mask ? a : b` chooses lane by lane.
 using Floats = float __attribute__((vector_size(lane_count * sizeof(float))));
 using Ints = std::int32_t __attribute__((vector_size(lane_count * sizeof(float))));
+using Uints = std::uint32_t __attribute__((vector_size(lane_count * sizeof(float))));
 using LaneMask = Ints;
 
 /// One value in all lanes.
@@ -30,21 +31,25 @@ inline Floats all_lanes(float value) { return Floats{} + value; }
 
 /// A bit for each lane, the first the lowest.
 inline std::uint32_t bits_of(const LaneMask& mask) {
+#ifdef __AVX__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<Floats>(mask)));
+#else
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < lane_count; ++i) {
     bits |= (static_cast<std::uint32_t>(mask[i]) & 1U) << i;
   }
   return bits;
+#endif
+}
+
+/// The mask of lanes that have a bit.
+inline LaneMask mask_of(std::uint32_t bits) {
+  constexpr Uints bit_of_lane = {1, 2, 4, 8, 16, 32, 64, 128};
+  return LaneMask((bit_of_lane & bits) != 0U);
 }
 
 inline bool any_lane(bool mask) { return mask; }
-inline bool any_lane(const LaneMask& mask) {
-  std::int32_t any = 0;
-  for (std::size_t i = 0; i < lane_count; ++i) {
-    any |= mask[i];
-  }
-  return any != 0;
-}
+inline bool any_lane(const LaneMask& mask) { return bits_of(mask) != 0; }
 
 /// Calls visit(lane) for the lanes that have a bit, from the first.
 template <typename Visit>
@@ -122,15 +127,45 @@ inline Ints clamped(const Ints& x, std::int32_t most) {
   return not_above > 0 ? not_above : Ints{};
 }
 
-/// Arrays that lanes are put into one by one, or taken from, without a round trip for each.
-struct alignas(lane_count * sizeof(float)) FloatLanes : std::array<float, lane_count> {
-  Floats load() const {
-    Floats lanes;
-    __builtin_memcpy(&lanes, data(), sizeof(lanes));
+/// An array that lanes are put into one by one, or taken from, without a round trip for each.
+template <typename Number, typename Vector>
+struct alignas(lane_count * sizeof(float)) LanesOf : std::array<Number, lane_count> {
+  static_assert(sizeof(Vector) == lane_count * sizeof(Number));
+
+  Vector load() const {
+    Vector lanes;
+    __builtin_memcpy(&lanes, this->data(), sizeof(lanes));
     return lanes;
   }
-  void store(const Floats& lanes) { __builtin_memcpy(data(), &lanes, sizeof(lanes)); }
+  void store(const Vector& lanes) { __builtin_memcpy(this->data(), &lanes, sizeof(lanes)); }
 };
+using FloatLanes = LanesOf<float, Floats>;
+using UintLanes = LanesOf<std::uint32_t, Uints>;
+
+/// Eight rows of a matrix, which become its columns.
+using LaneRows = std::array<Floats, lane_count>;
+inline LaneRows transposed(const LaneRows& rows) {
+  LaneRows pairs;  // of rows, and then of columns
+  LaneRows fours;
+  LaneRows columns;
+  for (std::size_t i = 0; i < lane_count; i += 2) {
+    pairs[i] = __builtin_shufflevector(rows[i], rows[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+    pairs[i + 1] = __builtin_shufflevector(rows[i], rows[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+  }
+  for (std::size_t i = 0; i < lane_count; i += 4) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Floats& upper = pairs[i + j];
+      const Floats& lower = pairs[i + j + 2];
+      fours[i + 2 * j] = __builtin_shufflevector(upper, lower, 0, 1, 8, 9, 4, 5, 12, 13);
+      fours[i + 2 * j + 1] = __builtin_shufflevector(upper, lower, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  }
+  for (std::size_t i = 0; i < lane_count / 2; ++i) {
+    columns[i] = __builtin_shufflevector(fours[i], fours[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    columns[i + 4] = __builtin_shufflevector(fours[i], fours[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+  return columns;
+}
 
 struct Vec2s {
   Floats x, y;
@@ -140,6 +175,10 @@ struct Vec2Lanes {
   FloatLanes x, y;
 
   Vec2s load() const { return {x.load(), y.load()}; }
+  void store(const Vec2s& lanes) {
+    x.store(lanes.x);
+    y.store(lanes.y);
+  }
   Vec2 at(std::size_t lane) const { return {x[lane], y[lane]}; }
 };
 
@@ -187,11 +226,34 @@ inline Vec3s chosen(const LaneMask& mask, const Vec3s& a, const Vec3s& b) {
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
+/// Where a float's digits do not suffice.
+using Doubles = double __attribute__((vector_size(lane_count * sizeof(double))));
+using DoubleMask = std::int64_t __attribute__((vector_size(lane_count * sizeof(double))));
+
+inline double wide(float x) { return x; }
+inline Doubles wide(const Floats& x) { return __builtin_convertvector(x, Doubles); }
+inline float narrow(double x) { return static_cast<float>(x); }
+inline Floats narrow(const Doubles& x) { return __builtin_convertvector(x, Floats); }
+inline double square_root(double x) { return std::sqrt(x); }
+inline Doubles square_root(const Doubles& x) {
+  Doubles root;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    root[i] = std::sqrt(x[i]);
+  }
+  return root;
+}
+inline double magnitude(double x) { return std::abs(x); }
+inline Doubles magnitude(const Doubles& x) {
+  return reinterpret_cast<Doubles>(reinterpret_cast<DoubleMask>(x) &
+                                   std::numeric_limits<std::int64_t>::max());
+}
+
 /// What goes with a number, which is a float or Floats.
 template <typename Number>
 struct TypesOf;
 template <>
 struct TypesOf<float> {
+  using Wide = double;
   using Int = std::int32_t;
   using Mask = bool;
   using Vector2 = Vec2;
@@ -199,11 +261,14 @@ struct TypesOf<float> {
 };
 template <>
 struct TypesOf<Floats> {
+  using Wide = Doubles;
   using Int = Ints;
   using Mask = LaneMask;
   using Vector2 = Vec2s;
   using Vector3 = Vec3s;
 };
+template <typename Number>
+using WideOf = typename TypesOf<Number>::Wide;
 template <typename Number>
 using IntOf = typename TypesOf<Number>::Int;
 template <typename Number>

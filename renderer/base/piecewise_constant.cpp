@@ -1,6 +1,7 @@
 #include "renderer/base/piecewise_constant.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "renderer/base/unit_interval.h"
@@ -27,12 +28,7 @@ float probability_of(std::span<const float> running, std::size_t i) {
   return i == 0 ? running[0] : running[i] - running[i - 1];
 }
 
-struct Interval {
-  std::size_t index;
-  float fraction;  ///< how far through the item, in [0, 1)
-};
-
-/// How many of the leading elements are not above u, at most all but the last. Without branches:
+/// How many of the leading elements are not above u, of those before the last. Without branches:
 /// where u falls cannot be predicted.
 std::size_t count_not_above(std::span<const float> running, float u) {
   std::size_t begin = 0;
@@ -44,32 +40,62 @@ std::size_t count_not_above(std::span<const float> running, float u) {
   return begin;
 }
 
-/// The interval of `running` that holds u; never one of zero width.
-Interval find_interval(std::span<const float> running, float u) {
-  const std::size_t index = count_not_above(running, u);
-  const float lower = index == 0 ? 0.0F : running[index - 1];
-  const float width = running[index] - lower;
+/// So many sums a step that their guide takes a quarter of their memory.
+constexpr std::size_t sums_per_step = 4;
+
+}  // namespace
+
+PiecewiseConstant2D::Rows::Rows(std::size_t rows, std::size_t size)
+    : size_(size),
+      steps_(std::bit_floor(std::max(size / sums_per_step, std::size_t{1}))),
+      sums_(rows * size),
+      guides_(rows * (steps_ + 1)) {}
+
+void PiecewiseConstant2D::Rows::guide(std::size_t row) {
+  const std::span<const float> running = sums(row);
+  std::size_t not_above = 0;
+  for (std::size_t step = 0; step <= steps_; ++step) {
+    const float border = static_cast<float>(step) / static_cast<float>(steps_);
+    while (not_above + 1 < size_ && running[not_above] <= border) {
+      ++not_above;
+    }
+    guides_[row * (steps_ + 1) + step] = static_cast<std::uint32_t>(not_above);
+  }
+}
+
+std::size_t PiecewiseConstant2D::Rows::count_not_above(std::size_t row, float u) const {
+  const auto step = std::min(static_cast<std::size_t>(u * static_cast<float>(steps_)), steps_ - 1);
+  const std::uint32_t* guide = &guides_[row * (steps_ + 1) + step];
+  return guide[0] +
+         foveola::count_not_above(sums(row).subspan(guide[0], guide[1] - guide[0] + 1), u);
+}
+
+PiecewiseConstant2D::PiecewiseConstant2D(std::size_t width, std::size_t height,
+                                         std::span<const float> weights)
+    : row_(1, height), columns_(height, width) {
+  assert(weights.size() == width * height);
+  std::vector<double> row_totals(height);
+  for (std::size_t row = 0; row < height; ++row) {
+    row_totals[row] = accumulate(weights.subspan(row * width, width), columns_.sums(row));
+    columns_.guide(row);
+  }
+  total_ = accumulate(std::span<const double>(row_totals), row_.sums(0));
+  row_.guide(0);
+}
+
+PiecewiseConstant2D::Interval PiecewiseConstant2D::find_interval(const Rows& rows, std::size_t row,
+                                                                 float u) {
+  const std::span<const float> sums = rows.sums(row);
+  const std::size_t index = rows.count_not_above(row, u);
+  const float lower = index == 0 ? 0.0F : sums[index - 1];
+  const float width = sums[index] - lower;
   const float fraction = width > 0.0F ? (u - lower) / width : 0.5F;
   return {index, std::min(fraction, largest_below_one)};
 }
 
-}  // namespace
-
-PiecewiseConstant2D::PiecewiseConstant2D(std::size_t width, std::size_t height,
-                                         std::span<const float> weights)
-    : width_(width), row_sums_(height), column_sums_(width * height) {
-  assert(weights.size() == width * height);
-  std::vector<double> row_totals(height);
-  for (std::size_t row = 0; row < height; ++row) {
-    row_totals[row] = accumulate(weights.subspan(row * width, width),
-                                 std::span(column_sums_).subspan(row * width, width));
-  }
-  total_ = accumulate(std::span<const double>(row_totals), std::span(row_sums_));
-}
-
 PiecewiseConstant2D::Point PiecewiseConstant2D::sample(const Vec2& u) const {
-  const Interval row = find_interval(row_sums_, u.y);
-  const Interval column = find_interval(columns_of(row.index), u.x);
+  const Interval row = find_interval(row_, 0, u.y);
+  const Interval column = find_interval(columns_, row.index, u.x);
   return {.column = column.index,
           .row = row.index,
           .within = {column.fraction, row.fraction},
@@ -77,7 +103,7 @@ PiecewiseConstant2D::Point PiecewiseConstant2D::sample(const Vec2& u) const {
 }
 
 float PiecewiseConstant2D::probability(std::size_t column, std::size_t row) const {
-  return probability_of(row_sums_, row) * probability_of(columns_of(row), column);
+  return probability_of(row_.sums(0), row) * probability_of(columns_.sums(row), column);
 }
 
 }  // namespace foveola

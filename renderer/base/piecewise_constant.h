@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,14 +32,38 @@ class PiecewiseConstant2D {
   float probability(std::size_t column, std::size_t row) const;
 
  private:
-  std::span<const float> columns_of(std::size_t row) const {
-    return std::span(column_sums_).subspan(row * width_, width_);
-  }
+  /// Rows of as many cumulative, normalised weights each (the last of a row is 1), and where to
+  /// search them: without a guide, most of a search's steps would wait for memory.
+  class Rows {
+   public:
+    Rows(std::size_t rows, std::size_t size);
 
-  std::size_t width_;
+    std::span<float> sums(std::size_t row) { return std::span(sums_).subspan(row * size_, size_); }
+    std::span<const float> sums(std::size_t row) const {
+      return std::span(sums_).subspan(row * size_, size_);
+    }
+    /// To be called for each row once its sums are complete.
+    void guide(std::size_t row);
+
+    /// How many of the row's leading sums are not above u, at most all but the last. u in [0, 1].
+    std::size_t count_not_above(std::size_t row, float u) const;
+
+   private:
+    std::size_t size_;
+    std::size_t steps_;  ///< into which [0, 1) is divided; a power of two
+    std::vector<float> sums_;
+    std::vector<std::uint32_t> guides_;  ///< of each row, the counts for the steps' borders
+  };
+  struct Interval {
+    std::size_t index;
+    float fraction;  ///< how far through the item, in [0, 1)
+  };
+  /// The interval of the row that holds u; never one of zero width.
+  static Interval find_interval(const Rows& rows, std::size_t row, float u);
+
   double total_ = 0.0;
-  std::vector<float> row_sums_;     ///< cumulative, normalised: the last is 1
-  std::vector<float> column_sums_;  ///< cumulative and normalised within each row
+  Rows row_;      ///< a single one: of the grid's rows
+  Rows columns_;  ///< of each row of the grid
 };
 
 }  // namespace foveola

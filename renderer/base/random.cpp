@@ -6,7 +6,10 @@
 namespace foveola {
 namespace {
 
-constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+// Bits: 32 of them, or lanes of so many.
+
+template <typename Bits>
+constexpr Bits reverse_bits(Bits x) {
   x = (x >> 16) | (x << 16);
   x = ((x & 0x00ff00ffU) << 8) | ((x & 0xff00ff00U) >> 8);
   x = ((x & 0x0f0f0f0fU) << 4) | ((x & 0xf0f0f0f0U) >> 4);
@@ -16,7 +19,8 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
 
 /// Each bit is flipped by a hash of the bits below it only, which on reversed bits is a nested
 /// uniform scramble (constants of Vegdahl 2021, "Building a Better LK Hash").
-constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
+template <typename Bits>
+constexpr Bits laine_karras(Bits x, const Bits& seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
   x *= (seed >> 16) | 1U;
@@ -28,7 +32,8 @@ constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
 /// The second Sobol dimension with its bits reversed (the first, reversed, is the index itself).
 /// Its generator matrix is Pascal's triangle modulo 2, so bit j is the sum of the bits i whose
 /// binary digits contain those of j (Lucas 1878): a transform over the five digits of i.
-constexpr std::uint32_t reversed_sobol_dimension_1(std::uint32_t index) {
+template <typename Bits>
+constexpr Bits reversed_sobol_dimension_1(Bits index) {
   index ^= (index & 0xaaaaaaaaU) >> 1;
   index ^= (index & 0xccccccccU) >> 2;
   index ^= (index & 0xf0f0f0f0U) >> 4;
@@ -39,20 +44,24 @@ constexpr std::uint32_t reversed_sobol_dimension_1(std::uint32_t index) {
 
 /// An Owen scramble of the number in [0, 1) whose first binary digit is the lowest bit of
 /// `reversed`.
-constexpr float scrambled(std::uint32_t reversed, std::uint32_t seed) {
+template <typename Bits>
+inline auto scrambled(const Bits& reversed, const Bits& seed) {
   return unit_float(reverse_bits(laine_karras(reversed, seed)));
 }
 
-/// Where the sample whose number's bits are `reversed` comes in the sequence of the dimension, or
-/// pair of dimensions, that `key` stands for.
-constexpr std::uint32_t shuffled(std::uint32_t reversed, std::uint32_t key) {
-  return reverse_bits(laine_karras(reversed, key));
+/// Where a sample comes in the sequence of the dimension, or pair of dimensions, that `key` stands
+/// for.
+template <typename Bits>
+inline Bits shuffled(const Bits& sample_number, const Bits& key) {
+  return reverse_bits(laine_karras(reverse_bits(sample_number), key));
 }
 /// The first and the second number of those dimensions at place `index` of the sequence.
-constexpr float point_x(std::uint32_t index, std::uint32_t key) {
+template <typename Bits>
+inline auto point_x(const Bits& index, const Bits& key) {
   return scrambled(index, mix(key));
 }
-constexpr float point_y(std::uint32_t index, std::uint32_t key) {
+template <typename Bits>
+inline auto point_y(const Bits& index, const Bits& key) {
   return scrambled(reversed_sobol_dimension_1(index), mix(mix(key)));
 }
 
@@ -69,48 +78,24 @@ Vec2 sobol_2d(std::uint64_t index, std::uint32_t seed) {
 
 float SampleStream::next_1d() {
   const std::uint32_t key = mix(key_, dimension_++);
-  return point_x(shuffled(reverse_bits(sample_number_), key), key);
+  return point_x(shuffled(sample_number_, key), key);
 }
 
 Vec2 SampleStream::next_2d() {
   const std::uint32_t key = mix(key_, dimension_++);
-  const std::uint32_t index = shuffled(reverse_bits(sample_number_), key);
+  const std::uint32_t index = shuffled(sample_number_, key);
   return {point_x(index, key), point_y(index, key)};
 }
 
-void SampleStreams::put(std::size_t i, const SampleStream& stream) {
-  key_[i] = stream.key_;
-  sample_number_[i] = stream.sample_number_;
-  reversed_sample_number_[i] = reverse_bits(stream.sample_number_);
-  dimension_[i] = stream.dimension_;
+Floats SampleStreams::next_1d() {
+  const Uints key = mix(key_, next_dimension());
+  return point_x(shuffled(sample_number_, key), key);
 }
 
-void SampleStreams::next_1d(FloatLanes& numbers) {
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::uint32_t key = mix(key_[i], dimension_[i]++);
-    numbers[i] = point_x(shuffled(reversed_sample_number_[i], key), key);
-  }
-}
-
-void SampleStreams::next_2d(Vec2Lanes& numbers) {
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::uint32_t key = mix(key_[i], dimension_[i]++);
-    const std::uint32_t index = shuffled(reversed_sample_number_[i], key);
-    numbers.x[i] = point_x(index, key);
-    numbers.y[i] = point_y(index, key);
-  }
-}
-
-void SampleStreams::next_bits(Bits& numbers) {
-  for (std::size_t i = 0; i < size; ++i) {
-    numbers[i] = mix(mix(key_[i], dimension_[i]++), sample_number_[i]);
-  }
-}
-
-void SampleStreams::skip(std::uint32_t numbers) {
-  for (std::uint32_t& dimension : dimension_) {
-    dimension += numbers;
-  }
+Vec2s SampleStreams::next_2d() {
+  const Uints key = mix(key_, next_dimension());
+  const Uints index = shuffled(sample_number_, key);
+  return {point_x(index, key), point_y(index, key)};
 }
 
 Pcg32::Pcg32(std::uint64_t seed, std::uint64_t stream) : increment_((stream << 1) | 1U) {

@@ -1,19 +1,21 @@
 // Random numbers that are functions of a key, so that a result never depends on threads or order.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 
+#include "renderer/base/lane_columns.h"
 #include "renderer/base/lanes.h"
 #include "renderer/base/vec.h"
 
 namespace foveola {
 
-/// A bijective mixer of 32 bits ("lowbias32", Ellis 2018, "Prospecting for Hash Functions").
-constexpr std::uint32_t mix(std::uint32_t x) {
+/// A bijective mixer of 32 bits ("lowbias32", Ellis 2018, "Prospecting for Hash Functions"). Bits:
+/// 32 of them, or lanes of so many.
+template <typename Bits>
+constexpr Bits mixed(Bits x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
   x ^= x >> 15;
@@ -21,14 +23,23 @@ constexpr std::uint32_t mix(std::uint32_t x) {
   x ^= x >> 16;
   return x;
 }
+template <typename Bits>
+constexpr Bits mixed(const Bits& state, const Bits& value) {
+  return mixed<Bits>(state ^ (mixed<Bits>(value + 0x9e3779b9U) + 0x85ebca6bU));
+}
+
+constexpr std::uint32_t mix(std::uint32_t x) { return mixed(x); }
+inline Uints mix(const Uints& x) { return mixed(x); }
 
 /// Folds `value` into the running hash `state`.
 constexpr std::uint32_t mix(std::uint32_t state, std::uint32_t value) {
-  return mix(state ^ (mix(value + 0x9e3779b9U) + 0x85ebca6bU));
+  return mixed(state, value);
 }
+inline Uints mix(const Uints& state, const Uints& value) { return mixed(state, value); }
 
 /// The 24 high bits as a float in [0, 1); never 1.
 constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
+inline Floats unit_float(const Uints& bits) { return floats_of(Ints(bits >> 8)) * 0x1p-24F; }
 
 /// Point `index` of the two-dimensional Sobol sequence, Owen-scrambled by `seed` with the hash of
 /// Burley 2020, "Practical Hash-based Owen Scrambling". Any 2^(a+b) consecutive points that start
@@ -52,36 +63,65 @@ class SampleStream {
   std::uint32_t next_bits() { return mix(mix(key_, dimension_++), sample_number_); }
 
  private:
-  friend class SampleStreams;
+  template <std::size_t capacity>
+  friend class SampleStreamColumns;
 
   std::uint32_t key_ = 0;
   std::uint32_t sample_number_ = 0;
   std::uint32_t dimension_ = 0;
 };
 
-/// A few streams side by side, drawn from in step: each gives the numbers that it would give
-/// alone, but the processor works on all of them at once.
+/// Eight streams drawn from in step: each gives the numbers that it would give alone.
 class SampleStreams {
  public:
-  static constexpr std::size_t size = lane_count;
-  using Bits = std::array<std::uint32_t, size>;
-
-  /// Puts a stream into place i; how far it has been drawn from goes back with take().
-  void put(std::size_t i, const SampleStream& stream);
-  void take(std::size_t i, SampleStream& stream) const { stream.dimension_ = dimension_[i]; }
-
-  /// Places without a stream give any number.
-  void next_1d(FloatLanes& numbers);
-  void next_2d(Vec2Lanes& numbers);
-  void next_bits(Bits& numbers);
+  Floats next_1d();
+  Vec2s next_2d();
+  Uints next_bits() { return mix(mix(key_, next_dimension()), sample_number_); }
   /// Passes over so many numbers.
-  void skip(std::uint32_t numbers);
+  void skip(std::uint32_t numbers) { dimension_ += numbers; }
 
  private:
-  Bits key_{};
-  Bits sample_number_{};
-  Bits reversed_sample_number_{};  ///< its highest bit first
-  Bits dimension_{};
+  template <std::size_t capacity>
+  friend class SampleStreamColumns;
+
+  SampleStreams(const Uints& key, const Uints& sample_number, const Uints& dimension)
+      : key_(key), sample_number_(sample_number), dimension_(dimension) {}
+  Uints next_dimension() { return dimension_++; }
+
+  Uints key_, sample_number_, dimension_;
+};
+
+/// Many streams.
+template <std::size_t capacity>
+class SampleStreamColumns {
+ public:
+  SampleStream at(std::size_t i) const {
+    SampleStream stream;
+    stream.key_ = key_[i];
+    stream.sample_number_ = sample_number_[i];
+    stream.dimension_ = dimension_[i];
+    return stream;
+  }
+  void put(std::size_t i, const SampleStream& stream) {
+    key_[i] = stream.key_;
+    sample_number_[i] = stream.sample_number_;
+    dimension_[i] = stream.dimension_;
+  }
+  SampleStreams load(std::size_t first) const {
+    return {key_.load(first), sample_number_.load(first), dimension_.load(first)};
+  }
+  /// How far they were drawn from, of streams that were loaded from here.
+  void store(std::size_t first, const SampleStreams& streams) {
+    dimension_.store(first, streams.dimension_);
+  }
+  void move(std::size_t first, const LanePacking& packing, std::size_t to) {
+    key_.move(first, packing, to);
+    sample_number_.move(first, packing, to);
+    dimension_.move(first, packing, to);
+  }
+
+ private:
+  UintColumn<capacity> key_, sample_number_, dimension_;
 };
 
 /// A small generator with a stated algorithm (PCG-XSH-RR 64/32, O'Neill 2014), for everything that

@@ -48,27 +48,29 @@ inline SineCosine azimuth_at(float turns) {
 inline SinesCosines<Floats> azimuth_at(const Floats& turns) { return sine_cosine_of_turns(turns); }
 
 /// The angle of (x, y) from the x axis towards y, in [-0.5, 0.5] turns, within 4e-8; 0 for (0,
-/// 0). The polynomial is that of Moshier's Cephes library (atanf), 1992.
-inline float turns_of(float y, float x) {
+/// 0). The polynomial is that of Moshier's Cephes library (atanf), 1992. Number: float, or Floats.
+template <typename Number>
+inline Number turns_of(const Number& y, const Number& x) {
   constexpr float turns_per_radian = 0.159154943091895336F;
   constexpr float tan_of_sixteenth = 0.414213562373095049F;
-  const float across = std::fabs(x);
-  const float up = std::fabs(y);
-  const float smaller = across < up ? across : up;
-  const float larger = across < up ? up : across;
-  const float ratio = smaller / (larger > 0.0F ? larger : 1.0F);
+  const Number across = magnitude(x);
+  const Number up = magnitude(y);
+  const auto is_steep = across < up;
+  const Number shorter = chosen(is_steep, across, up);
+  const Number longer = chosen(is_steep, up, across);
+  const Number ratio = shorter / chosen(longer > 0.0F, longer, Number{} + 1.0F);
   // tan(a - pi/4) = (tan a - 1) / (tan a + 1).
-  const bool is_beyond = ratio > tan_of_sixteenth;
-  const float t = is_beyond ? (ratio - 1.0F) / (ratio + 1.0F) : ratio;
-  const float z = t * t;
-  const float radians =
+  const auto is_beyond = ratio > tan_of_sixteenth;
+  const Number t = chosen(is_beyond, (ratio - 1.0F) / (ratio + 1.0F), ratio);
+  const Number z = t * t;
+  const Number radians =
       t + t * z *
               (-3.33329491539e-1F +
                z * (1.99777106478e-1F + z * (-1.38776856032e-1F + z * 8.05374449538e-2F)));
-  float turns = radians * turns_per_radian + (is_beyond ? 0.125F : 0.0F);
-  turns = across < up ? 0.25F - turns : turns;
-  turns = x < 0.0F ? 0.5F - turns : turns;
-  return std::copysign(turns, y);
+  const Number eighth = chosen(is_beyond, Number{} + 0.125F, Number{});
+  const Number within_quarter = radians * turns_per_radian + eighth;
+  const Number of_magnitudes = chosen(is_steep, 0.25F - within_quarter, within_quarter);
+  return with_sign(chosen(x < 0.0F, 0.5F - of_magnitudes, of_magnitudes), y);
 }
 
 }  // namespace foveola

@@ -31,11 +31,4 @@ AliasTable::AliasTable(std::span<const double> weights) : slots_(weights.size())
   }
 }
 
-std::size_t AliasTable::sample(const Vec2& u) const {
-  const auto slot = std::min(
-      static_cast<std::size_t>(static_cast<double>(u.x) * static_cast<double>(slots_.size())),
-      slots_.size() - 1);
-  return u.y < slots_[slot].own_share ? slot : slots_[slot].alias;
-}
-
 }  // namespace foveola

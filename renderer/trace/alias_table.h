@@ -1,6 +1,8 @@
 // Drawing an item by its weight in constant time (Walker 1977; Vose 1991).
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,7 +17,12 @@ class AliasTable {
   explicit AliasTable(std::span<const double> weights);
 
   /// u: in the unit square.
-  std::size_t sample(const Vec2& u) const;
+  std::size_t sample(const Vec2& u) const {
+    const auto slot = std::min(
+        static_cast<std::size_t>(static_cast<double>(u.x) * static_cast<double>(slots_.size())),
+        slots_.size() - 1);
+    return u.y < slots_[slot].own_share ? slot : slots_[slot].alias;
+  }
 
  private:
   struct Slot {

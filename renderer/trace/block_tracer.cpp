@@ -20,14 +20,13 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
   for (vertex_ = 1; active_ > 0; ++vertex_) {
     find_hits();
     prefetch_group(0);
+    std::size_t staying = 0;
     for (std::size_t first = 0; first < active_; first += lane_count) {
-      const Group group{.first = first, .size = std::min(lane_count, active_ - first)};
-      const LaneMask lanes = advance(group);
-      for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        goes_on_[first + lane] = lanes[lane] != 0;
-      }
+      const LanePacking packing(bits_of(advance(group_at(first))));
+      paths_->move(first, packing, staying);
+      staying += packing.count();
     }
-    close_gaps();
+    active_ = staying;
     add_unblocked_light();
   }
   for (Rgb& gathered : radiance) {
@@ -37,8 +36,6 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
 }
 
 void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) {
-  shadow_rays_.reserve(jobs.size());
-  pending_.reserve(jobs.size());
   paths_->fill({.ray = {.origin = viewpoint},
                 .pdf = certain,
                 .spread_rad = camera_spread_rad(settings_.pixel_angle_rad)});
@@ -46,33 +43,42 @@ void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) 
     SampleStream random(settings_.seed, job.pixel, job.sample_number);
     paths_->direction.put(active_, job.direction);
     paths_->key[active_] = random.next_bits();
-    paths_->random[active_] = random;
+    paths_->random.put(active_, random);
     paths_->job[active_] = static_cast<std::uint32_t>(active_);
     ++active_;
   }
 }
 
 void BlockTracer::find_hits() {
-  const std::span<HitQuery> queries = std::span(queries_).first(active_);
-  for (std::size_t i = 0; i < active_; ++i) {
-    queries[i].ask(paths_->ray(i));
-    count(queries[i].ray);
-  }
-  traced_.rays.find_hits(queries);
-  for (std::size_t i = 0; i < active_; ++i) {
-    hits_[i] = queries[i].hit();
-    prefetch_triangle(traced_.scene, hits_[i]);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  ray_count() += active_;
+  for (std::size_t first = 0; first < active_; first += lane_count) {
+    const Group group = group_at(first);
+    HitQueries queries({paths_->origin.load(first), paths_->direction.load(first),
+                        all_lanes(infinity), paths_->key.load(first)});
+    if (notes_.rays != nullptr) {
+      for_each_lane(group.lanes(), [&](std::size_t lane) { note(queries.rays.at(lane)); });
+    }
+    traced_.rays.find_hits(queries, group.lanes());
+    hits_->store(first, queries);
+    for_each_lane(hits_->met_surface(first) & group.lanes(), [&](std::size_t lane) {
+      const std::size_t index = first + lane;
+      prefetch_triangle(*object_at(index).view.mesh, hits_->triangle[index]);
+    });
   }
 }
 
 void BlockTracer::prefetch_group(std::size_t first) const {
-  for (std::size_t i = first; i < std::min(first + lane_count, active_); ++i) {
-    prefetch_vertices(traced_.scene, hits_[i]);
+  if (first >= active_) {
+    return;
   }
+  for_each_lane(hits_->met_surface(first) & group_at(first).lanes(), [&](std::size_t lane) {
+    const std::size_t index = first + lane;
+    prefetch_vertices(*object_at(index).view.mesh, hits_->triangle[index]);
+  });
 }
 
-void BlockTracer::count(const Ray& ray) {
-  ++(vertex_ == 1 ? counts_.primary : counts_.bounce);
+void BlockTracer::note(const Ray& ray) {
   if (notes_.rays != nullptr) {
     (vertex_ == 1 ? notes_.rays->primary : notes_.rays->bounce).push_back(ray);
   }
@@ -90,8 +96,9 @@ LaneMask BlockTracer::advance(const Group& group) {
   if (!any_lane(on_fast_path | on_general_path)) {
     return LaneMask{};
   }
-  const GroupNumbers numbers(std::span(paths_->random).subspan(group.first, group.size),
-                             needed_numbers());
+  SampleStreams random = paths_->random.load(group.first);
+  const GroupNumbers numbers(random, needed_numbers());
+  paths_->random.store(group.first, random);
   LaneMask goes_on{};
   if (any_lane(on_general_path)) {
     goes_on = advance_alone(group, on_general_path, numbers);
@@ -110,7 +117,7 @@ NeededNumbers BlockTracer::needed_numbers() const {
 }
 
 BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {
-  const Hit& hit = hits_[index];
+  const Hit hit = hits_->at(index);
   const bool is_absorbed =
       traced_.has_absorption && paths_->absorption_per_m.at(index) != Rgb(0.0F);
   if (hit.missed() || is_absorbed || notes_.vertices != nullptr || object_of(hit).shines) {
@@ -175,39 +182,29 @@ bool BlockTracer::finite(std::uint32_t job, const Rgb& radiance, const Vec3& dir
   return false;
 }
 
-void BlockTracer::close_gaps() {
-  for (std::size_t i = 0;; ++i) {
-    while (i < active_ && goes_on_[i]) {
-      ++i;
-    }
-    while (i < active_ && !goes_on_[active_ - 1]) {
-      --active_;
-    }
-    if (i == active_) {
-      return;
-    }
-    paths_->put(i, paths_->at(--active_));
+void BlockTracer::add_unblocked_light() {
+  counts_.shadow += shadow_rays_.size();
+  for (std::size_t first = 0; first < shadow_rays_.size(); first += lane_count) {
+    add_unblocked_light(
+        {.first = first, .size = std::min(lane_count, shadow_rays_.size() - first)});
   }
+  shadow_rays_.clear();
 }
 
-void BlockTracer::add_unblocked_light() {
+void BlockTracer::add_unblocked_light(const Group& group) {
+  RayLanes rays = shadow_rays_.rays(group.first);
   if (notes_.rays != nullptr) {
-    auto& log = notes_.rays->shadow;
-    log.insert(log.end(), shadow_rays_.begin(), shadow_rays_.end());
+    for_each_lane(group.lanes(),
+                  [&](std::size_t lane) { notes_.rays->shadow.push_back(rays.at(lane)); });
   }
-  traced_.rays.find_blocked(shadow_rays_);
-  counts_.shadow += shadow_rays_.size();
-  for (std::size_t i = 0; i < pending_.size(); ++i) {
-    if (shadow_rays_[i].is_blocked()) {
-      continue;
+  const LaneMask blocked = traced_.rays.find_blocked(rays, group.lanes());
+  for_each_lane(group.lanes() & ~blocked, [&](std::size_t lane) {
+    Rgb gain = shadow_rays_.gain(group.first + lane);
+    if (rays.flags[lane] != 0) {
+      gain *= thin_transmittance(rays.at(lane));
     }
-    if (shadow_rays_[i].met_thin_surface()) {
-      pending_[i].radiance *= thin_transmittance(shadow_rays_[i]);
-    }
-    radiance_[pending_[i].job] += pending_[i].radiance;
-  }
-  pending_.clear();
-  shadow_rays_.clear();
+    radiance_[shadow_rays_.job(group.first + lane)] += gain;
+  });
 }
 
 Rgb BlockTracer::thin_transmittance(Ray ray) {

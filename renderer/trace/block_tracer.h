@@ -2,7 +2,7 @@
 // other, and of surfaces on the fast path eight vertices at a time.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +17,7 @@
 #include "renderer/trace/fast_path_bsdf.h"
 #include "renderer/trace/path_states.h"
 #include "renderer/trace/path_tracer.h"
+#include "renderer/trace/shadow_rays.h"
 #include "renderer/trace/surface.h"
 #include "renderer/trace/surface_points.h"
 #include "renderer/trace/traced_scene.h"
@@ -45,33 +46,40 @@ class BlockTracer {
                             settings.largest_light_sample < std::numeric_limits<float>::infinity()),
         light_samples_weighed_(settings.light_samples_alone ? overwhelmingly_many : 1.0F),
         notes_(notes),
-        paths_(std::make_unique_for_overwrite<PathStates>()) {}
+        paths_(std::make_unique_for_overwrite<PathStates>()),
+        hits_(std::make_unique_for_overwrite<PathHits>()),
+        shadow_rays_(most_paths) {}
 
   /// To be called once, for at most most_paths jobs.
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance);
 
  private:
-  /// What a job gains if its shadow ray is not blocked.
-  struct PendingLight {
-    std::uint32_t job;
-    Rgb radiance;
-  };
-
   /// Where paths have arrived, eight at most, from the one at `first` on.
   struct Group {
     std::size_t first;
     std::size_t size;
+
+    LaneMask lanes() const { return mask_of((1U << size) - 1U); }
   };
   enum class Arrival : std::uint8_t { ended, fast_path, general_path };
   enum class Step : std::uint8_t { ended, scattered, passed };
 
   void start(const Vec3& viewpoint, std::span<const SampleJob> jobs);
+  /// The group of active paths that begins at `first`.
+  Group group_at(std::size_t first) const {
+    return {.first = first, .size = std::min(lane_count, active_ - first)};
+  }
   void find_hits();
   /// Fetches what the next group will need into the cache.
   void prefetch_group(std::size_t first) const;
-  /// Counts a ray that asks for its closest hit, and notes it.
-  void count(const Ray& ray);
+  /// Where rays that ask for their closest hit are counted, and where they are noted.
+  std::uint64_t& ray_count() { return vertex_ == 1 ? counts_.primary : counts_.bounce; }
+  void note(const Ray& ray);
   const TracedObject& object_of(const Hit& hit) const { return traced_.objects[hit.object]; }
+  /// What the path `index` hit.
+  const TracedObject& object_at(std::size_t index) const {
+    return traced_.objects[hits_->object[index]];
+  }
 
   /// Gathers light where a group's paths have arrived, and sends them on. Returns those that go on.
   LaneMask advance(const Group& group);
@@ -117,9 +125,8 @@ class BlockTracer {
   LaneMask finite(const Group& group, const LaneMask& lanes, const Vec3s& radiance,
                   const Vec3s& direction);
 
-  /// Fills the places of the paths that ended with those from the end.
-  void close_gaps();
   void add_unblocked_light();
+  void add_unblocked_light(const Group& group);
   /// What the thin transmissive surfaces on an unblocked shadow ray let through.
   Rgb thin_transmittance(Ray ray);
   void note(const Path& path, const Hit& hit) const;
@@ -134,11 +141,8 @@ class BlockTracer {
   int vertex_ = 0;           ///< the one that the active paths are on their way to; the first is 1
   std::size_t active_ = 0;   ///< paths
   std::unique_ptr<PathStates> paths_;
-  std::array<HitQuery, most_paths> queries_;
-  std::array<Hit, most_paths> hits_;
-  std::array<bool, most_paths + lane_count> goes_on_{};
-  std::vector<Ray> shadow_rays_;
-  std::vector<PendingLight> pending_;  ///< one a shadow ray
+  std::unique_ptr<PathHits> hits_;
+  ShadowRays shadow_rays_;
   RayCounts counts_;
 };
 

@@ -6,25 +6,26 @@
 #include <numbers>
 #include <vector>
 
+#include "renderer/base/turns.h"
+
 namespace foveola {
 namespace {
 
-using std::numbers::pi_v;
 constexpr float uniform_sphere_pdf = 0.25F * std::numbers::inv_pi_v<float>;
 
 /// The second coordinate of map_position().
 float map_row(const Environment& environment, const Vec3& direction) {
   const float horizontal = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-  const float elevation = std::atan2(direction.y, horizontal);
-  return (0.5F - elevation / pi_v<float>)*static_cast<float>(environment.map_height) - 0.5F;
+  const float elevation = turns_of(direction.y, horizontal);
+  return (0.5F - 2.0F * elevation) * static_cast<float>(environment.map_height) - 0.5F;
 }
 
 /// Where the map shows a direction, which is in the map's own frame: in texels, counted from the
 /// centre of texel (0, 0); x in [-1/2, W - 1/2], y in [-1/2, H - 1/2].
 Vec2 map_position(const Environment& environment, const Vec3& direction) {
   const bool is_pole = direction.x == 0.0F && direction.z == 0.0F;
-  const float azimuth = is_pole ? 0.0F : std::atan2(direction.x, -direction.z);
-  return {(azimuth / (2.0F * pi_v<float>)+0.5F) * static_cast<float>(environment.map_width) - 0.5F,
+  const float azimuth = is_pole ? 0.0F : turns_of(direction.x, -direction.z);
+  return {(azimuth + 0.5F) * static_cast<float>(environment.map_width) - 0.5F,
           map_row(environment, direction)};
 }
 
@@ -81,11 +82,10 @@ float mean_luminance(const Environment& environment, const Corners& c) {
 }
 
 /// sine: of the elevation, in double: near the poles its square is nearly 1.
-Vec3 direction_at(double azimuth_rad, double sine) {
+Vec3 direction_at(double azimuth_turns, double sine) {
   const auto horizontal = static_cast<float>(std::sqrt(std::max(0.0, 1.0 - sine * sine)));
-  const auto azimuth = static_cast<float>(azimuth_rad);
-  return {horizontal * std::sin(azimuth), static_cast<float>(sine),
-          -horizontal * std::cos(azimuth)};
+  const SineCosine azimuth = sine_cosine_of_turns(static_cast<float>(azimuth_turns));
+  return {horizontal * azimuth.sine, static_cast<float>(sine), -horizontal * azimuth.cosine};
 }
 
 }  // namespace
@@ -94,6 +94,7 @@ EnvironmentLight::EnvironmentLight(const Environment& environment)
     : environment_(environment),
       rotation_cosine_(static_cast<float>(std::cos(environment.rotation_rad))),
       rotation_sine_(static_cast<float>(std::sin(environment.rotation_rad))),
+      rotation_turns_(environment.rotation_rad / (2.0 * std::numbers::pi)),
       total_luminance_(4.0 * std::numbers::pi * luminance(environment.radiance)) {
   if (environment.map.empty()) {
     return;
@@ -149,13 +150,12 @@ DistantLight EnvironmentLight::at(const Vec3& direction) const {
 
 EnvironmentLight::Sample EnvironmentLight::sample(const Vec2& u) const {
   if (!cells_) {
-    return {.direction = direction_at(2.0 * std::numbers::pi * u.x, 1.0 - 2.0 * u.y),
+    return {.direction = direction_at(u.x, 1.0 - 2.0 * u.y),
             .light = {.radiance = environment_.radiance, .pdf = uniform_sphere_pdf}};
   }
   const PiecewiseConstant2D::Point point = cells_->sample(u);
   const double x = static_cast<double>(point.column) + 0.5 + point.within.x;
-  const double azimuth =
-      (x / environment_.map_width - 0.5) * 2.0 * std::numbers::pi + environment_.rotation_rad;
+  const double azimuth = x / environment_.map_width - 0.5 + rotation_turns_;
   const double upper = border_sines_[point.row];
   const double lower = border_sines_[point.row + 1];
   const Vec3 direction = direction_at(azimuth, upper + point.within.y * (lower - upper));

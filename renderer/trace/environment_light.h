@@ -46,6 +46,7 @@ class EnvironmentLight {
   const Environment& environment_;
   float rotation_cosine_;
   float rotation_sine_;
+  double rotation_turns_;
   std::optional<PiecewiseConstant2D> cells_;  ///< empty: constant
   std::vector<double> border_sines_;          ///< sines of the elevations between the rows of cells
   std::vector<float> cells_per_sr_;           ///< in each row

@@ -15,11 +15,13 @@ LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
                                            const GroupNumbers& numbers) {
   SurfaceHits hits;
   for_each_lane(lanes, [&](std::size_t lane) {
-    const Hit& hit = hits_[group.first + lane];
-    hits.put(lane, object_of(hit).view, hit);
+    const std::size_t index = group.first + lane;
+    hits.put(lane, object_at(index).view, hits_->triangle[index]);
   });
   const Vec3s direction = paths_->direction.load(group.first);
-  SurfacePoints points = hits.points(direction);
+  SurfacePoints points =
+      hits.points(direction, {hits_->u.load(group.first), hits_->v.load(group.first)},
+                  hits_->t.load(group.first));
   LaneMask turned_out_other{};
   const FastPathLayersLanes layers = layers_of(group, points, lanes, turned_out_other);
   LaneMask goes_on{};
@@ -40,7 +42,7 @@ FastPathLayersLanes BlockTracer::layers_of(const Group& group, const SurfacePoin
   FastPathLayersLanes layers;
   for_each_lane(lanes, [&](std::size_t lane) {
     const std::size_t index = group.first + lane;
-    const TracedObject& object = object_of(hits_[index]);
+    const TracedObject& object = object_at(index);
     if (object.is_constant) {
       layers.put(lane, object.layers);
       return;
@@ -55,7 +57,7 @@ FastPathLayersLanes BlockTracer::layers_of(const Group& group, const SurfacePoin
 
 MeshPoint BlockTracer::mesh_point(std::size_t index, const SurfacePoints& points,
                                   std::size_t lane) const {
-  const Hit& hit = hits_[index];
+  const Hit hit = hits_->at(index);
   MeshPoint point{
       .mesh = *object_of(hit).view.mesh, .triangle = hit.triangle, .barycentric = hit.barycentric};
   const float width_m = paths_->width_m[index] + paths_->spread_rad[index] * hit.t;
@@ -69,7 +71,7 @@ void BlockTracer::apply_normal_maps(const Group& group, const Vec3s& direction,
                                     const LaneMask& lanes, SurfacePoints& points) const {
   for_each_lane(lanes, [&](std::size_t lane) {
     const std::size_t index = group.first + lane;
-    const TracedObject& object = object_of(hits_[index]);
+    const TracedObject& object = object_at(index);
     if (object.has_normal_map) {
       points.turn_shading_normal(
           lane, direction,
@@ -100,19 +102,8 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
   arrives &= (gain.x != 0.0F) | (gain.y != 0.0F) | (gain.z != 0.0F);
   const Vec3s to_light = shadow_direction(light, points.position, points.origin);
   arrives = finite(group, arrives, gain, to_light);
-  Vec3Lanes direction;
-  Vec3Lanes origin;
-  Vec3Lanes radiance;
-  direction.store(to_light);
-  origin.store(points.origin);
-  radiance.store(gain);
-  for_each_lane(arrives, [&](std::size_t lane) {
-    pending_.push_back({.job = paths_->job[group.first + lane], .radiance = radiance.at(lane)});
-    shadow_rays_.push_back({.origin = origin.at(lane),
-                            .direction = direction.at(lane),
-                            .t_max = light.t_max[lane],
-                            .key = numbers.shadow_key[lane]});
-  });
+  shadow_rays_.add(LanePacking(bits_of(arrives)), points.origin, to_light, light.t_max,
+                   numbers.shadow_key, gain, paths_->job.load(group.first));
 }
 
 LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
@@ -120,7 +111,7 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
                            const GroupNumbers& numbers) {
   PathStates& paths = *paths_;
   const std::size_t first = group.first;
-  const auto sample = bsdfs.sample(numbers.lobe.load(), numbers.scattering.load());
+  const auto sample = bsdfs.sample(numbers.lobe, numbers.scattering);
   const Vec3s direction = normalized(frames.to_world(sample.incoming));
   // Written so that what is not a number comes through, and is found below.
   LaneMask goes_on = lanes & (sample.pdf != 0.0F) & ~(sample.incoming.z <= 0.0F) &
@@ -132,7 +123,7 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
     const Floats survives = survival(brightest);
     const LaneMask is_dim = survives < 1.0F;
     throughput = chosen(is_dim, (1.0F / survives) * throughput, throughput);
-    goes_on &= ~is_dim | (numbers.roulette.load() < survives);
+    goes_on &= ~is_dim | (numbers.roulette < survives);
   }
   paths.origin.store(first, goes_on, points.origin);
   paths.direction.store(first, goes_on, direction);
@@ -140,14 +131,12 @@ LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const Surf
   paths.pdf.store(first, goes_on, sample.pdf);
   paths.shading_point_position.store(first, goes_on, points.position);
   paths.shading_point_normal.store(first, goes_on, points.geometric_normal);
+  paths.shading_point_transmits.store(first, goes_on, Uints{});
+  paths.key.store(first, goes_on, numbers.next_key);
   const Floats spread = paths.spread_rad.load(first);
-  const Floats scattered = scattered_spread_rad(sample.pdf);
-  for_each_lane(goes_on, [&](std::size_t lane) {
-    paths.shading_point_transmits[first + lane] = false;
-    paths.key[first + lane] = numbers.next_key[lane];
-    paths.width_m[first + lane] += spread[lane] * hits_[first + lane].t;
-  });
-  paths.spread_rad.store(first, goes_on & (spread > 0.0F), larger(spread, scattered));
+  paths.width_m.store(first, goes_on, paths.width_m.load(first) + spread * hits_->t.load(first));
+  paths.spread_rad.store(first, goes_on & (spread > 0.0F),
+                         larger(spread, scattered_spread_rad(sample.pdf)));
   return goes_on;
 }
 

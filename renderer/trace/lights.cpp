@@ -168,7 +168,7 @@ LightSamples Lights::sample(const ShadingPoints& shading_points, const LightNumb
       any_one = true;
     }
   };
-  TriangleLights::Drawn drawn;
+  TriangleLights::Drawn drawn = local_.nothing_drawn();
   LaneMask is_drawn{};
   for_each_lane(lanes, [&](std::size_t lane) {
     const ShadingPoint shading_point = shading_points.at(lane);

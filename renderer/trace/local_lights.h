@@ -36,6 +36,9 @@ class LocalLights {
   std::optional<LocalLightSample> sample(const ShadingPoint& shading_point, const Vec2& u_choice,
                                          const Vec2& u) const;
 
+  /// For choose() to put lights into.
+  TriangleLights::Drawn nothing_drawn() const { return TriangleLights::Drawn(triangles_); }
+
   /// Chooses a light for the shading point in a lane. Puts it into `drawn` if that can draw it;
   /// else draws from it, as sample() does.
   enum class Choice { nothing, drawn, sampled };

@@ -30,20 +30,14 @@ inline Value interpolate(const std::vector<Value>& attribute,
                      barycentric);
 }
 
-/// Fetches into the cache where the hit triangle's vertices are; nothing for a miss.
-inline void prefetch_triangle(const Scene& scene, const Hit& hit) {
-  if (!hit.missed()) {
-    __builtin_prefetch(&scene.mesh_of(hit.object).triangles[hit.triangle]);
-  }
+/// Fetches into the cache where a triangle's vertices are.
+inline void prefetch_triangle(const Mesh& mesh, std::uint32_t triangle) {
+  __builtin_prefetch(&mesh.triangles[triangle]);
 }
 
 /// Fetches what the mesh says of them.
-inline void prefetch_vertices(const Scene& scene, const Hit& hit) {
-  if (hit.missed()) {
-    return;
-  }
-  const Mesh& mesh = scene.mesh_of(hit.object);
-  for (const std::uint32_t vertex : mesh.triangles[hit.triangle]) {
+inline void prefetch_vertices(const Mesh& mesh, std::uint32_t triangle) {
+  for (const std::uint32_t vertex : mesh.triangles[triangle]) {
     const auto prefetch = [vertex](const auto& attribute) {
       if (!attribute.empty()) {
         __builtin_prefetch(&attribute[vertex]);

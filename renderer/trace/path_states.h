@@ -2,10 +2,10 @@
 // once.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "renderer/base/lane_columns.h"
 #include "renderer/base/lanes.h"
 #include "renderer/base/random.h"
 #include "renderer/base/vec.h"
@@ -31,68 +31,32 @@ struct Path {
 /// Member i of everything belongs to path i.
 struct PathStates {
   static constexpr std::size_t capacity = 512;
-
-  struct alignas(lane_count * sizeof(float)) Numbers : std::array<float, capacity> {
-    Floats load(std::size_t first) const {
-      Floats lanes;
-      __builtin_memcpy(&lanes, data() + first, sizeof(lanes));
-      return lanes;
-    }
-    void store(std::size_t first, const Floats& lanes) {
-      __builtin_memcpy(data() + first, &lanes, sizeof(lanes));
-    }
-    /// Leaves the lanes that are not in the mask as they are.
-    void store(std::size_t first, const LaneMask& mask, const Floats& lanes) {
-      store(first, mask ? lanes : load(first));
-    }
-  };
-  struct Vectors {
-    Numbers x, y, z;
-
-    void fill(const Vec3& v) {
-      x.fill(v.x);
-      y.fill(v.y);
-      z.fill(v.z);
-    }
-    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    void put(std::size_t i, const Vec3& v) {
-      x[i] = v.x;
-      y[i] = v.y;
-      z[i] = v.z;
-    }
-    Vec3s load(std::size_t first) const { return {x.load(first), y.load(first), z.load(first)}; }
-    void store(std::size_t first, const LaneMask& mask, const Vec3s& lanes) {
-      x.store(first, mask, lanes.x);
-      y.store(first, mask, lanes.y);
-      z.store(first, mask, lanes.z);
-    }
-  };
+  using Vectors = Vec3Columns<capacity>;
+  using Numbers = FloatColumn<capacity>;
 
   Vectors origin, direction, throughput, shading_point_position, shading_point_normal,
       absorption_per_m;
   Numbers pdf, radiance_scale, width_m, spread_rad;
-  std::array<bool, capacity> shading_point_transmits;
-  std::array<std::uint32_t, capacity> key, job;
-  std::array<SampleStream, capacity> random;
+  UintColumn<capacity> shading_point_transmits;  ///< 0: no
+  UintColumn<capacity> key, job;
+  SampleStreamColumns<capacity> random;
 
-  Ray ray(std::size_t i) const {
-    Ray ray{.origin = origin.at(i), .direction = direction.at(i)};
-    ray.key = key[i];
-    return ray;
-  }
   Path at(std::size_t i) const {
-    return {.ray = ray(i),
-            .throughput = throughput.at(i),
-            .pdf = pdf[i],
-            .shading_point = {.position = shading_point_position.at(i),
-                              .normal = shading_point_normal.at(i),
-                              .transmits = shading_point_transmits[i]},
-            .radiance_scale = radiance_scale[i],
-            .absorption_per_m = absorption_per_m.at(i),
-            .width_m = width_m[i],
-            .spread_rad = spread_rad[i],
-            .random = random[i],
-            .job = job[i]};
+    Path path{.throughput = throughput.at(i),
+              .pdf = pdf[i],
+              .shading_point = {.position = shading_point_position.at(i),
+                                .normal = shading_point_normal.at(i),
+                                .transmits = shading_point_transmits[i] != 0},
+              .radiance_scale = radiance_scale[i],
+              .absorption_per_m = absorption_per_m.at(i),
+              .width_m = width_m[i],
+              .spread_rad = spread_rad[i],
+              .random = random.at(i),
+              .job = job[i]};
+    path.ray.origin = origin.at(i);
+    path.ray.direction = direction.at(i);
+    path.ray.key = key[i];
+    return path;
   }
   /// What is the same for all paths; what is their own is to be written after.
   void fill(const Path& path) {
@@ -101,7 +65,7 @@ struct PathStates {
     pdf.fill(path.pdf);
     shading_point_position.fill(path.shading_point.position);
     shading_point_normal.fill(path.shading_point.normal);
-    shading_point_transmits.fill(path.shading_point.transmits);
+    shading_point_transmits.fill(path.shading_point.transmits ? 1U : 0U);
     radiance_scale.fill(path.radiance_scale);
     absorption_per_m.fill(path.absorption_per_m);
     width_m.fill(path.width_m);
@@ -116,13 +80,51 @@ struct PathStates {
     pdf[i] = path.pdf;
     shading_point_position.put(i, path.shading_point.position);
     shading_point_normal.put(i, path.shading_point.normal);
-    shading_point_transmits[i] = path.shading_point.transmits;
+    shading_point_transmits[i] = path.shading_point.transmits ? 1U : 0U;
     radiance_scale[i] = path.radiance_scale;
     absorption_per_m.put(i, path.absorption_per_m);
     width_m[i] = path.width_m;
     spread_rad[i] = path.spread_rad;
-    random[i] = path.random;
+    random.put(i, path.random);
     job[i] = path.job;
+  }
+
+  /// Moves those of the eight paths from `first` on that stay to `to`, which is not behind `first`.
+  void move(std::size_t first, const LanePacking& packing, std::size_t to) {
+    for (Vectors* vectors : {&origin, &direction, &throughput, &shading_point_position,
+                             &shading_point_normal, &absorption_per_m}) {
+      vectors->move(first, packing, to);
+    }
+    for (Numbers* numbers : {&pdf, &radiance_scale, &width_m, &spread_rad}) {
+      numbers->move(first, packing, to);
+    }
+    for (UintColumn<capacity>* numbers : {&shading_point_transmits, &key, &job}) {
+      numbers->move(first, packing, to);
+    }
+    random.move(first, packing, to);
+  }
+};
+
+/// What the paths' rays hit.
+struct PathHits {
+  static constexpr std::size_t capacity = PathStates::capacity;
+
+  FloatColumn<capacity> t, u, v;
+  UintColumn<capacity> object, triangle;
+
+  Hit at(std::size_t i) const {
+    return {.t = t[i], .barycentric = {u[i], v[i]}, .object = object[i], .triangle = triangle[i]};
+  }
+  /// Which of the eight from `first` on hit anything.
+  LaneMask met_surface(std::size_t first) const {
+    return LaneMask(object.load(first) != Hit::nothing);
+  }
+  void store(std::size_t first, const HitQueries& found) {
+    t.store(first, found.rays.t_max.load());
+    u.store(first, found.u.load());
+    v.store(first, found.v.load());
+    object.store(first, found.object());
+    triangle.store(first, found.triangle.load());
   }
 };
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <map>
 #include <memory>
+#include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,12 +32,19 @@ static_assert(offsetof(Ray, direction) == offsetof(RTCRay, dir_x));
 static_assert(offsetof(Ray, t_max) == offsetof(RTCRay, tfar));
 static_assert(offsetof(Ray, mask) == offsetof(RTCRay, mask));
 static_assert(offsetof(Ray, flags) == offsetof(RTCRay, flags));
-static_assert(sizeof(HitQuery) == sizeof(RTCRayHit));
-static_assert(alignof(HitQuery) == alignof(RTCRayHit));
-static_assert(offsetof(HitQuery, u) == offsetof(RTCRayHit, hit.u));
-static_assert(offsetof(HitQuery, triangle) == offsetof(RTCRayHit, hit.primID));
-static_assert(offsetof(HitQuery, geometry) == offsetof(RTCRayHit, hit.geomID));
-static_assert(offsetof(HitQuery, instance) == offsetof(RTCRayHit, hit.instID));
+static_assert(sizeof(RayLanes) == sizeof(RTCRay8));
+static_assert(alignof(RayLanes) == alignof(RTCRay8));
+static_assert(offsetof(RayLanes, t_min) == offsetof(RTCRay8, tnear));
+static_assert(offsetof(RayLanes, direction) == offsetof(RTCRay8, dir_x));
+static_assert(offsetof(RayLanes, t_max) == offsetof(RTCRay8, tfar));
+static_assert(offsetof(RayLanes, mask) == offsetof(RTCRay8, mask));
+static_assert(offsetof(RayLanes, key) == offsetof(RTCRay8, id));
+static_assert(sizeof(HitQueries) == sizeof(RTCRayHit8));
+static_assert(alignof(HitQueries) == alignof(RTCRayHit8));
+static_assert(offsetof(HitQueries, u) == offsetof(RTCRayHit8, hit.u));
+static_assert(offsetof(HitQueries, triangle) == offsetof(RTCRayHit8, hit.primID));
+static_assert(offsetof(HitQueries, geometry) == offsetof(RTCRayHit8, hit.geomID));
+static_assert(offsetof(HitQueries, instance) == offsetof(RTCRayHit8, hit.instID));
 static_assert(Hit::nothing == RTC_INVALID_GEOMETRY_ID);
 
 /// Calls `passes(ray id, hit)` for each hit that Embree asks about, and rejects those
@@ -110,6 +120,21 @@ void set_filters(RTCGeometry geometry, const Filtering& filtering) {
   if (filtering.by_thin_surface) {
     rtcSetGeometryOccludedFilterFunction(geometry, filter_thin_surfaces);
   }
+}
+
+Hit closest_hit_of(RTCScene scene, const Ray& ray, RayQueryContext& context) {
+  RTCRayHit query;
+  std::memcpy(&query.ray, &ray, sizeof(query.ray));  // the same bytes (asserted above)
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+    return {};
+  }
+  return {.t = query.ray.tfar,
+          .barycentric = {query.hit.u, query.hit.v},
+          .object = object_number(query.hit.instID[0], query.hit.geomID),
+          .triangle = query.hit.primID};
 }
 
 /// Where Embree finds the numbers of a mesh's vertices.
@@ -255,12 +280,6 @@ struct RayScene::Embree {
     rtcAttachGeometryByID(scene.get(), geometry.get(), object);
     device->throw_if_failed();
   }
-
-  void find_blocked(std::span<Ray> rays, RayQueryContext& context) const {
-    // Embree's ray and ours are the same bytes (asserted above).
-    rtcOccluded1M(scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
-                  static_cast<unsigned>(rays.size()), sizeof(Ray));
-  }
 };
 
 RayScene::RayScene(const Scene& scene, const Workers& workers, KeptHierarchies* kept)
@@ -281,25 +300,21 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Hit RayScene::closest_hit(const Ray& ray) const {
-  HitQuery query(ray);
-  find_hits({&query, 1});
-  return query.hit();
-}
-
-void RayScene::find_hits(std::span<HitQuery> queries) const {
   RayQueryContext context(*embree_->source);
-  for (HitQuery& query : queries) {
-    // The same bytes (asserted above).
-    rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
-  }
+  return closest_hit_of(embree_->scene.get(), ray, context);
 }
 
 Hit RayScene::closest_hit_of_any_opacity(const Ray& ray) const {
   RayQueryContext context(*embree_->source);
   context.meets_any_opacity = true;
-  HitQuery query(ray);
-  rtcIntersect1(embree_->scene.get(), &context, reinterpret_cast<RTCRayHit*>(&query));
-  return query.hit();
+  return closest_hit_of(embree_->scene.get(), ray, context);
+}
+
+void RayScene::find_hits(HitQueries& queries, const LaneMask& lanes) const {
+  RayQueryContext context(*embree_->source);
+  // The same bytes (asserted above).
+  rtcIntersect8(reinterpret_cast<const int*>(&lanes), embree_->scene.get(), &context,
+                reinterpret_cast<RTCRayHit8*>(&queries));
 }
 
 bool RayScene::asks_for_keys() const { return embree_->asks_for_keys; }
@@ -310,30 +325,19 @@ const Scene& RayScene::scene() const { return *embree_->source; }
 
 RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
 
-void RayScene::find_blocked(std::span<Ray> rays) const {
-  if (!embree_->has_thin_surfaces) {
-    RayQueryContext context(*embree_->source);
-    embree_->find_blocked(rays, context);
-    return;
-  }
-  // The filters note thin transmissive surfaces by the ray's number, which takes the key's place.
-  constexpr std::size_t most = 512;
-  std::array<std::uint32_t, most> keys;
-  for (; !rays.empty(); rays = rays.subspan(std::min(most, rays.size()))) {
-    const std::span<Ray> some = rays.first(std::min(most, rays.size()));
-    std::array<std::uint32_t, most> met_thin_surface{};
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      keys[i] = std::exchange(some[i].key, static_cast<std::uint32_t>(i));
-    }
-    RayQueryContext context(*embree_->source);
+LaneMask RayScene::find_blocked(RayLanes& rays, const LaneMask& lanes) const {
+  RayQueryContext context(*embree_->source);
+  const UintLanes keys = rays.key;
+  if (embree_->has_thin_surfaces) {
+    // The filters note thin transmissive surfaces by the ray's number, which takes the key's place.
+    std::iota(rays.key.begin(), rays.key.end(), 0U);
     context.keys = keys.data();
-    context.met_thin_surface = met_thin_surface.data();
-    embree_->find_blocked(some, context);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      some[i].key = keys[i];
-      some[i].flags = met_thin_surface[i];
-    }
+    context.met_thin_surface = rays.flags.data();
   }
+  rtcOccluded8(reinterpret_cast<const int*>(&lanes), embree_->scene.get(), &context,
+               reinterpret_cast<RTCRay8*>(&rays));
+  rays.key = keys;
+  return lanes & (rays.t_max.load() < 0.0F);
 }
 
 }  // namespace foveola

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <span>
 
+#include "renderer/base/lanes.h"
 #include "renderer/base/parallel.h"
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
@@ -16,8 +16,7 @@ struct RTCSceneTy;
 
 namespace foveola {
 
-/// The points origin + t * direction for t in (t_min, t_max). Laid out as Embree's single ray, so
-/// that streams of them need no copy.
+/// The points origin + t * direction for t in (t_min, t_max). Laid out as Embree's single ray.
 struct alignas(16) Ray {
   Vec3 origin{0.0F};
   float t_min = 0.0F;
@@ -25,11 +24,8 @@ struct alignas(16) Ray {
   float time = 0.0F;
   float t_max = std::numeric_limits<float>::infinity();
   std::uint32_t mask = ~0U;
-  std::uint32_t key = 0;    ///< random; decides which blended surfaces the ray meets
-  std::uint32_t flags = 0;  ///< set by find_blocked(): it met a thin transmissive surface
-
-  bool is_blocked() const { return t_max < 0.0F; }
-  bool met_thin_surface() const { return flags != 0; }
+  std::uint32_t key = 0;  ///< random; decides which blended surfaces the ray meets
+  std::uint32_t flags = 0;
 };
 
 /// Where a ray met a triangle: at (1 - u - v) * p0 + u * p1 + v * p2 with barycentric = (u, v).
@@ -49,30 +45,56 @@ inline std::uint32_t object_number(std::uint32_t instance, std::uint32_t geometr
   return instance == Hit::nothing ? geometry : instance;
 }
 
-/// A ray on its way to the first triangle on it. Laid out as Embree's single ray with its hit, so
-/// that it need not be copied: what was just written piece by piece is slow to read as a whole.
-struct alignas(16) HitQuery {
-  Ray ray;
-  Vec3 normal;  ///< Embree's, which nothing reads
-  float u, v;
-  std::uint32_t triangle, geometry, instance;
+/// Eight rays, laid out as Embree's packet of so many.
+struct RayLanes {
+  Vec3Lanes origin;
+  FloatLanes t_min;
+  Vec3Lanes direction;
+  FloatLanes time;
+  FloatLanes t_max;
+  UintLanes mask;
+  UintLanes key;
+  UintLanes flags;  ///< set by find_blocked(): the ray met a thin transmissive surface
 
-  HitQuery() = default;
-  explicit HitQuery(const Ray& wanted) { ask(wanted); }
-  void ask(const Ray& wanted) {
-    ray = wanted;
-    geometry = Hit::nothing;
-    instance = Hit::nothing;
+  RayLanes(const Vec3s& from, const Vec3s& along, const Floats& until, const Uints& keys) {
+    origin.store(from);
+    t_min.store(Floats{});
+    direction.store(along);
+    time.store(Floats{});
+    t_max.store(until);
+    mask.store(~Uints{});
+    key.store(keys);
+    flags.store(Uints{});
   }
 
-  Hit hit() const {
-    if (geometry == Hit::nothing) {
-      return {};
-    }
-    return {.t = ray.t_max,
-            .barycentric = {u, v},
-            .object = object_number(instance, geometry),
-            .triangle = triangle};
+  Ray at(std::size_t lane) const {
+    return {.origin = origin.at(lane),
+            .t_min = t_min[lane],
+            .direction = direction.at(lane),
+            .time = time[lane],
+            .t_max = t_max[lane],
+            .mask = mask[lane],
+            .key = key[lane],
+            .flags = flags[lane]};
+  }
+};
+
+/// Eight rays on their way to the first triangle on them, laid out as Embree's packet of so many.
+struct HitQueries {
+  RayLanes rays;
+  Vec3Lanes normal;  ///< Embree's, which nothing reads
+  FloatLanes u, v;
+  UintLanes triangle, geometry, instance;
+
+  explicit HitQueries(const RayLanes& wanted) : rays(wanted) {
+    geometry.fill(Hit::nothing);
+    instance.fill(Hit::nothing);
+  }
+
+  /// Hit::object of all.
+  Uints object() const {
+    const Uints instances = instance.load();
+    return instances == Hit::nothing ? geometry.load() : instances;
   }
 };
 
@@ -80,9 +102,11 @@ struct alignas(16) HitQuery {
 /// number of threads that built the scene. A ray meets a surface with the probability of its
 /// opacity, as decided by the ray's key. Non-finite triangles are never hit.
 ///
-/// There are no coherent packets for closest hits on purpose. With Embree 3.13 they are twice as
-/// fast for neighbouring rays, but where two triangles are hit at the same distance (coplanar
-/// overlaps, shared edges) the winner changes with the packet's other rays.
+/// Eight rays go to Embree together but are traced one by one ("incoherent"), which with
+/// Embree 3.13 takes as long as single rays less the cost of taking them apart. Packets that are
+/// traced together
+/// ("coherent") are twice as fast for neighbouring rays, but where two triangles are hit at the
+/// same distance (coplanar overlaps, shared edges) the winner changes with the packet's other rays.
 class RayScene {
  public:
   /// The scene must outlive this object. kept: where the hierarchies of its prototypes are found
@@ -98,15 +122,15 @@ class RayScene {
   Hit closest_hit(const Vec3& origin, const Vec3& direction) const {
     return closest_hit(Ray{.origin = origin, .direction = direction});
   }
-  /// The same for each of the queries.
-  void find_hits(std::span<HitQuery> queries) const;
+  /// The same for those of eight rays that have a bit in `lanes`.
+  void find_hits(HitQueries& queries, const LaneMask& lanes) const;
 
   /// The first triangle on the ray where the opacity is above 0, whatever the ray's key.
   Hit closest_hit_of_any_opacity(const Ray& ray) const;
 
-  /// Marks the rays that meet a triangle as blocked. Thin transmissive surfaces (see opacity.h) do
-  /// not block but tint, so the rays that met one are marked too. The rays' order does not matter.
-  void find_blocked(std::span<Ray> rays) const;
+  /// Which of eight rays meet a triangle, of those in `lanes`. Thin transmissive surfaces (see
+  /// opacity.h) do not block but tint, so the rays that met one are flagged.
+  LaneMask find_blocked(RayLanes& rays, const LaneMask& lanes) const;
 
   /// Whether rays' keys decide something: there are surfaces that only some rays meet.
   bool asks_for_keys() const;

@@ -37,7 +37,7 @@ LaneMask BlockTracer::advance_alone(const Group& group, const LaneMask& lanes,
 
 bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
   Path path = paths_->at(index);
-  Hit hit = hits_[index];
+  Hit hit = hits_->at(index);
   for (int thin_surfaces = 0; thin_surfaces < most_thin_surfaces; ++thin_surfaces) {
     const Step step = scatter(path, hit, object_of(hit), numbers);
     if (step != Step::passed) {
@@ -46,7 +46,8 @@ bool BlockTracer::advance_alone(std::size_t index, VertexNumbers numbers) {
     }
     numbers = VertexNumbers(path.random);
     path.ray.t_min = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
-    count(path.ray);
+    ++ray_count();
+    note(path.ray);
     hit = traced_.rays.closest_hit(path.ray);
     if (!gather(path, hit)) {
       return false;
@@ -141,8 +142,7 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   gain *= transmittance(absorption, glm::length(shadow_ray.direction) * shadow_ray.t_max);
   gain = glm::min(gain, Rgb(settings_.largest_light_sample));
   if (finite(path.job, gain, shadow_ray.direction)) {
-    pending_.push_back({.job = path.job, .radiance = gain});
-    shadow_rays_.push_back(shadow_ray);
+    shadow_rays_.add(shadow_ray, gain, path.job);
   }
 }
 

@@ -30,23 +30,20 @@ Vec3 at(const Vec3s& vectors, std::size_t lane) {
 
 }  // namespace
 
-void SurfaceHits::put(std::size_t lane, const ObjectView& object, const Hit& hit) {
+void SurfaceHits::put(std::size_t lane, const ObjectView& object, std::uint32_t index) {
   filled_ |= 1U << lane;
-  u_[lane] = hit.barycentric.x;
-  v_[lane] = hit.barycentric.y;
-  distance_[lane] = hit.t;
   if (object.instance != nullptr && !has_instances_) {
     expect_instances();
   }
-  normals_.put(lane, corner_normals(object, hit.triangle));
+  normals_.put(lane, corner_normals(object, index));
   if (!has_instances_) {
-    const auto& [a, b, c] = object.mesh->triangles[hit.triangle];
+    const auto& [a, b, c] = object.mesh->triangles[index];
     corners_.p0.put(lane, object.mesh->positions[a]);
     corners_.p1.put(lane, object.mesh->positions[b]);
     corners_.p2.put(lane, object.mesh->positions[c]);
     return;
   }
-  const Triangle triangle(*object.mesh, object.instance, hit.triangle);
+  const Triangle triangle(*object.mesh, object.instance, index);
   corners_.put(lane, triangle);
   largest_term_[lane] = triangle.largest_term;
   roundings_[lane] = triangle.roundings;
@@ -101,14 +98,14 @@ void SurfacePoints::turn_shading_normal(std::size_t lane, const Vec3s& direction
   shading_normal.z[lane] = turned.z;
 }
 
-SurfacePoints SurfaceHits::points(const Vec3s& direction) const {
+SurfacePoints SurfaceHits::points(const Vec3s& direction, const Vec2s& barycentric,
+                                  const Floats& distance) const {
   const TriangleOf<Floats> triangle = triangles();
   const TriangleOf<Floats>::Front front = triangle.front();
-  const Vec2s barycentric{u_.load(), v_.load()};
   const Vec3s vertex_normal =
       interpolate(normals_.p0.load(), normals_.p1.load(), normals_.p2.load(), barycentric);
   return {SurfaceGeometryOf<Floats>(triangle, front_normal(front), vertex_normal, barycentric,
-                                    direction, distance_.load()),
+                                    direction, distance),
           front.double_area};
 }
 

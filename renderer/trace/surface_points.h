@@ -35,11 +35,11 @@ struct SurfacePoints : SurfaceGeometryOf<Floats> {
 /// anything.
 class SurfaceHits {
  public:
-  /// The hit must not be a miss.
-  void put(std::size_t lane, const ObjectView& object, const Hit& hit);
+  void put(std::size_t lane, const ObjectView& object, std::uint32_t triangle);
 
-  /// direction: of the rays that hit, unit length.
-  SurfacePoints points(const Vec3s& direction) const;
+  /// direction: of the rays that hit, unit length. barycentric, distance: see Hit.
+  SurfacePoints points(const Vec3s& direction, const Vec2s& barycentric,
+                       const Floats& distance) const;
 
  private:
   struct Corners {
@@ -60,7 +60,6 @@ class SurfaceHits {
   std::uint32_t filled_ = 0;  ///< a bit a lane
   Corners corners_{};
   Corners normals_{};  ///< zero where the mesh has none
-  FloatLanes u_{}, v_{}, distance_{};
   bool has_instances_ = false;
   FloatLanes largest_term_, roundings_, winding_;  ///< only if there are instances: see TriangleOf
 };

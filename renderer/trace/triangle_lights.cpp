@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -98,7 +100,8 @@ class SeenEmitterOf {
         height_over_plane_(dot(emitter.front_normal, place - emitter.triangle.p0)) {}
 
   MaskOf<Number> shines() const {
-    return (height_over_plane_ > 0.0F) | ((height_over_plane_ < 0.0F) & emitter_.is_two_sided);
+    return (height_over_plane_ > 0.0F) |
+           ((height_over_plane_ < 0.0F) & (emitter_.shining_sides > 1.0F));
   }
 
   MaskOf<Number> is_near() const {
@@ -169,16 +172,16 @@ void TriangleLights::add_object(std::uint32_t object, bool by_area) {
                           .area = static_cast<float>(triangle.area()),
                           .squared_longest_side = by_area ? 0.0F : squared_longest_side,
                           .rounding_error = triangle.rounding_error(),
-                          .is_two_sided = material.double_sided},
-         /*is_uniform=*/!is_textured && !has_opacity(scene_, mesh), material.emission, object, t});
+                          .shining_sides = material.double_sided ? 2.0F : 1.0F,
+                          .radiance = material.emission},
+         /*is_uniform=*/!is_textured && !has_opacity(scene_, mesh), object, t});
   }
 }
 
 double TriangleLights::power(std::size_t triangle) const {
   const Emitter& emitter = emitters_[triangle];
-  const int sides = emitter.is_two_sided ? 2 : 1;
-  const double power = sides * std::numbers::pi * static_cast<double>(emitter.area) *
-                       radiance_of_object_[emitter.object];
+  const double power = emitter.shining_sides * std::numbers::pi *
+                       static_cast<double>(emitter.area) * radiance_of_object_[emitter.object];
   return power > 0.0 && std::isfinite(power) && is_finite(emitter.front_normal) ? power : 0.0;
 }
 
@@ -193,7 +196,7 @@ LightBounds TriangleLights::bounds(std::size_t triangle) const {
           .axis = DVec3(emitter.front_normal),
           .spread_rad = 0.0,
           .falloff_rad = 0.5 * std::numbers::pi,
-          .two_sided = emitter.is_two_sided,
+          .two_sided = emitter.shining_sides > 1.0F,
           .intensity = static_cast<double>(emitter.area) * radiance_of_object_[emitter.object]};
 }
 
@@ -238,33 +241,34 @@ float TriangleLights::pdf(std::size_t triangle, const Vec3& place, float distanc
   return density(seen ? seen->solid_angle() : 0.0F, emitter.area, distance, cosine);
 }
 
-void TriangleLights::Drawn::put(std::size_t lane, const TriangleLights& lights,
-                                std::size_t triangle, float probability) {
-  const Emitter& emitter = lights.emitters_[triangle];
-  emitters_[lane] = &emitter;
-  p0_.put(lane, emitter.triangle.p0);
-  p1_.put(lane, emitter.triangle.p1);
-  p2_.put(lane, emitter.triangle.p2);
-  front_normal_.put(lane, emitter.front_normal);
-  radiance_.put(lane, emitter.radiance);
-  area_[lane] = emitter.area;
-  squared_longest_side_[lane] = emitter.squared_longest_side;
-  rounding_error_[lane] = emitter.rounding_error;
-  is_two_sided_[lane] = emitter.is_two_sided ? 1.0F : 0.0F;
-  probability_[lane] = probability;
-}
-
 EmitterOf<Floats> TriangleLights::Drawn::emitters() const {
-  EmitterOf<Floats> emitters{};
-  emitters.triangle.p0 = p0_.load();
-  emitters.triangle.p1 = p1_.load();
-  emitters.triangle.p2 = p2_.load();
-  emitters.front_normal = front_normal_.load();
-  emitters.area = area_.load();
-  emitters.squared_longest_side = squared_longest_side_.load();
-  emitters.rounding_error = rounding_error_.load();
-  emitters.is_two_sided = is_two_sided_.load() > 0.0F;
-  return emitters;
+  constexpr std::size_t numbers = 3 * lane_count;
+  // In front of each emitter there are its numbers, without gaps; two of something else follow.
+  static_assert(sizeof(EmitterOf<float>) == (numbers - 2) * sizeof(float));
+  static_assert(sizeof(Emitter) >= numbers * sizeof(float));
+  std::array<Floats, numbers> n;
+  for (std::size_t first = 0; first < numbers; first += lane_count) {
+    LaneRows rows;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const EmitterOf<float>* numbers_in_front = emitters_[lane];
+      const auto* emitter = reinterpret_cast<const std::byte*>(numbers_in_front);
+      std::memcpy(&rows[lane], emitter + first * sizeof(float), sizeof(rows[lane]));
+    }
+    const LaneRows columns = transposed(rows);
+    std::copy(columns.begin(), columns.end(), &n[first]);
+  }
+  return {.triangle = {.p0 = {n[0], n[1], n[2]},
+                       .p1 = {n[3], n[4], n[5]},
+                       .p2 = {n[6], n[7], n[8]},
+                       .largest_term = n[9],
+                       .roundings = n[10],
+                       .winding = n[11]},
+          .front_normal = {n[12], n[13], n[14]},
+          .area = n[15],
+          .squared_longest_side = n[16],
+          .rounding_error = n[17],
+          .shining_sides = n[18],
+          .radiance = {n[19], n[20], n[21]}};
 }
 
 TriangleLights::Drawn::Samples TriangleLights::Drawn::sample(const Vec3s& place,
@@ -276,25 +280,17 @@ TriangleLights::Drawn::Samples TriangleLights::Drawn::sample(const Vec3s& place,
   Vec2s barycentric = sample_barycentric(u);
   Floats solid_angle{};
   if (any_lane(is_near)) {
-    sample_near(place, u, is_near, barycentric, solid_angle);
+    const SphericalTriangleOf<Floats> triangle(emitters.triangle, place);
+    const LaneMask is_seen = is_near & (triangle.solid_angle() > smallest_solid_angle);
+    const Vec2s within = triangle.sample(u);
+    barycentric = {chosen(is_seen, within.x, barycentric.x),
+                   chosen(is_seen, within.y, barycentric.y)};
+    solid_angle = chosen(is_seen, triangle.solid_angle(), solid_angle);
   }
   Samples samples = seen.at(barycentric, solid_angle);
   samples.pdf = shines ? probability_.load() * samples.pdf : Floats{};
-  samples.radiance = radiance_.load();
+  samples.radiance = emitters.radiance;
   return samples;
-}
-
-void TriangleLights::Drawn::sample_near(const Vec3s& place, const Vec2s& u, const LaneMask& lanes,
-                                        Vec2s& barycentric, Floats& solid_angle) const {
-  for_each_lane(lanes, [&](std::size_t lane) {
-    const Vec3 here(place.x[lane], place.y[lane], place.z[lane]);
-    if (const auto seen = seen_from_near(*emitters_[lane], here)) {
-      const Vec2 drawn = seen->sample({u.x[lane], u.y[lane]});
-      barycentric.x[lane] = drawn.x;
-      barycentric.y[lane] = drawn.y;
-      solid_angle[lane] = seen->solid_angle();
-    }
-  });
 }
 
 }  // namespace foveola

@@ -25,7 +25,8 @@ struct EmitterOf {
   Number area;                  ///< square metres
   Number squared_longest_side;  ///< square metres; 0: points are never uniform in solid angle
   Number rounding_error;        ///< see TriangleOf
-  MaskOf<Number> is_two_sided;
+  Number shining_sides;         ///< 1 or 2
+  Vec3Of<Number> radiance;      ///< without textures
 };
 
 /// A list of triangles in world space. Points are drawn uniformly in the solid angle of triangles
@@ -72,7 +73,6 @@ class TriangleLights {
  private:
   struct Emitter : EmitterOf<float> {
     bool is_uniform;  ///< shines with `radiance` everywhere
-    Rgb radiance;
     std::uint32_t object;
     std::uint32_t index;  ///< the triangle's index in its mesh
   };
@@ -91,6 +91,8 @@ class TriangleLights {
 
 class TriangleLights::Drawn {
  public:
+  explicit Drawn(const TriangleLights& lights) { emitters_.fill(lights.emitters_.data()); }
+
   /// Whether the triangle's points can be drawn here: it shines with one colour. The others are
   /// left to TriangleLights::sample().
   static bool can_draw(const TriangleLights& lights, std::size_t triangle) {
@@ -98,7 +100,11 @@ class TriangleLights::Drawn {
   }
 
   /// The triangle that was chosen in a lane, with the probability of that choice.
-  void put(std::size_t lane, const TriangleLights& lights, std::size_t triangle, float probability);
+  void put(std::size_t lane, const TriangleLights& lights, std::size_t triangle,
+           float probability) {
+    emitters_[lane] = &lights.emitters_[triangle];
+    probability_[lane] = probability;
+  }
 
   using Samples = LocalLightSampleOf<Floats>;
   /// place: that the light is for. u: in the unit square.
@@ -106,12 +112,9 @@ class TriangleLights::Drawn {
 
  private:
   EmitterOf<Floats> emitters() const;
-  void sample_near(const Vec3s& place, const Vec2s& u, const LaneMask& lanes, Vec2s& barycentric,
-                   Floats& solid_angle) const;
 
-  std::array<const Emitter*, lane_count> emitters_{};
-  Vec3Lanes p0_{}, p1_{}, p2_{}, front_normal_{}, radiance_{};
-  FloatLanes area_{}, squared_longest_side_{}, rounding_error_{}, is_two_sided_{}, probability_{};
+  std::array<const Emitter*, lane_count> emitters_;
+  FloatLanes probability_{};
 };
 
 }  // namespace foveola

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "renderer/base/lanes.h"
 #include "renderer/base/random.h"
@@ -46,29 +45,30 @@ struct VertexNumbers {
 /// The random numbers of a group of paths; those that are not needed are 0.
 struct GroupNumbers {
   LightNumbers light{};
-  FloatLanes lobe, roulette{};
-  Vec2Lanes scattering;
-  SampleStreams::Bits shadow_key{}, next_key{};
+  Floats lobe, roulette{};
+  Vec2s scattering;
+  Uints shadow_key{}, next_key{};
 
-  GroupNumbers(std::span<SampleStream> streams, const NeededNumbers& needed) {
-    SampleStreams random;
-    for (std::size_t lane = 0; lane < streams.size(); ++lane) {
-      random.put(lane, streams[lane]);
+  GroupNumbers(SampleStreams& random, const NeededNumbers& needed) {
+    if (needed.light_kind) {
+      light.kind.store(random.next_1d());
+    } else {
+      random.skip(1);
     }
-    needed.light_kind ? random.next_1d(light.kind) : random.skip(1);
-    random.next_2d(light.choice);
-    random.next_2d(light.point);
-    random.next_1d(lobe);
-    random.next_2d(scattering);
-    needed.roulette ? random.next_1d(roulette) : random.skip(1);
+    light.choice.store(random.next_2d());
+    light.point.store(random.next_2d());
+    lobe = random.next_1d();
+    scattering = random.next_2d();
+    if (needed.roulette) {
+      roulette = random.next_1d();
+    } else {
+      random.skip(1);
+    }
     if (needed.keys) {
-      random.next_bits(shadow_key);
-      random.next_bits(next_key);
+      shadow_key = random.next_bits();
+      next_key = random.next_bits();
     } else {
       random.skip(2);
-    }
-    for (std::size_t lane = 0; lane < streams.size(); ++lane) {
-      random.take(lane, streams[lane]);
     }
   }
 };
@@ -79,7 +79,7 @@ inline VertexNumbers::VertexNumbers(const GroupNumbers& group, std::size_t lane)
       roulette(group.roulette[lane]),
       light_choice(group.light.choice.at(lane)),
       light_point(group.light.point.at(lane)),
-      scattering(group.scattering.at(lane)),
+      scattering(group.scattering.x[lane], group.scattering.y[lane]),
       shadow_key(group.shadow_key[lane]),
       next_key(group.next_key[lane]) {}
 

@@ -25,16 +25,15 @@ void path_numbers_alone(benchmark::State& state) {
 BENCHMARK(path_numbers_alone);
 
 void path_numbers_side_by_side(benchmark::State& state) {
-  SampleStreams streams;
-  for (std::size_t i = 0; i < SampleStreams::size; ++i) {
-    streams.put(i, SampleStream(1, static_cast<std::uint32_t>(i), 3));
+  SampleStreamColumns<lane_count> columns;
+  for (std::size_t i = 0; i < lane_count; ++i) {
+    columns.put(i, SampleStream(1, static_cast<std::uint32_t>(i), 3));
   }
-  Vec2Lanes pairs;
+  SampleStreams streams = columns.load(0);
   for (auto _ : state) {
-    streams.next_2d(pairs);
-    benchmark::DoNotOptimize(pairs);
+    benchmark::DoNotOptimize(streams.next_2d());
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(SampleStreams::size));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(lane_count));
 }
 BENCHMARK(path_numbers_side_by_side);
 

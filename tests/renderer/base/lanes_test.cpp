@@ -38,6 +38,32 @@ TEST(LanesTest, MasksVisitTheirLanesInOrder) {
   EXPECT_FALSE(any_lane(numbers > 9.0F));
 }
 
+TEST(LanesTest, RowsBecomeColumns) {
+  LaneRows rows;
+  for (std::size_t row = 0; row < lane_count; ++row) {
+    for (std::size_t column = 0; column < lane_count; ++column) {
+      rows[row][column] = static_cast<float>(10 * row + column);
+    }
+  }
+  const LaneRows columns = transposed(rows);
+  for (std::size_t column = 0; column < lane_count; ++column) {
+    for (std::size_t row = 0; row < lane_count; ++row) {
+      EXPECT_EQ(columns[column][row], rows[row][column]);
+    }
+  }
+}
+
+TEST(LanesTest, MasksAndBitsSayTheSame) {
+  for (std::uint32_t bits = 0; bits < 256; ++bits) {
+    const LaneMask mask = mask_of(bits);
+    EXPECT_EQ(bits_of(mask), bits);
+    EXPECT_EQ(any_lane(mask), bits != 0);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      EXPECT_EQ(mask[lane], (bits >> lane & 1U) != 0 ? -1 : 0);
+    }
+  }
+}
+
 TEST(LanesTest, FunctionsAreThoseOfSingleNumbers) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const Floats x{0.25F, -2.5F, 3.5F, -0.0F, 1e30F, 1e-30F, 7.49F, infinity};

@@ -55,6 +55,46 @@ TEST(PiecewiseConstantTest, BordersOfTheSquareDrawCellsWithWeight) {
   }
 }
 
+/// Of a large grid with gaps, empty rows and a cell that has half of everything.
+TEST(PiecewiseConstantTest, DrawsTheCellInWhichTheNumbersFall) {
+  constexpr std::size_t width = 333;
+  constexpr std::size_t height = 70;
+  std::vector<float> sparse(width * height, 0.0F);
+  Pcg32 random(5);
+  double total = 0.0;
+  for (std::size_t i = 0; i < sparse.size(); ++i) {
+    if (i / width % 7 != 3 && random.below(5) == 0) {
+      sparse[i] = static_cast<float>(random.exponential());
+      total += sparse[i];
+    }
+  }
+  sparse[50 * width + 200] = static_cast<float>(total);
+  const PiecewiseConstant2D grid(width, height, sparse);
+  std::vector<double> rows_before(height + 1, 0.0);
+  for (std::size_t row = 0; row < height; ++row) {
+    double sum = 0.0;
+    for (std::size_t column = 0; column < width; ++column) {
+      sum += grid.probability(column, row);
+    }
+    rows_before[row + 1] = rows_before[row] + sum;
+  }
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 u(i < 100 ? 0.01F * static_cast<float>(i) : unit_float(random.next()),
+                 unit_float(random.next()));
+    const PiecewiseConstant2D::Point point = grid.sample(u);
+    EXPECT_LE(rows_before[point.row], u.y + 1e-5);
+    EXPECT_GE(rows_before[point.row + 1], u.y - 1e-5);
+    const double row_sum = rows_before[point.row + 1] - rows_before[point.row];
+    double before = 0.0;
+    for (std::size_t column = 0; column < point.column; ++column) {
+      before += grid.probability(column, point.row) / row_sum;
+    }
+    EXPECT_LE(before, u.x + 1e-4);
+    EXPECT_GE(before + point.probability / row_sum, u.x - 1e-4);
+    EXPECT_GT(point.probability, 0.0F);
+  }
+}
+
 TEST(PiecewiseConstantTest, WithoutWeightTheTotalIsZero) {
   EXPECT_EQ(PiecewiseConstant2D(2, 1, std::vector<float>(2, 0.0F)).total(), 0.0);
 }

@@ -98,33 +98,31 @@ TEST(SampleStream, DependsOnEveryPartOfItsKey) {
 
 TEST(SampleStreams, GiveWhatEachStreamGivesAlone) {
   std::vector<SampleStream> alone;
-  SampleStreams together;
-  for (std::uint32_t i = 0; i < SampleStreams::size; ++i) {
+  SampleStreamColumns<16> columns;
+  for (std::uint32_t i = 0; i < 16; ++i) {
     SampleStream stream(7, 1000 * i, 3 * i);
     for (std::uint32_t skipped = 0; skipped < i; ++skipped) {
       stream.next_bits();
     }
-    together.put(i, stream);
+    columns.put(i, stream);
     alone.push_back(stream);
   }
-  FloatLanes numbers;
-  Vec2Lanes pairs;
-  SampleStreams::Bits bits;
-  together.next_1d(numbers);
-  together.next_2d(pairs);
-  together.next_bits(bits);
+  SampleStreams together = columns.load(8);
+  const Floats numbers = together.next_1d();
+  const Vec2s pairs = together.next_2d();
+  const Uints bits = together.next_bits();
   together.skip(3);
-  for (std::size_t i = 0; i < SampleStreams::size; ++i) {
-    EXPECT_EQ(numbers[i], alone[i].next_1d());
-    EXPECT_EQ(Vec2(pairs.x[i], pairs.y[i]), alone[i].next_2d());
-    EXPECT_EQ(bits[i], alone[i].next_bits());
-    alone[i].next_1d();
-    alone[i].next_2d();
-    alone[i].next_bits();
-    SampleStream continued(7, 1000 * static_cast<std::uint32_t>(i),
-                           3 * static_cast<std::uint32_t>(i));
-    together.take(i, continued);
-    EXPECT_EQ(continued.next_1d(), alone[i].next_1d());
+  columns.store(8, together);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    SampleStream& stream = alone[8 + lane];
+    EXPECT_EQ(numbers[lane], stream.next_1d());
+    EXPECT_EQ(Vec2(pairs.x[lane], pairs.y[lane]), stream.next_2d());
+    EXPECT_EQ(bits[lane], stream.next_bits());
+    stream.next_1d();
+    stream.next_2d();
+    stream.next_bits();
+    EXPECT_EQ(columns.at(8 + lane).next_1d(), stream.next_1d());
+    EXPECT_EQ(columns.at(lane).next_1d(), alone[lane].next_1d()) << "others are as they were";
   }
 }
 

@@ -13,6 +13,7 @@
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/surface.h"
 #include "scenes.h"
+#include "shadow_answers.h"
 #include "statistics.h"
 
 namespace foveola {
@@ -199,9 +200,9 @@ MeanEstimate one_strategy(const Scene& scene, bool sample_lights, int samples) {
     }
     Ray shadow{.origin = point.origin, .direction = light->to_light};
     shadow.t_max = light->t_max;
-    rays.find_blocked({&shadow, 1});
+    const bool is_blocked = test::ask_blocked(rays, {&shadow, 1})[0].is_blocked;
     const BsdfValue value = bsdf.eval(frame.to_local(light->direction));
-    return shadow.is_blocked() ? 0.0 : value.times_cosine.g * light->radiance.g / light->pdf;
+    return is_blocked ? 0.0 : value.times_cosine.g * light->radiance.g / light->pdf;
   };
   const auto from_bsdf = [&](SampleStream& random) -> double {
     const float lobe = random.next_1d();

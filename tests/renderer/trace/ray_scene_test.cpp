@@ -9,9 +9,13 @@
 #include "renderer/base/random.h"
 #include "renderer/trace/triangle.h"
 #include "scenes.h"
+#include "shadow_answers.h"
 
 namespace foveola {
 namespace {
+
+using test::ask_blocked;
+using test::ShadowAnswer;
 
 const Workers& workers() {
   static const Workers four(4);
@@ -33,6 +37,11 @@ Ray ray_between(const Vec3& from, const Vec3& to) {
   return ray;
 }
 
+auto count_blocked(const std::vector<ShadowAnswer>& answers) {
+  return std::count_if(answers.begin(), answers.end(),
+                       [](const ShadowAnswer& answer) { return answer.is_blocked; });
+}
+
 TEST(RaySceneTest, FindsTheClosestTriangleAndWhere) {
   Scene scene = one_quad();
   scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 0));
@@ -51,9 +60,8 @@ TEST(RaySceneTest, EmptySceneIsAlwaysMissed) {
   const Scene scene;
   const RayScene rays(scene, workers());
   EXPECT_TRUE(rays.closest_hit(Vec3(0.0F), Vec3(0, 0, -1)).missed());
-  std::vector<Ray> stream{ray_between(Vec3(0.0F), Vec3(1.0F))};
-  rays.find_blocked(stream);
-  EXPECT_FALSE(stream[0].is_blocked());
+  const std::vector<Ray> ray{ray_between(Vec3(0.0F), Vec3(1.0F))};
+  EXPECT_FALSE(ask_blocked(rays, ray)[0].is_blocked);
 }
 
 TEST(RaySceneTest, MeshesWithoutTrianglesKeepTheNumbersOfTheOthers) {
@@ -66,13 +74,13 @@ TEST(RaySceneTest, MeshesWithoutTrianglesKeepTheNumbersOfTheOthers) {
 TEST(RaySceneTest, OcclusionKnowsWhereTheRayEnds) {
   const Scene scene = one_quad();
   const RayScene rays(scene, workers());
-  std::vector<Ray> stream{ray_between(Vec3(0.0F), Vec3(0, 0, -2.9F)),
-                          ray_between(Vec3(0.0F), Vec3(0, 0, -3.1F)),
-                          ray_between(Vec3(3, 0, 0), Vec3(3, 0, -9))};
-  rays.find_blocked(stream);
-  EXPECT_FALSE(stream[0].is_blocked());
-  EXPECT_TRUE(stream[1].is_blocked());
-  EXPECT_FALSE(stream[2].is_blocked());
+  const std::vector<Ray> some{ray_between(Vec3(0.0F), Vec3(0, 0, -2.9F)),
+                              ray_between(Vec3(0.0F), Vec3(0, 0, -3.1F)),
+                              ray_between(Vec3(3, 0, 0), Vec3(3, 0, -9))};
+  const std::vector<ShadowAnswer> answers = ask_blocked(rays, some);
+  EXPECT_FALSE(answers[0].is_blocked);
+  EXPECT_TRUE(answers[1].is_blocked);
+  EXPECT_FALSE(answers[2].is_blocked);
 }
 
 TEST(RaySceneTest, NonFiniteTrianglesAreNeverHit) {
@@ -99,11 +107,11 @@ TEST(RaySceneTest, RaysPassThroughCutOuts) {
   const RayScene rays(scene, workers());
   EXPECT_EQ(rays.closest_hit(Vec3(-0.5F, 0.1F, 0), Vec3(0, 0, -1)).object, 0U);
   EXPECT_EQ(rays.closest_hit(Vec3(0.5F, 0.1F, 0), Vec3(0, 0, -1)).object, 1U);
-  std::vector<Ray> stream{ray_between(Vec3(-0.5F, 0.1F, 0), Vec3(-0.5F, 0.1F, -2.5F)),
-                          ray_between(Vec3(0.5F, 0.1F, 0), Vec3(0.5F, 0.1F, -2.5F))};
-  rays.find_blocked(stream);
-  EXPECT_FALSE(stream[0].is_blocked());
-  EXPECT_TRUE(stream[1].is_blocked());
+  const std::vector<Ray> some{ray_between(Vec3(-0.5F, 0.1F, 0), Vec3(-0.5F, 0.1F, -2.5F)),
+                              ray_between(Vec3(0.5F, 0.1F, 0), Vec3(0.5F, 0.1F, -2.5F))};
+  const std::vector<ShadowAnswer> answers = ask_blocked(rays, some);
+  EXPECT_FALSE(answers[0].is_blocked);
+  EXPECT_TRUE(answers[1].is_blocked);
 }
 
 TEST(RaySceneTest, AlphaFactorMultipliesTheTexture) {
@@ -120,15 +128,13 @@ TEST(RaySceneTest, BlendedSurfacesAreMetAsOftenAsTheyAreOpaque) {
   const RayScene rays(scene, workers());
   constexpr int count = 40000;
   int met = 0;
-  std::vector<Ray> stream;
+  std::vector<Ray> many;
   for (std::uint32_t key = 0; key < count; ++key) {
-    Ray ray{.direction = Vec3(0.1F, 0.2F, -1.0F), .key = key};
+    const Ray ray{.direction = Vec3(0.1F, 0.2F, -1.0F), .key = key};
     met += rays.closest_hit(ray).missed() ? 0 : 1;
-    stream.push_back(ray);
+    many.push_back(ray);
   }
-  rays.find_blocked(stream);
-  const auto blocked =
-      std::count_if(stream.begin(), stream.end(), [](const Ray& ray) { return ray.is_blocked(); });
+  const auto blocked = count_blocked(ask_blocked(rays, many));
   const double five_errors = 5.0 * std::sqrt(count * 0.3 * 0.7);
   EXPECT_NEAR(met, 0.3 * count, five_errors);
   EXPECT_EQ(blocked, met) << "the same keys decide alike for both kinds of ray";
@@ -142,13 +148,11 @@ TEST(RaySceneTest, BlendedSurfacesInLineDecideApart) {
   scene.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 0));
   const RayScene rays(scene, workers());
   constexpr int count = 40000;
-  std::vector<Ray> stream;
+  std::vector<Ray> many;
   for (std::uint32_t key = 0; key < count; ++key) {
-    stream.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = key});
+    many.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = key});
   }
-  rays.find_blocked(stream);
-  const auto blocked =
-      std::count_if(stream.begin(), stream.end(), [](const Ray& ray) { return ray.is_blocked(); });
+  const auto blocked = count_blocked(ask_blocked(rays, many));
   EXPECT_NEAR(static_cast<double>(blocked), 0.75 * count, 5.0 * std::sqrt(count * 0.75 * 0.25));
 }
 
@@ -158,13 +162,13 @@ TEST(RaySceneTest, ThinSurfacesAreMetButDoNotBlock) {
   scene.materials[0].roughness = 0.0F;
   const RayScene rays(scene, workers());
   EXPECT_FALSE(rays.closest_hit(Vec3(0.0F), Vec3(0.1F, 0.2F, -1.0F)).missed());
-  std::vector<Ray> stream{{.direction = Vec3(0.1F, 0.2F, -1.0F)},
-                          {.direction = Vec3(0.0F, 0.0F, 1.0F)}};
-  rays.find_blocked(stream);
-  EXPECT_FALSE(stream[0].is_blocked());
-  EXPECT_TRUE(stream[0].met_thin_surface());
-  EXPECT_FALSE(stream[1].is_blocked());
-  EXPECT_FALSE(stream[1].met_thin_surface());
+  const std::vector<Ray> some{{.direction = Vec3(0.1F, 0.2F, -1.0F)},
+                              {.direction = Vec3(0.0F, 0.0F, 1.0F)}};
+  const std::vector<ShadowAnswer> answers = ask_blocked(rays, some);
+  EXPECT_FALSE(answers[0].is_blocked);
+  EXPECT_TRUE(answers[0].met_thin_surface);
+  EXPECT_FALSE(answers[1].is_blocked);
+  EXPECT_FALSE(answers[1].met_thin_surface);
 }
 
 TEST(RaySceneTest, BehindAThinSurfaceTheRaysOwnKeysDecide) {
@@ -178,15 +182,14 @@ TEST(RaySceneTest, BehindAThinSurfaceTheRaysOwnKeysDecide) {
   with_window.meshes.push_back(quad(Vec3(-1, -1, -2), Vec3(2, 0, 0), Vec3(0, 2, 0), 1));
   const RayScene bare(scene, workers());
   const RayScene glazed(with_window, workers());
-  std::vector<Ray> stream;
+  std::vector<Ray> many;
   for (std::uint32_t i = 0; i < 2000; ++i) {
-    stream.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = mix(i)});
+    many.push_back({.direction = Vec3(0.1F, 0.2F, -1.0F), .key = mix(i)});
   }
-  std::vector<Ray> through = stream;
-  bare.find_blocked(stream);
-  glazed.find_blocked(through);
-  for (std::uint32_t i = 0; i < stream.size(); ++i) {
-    EXPECT_EQ(through[i].is_blocked(), stream[i].is_blocked());
+  const std::vector<ShadowAnswer> without = ask_blocked(bare, many);
+  const std::vector<ShadowAnswer> through = ask_blocked(glazed, many);
+  for (std::uint32_t i = 0; i < many.size(); ++i) {
+    EXPECT_EQ(through[i].is_blocked, without[i].is_blocked);
     EXPECT_EQ(through[i].key, mix(i));
   }
 }
@@ -233,23 +236,71 @@ TEST(RaySceneTest, TiesDoNotDependOnTheThreadsThatBuilt) {
   }
 }
 
-TEST(RaySceneTest, OcclusionDoesNotDependOnTheStream) {
+/// Rays at the edges of a sphere's silhouette, which they only just hit or miss.
+struct SilhouetteRays {
   Scene scene;
-  scene.materials = {dielectric(0.5F)};
-  scene.meshes = {inward_sphere(1.0F, 3, 0)};
-  const RayScene rays(scene, workers());
-  Pcg32 random(2);
-  std::vector<Ray> stream;
-  for (int i = 0; i < 4096; ++i) {
-    // From outside at the silhouette's edges, where a ray only just hits or misses.
-    const auto& triangle = scene.meshes[0].triangles[random.below(1280)];
-    stream.push_back(ray_between(Vec3(3, 0, 0), 2.0F * scene.meshes[0].positions[triangle[0]]));
+  std::vector<Ray> rays;
+
+  SilhouetteRays() {
+    scene.materials = {dielectric(0.5F)};
+    scene.meshes = {inward_sphere(1.0F, 3, 0)};
+    Pcg32 random(2);
+    for (int i = 0; i < 4096; ++i) {
+      const auto& triangle = scene.meshes[0].triangles[random.below(1280)];
+      rays.push_back(ray_between(Vec3(3, 0, 0), 2.0F * scene.meshes[0].positions[triangle[0]]));
+    }
   }
-  std::vector<Ray> alone = stream;
-  rays.find_blocked(stream);
-  for (std::size_t i = 0; i < stream.size(); ++i) {
-    rays.find_blocked({&alone[i], 1});
-    EXPECT_EQ(alone[i].is_blocked(), stream[i].is_blocked()) << i;
+};
+
+TEST(RaySceneTest, OcclusionDoesNotDependOnTheOtherRays) {
+  const SilhouetteRays silhouette;
+  const RayScene rays(silhouette.scene, workers());
+  const std::vector<ShadowAnswer> together = ask_blocked(rays, silhouette.rays);
+  for (std::size_t i = 0; i < silhouette.rays.size(); ++i) {
+    EXPECT_EQ(ask_blocked(rays, {&silhouette.rays[i], 1})[0].is_blocked, together[i].is_blocked)
+        << i;
+  }
+}
+
+HitQueries asked_of_eight(const RayScene& scene, std::span<const Ray> rays, std::uint32_t lanes) {
+  Vec3Lanes origin{};
+  Vec3Lanes direction{};
+  for_each_lane(lanes, [&](std::size_t lane) {
+    origin.put(lane, rays[lane].origin);
+    direction.put(lane, rays[lane].direction);
+  });
+  HitQueries queries({origin.load(), direction.load(), all_lanes(1.0F), Uints{}});
+  scene.find_hits(queries, mask_of(lanes));
+  return queries;
+}
+
+TEST(RaySceneTest, HitsDoNotDependOnTheOtherRays) {
+  const SilhouetteRays silhouette;
+  const RayScene scene(silhouette.scene, workers());
+  const std::span<const Ray> rays(silhouette.rays);
+  for (std::size_t first = 0; first < rays.size(); first += lane_count) {
+    const auto eight = rays.subspan(first, lane_count);
+    const HitQueries together = asked_of_eight(scene, eight, 0xffU);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const HitQueries alone = asked_of_eight(scene, eight, 1U << lane);
+      EXPECT_EQ(alone.object()[lane], together.object()[lane]);
+      if (alone.object()[lane] != Hit::nothing) {
+        EXPECT_EQ(alone.triangle[lane], together.triangle[lane]);
+        EXPECT_EQ(alone.rays.t_max[lane], together.rays.t_max[lane]);
+        EXPECT_EQ(alone.u[lane], together.u[lane]);
+        EXPECT_EQ(alone.v[lane], together.v[lane]);
+      }
+    }
+  }
+}
+
+TEST(RaySceneTest, RaysThatAreNotAskedForStayAsTheyAre) {
+  const Scene scene = one_quad();
+  const RayScene rays(scene, workers());
+  const std::vector<Ray> eight(lane_count, ray_between(Vec3(0.1F), Vec3(0.1F, 0.1F, -9.0F)));
+  const HitQueries queries = asked_of_eight(rays, eight, 0b1010U);
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    EXPECT_EQ(queries.object()[lane], lane == 1 || lane == 3 ? 0U : Hit::nothing);
   }
 }
 

@@ -64,6 +64,8 @@ TEST(SurfacePointsTest, AreThoseOfSingleHits) {
   for (int i = 0; i < 500; ++i) {
     std::array<Hit, lane_count> hits;
     Vec3Lanes directions;
+    Vec2Lanes barycentric;
+    FloatLanes distance;
     SurfaceHits gathered;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       // The first rounds without instances.
@@ -75,9 +77,13 @@ TEST(SurfacePointsTest, AreThoseOfSingleHits) {
                     .object = object,
                     .triangle = random.below(40)};
       directions.put(lane, glm::normalize(random_vector(random, 1.0)));
-      gathered.put(lane, {&scene.mesh_of(object), scene.instance_of(object)}, hits[lane]);
+      barycentric.x[lane] = u;
+      barycentric.y[lane] = v;
+      distance[lane] = hits[lane].t;
+      gathered.put(lane, {&scene.mesh_of(object), scene.instance_of(object)}, hits[lane].triangle);
     }
-    const SurfacePoints points = gathered.points(directions.load());
+    const SurfacePoints points =
+        gathered.points(directions.load(), barycentric.load(), distance.load());
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       const SurfacePoint expected = surface_point(scene, hits[lane], directions.at(lane));
       EXPECT_EQ(at(points.position, lane), expected.position);
@@ -97,12 +103,11 @@ TEST(SurfacePointsTest, AMappedNormalThatIsTurnedAwayIsNotUsed) {
   Scene scene;
   scene.materials = {matte(Rgb(0.5F))};
   scene.meshes = {quad(Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 0, -1), 0)};
-  const Hit centre{.t = 1.0F, .barycentric = {0.0F, 0.5F}, .object = 0, .triangle = 0};
   SurfaceHits hits;
-  hits.put(2, {scene.meshes.data(), nullptr}, centre);
+  hits.put(2, {scene.meshes.data(), nullptr}, 0);
   for (const float side : {1.0F, -1.0F}) {
     const Vec3s direction = all_lanes(glm::normalize(Vec3(1.0F, -0.1F * side, 0.0F)));
-    SurfacePoints points = hits.points(direction);
+    SurfacePoints points = hits.points(direction, {Floats{}, all_lanes(0.5F)}, all_lanes(1.0F));
     const Vec3 up(0.0F, side, 0.0F);
     EXPECT_EQ(at(points.shading_normal, 2), up);
     points.turn_shading_normal(2, direction, glm::normalize(Vec3(side, 1.0F, 0.0F)));
