@@ -19,9 +19,10 @@ using SineCosine = SinesCosines<float>;
 
 /// Sine and cosine of the angle 2 pi `turns`, for |turns| < 2^20, within 1e-7. The polynomials are
 /// those of Moshier's Cephes library (sinf, cosf), 1992, for an eighth of a turn. Number: float, or
-/// Floats.
+/// Floats. Declared inline: GCC calls more of such templates where they are not, and a loop that
+/// calls one for each direction makes one direction at a time.
 template <typename Number>
-SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
+inline SinesCosines<Number> sine_cosine_of_turns(const Number& turns) {
   constexpr float radians_per_turn = 6.28318530717958648F;
   const Number quarters = nearest_integer(4.0F * turns);
   const Number x = (turns - 0.25F * quarters) * radians_per_turn;

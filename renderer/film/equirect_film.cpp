@@ -77,6 +77,8 @@ void EquirectFilm::number(std::span<const ViewSample> samples, NumberedBatch& ba
   workers.for_each_block(batch.tiles.size(), tile_block, [&](std::size_t begin, std::size_t end) {
     number_tiles(TileRanges(batch.tiles).subspan(begin, end - begin), samples, batch);
   });
+  // While the batch is traced.
+  memory_->make_ready();
 }
 
 void EquirectFilm::sort_by_tile(std::span<const ViewSample> samples, NumberedBatch& batch) {

@@ -194,15 +194,18 @@ class FilmTile::Memory {
   explicit Memory(bool with_squares) : with_squares_(with_squares) {}
   /// All tiles are void from now on.
   void clear();
+  /// Returns at once, as HugePages::make_ready.
+  void make_ready() { pages_.make_ready(); }
 
  private:
   friend class Taker;
 
   bool with_squares_;
-  ItemPool<FilmTile> tiles_;
-  ItemPool<Block> blocks_;
-  ItemPool<Quad> quads_;
-  ItemPool<QuadWithSquares> quads_with_squares_;
+  HugePages pages_;
+  ItemPool<FilmTile> tiles_{pages_};
+  ItemPool<Block> blocks_{pages_};
+  ItemPool<Quad> quads_{pages_};
+  ItemPool<QuadWithSquares> quads_with_squares_{pages_};
 };
 
 /// Takes them for one thread, as ItemPool::Taker.

@@ -5,43 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <mutex>
 #include <new>
 #include <type_traits>
 #include <vector>
 
-#include <sys/mman.h>
+#include "renderer/film/huge_pages.h"
 
 namespace foveola {
-
-inline constexpr std::size_t huge_page = std::size_t{2} << 20;  ///< bytes
-
-struct UnmapHugePage {
-  void operator()(std::byte* memory) const { ::munmap(memory, huge_page); }
-};
-using HugePage = std::unique_ptr<std::byte[], UnmapHugePage>;
-
-/// Zeros that the system may give as a whole: where samples fall far apart, finding pages and
-/// filling them one by one takes longer than the samples. Throws std::bad_alloc.
-inline HugePage take_huge_page() {
-  // A mapping begins anywhere. Of one that is twice as long, the part that is aligned stays.
-  void* const mapped =
-      ::mmap(nullptr, 2 * huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapped == MAP_FAILED) {
-    throw std::bad_alloc();
-  }
-  auto* const begin = static_cast<std::byte*>(mapped);
-  const std::size_t behind = reinterpret_cast<std::uintptr_t>(begin) % huge_page;
-  const std::size_t before = behind == 0 ? 0 : huge_page - behind;
-  std::byte* const page = begin + before;
-  if (before > 0) {
-    ::munmap(begin, before);
-  }
-  ::munmap(page + huge_page, huge_page - before);
-  ::madvise(page, huge_page, MADV_HUGEPAGE);  // a wish: what it answers does not matter
-  return HugePage(page);
-}
 
 /// Hands out items that lie side by side, all zeros, and the same memory again after a clear.
 template <typename Item>
@@ -55,6 +26,9 @@ class ItemPool {
   };
 
  public:
+  /// pages: where its memory comes from.
+  explicit ItemPool(HugePages& pages) : pages_(pages) {}
+
   /// Takes items for one thread, a run of them at a time from the pool, so that threads hardly meet
   /// there. What it does not hand out goes back. It must be gone before the pool is cleared.
   class Taker {
@@ -102,7 +76,7 @@ class ItemPool {
     }
     const std::size_t chunk = next_item_ / items_in_chunk;
     if (chunk == chunks_.size()) {
-      chunks_.push_back(take_huge_page());
+      chunks_.push_back(pages_.take());
     }
     const std::size_t first = next_item_ % items_in_chunk;
     const std::size_t count = std::min(items_in_run, items_in_chunk - first);
@@ -127,6 +101,7 @@ class ItemPool {
     }
   }
 
+  HugePages& pages_;
   std::mutex mutex_;
   std::vector<HugePage> chunks_;
   std::vector<Run> left_over_;

@@ -1,12 +1,20 @@
 #include "renderer/view/mixture_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
 #include "renderer/base/unit_interval.h"
 
 namespace foveola {
+namespace {
+
+/// Points that are given to the parts at a time: what goes with them stays in the nearest cache.
+constexpr std::size_t block_size = 512;
+
+}  // namespace
+
 MixtureSampler::MixtureSampler(std::vector<Part> parts) : parts_(std::move(parts)) {
   // Relative to the largest first: the sum of weights may be more than a double holds.
   const auto heavier = [](const Part& a, const Part& b) { return a.weight < b.weight; };
@@ -32,24 +40,31 @@ void MixtureSampler::aim(const Aim& aim) {
 }
 
 void MixtureSampler::sample(std::span<const Vec2> points, std::span<ViewSample> samples) const {
-  std::vector<std::size_t> places;
-  std::vector<Vec2> part_points;
-  std::vector<ViewSample> part_samples;
+  for (std::size_t begin = 0; begin < points.size(); begin += block_size) {
+    const std::size_t count = std::min(block_size, points.size() - begin);
+    sample_block(points.subspan(begin, count), samples.subspan(begin, count));
+  }
+}
+
+void MixtureSampler::sample_block(std::span<const Vec2> points,
+                                  std::span<ViewSample> samples) const {
+  std::array<std::size_t, block_size> places;
+  std::array<Vec2, block_size> part_points;
+  std::array<ViewSample, block_size> part_samples;
   float begin = 0.0F;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    places.clear();
-    part_points.clear();
     const auto weight = static_cast<float>(parts_[part].weight);
+    std::size_t count = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points[i].x >= begin && points[i].x < ends_[part]) {
-        places.push_back(i);
-        part_points.emplace_back(std::min((points[i].x - begin) / weight, largest_below_one),
-                                 points[i].y);
-      }
+      // What is not this part's is written over: a branch would be guessed wrong at random.
+      places[count] = i;
+      part_points[count] =
+          Vec2(std::min((points[i].x - begin) / weight, largest_below_one), points[i].y);
+      count += points[i].x >= begin && points[i].x < ends_[part] ? 1 : 0;
     }
-    part_samples.resize(part_points.size());
-    parts_[part].sampler->sample(part_points, part_samples);
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    parts_[part].sampler->sample(std::span(part_points).first(count),
+                                 std::span(part_samples).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
       samples[places[i]] = part_samples[i];
     }
     begin = ends_[part];

@@ -24,6 +24,8 @@ class MixtureSampler final : public ViewSampler {
   double density_per_sr(const Vec3& direction) const override;
 
  private:
+  void sample_block(std::span<const Vec2> points, std::span<ViewSample> samples) const;
+
   std::vector<Part> parts_;  ///< weights adding up to 1
   std::vector<float> ends_;  ///< where the stripes end; the last value is infinite
 };

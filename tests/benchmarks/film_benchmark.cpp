@@ -1,6 +1,8 @@
 // What the film costs: numbering and adding a batch, and what the display shows of it.
+#include <chrono>
 #include <cmath>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -69,6 +71,31 @@ void film_batch(benchmark::State& state, const char* method) {
 }
 BENCHMARK_CAPTURE(film_batch, od, "od")->Arg(1024)->Arg(8192);
 BENCHMARK_CAPTURE(film_batch, fv, "fv")->Arg(1024)->Arg(8192);
+
+/// The first batches of a film, where most pixels are new to it. Argument: how many begin in a
+/// second, as a preview's frames do; 0 for as many as can.
+void first_batches(benchmark::State& state) {
+  FilmFeed feed("fv", 4096, 10'000, 2);
+  const auto rate = state.range(0);
+  auto next = std::chrono::steady_clock::now();
+  for (auto _ : state) {
+    state.PauseTiming();
+    feed.draw();
+    if (rate > 0) {
+      next += std::chrono::nanoseconds(std::chrono::seconds(1)) / rate;
+      std::this_thread::sleep_until(next);
+    }
+    state.ResumeTiming();
+    feed.add();
+  }
+}
+BENCHMARK(first_batches)
+    ->ArgName("rate")
+    ->Arg(0)
+    ->Arg(70)
+    ->UseRealTime()
+    ->Iterations(31)
+    ->Unit(benchmark::kMillisecond);
 
 constexpr int view_side = 640;
 

@@ -29,7 +29,8 @@ std::vector<Item*> take_and_fill(ItemPool<Item>& pool, int count) {
 }
 
 TEST(ItemPool, ItemsAreZerosAlsoTheSecondTime) {
-  ItemPool<Item> pool;
+  HugePages pages;
+  ItemPool<Item> pool(pages);
   constexpr int more_than_a_chunk = 30'000;
   std::vector<Item*> first = take_and_fill(pool, 100);
   pool.clear();
@@ -39,7 +40,8 @@ TEST(ItemPool, ItemsAreZerosAlsoTheSecondTime) {
 }
 
 TEST(ItemPool, ThreadsGetItemsOfTheirOwn) {
-  ItemPool<Item> pool;
+  HugePages pages;
+  ItemPool<Item> pool(pages);
   std::vector<std::vector<Item*>> taken(4);
   {
     std::vector<std::jthread> threads;
@@ -63,14 +65,15 @@ TEST(ItemPool, ThreadsGetItemsOfTheirOwn) {
 
 // However often somebody takes a few, all lie side by side: 20 000 of 96 bytes in one huge page.
 TEST(ItemPool, WhatATakerLeavesIsTakenNext) {
-  ItemPool<Item> pool;
-  std::set<std::uintptr_t> pages;
+  HugePages pages;
+  ItemPool<Item> pool(pages);
+  std::set<std::uintptr_t> pages_of_items;
   for (int round = 0; round < 20'000; ++round) {
     for (const Item* item : take_and_fill(pool, 1)) {
-      pages.insert(reinterpret_cast<std::uintptr_t>(item) / huge_page);
+      pages_of_items.insert(reinterpret_cast<std::uintptr_t>(item) / huge_page);
     }
   }
-  EXPECT_EQ(pages.size(), 1U);
+  EXPECT_EQ(pages_of_items.size(), 1U);
 }
 
 }  // namespace

@@ -118,6 +118,22 @@ TEST_P(EverySampler, SamplesAreUnitDirectionsWithTheirImagePositions) {
   }
 }
 
+// However samplers go through a batch, several points at a time or block by block.
+TEST_P(EverySampler, ABatchIsItsPointsOneByOne) {
+  std::vector<Vec2> points;
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    points.push_back(sobol_2d(i, 7));
+  }
+  std::vector<ViewSample> samples(points.size());
+  sampler_->sample(points, samples);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ViewSample alone;
+    sampler_->sample({&points[i], 1}, {&alone, 1});
+    ASSERT_EQ(samples[i].direction, alone.direction) << i;
+    ASSERT_EQ(samples[i].image, alone.image) << i;
+  }
+}
+
 std::string name_of_test(const testing::TestParamInfo<std::tuple<std::string, Looking>>& test) {
   std::string name = std::get<0>(test.param);
   std::replace_if(
