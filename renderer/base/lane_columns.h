@@ -111,11 +111,6 @@ struct Vec3Columns {
     z[i] = v.z;
   }
   Vec3s load(std::size_t first) const { return {x.load(first), y.load(first), z.load(first)}; }
-  void store(std::size_t first, const Vec3s& lanes) {
-    x.store(first, lanes.x);
-    y.store(first, lanes.y);
-    z.store(first, lanes.z);
-  }
   void store(std::size_t first, const LaneMask& mask, const Vec3s& lanes) {
     x.store(first, mask, lanes.x);
     y.store(first, mask, lanes.y);

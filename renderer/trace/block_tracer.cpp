@@ -23,7 +23,9 @@ RayCounts BlockTracer::trace(const Vec3& viewpoint, std::span<const SampleJob> j
     std::size_t staying = 0;
     for (std::size_t first = 0; first < active_; first += lane_count) {
       const LanePacking packing(bits_of(advance(group_at(first))));
-      paths_->move(first, packing, staying);
+      if (packing.count() < lane_count || staying < first) {
+        paths_->move(first, packing, staying);
+      }
       staying += packing.count();
     }
     active_ = staying;
@@ -50,18 +52,19 @@ void BlockTracer::start(const Vec3& viewpoint, std::span<const SampleJob> jobs) 
 }
 
 void BlockTracer::find_hits() {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   ray_count() += active_;
   for (std::size_t first = 0; first < active_; first += lane_count) {
     const Group group = group_at(first);
-    HitQueries queries({paths_->origin.load(first), paths_->direction.load(first),
-                        all_lanes(infinity), paths_->key.load(first)});
+    HitQueries queries(
+        {paths_->origin.load(first), paths_->direction.load(first), paths_->key.load(first)});
     if (notes_.rays != nullptr) {
       for_each_lane(group.lanes(), [&](std::size_t lane) { note(queries.rays.at(lane)); });
     }
     traced_.rays.find_hits(queries, group.lanes());
     hits_->store(first, queries);
-    for_each_lane(hits_->met_surface(first) & group.lanes(), [&](std::size_t lane) {
+  }
+  for (std::size_t first = 0; first < active_; first += lane_count) {
+    for_each_lane(hits_->met_surface(first) & group_at(first).lanes(), [&](std::size_t lane) {
       const std::size_t index = first + lane;
       prefetch_triangle(*object_at(index).view.mesh, hits_->triangle[index]);
     });
@@ -86,25 +89,24 @@ void BlockTracer::note(const Ray& ray) {
 
 LaneMask BlockTracer::advance(const Group& group) {
   prefetch_group(group.first + lane_count);
-  LaneMask on_fast_path{};
-  LaneMask on_general_path{};
-  for (std::size_t lane = 0; lane < group.size; ++lane) {
-    const Arrival arrival = arrive(group.first + lane);
-    on_fast_path[lane] = arrival == Arrival::fast_path ? -1 : 0;
-    on_general_path[lane] = arrival == Arrival::general_path ? -1 : 0;
-  }
-  if (!any_lane(on_fast_path | on_general_path)) {
-    return LaneMask{};
+  const Surfaces surfaces = surfaces_of(group);
+  const LaneMask absorbed = in_absorption(group);
+  const LaneMask arrived = arrive(group, surfaces, absorbed);
+  if (!any_lane(arrived)) {
+    return arrived;
   }
   SampleStreams random = paths_->random.load(group.first);
   const GroupNumbers numbers(random, needed_numbers());
   paths_->random.store(group.first, random);
+  const LaneMask on_fast_path =
+      takes_general_path_ ? LaneMask{} : arrived & surfaces.on_fast_path & ~absorbed;
+  const LaneMask on_general_path = arrived & ~on_fast_path;
   LaneMask goes_on{};
   if (any_lane(on_general_path)) {
     goes_on = advance_alone(group, on_general_path, numbers);
   }
   if (any_lane(on_fast_path)) {
-    goes_on |= advance_on_fast_path(group, on_fast_path, numbers);
+    goes_on |= advance_on_fast_path(group, on_fast_path, surfaces.normal_mapped, numbers);
   }
   return goes_on;
 }
@@ -112,26 +114,53 @@ LaneMask BlockTracer::advance(const Group& group) {
 NeededNumbers BlockTracer::needed_numbers() const {
   const bool all = takes_general_path_;
   return {.light_kind = all || traced_.lights.has_several_kinds(),
+          .light_choice = all || traced_.lights.has_several_of_a_kind(),
+          .lobe = all || traced_.has_other_lobes,
           .roulette = all || vertex_ > settings_.vertices_before_roulette,
           .keys = all || traced_.rays.asks_for_keys()};
 }
 
-BlockTracer::Arrival BlockTracer::arrive(std::size_t index) {
-  const Hit hit = hits_->at(index);
-  const bool is_absorbed =
-      traced_.has_absorption && paths_->absorption_per_m.at(index) != Rgb(0.0F);
-  if (hit.missed() || is_absorbed || notes_.vertices != nullptr || object_of(hit).shines) {
-    Path path = paths_->at(index);
-    if (!gather(path, hit)) {
-      return Arrival::ended;
-    }
-    paths_->throughput.put(index, path.throughput);
-  } else if (is_last(object_of(hit))) {
-    return Arrival::ended;
+BlockTracer::Surfaces BlockTracer::surfaces_of(const Group& group) const {
+  UintLanes traits{};
+  for_each_lane(hits_->met_surface(group.first) & group.lanes(), [&](std::size_t lane) {
+    traits[lane] = traced_.traits[hits_->object[group.first + lane]];
+  });
+  const Uints all = traits.load();
+  const auto with = [&](std::uint32_t trait) { return LaneMask((all & trait) != 0U); };
+  return {.shining = with(ObjectTraits::shines),
+          .thin_transmissive = with(ObjectTraits::is_thin_transmissive),
+          .on_fast_path = with(ObjectTraits::is_on_fast_path),
+          .normal_mapped = with(ObjectTraits::has_normal_map)};
+}
+
+LaneMask BlockTracer::in_absorption(const Group& group) const {
+  if (!traced_.has_absorption) {
+    return LaneMask{};
   }
-  const bool is_on_fast_path =
-      object_of(hit).is_on_fast_path && !is_absorbed && !takes_general_path_;
-  return is_on_fast_path ? Arrival::fast_path : Arrival::general_path;
+  const Vec3s absorption = paths_->absorption_per_m.load(group.first);
+  return group.lanes() & ((absorption.x != 0.0F) | (absorption.y != 0.0F) | (absorption.z != 0.0F));
+}
+
+LaneMask BlockTracer::arrive(const Group& group, const Surfaces& surfaces,
+                             const LaneMask& absorbed) {
+  const LaneMask met_surface = hits_->met_surface(group.first);
+  LaneMask arrived = group.lanes() & met_surface & ~surfaces.shining & ~absorbed;
+  if (notes_.vertices != nullptr) {
+    arrived = LaneMask{};
+  }
+  const LaneMask gathering = group.lanes() & ~arrived;
+  if (vertex_ > settings_.max_depth) {
+    arrived &= surfaces.thin_transmissive;
+  }
+  for_each_lane(gathering, [&](std::size_t lane) {
+    const std::size_t index = group.first + lane;
+    Path path = paths_->at(index);
+    if (gather(path, hits_->at(index))) {
+      paths_->throughput.put(index, path.throughput);
+      arrived[lane] = -1;
+    }
+  });
+  return arrived;
 }
 
 bool BlockTracer::is_last(const TracedObject& object) const {
@@ -183,28 +212,31 @@ bool BlockTracer::finite(std::uint32_t job, const Rgb& radiance, const Vec3& dir
 }
 
 void BlockTracer::add_unblocked_light() {
-  counts_.shadow += shadow_rays_.size();
-  for (std::size_t first = 0; first < shadow_rays_.size(); first += lane_count) {
-    add_unblocked_light(
-        {.first = first, .size = std::min(lane_count, shadow_rays_.size() - first)});
+  if (notes_.rays != nullptr) {
+    for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
+      notes_.rays->shadow.push_back(shadow_ray(i));
+    }
   }
+  traced_.rays.find_blocked(shadow_rays_);
+  counts_.shadow += shadow_rays_.size();
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    if (shadow_rays_.is_blocked(i)) {
+      continue;
+    }
+    if (shadow_rays_.met_thin_surface(i)) {
+      pending_[i].radiance *= thin_transmittance(shadow_ray(i));
+    }
+    radiance_[pending_[i].job] += pending_[i].radiance;
+  }
+  pending_.clear();
   shadow_rays_.clear();
 }
 
-void BlockTracer::add_unblocked_light(const Group& group) {
-  RayLanes rays = shadow_rays_.rays(group.first);
-  if (notes_.rays != nullptr) {
-    for_each_lane(group.lanes(),
-                  [&](std::size_t lane) { notes_.rays->shadow.push_back(rays.at(lane)); });
-  }
-  const LaneMask blocked = traced_.rays.find_blocked(rays, group.lanes());
-  for_each_lane(group.lanes() & ~blocked, [&](std::size_t lane) {
-    Rgb gain = shadow_rays_.gain(group.first + lane);
-    if (rays.flags[lane] != 0) {
-      gain *= thin_transmittance(rays.at(lane));
-    }
-    radiance_[shadow_rays_.job(group.first + lane)] += gain;
-  });
+Ray BlockTracer::shadow_ray(std::size_t i) const {
+  return {.origin = shadow_rays_.origin(i),
+          .direction = shadow_rays_.direction(i),
+          .t_max = shadow_rays_.t_max(i),
+          .key = shadow_rays_.key(i)};
 }
 
 Rgb BlockTracer::thin_transmittance(Ray ray) {

@@ -17,7 +17,6 @@
 #include "renderer/trace/fast_path_bsdf.h"
 #include "renderer/trace/path_states.h"
 #include "renderer/trace/path_tracer.h"
-#include "renderer/trace/shadow_rays.h"
 #include "renderer/trace/surface.h"
 #include "renderer/trace/surface_points.h"
 #include "renderer/trace/traced_scene.h"
@@ -48,12 +47,20 @@ class BlockTracer {
         notes_(notes),
         paths_(std::make_unique_for_overwrite<PathStates>()),
         hits_(std::make_unique_for_overwrite<PathHits>()),
-        shadow_rays_(most_paths) {}
+        shadow_rays_(most_paths) {
+    pending_.reserve(most_paths);
+  }
 
   /// To be called once, for at most most_paths jobs.
   RayCounts trace(const Vec3& viewpoint, std::span<const SampleJob> jobs, std::span<Rgb> radiance);
 
  private:
+  /// What a job gains if its shadow ray is not blocked.
+  struct PendingLight {
+    std::uint32_t job;
+    Rgb radiance;
+  };
+
   /// Where paths have arrived, eight at most, from the one at `first` on.
   struct Group {
     std::size_t first;
@@ -61,7 +68,10 @@ class BlockTracer {
 
     LaneMask lanes() const { return mask_of((1U << size) - 1U); }
   };
-  enum class Arrival : std::uint8_t { ended, fast_path, general_path };
+  /// The surfaces that a group's paths have arrived at, those of misses without any trait.
+  struct Surfaces {
+    LaneMask shining, thin_transmissive, on_fast_path, normal_mapped;
+  };
   enum class Step : std::uint8_t { ended, scattered, passed };
 
   void start(const Vec3& viewpoint, std::span<const SampleJob> jobs);
@@ -84,7 +94,11 @@ class BlockTracer {
   /// Gathers light where a group's paths have arrived, and sends them on. Returns those that go on.
   LaneMask advance(const Group& group);
   NeededNumbers needed_numbers() const;
-  Arrival arrive(std::size_t index);
+  Surfaces surfaces_of(const Group& group) const;
+  /// The paths that are in a solid that absorbs.
+  LaneMask in_absorption(const Group& group) const;
+  /// Adds what shines where a group's paths have arrived. Returns those that do not end there.
+  LaneMask arrive(const Group& group, const Surfaces& surfaces, const LaneMask& absorbed);
   /// Adds what shines where a path has arrived. False if the path ends there.
   bool gather(Path& path, const Hit& hit);
   /// Whether no vertex follows the one on the object.
@@ -109,11 +123,13 @@ class BlockTracer {
   bool survives_roulette(Path& path, float u) const;
 
   /// Sends the paths at surfaces on the fast path on, all at once.
-  LaneMask advance_on_fast_path(const Group& group, LaneMask lanes, const GroupNumbers& numbers);
+  LaneMask advance_on_fast_path(const Group& group, LaneMask lanes, const LaneMask& normal_mapped,
+                                const GroupNumbers& numbers);
   /// others: lanes whose surface turns out to need the general path.
   FastPathLayersLanes layers_of(const Group& group, const SurfacePoints& points,
                                 const LaneMask& lanes, LaneMask& others) const;
   MeshPoint mesh_point(std::size_t index, const SurfacePoints& points, std::size_t lane) const;
+  /// lanes: those whose surface has a normal map.
   void apply_normal_maps(const Group& group, const Vec3s& direction, const LaneMask& lanes,
                          SurfacePoints& points) const;
   void queue_lights(const Group& group, const LaneMask& lanes, const SurfacePoints& points,
@@ -126,9 +142,9 @@ class BlockTracer {
                   const Vec3s& direction);
 
   void add_unblocked_light();
-  void add_unblocked_light(const Group& group);
   /// What the thin transmissive surfaces on an unblocked shadow ray let through.
   Rgb thin_transmittance(Ray ray);
+  Ray shadow_ray(std::size_t i) const;
   void note(const Path& path, const Hit& hit) const;
 
   const TracedScene& traced_;
@@ -142,7 +158,8 @@ class BlockTracer {
   std::size_t active_ = 0;   ///< paths
   std::unique_ptr<PathStates> paths_;
   std::unique_ptr<PathHits> hits_;
-  ShadowRays shadow_rays_;
+  RayStream shadow_rays_;
+  std::vector<PendingLight> pending_;  ///< one a shadow ray
   RayCounts counts_;
 };
 

@@ -12,6 +12,7 @@ constexpr Vec3 straight_up(0.0F, 0.0F, 1.0F);
 }  // namespace
 
 LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
+                                           const LaneMask& normal_mapped,
                                            const GroupNumbers& numbers) {
   SurfaceHits hits;
   for_each_lane(lanes, [&](std::size_t lane) {
@@ -29,7 +30,7 @@ LaneMask BlockTracer::advance_on_fast_path(const Group& group, LaneMask lanes,
     goes_on = advance_alone(group, turned_out_other, numbers);
     lanes &= ~turned_out_other;
   }
-  apply_normal_maps(group, direction, lanes, points);
+  apply_normal_maps(group, direction, lanes & normal_mapped, points);
   const Frames frames(points.shading_normal);
   const Vec3s outgoing = chosen(lanes, frames.to_local(-direction), all_lanes(straight_up));
   const FastPathBsdfs bsdfs(layers, outgoing, traced_.tables.ggx());
@@ -71,13 +72,10 @@ void BlockTracer::apply_normal_maps(const Group& group, const Vec3s& direction,
                                     const LaneMask& lanes, SurfacePoints& points) const {
   for_each_lane(lanes, [&](std::size_t lane) {
     const std::size_t index = group.first + lane;
-    const TracedObject& object = object_at(index);
-    if (object.has_normal_map) {
-      points.turn_shading_normal(
-          lane, direction,
-          mapped_normal(traced_.scene, mesh_point(index, points, lane), object.view.instance,
-                        points.smooth_normal_at(lane)));
-    }
+    points.turn_shading_normal(
+        lane, direction,
+        mapped_normal(traced_.scene, mesh_point(index, points, lane),
+                      object_at(index).view.instance, points.smooth_normal_at(lane)));
   });
 }
 
@@ -103,7 +101,12 @@ void BlockTracer::queue_lights(const Group& group, const LaneMask& lanes,
   const Vec3s to_light = shadow_direction(light, points.position, points.origin);
   arrives = finite(group, arrives, gain, to_light);
   shadow_rays_.add(LanePacking(bits_of(arrives)), points.origin, to_light, light.t_max,
-                   numbers.shadow_key, gain, paths_->job.load(group.first));
+                   numbers.shadow_key);
+  Vec3Lanes radiance;
+  radiance.store(gain);
+  for_each_lane(arrives, [&](std::size_t lane) {
+    pending_.push_back({.job = paths_->job[group.first + lane], .radiance = radiance.at(lane)});
+  });
 }
 
 LaneMask BlockTracer::send(const Group& group, const LaneMask& lanes, const SurfacePoints& points,

@@ -58,6 +58,9 @@ class Lights {
     return (environment_ ? 1 : 0) + (suns_.empty() ? 0 : 1) + (local_.empty() ? 0 : 1) > 1;
   }
 
+  /// u_choice decides something.
+  bool has_several_of_a_kind() const { return suns_.size() > 1 || local_.size() > 1; }
+
   /// Empty if the light drawn does not reach the shading point, or if what shines is found by rays
   /// only (see TriangleLights). u_kind in [0, 1); u_choice, u in the unit square.
   std::optional<LightSample> sample(const ShadingPoint& shading_point, float u_kind,

@@ -325,19 +325,32 @@ const Scene& RayScene::scene() const { return *embree_->source; }
 
 RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
 
-LaneMask RayScene::find_blocked(RayLanes& rays, const LaneMask& lanes) const {
+void RayScene::find_blocked(RayStream& rays) const {
   RayQueryContext context(*embree_->source);
-  const UintLanes keys = rays.key;
+  std::uint32_t* id = rays.key_.data();
+  std::vector<std::uint32_t> numbers;
   if (embree_->has_thin_surfaces) {
     // The filters note thin transmissive surfaces by the ray's number, which takes the key's place.
-    std::iota(rays.key.begin(), rays.key.end(), 0U);
-    context.keys = keys.data();
-    context.met_thin_surface = rays.flags.data();
+    numbers.resize(rays.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    id = numbers.data();
+    context.keys = rays.key_.data();
+    context.met_thin_surface = rays.met_thin_surface_.data();
+    std::fill_n(context.met_thin_surface, rays.size(), 0U);
   }
-  rtcOccluded8(reinterpret_cast<const int*>(&lanes), embree_->scene.get(), &context,
-               reinterpret_cast<RTCRay8*>(&rays));
-  rays.key = keys;
-  return lanes & (rays.t_max.load() < 0.0F);
+  RTCRayNp stream{.org_x = rays.origin_.data(0),
+                  .org_y = rays.origin_.data(1),
+                  .org_z = rays.origin_.data(2),
+                  .tnear = rays.zero_.data(),
+                  .dir_x = rays.direction_.data(0),
+                  .dir_y = rays.direction_.data(1),
+                  .dir_z = rays.direction_.data(2),
+                  .time = rays.zero_.data(),
+                  .tfar = rays.t_max_.data(),
+                  .mask = rays.mask_.data(),
+                  .id = id,
+                  .flags = rays.met_thin_surface_.data()};
+  rtcOccludedNp(embree_->scene.get(), &context, &stream, static_cast<unsigned>(rays.size()));
 }
 
 }  // namespace foveola

@@ -11,6 +11,7 @@
 #include "renderer/base/vec.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace/kept_hierarchies.h"
+#include "renderer/trace/ray_stream.h"
 
 struct RTCSceneTy;
 
@@ -54,14 +55,15 @@ struct RayLanes {
   FloatLanes t_max;
   UintLanes mask;
   UintLanes key;
-  UintLanes flags;  ///< set by find_blocked(): the ray met a thin transmissive surface
+  UintLanes flags;
 
-  RayLanes(const Vec3s& from, const Vec3s& along, const Floats& until, const Uints& keys) {
+  /// Rays without end.
+  RayLanes(const Vec3s& from, const Vec3s& along, const Uints& keys) {
     origin.store(from);
     t_min.store(Floats{});
     direction.store(along);
     time.store(Floats{});
-    t_max.store(until);
+    t_max.fill(std::numeric_limits<float>::infinity());
     mask.store(~Uints{});
     key.store(keys);
     flags.store(Uints{});
@@ -128,9 +130,8 @@ class RayScene {
   /// The first triangle on the ray where the opacity is above 0, whatever the ray's key.
   Hit closest_hit_of_any_opacity(const Ray& ray) const;
 
-  /// Which of eight rays meet a triangle, of those in `lanes`. Thin transmissive surfaces (see
-  /// opacity.h) do not block but tint, so the rays that met one are flagged.
-  LaneMask find_blocked(RayLanes& rays, const LaneMask& lanes) const;
+  /// Marks the rays that meet a triangle as blocked, and those that met thin transmissive surfaces.
+  void find_blocked(RayStream& rays) const;
 
   /// Whether rays' keys decide something: there are surfaces that only some rays meet.
   bool asks_for_keys() const;

@@ -142,7 +142,8 @@ void BlockTracer::queue_light(const Path& path, const SurfacePoint& point, const
   gain *= transmittance(absorption, glm::length(shadow_ray.direction) * shadow_ray.t_max);
   gain = glm::min(gain, Rgb(settings_.largest_light_sample));
   if (finite(path.job, gain, shadow_ray.direction)) {
-    shadow_rays_.add(shadow_ray, gain, path.job);
+    pending_.push_back({.job = path.job, .radiance = gain});
+    shadow_rays_.add(shadow_ray.origin, shadow_ray.direction, shadow_ray.t_max, shadow_ray.key);
   }
 }
 

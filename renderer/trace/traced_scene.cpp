@@ -33,6 +33,15 @@ TracedObject traced_object(const Scene& scene, std::uint32_t object) {
   return traced;
 }
 
+std::uint8_t traits_of(const TracedObject& object) {
+  const auto trait = [](bool has_it, std::uint8_t bit) { return has_it ? bit : 0; };
+  return static_cast<std::uint8_t>(
+      trait(object.shines, ObjectTraits::shines) |
+      trait(object.is_thin_transmissive, ObjectTraits::is_thin_transmissive) |
+      trait(object.is_on_fast_path, ObjectTraits::is_on_fast_path) |
+      trait(object.has_normal_map, ObjectTraits::has_normal_map));
+}
+
 }  // namespace
 
 TracedScene::TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
@@ -42,11 +51,15 @@ TracedScene::TracedScene(const Scene& source, const Workers& workers, const Ligh
       lights(source, sampling),
       tables(source.materials, workers) {
   has_absorption = false;
+  has_other_lobes = false;
   is_dark = lights.empty();
   for (std::uint32_t object = 0; object < source.object_count(); ++object) {
     objects.push_back(traced_object(source, object));
     const TracedObject& traced = objects.back();
+    traits.push_back(traits_of(traced));
     has_absorption = has_absorption || max_component(traced.absorption_per_m) > 0.0F;
+    has_other_lobes = has_other_lobes ||
+                      (!traced.is_unlit && (!traced.is_on_fast_path || traced.layers.is_shiny));
     is_dark = is_dark && !traced.is_unlit;
   }
 }

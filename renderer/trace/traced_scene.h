@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "renderer/base/parallel.h"
@@ -29,14 +30,24 @@ struct TracedObject {
   bool has_normal_map = false;
 };
 
+/// What decides how an object's hits are worked on: a bit each.
+struct ObjectTraits {
+  static constexpr std::uint8_t shines = 1;
+  static constexpr std::uint8_t is_thin_transmissive = 2;
+  static constexpr std::uint8_t is_on_fast_path = 4;
+  static constexpr std::uint8_t has_normal_map = 8;
+};
+
 struct TracedScene {
   const Scene& scene;
   RayScene rays;
   Lights lights;
   ScatteringTables tables;
   std::vector<TracedObject> objects;
-  bool has_absorption;  ///< some solid absorbs
-  bool is_dark;         ///< nothing shines: every radiance is zero
+  std::vector<std::uint8_t> traits;  ///< of each object; see ObjectTraits
+  bool has_absorption;               ///< some solid absorbs
+  bool has_other_lobes;              ///< something scatters otherwise than a Lambertian layer alone
+  bool is_dark;                      ///< nothing shines: every radiance is zero
 
   TracedScene(const Scene& source, const Workers& workers, const LightSampling& sampling,
               KeptHierarchies* kept);

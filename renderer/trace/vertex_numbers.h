@@ -15,7 +15,9 @@ struct GroupNumbers;
 
 /// Which of a vertex's numbers decide something; the others need not be computed.
 struct NeededNumbers {
-  bool light_kind;  ///< there are lights of several kinds
+  bool light_kind;    ///< there are lights of several kinds
+  bool light_choice;  ///< there are several lights of one kind
+  bool lobe;          ///< there are surfaces with several lobes
   bool roulette;
   bool keys;  ///< there are surfaces that only some rays meet
 };
@@ -45,7 +47,7 @@ struct VertexNumbers {
 /// The random numbers of a group of paths; those that are not needed are 0.
 struct GroupNumbers {
   LightNumbers light{};
-  Floats lobe, roulette{};
+  Floats lobe{}, roulette{};
   Vec2s scattering;
   Uints shadow_key{}, next_key{};
 
@@ -55,9 +57,17 @@ struct GroupNumbers {
     } else {
       random.skip(1);
     }
-    light.choice.store(random.next_2d());
+    if (needed.light_choice) {
+      light.choice.store(random.next_2d());
+    } else {
+      random.skip(1);
+    }
     light.point.store(random.next_2d());
-    lobe = random.next_1d();
+    if (needed.lobe) {
+      lobe = random.next_1d();
+    } else {
+      random.skip(1);
+    }
     scattering = random.next_2d();
     if (needed.roulette) {
       roulette = random.next_1d();

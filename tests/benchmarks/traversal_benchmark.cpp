@@ -75,31 +75,20 @@ void closest_hits(benchmark::State& state, std::vector<Ray> (*make_rays)()) {
 BENCHMARK_CAPTURE(closest_hits, fanned, fanned_rays)->Arg(10'000)->Arg(1'000'000);
 BENCHMARK_CAPTURE(closest_hits, scattered, scattered_rays)->Arg(10'000)->Arg(1'000'000);
 
-/// Rays that end at t_max; their number is a multiple of eight.
-std::vector<RayLanes> in_lanes(const std::vector<Ray>& rays, float t_max) {
-  std::vector<RayLanes> lanes;
-  for (std::size_t first = 0; first < rays.size(); first += lane_count) {
-    Vec3Lanes origin;
-    Vec3Lanes direction;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      origin.put(lane, rays[first + lane].origin);
-      direction.put(lane, rays[first + lane].direction);
-    }
-    lanes.emplace_back(origin.load(), direction.load(), all_lanes(t_max), Uints{});
-  }
-  return lanes;
-}
-
 void shadow_rays(benchmark::State& state) {
   const Workers workers(1);
   const Scene scene = confetti(static_cast<std::size_t>(state.range(0)));
   const RayScene ray_scene(scene, workers);
-  const std::vector<RayLanes> fresh = in_lanes(scattered_rays(), 0.5F);
+  const std::vector<Ray> rays = scattered_rays();
+  RayStream stream(rays.size());
   workers.for_each_block(1, 1, [&](std::size_t, std::size_t) {
     for (auto _ : state) {
-      for (RayLanes rays : fresh) {
-        benchmark::DoNotOptimize(ray_scene.find_blocked(rays, mask_of(0xffU)));
+      stream.clear();
+      for (const Ray& ray : rays) {
+        stream.add(ray.origin, ray.direction, 0.5F, ray.key);
       }
+      ray_scene.find_blocked(stream);
+      benchmark::DoNotOptimize(stream.is_blocked(0));
     }
   });
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(ray_count));

@@ -269,7 +269,7 @@ HitQueries asked_of_eight(const RayScene& scene, std::span<const Ray> rays, std:
     origin.put(lane, rays[lane].origin);
     direction.put(lane, rays[lane].direction);
   });
-  HitQueries queries({origin.load(), direction.load(), all_lanes(1.0F), Uints{}});
+  HitQueries queries({origin.load(), direction.load(), Uints{}});
   scene.find_hits(queries, mask_of(lanes));
   return queries;
 }
