@@ -86,7 +86,11 @@ class SampleStreams {
 
   SampleStreams(const Uints& key, const Uints& sample_number, const Uints& dimension)
       : key_(key), sample_number_(sample_number), dimension_(dimension) {}
-  Uints next_dimension() { return dimension_++; }
+  Uints next_dimension() {
+    const Uints next = dimension_;
+    dimension_ += 1U;
+    return next;
+  }
 
   Uints key_, sample_number_, dimension_;
 };
