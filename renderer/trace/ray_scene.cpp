@@ -6,7 +6,6 @@
 #include <cstring>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -328,12 +327,9 @@ RTCSceneTy* RayScene::embree_scene() const { return embree_->scene.get(); }
 void RayScene::find_blocked(RayStream& rays) const {
   RayQueryContext context(*embree_->source);
   std::uint32_t* id = rays.key_.data();
-  std::vector<std::uint32_t> numbers;
   if (embree_->has_thin_surfaces) {
     // The filters note thin transmissive surfaces by the ray's number, which takes the key's place.
-    numbers.resize(rays.size());
-    std::iota(numbers.begin(), numbers.end(), 0U);
-    id = numbers.data();
+    id = rays.number_.data();
     context.keys = rays.key_.data();
     context.met_thin_surface = rays.met_thin_surface_.data();
     std::fill_n(context.met_thin_surface, rays.size(), 0U);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 #include "renderer/base/lane_columns.h"
@@ -118,6 +119,8 @@ class RayStream {
     zero_.resize(capacity);
     mask_.resize(capacity, ~0U);
     met_thin_surface_.resize(capacity);
+    number_.resize(capacity);
+    std::iota(number_.data(), number_.data() + capacity, 0U);
   }
 
   std::size_t size_ = 0;
@@ -128,6 +131,7 @@ class RayStream {
   // What Embree wants beside them.
   GrowingColumn<float> zero_;
   GrowingColumn<std::uint32_t> mask_, met_thin_surface_;
+  GrowingColumn<std::uint32_t> number_;  ///< 0, 1, 2, ...
 };
 
 }  // namespace foveola
